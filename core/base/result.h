@@ -1,0 +1,47 @@
+#pragma once
+// A value, or the reason why there is none. For failures that a user or a file can cause.
+
+#include "core/base/contract.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace spacetow {
+
+/// Why something failed: a stable code (kebab-case, such as "not-finite") and the facts that its sentence needs.
+/// Sentences are made in one place, editor/window/messages.
+struct Error {
+    std::string code;
+    std::vector<std::string> arguments;
+
+    bool operator==(const Error&) const = default;
+};
+
+template <class T>
+class [[nodiscard]] Result {
+  public:
+    Result(T value) : m_state(std::in_place_index<0>, std::move(value)) {}
+    Result(Error error) : m_state(std::in_place_index<1>, std::move(error)) {}
+
+    explicit operator bool() const { return m_state.index() == 0; }
+
+    const T& value() const& {
+        EXPECTS(m_state.index() == 0);
+        return std::get<0>(m_state);
+    }
+    T&& value() && {
+        EXPECTS(m_state.index() == 0);
+        return std::get<0>(std::move(m_state));
+    }
+    const Error& error() const {
+        EXPECTS(m_state.index() == 1);
+        return std::get<1>(m_state);
+    }
+
+  private:
+    std::variant<T, Error> m_state;
+};
+
+} // namespace spacetow

@@ -1,0 +1,26 @@
+#pragma once
+// The ship: its hull and how it flies. Figures chosen by playing, from the decisions on tuning.
+
+#include "core/geometry/shape.h"
+#include "core/physics/body.h"
+
+namespace spacetow {
+
+namespace ship {
+constexpr double mass = 1;                // kg
+constexpr double thrustToWeight = 2.5;    // at the standard gravity of the game
+constexpr double standardGravity = 0.95;  // m/s²
+constexpr double thrust = mass * standardGravity * thrustToWeight; // N
+constexpr double steering = 6.0;          // rad/s², while a direction is held
+constexpr double linearDamping = 0.15;    // 1/s
+constexpr double angularDamping = 2.5;    // 1/s
+constexpr double restitution = 0.3;
+} // namespace ship
+
+/// The hull about its centroid, nose up, anticlockwise; the third vertex of the outline is the notch at the stern.
+Polygon shipHull();
+/// Where the tow rope is made fast: the notch, in the ship's local coordinates.
+Vec2 shipNotch();
+BodyDef shipBody(const Vec2& position, double angle);
+
+} // namespace spacetow

@@ -1,0 +1,79 @@
+#pragma once
+// An immutable picture of a running session: all that painting, sound and the HUD need, and nothing live.
+
+#include "core/game/controls.h"
+#include "core/geometry/shape.h"
+#include "core/level/level.h"
+#include "core/math/aabb.h"
+#include "core/math/transform.h"
+#include "core/physics/body.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace spacetow {
+
+enum class Phase : std::uint8_t {
+    Sandbox,       // the level has no ship: physics alone
+    AwaitingInput, // the ship is frozen until a direction is pressed
+    Flying,
+    Towing,
+    Won,
+    Crashed,  // a life is lost; any press tries again
+    GameOver, // no life is left; any press starts the level over
+};
+
+enum class BodyRole : std::uint8_t { Object, Ship, Payload, Finish, Debris };
+
+/// What is constant about a body; shared by all snapshots in which the body does not change.
+struct BodyLook {
+    std::uint64_t id;  // the same for the same body throughout a session
+    Key key;           // of its object, 0 for debris
+    BodyRole role;
+    BodyKind kind;
+    bool tangible;
+    std::uint32_t tags;
+    std::vector<Shape> shapes; // local
+};
+
+struct BodyPicture {
+    std::shared_ptr<const BodyLook> look;
+    Transform pose;
+    Vec2 velocity;
+    double angularVelocity;
+    Aabb bounds; // of the broad phase
+};
+
+struct ConnectorPicture {
+    Vec2 a, b;      // world
+    double length;  // natural, m
+    double tension; // N
+};
+
+/// What was heard since the last snapshot, one bit each.
+enum class Sound : std::uint32_t {
+    Start = 1, Thruster = 2, TowAttached = 4, TowBroken = 8, ShipLost = 16, PayloadLost = 32, Won = 64, Respawn = 128, GravityFlip = 256,
+};
+
+struct Hud {
+    int lives;           // attempts left, this one included
+    double fuel;         // s of thrust in this level
+    double time;         // s in this attempt
+    bool towInRange;     // pressing the tow key now would attach the rope
+    double gravityFlippedFor; // s since gravity was flipped, negative when it is not
+};
+
+struct Snapshot {
+    std::int64_t update = 0; // number of updates since the start
+    Phase phase = Phase::Sandbox;
+    Hud hud{};
+    Vec2 camera{0, 0};  // world point in the middle of the view
+    Controls controls;  // of the last update
+    std::vector<BodyPicture> bodies; // statics, kinematics, dynamics, each in order of creation
+    std::vector<ConnectorPicture> connectors;
+    std::vector<Aabb> quadtree; // leaf cells; filled only on request
+    std::uint32_t sounds = 0;   // Sound bits
+};
+
+} // namespace spacetow

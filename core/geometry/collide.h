@@ -1,0 +1,29 @@
+#pragma once
+// The narrow phase: where and how deep two parts meet.
+
+#include "core/geometry/part.h"
+#include "core/math/transform.h"
+
+#include <array>
+#include <cstdint>
+
+namespace spacetow {
+
+struct ManifoldPoint {
+    Vec2 point{0, 0};          // world; half way between the two surfaces
+    double separation = 0;     // metres along the normal; negative when the parts overlap
+    std::uint32_t feature = 0; // the same while the same corners and faces meet
+};
+
+/// At most two points that share one normal; no point when the parts are further apart than the margin.
+struct Manifold {
+    Vec2 normal{0, 1}; // unit, from the first part to the second
+    std::array<ManifoldPoint, 2> points;
+    int count = 0;
+};
+
+/// Contact of two parts no further apart than `margin` metres (≥ 0). Swapping the arguments swaps the normal and
+/// changes nothing else. Two walls never touch each other.
+Manifold collide(const Part& a, const Transform& poseA, const Part& b, const Transform& poseB, double margin);
+
+} // namespace spacetow

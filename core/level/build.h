@@ -1,0 +1,27 @@
+#pragma once
+// From the document to the running world.
+
+#include "core/level/level.h"
+#include "core/physics/world.h"
+
+#include <utility>
+#include <vector>
+
+
+namespace spacetow {
+
+/// What a level became. Bodies carry their object's key in `user`. Ship, payload and finish are left to the game.
+struct BuiltWorld {
+    World world;
+    std::vector<std::pair<Key, BodyId>> bodies; // sorted by key
+};
+
+/// Objects that lint reports as errors (a polygon that crosses itself, say) are left out.
+BuiltWorld builtWorld(const Level& level);
+
+/// The shapes of one body object as the physics takes them: chains become edges and lines.
+std::vector<Shape> physicsShapes(const BodyObject& body);
+
+UpdateParameters updateParameters(const Level& level);
+
+} // namespace spacetow

@@ -1,0 +1,36 @@
+#pragma once
+// Edits as free functions Level → Level, named by past participle; the editor, the command line and the tests call
+// the same ones. Keys that are not in the level are ignored.
+
+#include "core/level/level.h"
+#include "core/math/aabb.h"
+
+#include <span>
+
+namespace spacetow {
+
+/// Appends the object. Its key must be fresh (see freshKey). A ship, payload or finish replaces the one that is there,
+/// which keeps its key and name.
+Level added(Level level, Object object);
+/// Also removes the connectors that lose an end.
+Level removed(Level level, std::span<const Key> keys);
+Level moved(Level level, std::span<const Key> keys, const Vec2& delta);
+/// Anticlockwise by `radians` about `pivot`.
+Level rotated(Level level, std::span<const Key> keys, const Vec2& pivot, double radians);
+/// Turns the solid side of edge chains round, and the winding of lines; other shapes stay.
+Level reversed(Level level, std::span<const Key> keys);
+/// Copies with fresh keys (from `seed`), shifted by `delta`; connectors are copied when both ends are.
+/// The keys of the copies come out in `copies`, in the order of `keys`. Ship, payload and finish are not copied.
+Level duplicated(Level level, std::span<const Key> keys, const Vec2& delta, std::uint64_t seed,
+                 std::vector<Key>& copies);
+/// The object with the same key is replaced; the key must exist.
+Level withObject(Level level, Object object);
+Level renamed(Level level, Key key, std::string name);
+Level withTag(Level level, int index, TagInfo info);
+
+/// Bounds of one object in world coordinates (the ship by its hull, connectors by their anchors).
+Aabb boundsOf(const Level& level, const Object& object);
+/// Of everything in the level; empty for an empty level.
+Aabb boundsOf(const Level& level);
+
+} // namespace spacetow

@@ -1,0 +1,39 @@
+#pragma once
+// Level files: JSON as laid down in levels/README.md. Reading reports every problem with its line and JSON pointer;
+// writing is atomic. A file that was read and written unchanged is the same to the byte.
+
+#include "core/base/result.h"
+#include "core/level/problem.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace spacetow {
+
+constexpr int levelSchema = 1;
+constexpr std::size_t maxLevelBytes = 64u << 20; // larger files are refused unread
+
+/// What a file says. There is a level unless something in the file cannot be understood without guessing.
+struct LevelFile {
+    std::optional<Level> level;
+    std::vector<Problem> problems; // of the file, then of lint, in the order of their lines
+};
+
+LevelFile parseLevel(std::string_view text);
+/// The text of the file, newline at the end. Shortest round-trip numbers, keys in fixed order.
+std::string levelText(const Level& level);
+
+/// Codes: "cannot-read" (path, reason), "file-too-large" (path, bytes).
+Result<LevelFile> readLevel(const std::filesystem::path& path);
+/// Writes beside the file, flushes and renames, so that the old file stays whole when anything fails.
+/// Code: "cannot-write" (path, reason).
+std::optional<Error> writeLevel(const std::filesystem::path& path, const Level& level);
+
+/// One object as text and back, for the clipboard. Parsing gives the objects and a list of problems.
+std::string objectsText(const Level& level, std::span<const Key> keys);
+std::vector<Object> parseObjects(std::string_view text, const TagTable& tags, std::vector<Problem>& problems);
+
+} // namespace spacetow

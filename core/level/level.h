@@ -1,0 +1,201 @@
+#pragma once
+// The level document as a value: what the editor shows, the file spells and play starts from. Metres, radians, y up.
+// Objects are held as shared immutable pieces, so that a copy of a level costs pointers only.
+
+#include "core/base/contract.h"
+#include "core/level/tag_table.h"
+#include "core/physics/body.h"
+#include "core/physics/connector.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace spacetow {
+
+/// Identity of an object in its file: random, never zero, never used again. Spelled as eight hexadecimal digits.
+using Key = std::uint32_t;
+
+/// One-way walls joined end to end: each is solid for what comes from its left on the way from vertex to vertex.
+struct EdgeChain {
+    std::vector<Vec2> vertices; // at least two
+    bool closed = false;        // the last vertex joins the first
+    double depth = noBack;      // m, of every wall of the chain
+
+    bool operator==(const EdgeChain&) const = default;
+};
+
+/// Walls joined end to end that are solid from both sides.
+struct LineChain {
+    std::vector<Vec2> vertices; // at least two
+    bool closed = false;
+
+    bool operator==(const LineChain&) const = default;
+};
+
+using LevelShape = std::variant<EdgeChain, LineChain, Polygon, Circle>;
+
+/// A rigid body. Mass properties come from the shapes unless a mass is given.
+struct BodyObject {
+    BodyKind kind = BodyKind::Static;
+    std::vector<LevelShape> shapes; // local coordinates, at least one
+    Vec2 position{0, 0};
+    double angle = 0;
+    Vec2 velocity{0, 0};
+    double angularVelocity = 0;
+    std::optional<double> mass; // kg
+    double density = 1;         // kg/m²
+    double restitution = 0;
+    double friction = 0.3;
+    double linearDamping = 0;  // 1/s
+    double angularDamping = 0; // 1/s
+    Filter filter;
+    bool tangible = true;
+    bool frozen = false;
+
+    bool operator==(const BodyObject&) const = default;
+};
+
+/// Where the ship starts.
+struct ShipObject {
+    Vec2 position{0, 0}; // of its centre of mass
+    double angle = 0;
+
+    bool operator==(const ShipObject&) const = default;
+};
+
+/// Where the payload waits: a ball.
+struct PayloadObject {
+    Vec2 position{0, 0};
+    double radius = 0.2; // m
+    double mass = 0.25;  // kg
+
+    bool operator==(const PayloadObject&) const = default;
+};
+
+/// The payload wins by crossing this segment, from either side.
+struct FinishObject {
+    Vec2 a{0, 0};
+    Vec2 b{1, 0};
+
+    bool operator==(const FinishObject&) const = default;
+};
+
+/// A damped spring between two bodies, named by their keys.
+struct ConnectorObject {
+    Key a = 0, b = 0;
+    Vec2 anchorA{0, 0}, anchorB{0, 0}; // local coordinates of each body
+    std::optional<double> length;      // m; without it the distance at the start
+    double stiffness = 100;            // N/m
+    double damping = 0;                // N s/m
+    bool slack = false;
+    bool bodiesCollide = false;
+    TruncationRule truncation = TruncationRule::None; // never Custom
+    double limit = 0;                                 // N
+    double proportion = 0.5;
+
+    bool operator==(const ConnectorObject&) const = default;
+};
+
+using ObjectData = std::variant<BodyObject, ShipObject, PayloadObject, FinishObject, ConnectorObject>;
+
+struct Object {
+    Key key = 0;
+    std::string name; // for people; may be empty or shared
+    ObjectData data;
+    std::string unknownFields; // JSON object text of the fields this version does not know; empty for none
+
+    bool operator==(const Object&) const = default;
+};
+
+/// The rules of a game of SpaceTow in this level.
+struct Rules {
+    int lives = 3;              // attempts, ≥ 1
+    double towRange = 1.5;      // m, between the centres of ship and payload
+    bool flipGravityOnTow = false;
+    std::string background = "stars"; // name of a shipped background
+
+    bool operator==(const Rules&) const = default;
+};
+
+/// The objects of a level in creation order, which is also the drawing order.
+class ObjectList {
+  public:
+    int size() const { return static_cast<int>(m_items.size()); }
+    bool empty() const { return m_items.empty(); }
+    const Object& operator[](int index) const { return *m_items[static_cast<std::size_t>(index)]; }
+
+    /// Position of the object with this key, or −1. Linear in the number of objects.
+    int indexOf(Key key) const;
+    /// The object with this key, or null.
+    const Object* find(Key key) const;
+
+    void append(Object object) { m_items.push_back(std::make_shared<const Object>(std::move(object))); }
+    void insert(int index, Object object);
+    void replace(int index, Object object);
+    void erase(int index);
+    void move(int from, int to);
+    /// Whether both lists hold the very same piece at this place: a cheap "has it changed?".
+    bool sharesPiece(int index, const ObjectList& other) const {
+        return index < size() && index < other.size() &&
+               m_items[static_cast<std::size_t>(index)] == other.m_items[static_cast<std::size_t>(index)];
+    }
+
+    class Iterator {
+      public:
+        using Inner = std::vector<std::shared_ptr<const Object>>::const_iterator;
+        explicit Iterator(Inner inner) : m_inner(inner) {}
+        const Object& operator*() const { return **m_inner; }
+        const Object* operator->() const { return m_inner->get(); }
+        Iterator& operator++() {
+            ++m_inner;
+            return *this;
+        }
+        bool operator==(const Iterator&) const = default;
+
+      private:
+        Inner m_inner;
+    };
+    Iterator begin() const { return Iterator(m_items.begin()); }
+    Iterator end() const { return Iterator(m_items.end()); }
+
+    /// Equal values; pieces that are shared are not looked into.
+    bool operator==(const ObjectList& other) const;
+
+  private:
+    std::vector<std::shared_ptr<const Object>> m_items;
+};
+
+struct Level {
+    std::string name;
+    std::string author;
+    std::string description;
+    Vec2 gravity{0, -0.95}; // m/s²
+    double updateSeconds = 0.02;
+    int iterations = 100;
+    int substeps = 2;
+    Rules rules;
+    TagTable tags;
+    ObjectList objects;
+    std::string unknownFields; // as in Object, of the level itself
+
+    bool operator==(const Level&) const = default;
+};
+
+/// A key that no object of the level has, chosen by `seed` (any number; equal seeds, equal keys).
+Key freshKey(const Level& level, std::uint64_t seed);
+
+/// The single object of this kind, or null when there is none; the first of several.
+template <class T>
+const Object* firstOf(const Level& level) {
+    for (const Object& object : level.objects) {
+        if (std::holds_alternative<T>(object.data)) {
+            return &object;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace spacetow

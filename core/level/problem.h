@@ -1,0 +1,28 @@
+#pragma once
+// What is wrong with a level or its file: a code, where, and the facts its sentence needs. The sentences are made in
+// editor/window/messages.
+
+#include "core/level/level.h"
+
+#include <string>
+#include <vector>
+
+namespace spacetow {
+
+enum class Severity : std::uint8_t { Warning, Error };
+
+struct Problem {
+    Severity severity = Severity::Error;
+    std::string code;                   // kebab-case and stable, e.g. "ship-missing"
+    std::vector<std::string> arguments; // values for the sentence, in the order the code's sentence names them
+    std::string pointer;                // JSON pointer into the file, "" for the whole document
+    int line = 1;                       // of the file, from 1; 0 when there is no file
+    Key object = 0;                     // 0: the level itself
+
+    bool operator==(const Problem&) const = default;
+};
+
+/// Errors keep a level from being played as meant; warnings are worth a look.
+bool hasErrors(const std::vector<Problem>& problems);
+
+} // namespace spacetow

@@ -1,0 +1,50 @@
+#pragma once
+// What happened during the last update, in a fixed order. Valid until the next update.
+
+#include "core/physics/body.h"
+
+#include <vector>
+
+namespace spacetow {
+
+struct TouchEvent {
+    int iteration; // of the update, from 0
+    BodyId a, b;   // a was added to the world before b
+    bool solid;    // false when one of them is intangible
+};
+
+struct TagsTouchedEvent {
+    int iteration;
+    BodyId body; // one that reports touches
+    TagMask tags; // of everything it touched in this iteration; never empty
+};
+
+struct RemovedEvent {
+    int iteration; // −1: before the first
+    BodyId body;   // no longer in the world
+    std::uint64_t user;
+};
+
+/// A body whose state stopped being finite and which was therefore switched off.
+struct FaultEvent {
+    int iteration;
+    BodyId body;
+};
+
+struct Events {
+    std::vector<TouchEvent> began;
+    std::vector<TouchEvent> ended;
+    std::vector<TagsTouchedEvent> tagsTouched;
+    std::vector<RemovedEvent> removed;
+    std::vector<FaultEvent> faults;
+
+    void clear() {
+        began.clear();
+        ended.clear();
+        tagsTouched.clear();
+        removed.clear();
+        faults.clear();
+    }
+};
+
+} // namespace spacetow

@@ -1,0 +1,100 @@
+#pragma once
+// The world: bodies and connectors, and the update that moves them. A world is a value: a copy of it is a saved game.
+// It has one owner; other threads read snapshots.
+
+#include "core/base/result.h"
+#include "core/math/aabb.h"
+#include "core/physics/body.h"
+#include "core/physics/connector.h"
+#include "core/physics/events.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace spacetow {
+
+/// The update loop: each update makes `iterations` passes of motion and collision, each of `substeps` sub-steps of
+/// motion, before which the connector forces are recomputed.
+struct UpdateParameters {
+    Vec2 gravity{0, -9.81};   // m/s²
+    double seconds = 0.02;    // simulated by one update, > 0
+    int iterations = 100;     // ≥ 1
+    int substeps = 2;         // an iteration, ≥ 1
+
+    bool operator==(const UpdateParameters&) const = default;
+};
+
+struct WorldData;
+
+class World {
+  public:
+    explicit World(const UpdateParameters& parameters = {});
+    World(const World&);
+    World(World&&) noexcept;
+    World& operator=(const World&);
+    World& operator=(World&&) noexcept;
+    ~World();
+
+    /// Codes: "not-finite", "bad-mass", "bad-shape", "no-shape", "out-of-range"; the first argument names the field.
+    Result<BodyId> addBody(const BodyDef& def);
+    /// Codes: "not-finite", "out-of-range", "no-such-body", "same-body".
+    Result<ConnectorId> addConnector(const ConnectorDef& def);
+
+    /// Removal, together with the body's connectors, is carried out at the start of the next update or the end of
+    /// the running iteration; the same goes for the setters of flags below.
+    void removeBody(BodyId body);
+    void removeConnector(ConnectorId connector);
+    void setActive(BodyId body, bool active);
+    void setTangible(BodyId body, bool tangible);
+    void setFrozen(BodyId body, bool frozen) { setFrozen(body, frozen, frozen); }
+    void setFrozen(BodyId body, bool position, bool rotation);
+
+    /// At once; for a static body the static tree is rebuilt with the next update.
+    void setPose(BodyId body, const Vec2& position, double angle);
+    void setVelocity(BodyId body, const Vec2& velocity, double angularVelocity);
+    void setFilter(BodyId body, const Filter& filter);
+
+    /// Forces act during the whole of the next update and are then forgotten; N and N m. A value that is not finite
+    /// is refused: the call returns false and changes nothing.
+    bool applyForce(BodyId body, const Vec2& force, ForceSource source = ForceSource::Manual);
+    bool applyForceAt(BodyId body, const Vec2& force, const Vec2& worldPoint, ForceSource source = ForceSource::Manual);
+    bool applyTorque(BodyId body, double torque, ForceSource source = ForceSource::Manual);
+    /// At once; N s and N m s.
+    bool applyImpulseAt(BodyId body, const Vec2& impulse, const Vec2& worldPoint,
+                        ForceSource source = ForceSource::Manual);
+    bool applyAngularImpulse(BodyId body, double impulse, ForceSource source = ForceSource::Manual);
+
+    /// One update with the world's own parameters, or with others for this call only.
+    void update();
+    void update(const UpdateParameters& parameters);
+
+    const UpdateParameters& parameters() const;
+    void setParameters(const UpdateParameters& parameters);
+    const Events& events() const;
+
+    bool contains(BodyId body) const;
+    bool contains(ConnectorId connector) const;
+    /// The id must be in the world.
+    BodyState body(BodyId body) const;
+    const std::vector<Shape>& shapes(BodyId body) const;
+    ConnectorState connector(ConnectorId connector) const;
+    Aabb bounds(BodyId body) const; // of the last broad phase, padding included
+    /// In the order in which they were added.
+    std::vector<BodyId> bodies() const;
+    std::vector<ConnectorId> connectors() const;
+    int bodyCount() const;
+
+    /// Kinetic energy plus potential energy in the gravity of `parameters()` plus that of untruncated connectors, J.
+    double energy() const;
+    /// Over everything that decides the future: equal hashes, equal futures.
+    std::uint64_t hash() const;
+
+    /// The arrays themselves, for the stages of the update and the queries.
+    const WorldData& data() const { return *m_data; }
+
+  private:
+    std::unique_ptr<WorldData> m_data;
+};
+
+} // namespace spacetow

@@ -1,0 +1,92 @@
+#pragma once
+// The document: the level being edited, its history and the preview of the gesture in progress. Values are swapped,
+// never changed, so undo cannot go wrong.
+
+#include "core/level/level.h"
+#include "editor/editing/selection.h"
+#include "editor/editing/signal.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace spacetow {
+
+/// A level with what is selected in it.
+struct Edit {
+    std::shared_ptr<const Level> level; // never null
+    Selection selection;
+};
+
+/// What an edit is called in menus and in the history: a stable code such as "move" that editor/window/messages
+/// turns into words, and how many objects it concerns.
+struct Label {
+    std::string code;
+    int count = 1;
+
+    bool operator==(const Label&) const = default;
+};
+
+/// What is shown before and after. Compare your own slice and repaint if it differs.
+struct Change {
+    Edit before, after;
+};
+
+class Document {
+  public:
+    explicit Document(Level level = {});
+
+    /// What is shown: the preview while there is one, else the current edit.
+    const Edit& shown() const;
+    const Level& level() const { return *shown().level; }
+    const Selection& selection() const { return shown().selection; }
+
+    void preview(Edit edit);
+    void dropPreview();
+    bool hasPreview() const;
+
+    /// One history entry; ends the preview. An edit that changes nothing adds none. Commits with the same merge key
+    /// (not empty) within a second replace each other.
+    void commit(const Label& label, Edit edit, const std::string& mergeKey = {});
+    /// Selecting is no history entry of its own; undoing an edit brings back the selection it was made with.
+    void select(Selection selection);
+
+    bool canUndo() const;
+    bool canRedo() const;
+    void undo();
+    void redo();
+    /// The label that undo or redo would take back or repeat; there must be one.
+    const Label& undoLabel() const;
+    const Label& redoLabel() const;
+    /// All labels, oldest first, and how many of them are applied.
+    std::vector<Label> history() const;
+    int position() const;
+    void goTo(int position);
+
+    /// Whether the level differs in value from the one last saved or opened.
+    bool isModified() const;
+    void markSaved();
+    /// Starts over with another level and an empty history.
+    void reset(Level level);
+
+    Signal<const Change&> changed;        // level or selection shown
+    Signal<> historyChanged;              // labels, position or isModified
+
+  private:
+    struct Entry {
+        Label label;
+        Edit before, after;
+        std::string mergeKey;
+        std::chrono::steady_clock::time_point time;
+    };
+    void show(const Change& change);
+
+    Edit m_current;
+    std::shared_ptr<const Edit> m_preview;
+    std::vector<Entry> m_entries;
+    std::size_t m_position = 0;
+    std::shared_ptr<const Level> m_saved;
+};
+
+} // namespace spacetow

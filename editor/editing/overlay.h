@@ -1,0 +1,50 @@
+#pragma once
+// What a tool draws over the level while it is at work, in world coordinates. The canvas decides colours and widths.
+
+#include "core/math/aabb.h"
+#include "core/math/vec.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace spacetow {
+
+enum class OverlayStyle : std::uint8_t {
+    Draft,      // outline of the shape being drawn
+    SolidSide,  // short strokes on the solid side of a one-way wall being drawn
+    Band,       // rubber band
+    Handle,     // something to grab
+    HotHandle,  // the one under the pointer, or the one that closes a shape
+    Snap,       // where the point will land
+    Measure,    // length and angle while drawing
+};
+
+struct OverlayLine {
+    OverlayStyle style;
+    std::vector<Vec2> points; // world
+    bool closed = false;
+};
+struct OverlayPoint {
+    OverlayStyle style;
+    Vec2 at; // world
+};
+struct OverlayCircle {
+    OverlayStyle style;
+    Vec2 center;
+    double radius; // m
+};
+/// "1.25 m  45°" beside a point; numbers need no translation.
+struct OverlayText {
+    Vec2 at;
+    std::string text;
+};
+
+struct Overlay {
+    std::vector<OverlayLine> lines;
+    std::vector<OverlayPoint> points;
+    std::vector<OverlayCircle> circles;
+    std::vector<OverlayText> texts;
+};
+
+} // namespace spacetow

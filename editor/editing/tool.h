@@ -1,0 +1,77 @@
+#pragma once
+// Tools turn pointer and keys into edits; they know no toolkit. A drag is a Gesture, a pure function of the pointer:
+// preview, commit, cancel and undo are written once, in the toolbox.
+
+#include "editor/editing/document.h"
+#include "editor/editing/input.h"
+#include "editor/editing/overlay.h"
+#include "editor/editing/snap.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spacetow {
+
+/// Lives as long as a drag; made from the edit it starts with.
+class Gesture {
+  public:
+    virtual ~Gesture() = default;
+    /// The edit that releasing at this pointer would make.
+    virtual Edit at(const Pointer& pointer) const = 0;
+    virtual Label label() const = 0;
+    virtual Overlay overlay(const Pointer&) const { return {}; }
+    /// False for gestures that only select: they add no history entry.
+    virtual bool edits() const { return true; }
+};
+
+enum class CursorShape : std::uint8_t { Arrow, Cross, Move, OpenHand, Pointing };
+
+/// What the status bar says: a code that editor/window/messages turns into a sentence, with its numbers.
+struct Hint {
+    std::string code; // e.g. "draw-edge.next"
+    std::vector<std::string> arguments;
+
+    bool operator==(const Hint&) const = default;
+};
+
+/// An edit that is ready without a drag.
+struct FinishedEdit {
+    Label label;
+    Edit edit;
+};
+
+/// What a tool needs to know beside the pointer.
+struct ToolContext {
+    Edit edit; // current, without preview
+    SnapSettings snap;
+    std::uint64_t seed = 1; // for fresh keys; another at every call
+};
+
+class Tool {
+  public:
+    virtual ~Tool() = default;
+
+    /// Stable code, e.g. "select", "edge", "line", "polygon", "circle", "place".
+    virtual std::string code() const = 0;
+    /// A press may start a gesture…
+    virtual std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) = 0;
+    /// …or, for tools that work click by click, finish an edit at a click (press and release without a drag).
+    virtual std::optional<FinishedEdit> click(const ToolContext&, const Pointer&) { return {}; }
+    virtual std::optional<FinishedEdit> doubleClick(const ToolContext&, const Pointer&) { return {}; }
+    virtual std::optional<FinishedEdit> secondaryClick(const ToolContext&, const Pointer&) { return {}; }
+    virtual std::optional<FinishedEdit> key(const ToolContext&, ToolKey, const Pointer&) { return {}; }
+    /// The pointer moved without a gesture.
+    virtual void hover(const ToolContext&, const Pointer&) {}
+    /// Whether a shape is half drawn; Escape then cancels it before anything else.
+    virtual bool isBusy() const { return false; }
+    /// Forgets what is half done.
+    virtual void cancel() {}
+
+    virtual Overlay overlay(const ToolContext& context, const Pointer& pointer) const = 0;
+    virtual Hint hint(const ToolContext& context, const Pointer& pointer) const = 0;
+    virtual CursorShape cursor(const ToolContext& context, const Pointer& pointer) const = 0;
+};
+
+} // namespace spacetow

@@ -1,0 +1,31 @@
+#pragma once
+// The part of the world that is in view. The one place where screen y (down) meets world y (up).
+
+#include "core/math/aabb.h"
+#include "core/math/vec.h"
+
+namespace spacetow {
+
+class Viewport {
+  public:
+    static constexpr double minScale = 0.5;   // pixels a metre
+    static constexpr double maxScale = 20000;
+
+    Vec2 center{0, 0};  // world point in the middle of the view
+    double scale = 66;  // logical pixels a metre, the same on both axes
+    Vec2 size{880, 660}; // of the view, logical pixels
+
+    Vec2 toScreen(const Vec2& world) const;
+    Vec2 toWorld(const Vec2& screen) const;
+    Aabb visible() const;
+    double pixel() const { return 1 / scale; } // m
+
+    /// Zoomed by `factor` with the world point under `screen` staying there; the scale stays within its limits.
+    Viewport zoomedAt(const Vec2& screen, double factor) const;
+    /// Shifted so that the world follows a drag by `pixels`.
+    Viewport panned(const Vec2& pixels) const;
+    /// The box in the middle, as large as fits with a margin; an empty box gives the default view.
+    Viewport showing(const Aabb& box) const;
+};
+
+} // namespace spacetow
