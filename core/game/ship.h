@@ -1,19 +1,21 @@
 #pragma once
 // The ship: its hull and how it flies. Figures chosen by playing, from the decisions on tuning.
 
+#include "core/game/controls.h"
 #include "core/geometry/shape.h"
 #include "core/physics/body.h"
+#include "core/physics/world.h"
 
 namespace spacetow {
 
 namespace ship {
-constexpr double mass = 1;                // kg
-constexpr double thrustToWeight = 2.5;    // at the standard gravity of the game
-constexpr double standardGravity = 0.95;  // m/s²
+constexpr double mass = 1;                                         // kg
+constexpr double thrustToWeight = 2.5;                             // at the standard gravity of the game
+constexpr double standardGravity = 0.95;                           // m/s²
 constexpr double thrust = mass * standardGravity * thrustToWeight; // N
-constexpr double steering = 6.0;          // rad/s², while a direction is held
-constexpr double linearDamping = 0.15;    // 1/s
-constexpr double angularDamping = 2.5;    // 1/s
+constexpr double steering = 6.0;                                   // rad/s², while a direction is held
+constexpr double linearDamping = 0.15;                             // 1/s
+constexpr double angularDamping = 2.5;                             // 1/s
 constexpr double restitution = 0.3;
 } // namespace ship
 
@@ -22,5 +24,7 @@ Polygon shipHull();
 /// Where the tow rope is made fast: the notch, in the ship's local coordinates.
 Vec2 shipNotch();
 BodyDef shipBody(const Vec2& position, double angle);
+/// Applies to the next update what the pilot holds down; left and right together cancel.
+void steer(World& world, BodyId ship, const Controls& controls);
 
 } // namespace spacetow

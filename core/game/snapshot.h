@@ -28,8 +28,8 @@ enum class BodyRole : std::uint8_t { Object, Ship, Payload, Finish, Debris };
 
 /// What is constant about a body; shared by all snapshots in which the body does not change.
 struct BodyLook {
-    std::uint64_t id;  // the same for the same body throughout a session
-    Key key;           // of its object, 0 for debris
+    std::uint64_t id; // the same for the same body throughout a session
+    Key key;          // of its object, 0 for debris
     BodyRole role;
     BodyKind kind;
     bool tangible;
@@ -53,14 +53,22 @@ struct ConnectorPicture {
 
 /// What was heard since the last snapshot, one bit each.
 enum class Sound : std::uint32_t {
-    Start = 1, Thruster = 2, TowAttached = 4, TowBroken = 8, ShipLost = 16, PayloadLost = 32, Won = 64, Respawn = 128, GravityFlip = 256,
+    Start = 1,
+    Thruster = 2,
+    TowAttached = 4,
+    TowBroken = 8,
+    ShipLost = 16,
+    PayloadLost = 32,
+    Won = 64,
+    Respawn = 128,
+    GravityFlip = 256,
 };
 
 struct Hud {
-    int lives;           // attempts left, this one included
-    double fuel;         // s of thrust in this level
-    double time;         // s in this attempt
-    bool towInRange;     // pressing the tow key now would attach the rope
+    int lives;                // attempts left, this one included
+    double fuel;              // s of thrust in this level
+    double time;              // s in this attempt
+    bool towInRange;          // pressing the tow key now would attach the rope
     double gravityFlippedFor; // s since gravity was flipped, negative when it is not
 };
 
@@ -68,8 +76,8 @@ struct Snapshot {
     std::int64_t update = 0; // number of updates since the start
     Phase phase = Phase::Sandbox;
     Hud hud{};
-    Vec2 camera{0, 0};  // world point in the middle of the view
-    Controls controls;  // of the last update
+    Vec2 camera{0, 0};               // world point in the middle of the view
+    Controls controls;               // of the last update
     std::vector<BodyPicture> bodies; // statics, kinematics, dynamics, each in order of creation
     std::vector<ConnectorPicture> connectors;
     std::vector<Aabb> quadtree; // leaf cells; filled only on request

@@ -1,0 +1,78 @@
+#pragma once
+// A recorded flight: what the player held down in each update, run-length encoded. With the same level and seed it
+// gives the same game to the last bit. As a file:
+//   {"replay": 1, "level": "01_first_haul.json", "levelHash": "0123456789abcdef", "seed": 1,
+//    "updates": [[bits, count], …]}
+// where bit 0 is left, 1 right, 2 thrust, 3 tow. `levelHash` may be missing; a different one means that the level has
+// been edited since.
+
+#include "core/base/result.h"
+#include "core/game/controls.h"
+#include "core/game/snapshot.h"
+#include "core/level/level.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spacetow {
+
+constexpr int replayVersion = 1;
+constexpr std::size_t maxReplayBytes = 8u << 20;
+constexpr std::int64_t maxReplayUpdates = 1'000'000; // five and a half hours
+
+struct Replay {
+    struct Run {
+        Controls controls;
+        std::int64_t count = 1; // updates, > 0
+
+        bool operator==(const Run&) const = default;
+    };
+
+    std::string level; // file name, for people and tools
+    std::optional<std::uint64_t> levelHash;
+    std::uint64_t seed = 1;
+    std::vector<Run> runs;
+
+    /// One more update.
+    void append(const Controls& controls);
+    std::int64_t updates() const;
+
+    bool operator==(const Replay&) const = default;
+};
+
+struct Outcome {
+    Phase phase = Phase::Sandbox;
+    double time = 0; // s, of the last attempt
+    double fuel = 0; // s of thrust
+    int lives = 0;
+    std::int64_t updates = 0;
+    std::uint64_t hash = 0;    // of the session at the end
+    bool levelChanged = false; // since the recording, as far as its hash tells
+
+    bool won() const { return phase == Phase::Won; }
+    bool lost() const { return phase == Phase::Crashed || phase == Phase::GameOver; }
+
+    bool operator==(const Outcome&) const = default;
+};
+
+/// Flies the whole recording.
+Outcome replayed(const Level& level, const Replay& replay);
+
+/// Of the level as its file spells it.
+std::uint64_t levelHash(const Level& level);
+
+/// Codes: "replay-not-json" (line), "replay-bad-field" (JSON pointer), "replay-newer" (version, newest known),
+/// "replay-too-long" (updates allowed).
+Result<Replay> parseReplay(std::string_view text);
+std::string replayText(const Replay& replay);
+
+/// Codes: those of parseReplay, "cannot-read" (path, reason), "file-too-large" (path, bytes allowed).
+Result<Replay> readReplay(const std::filesystem::path& path);
+/// The old file stays whole when anything fails. Code: "cannot-write" (path, reason).
+std::optional<Error> writeReplay(const std::filesystem::path& path, const Replay& replay);
+
+} // namespace spacetow

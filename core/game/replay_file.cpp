@@ -1,0 +1,207 @@
+// The spelling of recorded flights.
+
+#include "core/game/replay.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <fstream>
+#include <system_error>
+
+namespace spacetow {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int deepest = 4; // a replay is an object of arrays of arrays
+
+struct BadField {
+    std::string pointer;
+};
+struct TooDeep {};
+
+const Json& member(const Json& object, const char* name) {
+    const auto found = object.find(name);
+    if (found == object.end()) {
+        throw BadField{std::string("/") + name};
+    }
+    return *found;
+}
+
+/// A whole number from `least` to `most`.
+std::int64_t integer(const Json& value, std::int64_t least, std::int64_t most, const std::string& pointer) {
+    const bool fits = value.is_number_integer() &&
+                      (!value.is_number_unsigned() || value.get<std::uint64_t>() <= static_cast<std::uint64_t>(most));
+    if (!fits || value.get<std::int64_t>() < least || value.get<std::int64_t>() > most) {
+        throw BadField{pointer};
+    }
+    return value.get<std::int64_t>();
+}
+
+std::string hex(std::uint64_t number) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
+    return text;
+}
+
+std::uint64_t fromHex(const Json& value, const char* pointer) {
+    std::uint64_t number = 0;
+    const std::string text = value.is_string() ? value.get<std::string>() : std::string();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, 16);
+    if (text.size() != 16 || error != std::errc() || end != text.data() + text.size()) {
+        throw BadField{pointer};
+    }
+    return number;
+}
+
+std::vector<Replay::Run> runsFrom(const Json& list) {
+    if (!list.is_array()) {
+        throw BadField{"/updates"};
+    }
+    std::vector<Replay::Run> runs;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::string pointer = "/updates/" + std::to_string(i);
+        if (!list[i].is_array() || list[i].size() != 2) {
+            throw BadField{pointer};
+        }
+        const std::int64_t bits = integer(list[i][0], 0, 15, pointer + "/0");
+        const std::int64_t count = integer(list[i][1], 1, std::int64_t{1} << 62, pointer + "/1");
+        runs.push_back({controlsFromBits(static_cast<std::uint8_t>(bits)), count});
+    }
+    return runs;
+}
+
+bool tooLong(const std::vector<Replay::Run>& runs) {
+    std::int64_t sum = 0;
+    for (const Replay::Run& run : runs) {
+        if (run.count > maxReplayUpdates - sum) {
+            return true;
+        }
+        sum += run.count;
+    }
+    return false;
+}
+
+Result<Replay> replayFrom(const Json& json) {
+    if (!json.is_object()) {
+        return Error{"replay-bad-field", {""}};
+    }
+    const std::int64_t version = integer(member(json, "replay"), 1, std::int64_t{1} << 62, "/replay");
+    if (version > replayVersion) {
+        return Error{"replay-newer", {std::to_string(version), std::to_string(replayVersion)}};
+    }
+    Replay replay;
+    const Json& level = member(json, "level");
+    if (!level.is_string()) {
+        return Error{"replay-bad-field", {"/level"}};
+    }
+    replay.level = level.get<std::string>();
+    if (json.contains("levelHash")) {
+        replay.levelHash = fromHex(json["levelHash"], "/levelHash");
+    }
+    const Json& seed = member(json, "seed");
+    if (!seed.is_number_unsigned()) {
+        return Error{"replay-bad-field", {"/seed"}};
+    }
+    replay.seed = seed.get<std::uint64_t>();
+    replay.runs = runsFrom(member(json, "updates"));
+    if (tooLong(replay.runs)) {
+        return Error{"replay-too-long", {std::to_string(maxReplayUpdates)}};
+    }
+    return replay;
+}
+
+std::string reason(std::error_code code) {
+    return code ? code.message() : std::string("input/output error");
+}
+
+} // namespace
+
+Result<Replay> parseReplay(std::string_view text) {
+    try {
+        const auto bounded = [](int depth, Json::parse_event_t, Json&) {
+            return depth <= deepest ? true : throw TooDeep{};
+        };
+        return replayFrom(Json::parse(text.begin(), text.end(), bounded));
+    } catch (const BadField& bad) {
+        return Error{"replay-bad-field", {bad.pointer}};
+    } catch (const TooDeep&) {
+        return Error{"replay-bad-field", {""}};
+    } catch (const Json::parse_error& error) {
+        const std::size_t upTo = std::min(text.size(), error.byte);
+        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(upTo), '\n');
+        return Error{"replay-not-json", {std::to_string(line)}};
+    } catch (const Json::exception&) { // a number too large to hold, say
+        return Error{"replay-not-json", {"1"}};
+    }
+}
+
+std::string replayText(const Replay& replay) {
+    // A name that is not UTF-8 is spelled with replacement characters rather than refused.
+    const std::string name = Json(replay.level).dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text = "{\n\"replay\": " + std::to_string(replayVersion) + ",\n\"level\": " + name + ",\n";
+    if (replay.levelHash) {
+        text += "\"levelHash\": \"" + hex(*replay.levelHash) + "\",\n";
+    }
+    text += "\"seed\": " + std::to_string(replay.seed) + ",\n\"updates\": [";
+    std::size_t lineStart = text.size();
+    for (std::size_t i = 0; i < replay.runs.size(); ++i) {
+        const Replay::Run& run = replay.runs[i];
+        if (i > 0) {
+            text += ',';
+        }
+        if (i == 0 || text.size() - lineStart > 110) {
+            lineStart = text.size();
+            text += '\n';
+        }
+        text += '[' + std::to_string(toBits(run.controls)) + ',' + std::to_string(run.count) + ']';
+    }
+    text += replay.runs.empty() ? "]\n}\n" : "\n]\n}\n";
+    return text;
+}
+
+Result<Replay> readReplay(const std::filesystem::path& path) {
+    std::error_code code;
+    const auto size = std::filesystem::file_size(path, code);
+    if (code) {
+        return Error{"cannot-read", {path.string(), reason(code)}};
+    }
+    if (size > maxReplayBytes) {
+        return Error{"file-too-large", {path.string(), std::to_string(maxReplayBytes)}};
+    }
+    std::ifstream file(path, std::ios::binary);
+    std::string text(size, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    if (!file) {
+        return Error{"cannot-read", {path.string(), reason(std::error_code(errno, std::generic_category()))}};
+    }
+    return parseReplay(text);
+}
+
+std::optional<Error> writeReplay(const std::filesystem::path& path, const Replay& replay) {
+    std::filesystem::path beside = path;
+    beside += ".part";
+    std::error_code code;
+    {
+        std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+        file << replayText(replay);
+        file.flush();
+        if (!file) {
+            code = std::error_code(errno, std::generic_category());
+            std::error_code ignored;
+            std::filesystem::remove(beside, ignored);
+            return Error{"cannot-write", {path.string(), reason(code)}};
+        }
+    }
+    std::filesystem::rename(beside, path, code);
+    if (code) {
+        std::error_code ignored;
+        std::filesystem::remove(beside, ignored);
+        return Error{"cannot-write", {path.string(), reason(code)}};
+    }
+    return std::nullopt;
+}
+
+} // namespace spacetow

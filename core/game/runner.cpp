@@ -1,0 +1,148 @@
+#include "core/game/runner.h"
+
+#include <future>
+
+namespace spacetow {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::time_point time) {
+    return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+Clock::time_point timePoint(double time) {
+    return Clock::time_point(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time)));
+}
+
+} // namespace
+
+Runner::Runner(const Level& level, Mode mode, std::uint64_t seed)
+    : m_mode(mode), m_seed(seed), m_start(level, seed), m_session(m_start), m_last(m_session.snapshot()),
+      m_pacer(m_session.updateSeconds()) {
+    m_recording.seed = seed;
+    post(m_last);
+    if (mode == Mode::Threaded) {
+        m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
+    }
+}
+
+Runner::~Runner() = default;
+
+void Runner::hold(const Controls& controls) {
+    const std::uint8_t bits = toBits(controls);
+    m_held.store(bits);
+    m_latched.fetch_or(bits);
+}
+
+void Runner::pause() {
+    command([this] {
+        m_paused = true;
+        post(m_last);
+    });
+}
+
+void Runner::resume() {
+    command([this] {
+        m_paused = false;
+        m_pacer.restart(seconds(Clock::now()));
+        post(m_last);
+    });
+}
+
+void Runner::stepOnce() {
+    command([this] { update(); });
+}
+
+void Runner::restart() {
+    command([this] {
+        m_session = m_start;
+        m_recording.runs.clear();
+        m_latched.store(0);
+        m_pacer.restart(seconds(Clock::now()));
+        m_last = m_session.snapshot(m_quadtree);
+        post(m_last);
+    });
+}
+
+void Runner::wantQuadtree(bool wanted) {
+    command([this, wanted] {
+        m_quadtree = wanted;
+        m_last = m_session.snapshot(wanted);
+        post(m_last);
+    });
+}
+
+Replay Runner::recording() {
+    auto promise = std::make_shared<std::promise<Replay>>();
+    std::future<Replay> answer = promise->get_future();
+    command([this, promise] { promise->set_value(m_recording); });
+    return answer.get();
+}
+
+void Runner::advance(int updates) {
+    EXPECTS(m_mode == Mode::Manual);
+    for (int i = 0; i < updates && !m_paused; ++i) {
+        update();
+    }
+}
+
+void Runner::command(Command command) {
+    if (m_mode == Mode::Manual) {
+        command();
+        return;
+    }
+    {
+        const std::lock_guard lock(m_mutex);
+        m_commands.push_back(std::move(command));
+    }
+    m_wake.notify_one();
+}
+
+void Runner::obeyCommands() {
+    std::vector<Command> commands;
+    {
+        const std::lock_guard lock(m_mutex);
+        commands.swap(m_commands);
+    }
+    for (const Command& command : commands) {
+        command();
+    }
+}
+
+void Runner::run(const std::stop_token& stop) {
+    m_pacer.restart(seconds(Clock::now()));
+    while (!stop.stop_requested()) {
+        obeyCommands();
+        const int due = m_paused ? 0 : m_pacer.due(seconds(Clock::now()));
+        for (int i = 0; i < due && !stop.stop_requested(); ++i) {
+            update();
+        }
+        std::unique_lock lock(m_mutex);
+        const auto called = [this] { return !m_commands.empty(); };
+        if (m_paused) {
+            m_wake.wait(lock, stop, called);
+        } else {
+            m_wake.wait_until(lock, stop, timePoint(m_pacer.next()), called);
+        }
+    }
+}
+
+void Runner::update() {
+    const Controls controls = controlsFromBits(m_held.load() | m_latched.exchange(0));
+    m_session.step(controls);
+    if (m_session.updates() <= maxReplayUpdates) {
+        m_recording.append(controls);
+    }
+    const std::shared_ptr<const Snapshot> before = m_last;
+    m_last = m_session.snapshot(m_quadtree);
+    m_sounds.fetch_or(m_last->sounds);
+    post(before);
+}
+
+void Runner::post(std::shared_ptr<const Snapshot> before) {
+    m_frames.post(std::make_shared<const Frame>(
+        Frame{std::move(before), m_last, Clock::now(), m_session.updateSeconds(), m_paused}));
+}
+
+} // namespace spacetow

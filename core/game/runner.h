@@ -1,0 +1,90 @@
+#pragma once
+// Runs a session in real time on a thread of its own and hands out pictures of it. Any thread may call the members;
+// no lock is held while the session steps. While paused no time passes.
+
+#include "core/base/mailbox.h"
+#include "core/game/pacer.h"
+#include "core/game/replay.h"
+#include "core/game/session.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace spacetow {
+
+/// The newest two pictures, to be blended while the next update is awaited.
+struct Frame {
+    std::shared_ptr<const Snapshot> before, now; // never null; the same in the first frame and after a restart
+    std::chrono::steady_clock::time_point at;    // when `now` was taken
+    double period = 0.02;                        // s, simulated between the two
+    bool paused = false;
+};
+
+class Runner {
+  public:
+    /// A manual runner has no thread: `advance` makes its updates, and everything else happens at once.
+    enum class Mode { Threaded, Manual };
+
+    /// Builds the session; a threaded runner starts at once.
+    explicit Runner(const Level& level, Mode mode = Mode::Threaded, std::uint64_t seed = 1);
+    ~Runner();
+    Runner(const Runner&) = delete;
+    Runner& operator=(const Runner&) = delete;
+
+    /// What is held down from now on. A key that is let go before the next update still counts in that one.
+    void hold(const Controls& controls);
+    void pause();
+    void resume();
+    /// One update, whether paused or not.
+    void stepOnce();
+    /// Back to the first update with the same seed; the recording starts again as well.
+    void restart();
+    void wantQuadtree(bool wanted);
+
+    std::shared_ptr<const Frame> frame() const { return m_frames.latest(); }
+    /// Sound bits of all updates since the last call.
+    std::uint32_t takeSounds() { return m_sounds.exchange(0); }
+    /// The flight so far. Waits for the running update to end; the name of the level is left to the caller.
+    Replay recording();
+
+    /// Of a manual runner: makes updates unless paused.
+    void advance(int updates = 1);
+
+  private:
+    using Command = std::function<void()>;
+
+    void command(Command command);
+    void obeyCommands();
+    void run(const std::stop_token& stop);
+    void update();
+    void post(std::shared_ptr<const Snapshot> before);
+
+    const Mode m_mode;
+    const std::uint64_t m_seed;
+
+    // Of the runner's thread, or of the caller's when manual.
+    const Session m_start;
+    Session m_session;
+    std::shared_ptr<const Snapshot> m_last;
+    Replay m_recording;
+    Pacer m_pacer;
+    bool m_paused = false;
+    bool m_quadtree = false;
+
+    // Between the threads.
+    Mailbox<Frame> m_frames;
+    std::atomic<std::uint8_t> m_held = 0, m_latched = 0; // bits of Controls
+    std::atomic<std::uint32_t> m_sounds = 0;
+    std::mutex m_mutex;
+    std::condition_variable_any m_wake;
+    std::vector<Command> m_commands; // guarded by m_mutex
+    std::jthread m_thread;           // last, so that it ends first
+};
+
+} // namespace spacetow

@@ -1,0 +1,345 @@
+#include "core/game/session.h"
+
+#include "core/game/rules.h"
+#include "core/game/ship.h"
+#include "core/level/build.h"
+#include "core/level/edits.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace spacetow {
+namespace {
+
+Controls pressed(const Controls& now, const Controls& before) {
+    return {now.left && !before.left, now.right && !before.right, now.thrust && !before.thrust, now.tow && !before.tow};
+}
+
+} // namespace
+
+/// In which iteration of the update each thing happened first; `never` when it did not.
+struct Session::Verdict {
+    static constexpr int never = std::numeric_limits<int>::max();
+
+    int shipHit = never;     // something fatal to the ship
+    int payloadHit = never;  // a wall
+    int payloadHome = never; // the finish
+    bool payloadTouchedByShip = false;
+};
+
+Session::Session(const Level& level, std::uint64_t seed)
+    : m_level(std::make_shared<const Level>(level)), m_random(seed) {
+    buildStart();
+    beginLevel();
+    const Aabb bounds = boundsOf(level);
+    const Vec2 middle = bounds.isEmpty() ? Vec2(0, 0) : bounds.center();
+    m_camera.snapTo(m_ship ? m_shipSeen : middle);
+}
+
+void Session::buildStart() {
+    BuiltWorld built = builtWorld(*m_level);
+    m_world = std::move(built.world);
+    for (const BodyId body : m_world.bodies()) {
+        const BodyState state = m_world.body(body);
+        const auto key = static_cast<Key>(state.user);
+        m_actors.push_back({body, std::make_shared<const BodyLook>(
+                                      BodyLook{++m_lastLook, key, BodyRole::Object, state.kind, state.tangible,
+                                               state.filter.tags.bits, m_world.shapes(body)})});
+    }
+    if (const Object* finish = firstOf<FinishObject>(*m_level)) {
+        addActor(finishBody(std::get<FinishObject>(finish->data)), BodyRole::Finish, finish->key);
+    }
+    m_startActors = m_actors.size();
+    m_start = std::make_shared<const World>(m_world);
+}
+
+void Session::beginLevel() {
+    m_lives = std::max(1, m_level->rules.lives);
+    m_fuel = 0;
+    m_debris.clear();
+    beginAttempt();
+}
+
+void Session::beginAttempt() {
+    std::vector<FlyingDebris> debris = std::move(m_debris);
+    for (FlyingDebris& one : debris) {
+        const BodyState state = m_world.body(one.body);
+        one.piece.def.position = state.pose.position;
+        one.piece.def.angle = state.angle;
+        one.piece.def.velocity = state.velocity;
+        one.piece.def.angularVelocity = state.angularVelocity;
+    }
+    m_world = *m_start;
+    m_actors.resize(m_startActors);
+    m_debris.clear();
+    m_ship = m_payload = {};
+    m_rope = {};
+    m_time = 0;
+    m_flippedFor = -1;
+    m_phase = Phase::Sandbox;
+    m_payloadState = PayloadState::Absent;
+    if (const Object* object = firstOf<PayloadObject>(*m_level)) {
+        const auto& data = std::get<PayloadObject>(object->data);
+        m_payload = addActor(payloadBody(data), BodyRole::Payload, object->key);
+        m_payloadState = m_payload ? PayloadState::Waiting : PayloadState::Absent;
+        m_payloadSeen = data.position;
+    }
+    if (const Object* object = firstOf<ShipObject>(*m_level)) {
+        const auto& data = std::get<ShipObject>(object->data);
+        BodyDef def = shipBody(data.position, data.angle);
+        def.positionFrozen = def.rotationFrozen = true;
+        m_ship = addActor(def, BodyRole::Ship, object->key);
+        m_phase = m_ship ? Phase::AwaitingInput : Phase::Sandbox;
+        m_shipSeen = data.position;
+    }
+    for (FlyingDebris& one : debris) {
+        addDebris(one);
+    }
+}
+
+void Session::step(const Controls& controls) {
+    m_sounds = 0;
+    ++m_update;
+    obey(pressed(controls, m_controls));
+    m_controls = controls;
+    if (isPlaying()) {
+        steer(m_world, m_ship, controls);
+        m_time += updateSeconds();
+    }
+    m_world.update();
+    judge();
+    if (isPlaying() && controls.thrust) {
+        m_fuel += updateSeconds();
+        hear(Sound::Thruster);
+    }
+    if (m_flippedFor >= 0) {
+        m_flippedFor += updateSeconds();
+    }
+    ageDebris();
+    moveCamera();
+}
+
+void Session::obey(const Controls& fresh) {
+    const bool direction = fresh.left || fresh.right || fresh.thrust;
+    switch (m_phase) {
+    case Phase::AwaitingInput:
+        if (direction) {
+            m_phase = Phase::Flying;
+            m_world.setFrozen(m_ship, false);
+            hear(Sound::Start);
+        }
+        break;
+    case Phase::Flying:
+        if (fresh.tow && payloadInRange()) {
+            attachRope();
+        }
+        break;
+    case Phase::Crashed:
+    case Phase::GameOver:
+        if (direction || fresh.tow) {
+            if (m_phase == Phase::GameOver) {
+                beginLevel();
+            } else {
+                beginAttempt();
+            }
+            m_camera.snapTo(m_shipSeen);
+            hear(Sound::Respawn);
+        }
+        break;
+    case Phase::Sandbox:
+    case Phase::Towing:
+    case Phase::Won:
+        break;
+    }
+}
+
+bool Session::payloadInRange() const {
+    if (m_phase != Phase::Flying || m_payloadState != PayloadState::Waiting) {
+        return false;
+    }
+    const Vec2 gap = m_world.body(m_ship).massCenter - m_world.body(m_payload).massCenter;
+    return gap.norm() < m_level->rules.towRange;
+}
+
+void Session::attachRope() {
+    const Result<ConnectorId> added = m_world.addConnector(towRope(m_ship, m_payload));
+    if (!added) {
+        return;
+    }
+    m_rope = added.value();
+    m_world.setFrozen(m_payload, false);
+    m_world.setVelocity(m_payload, Vec2(0, 0), 0);
+    m_payloadState = PayloadState::Towed;
+    m_phase = Phase::Towing;
+    hear(Sound::TowAttached);
+    if (m_level->rules.flipGravityOnTow) {
+        UpdateParameters parameters = m_world.parameters();
+        parameters.gravity = -parameters.gravity;
+        m_world.setParameters(parameters);
+        m_flippedFor = 0;
+        hear(Sound::GravityFlip);
+    }
+}
+
+Session::Verdict Session::verdict() const {
+    Verdict verdict;
+    const auto earlier = [](int& first, int iteration) { first = std::min(first, iteration); };
+    for (const TagsTouchedEvent& touched : m_world.events().tagsTouched) {
+        if (touched.body == m_ship && touched.tags.intersects(rules::fatalToShip)) {
+            earlier(verdict.shipHit, touched.iteration);
+        }
+        if (touched.body == m_payload) {
+            if (touched.tags.intersects(rules::finish)) {
+                earlier(verdict.payloadHome, touched.iteration);
+            }
+            if (touched.tags.intersects(rules::fatalToPayload)) {
+                earlier(verdict.payloadHit, touched.iteration);
+            }
+            verdict.payloadTouchedByShip |= touched.tags.intersects(rules::ship);
+        }
+    }
+    // What was switched off because it left the finite numbers is as lost as what hit a wall.
+    for (const FaultEvent& fault : m_world.events().faults) {
+        if (fault.body == m_ship) {
+            earlier(verdict.shipHit, fault.iteration);
+        }
+        if (fault.body == m_payload) {
+            earlier(verdict.payloadHit, fault.iteration);
+        }
+    }
+    return verdict;
+}
+
+void Session::judge() {
+    if (m_phase == Phase::Sandbox || m_phase == Phase::AwaitingInput) {
+        return;
+    }
+    Verdict now = verdict();
+    if (m_payloadState == PayloadState::Waiting && now.payloadTouchedByShip) {
+        m_world.setFrozen(m_payload, false);
+        m_payloadState = PayloadState::Dropped;
+        now.payloadHit = Verdict::never; // it may have rested on a wall until now
+    }
+    if (m_payloadState == PayloadState::Waiting || m_payloadState == PayloadState::Delivered) {
+        now.payloadHit = Verdict::never;
+    }
+    // The finish comes before a wall in the same iteration, the loss of the ship before either.
+    const bool home = m_phase == Phase::Towing && now.payloadHome != Verdict::never &&
+                      now.payloadHome <= now.payloadHit && now.payloadHome < now.shipHit;
+    if (home) {
+        win();
+        now.payloadHit = Verdict::never;
+    }
+    const bool wasPlaying = isPlaying();
+    if (now.shipHit != Verdict::never) {
+        destroyShip();
+    }
+    if (now.payloadHit != Verdict::never) {
+        destroyPayload();
+    }
+    if (wasPlaying && (now.shipHit != Verdict::never || now.payloadHit != Verdict::never)) {
+        loseAttempt();
+    }
+}
+
+void Session::loseAttempt() {
+    if (m_rope) {
+        hear(Sound::TowBroken);
+    }
+    breakRope();
+    --m_lives;
+    m_phase = m_lives > 0 ? Phase::Crashed : Phase::GameOver;
+}
+
+void Session::win() {
+    breakRope();
+    m_payloadState = PayloadState::Delivered;
+    m_phase = Phase::Won;
+    hear(Sound::Won);
+}
+
+void Session::breakRope() {
+    if (m_rope && m_world.contains(m_rope)) {
+        m_world.removeConnector(m_rope);
+    }
+    m_rope = {};
+    if (m_payloadState == PayloadState::Towed) {
+        m_payloadState = PayloadState::Dropped;
+    }
+}
+
+void Session::destroyShip() {
+    const BodyState state = m_world.body(m_ship);
+    m_shipSeen = state.massCenter;
+    scatter(state, debris::fromShip);
+    removeActor(m_ship);
+    hear(Sound::ShipLost);
+}
+
+void Session::destroyPayload() {
+    const BodyState state = m_world.body(m_payload);
+    m_payloadSeen = state.massCenter;
+    scatter(state, debris::fromPayload);
+    removeActor(m_payload);
+    m_payloadState = PayloadState::Lost;
+    hear(Sound::PayloadLost);
+}
+
+void Session::scatter(const BodyState& source, int least) {
+    for (DebrisPiece& piece : debrisOf(source, least, m_random)) {
+        FlyingDebris one{std::move(piece), {}};
+        addDebris(one);
+    }
+}
+
+void Session::addDebris(FlyingDebris& debris) {
+    debris.body = addActor(debris.piece.def, BodyRole::Debris, 0);
+    if (debris.body) { // refused where its source was not finite
+        m_debris.push_back(std::move(debris));
+    }
+}
+
+void Session::ageDebris() {
+    for (FlyingDebris& one : m_debris) {
+        one.piece.life -= updateSeconds();
+        if (one.piece.life <= 0) {
+            removeActor(one.body);
+        }
+    }
+    std::erase_if(m_debris, [](const FlyingDebris& one) { return !one.body; });
+}
+
+void Session::moveCamera() {
+    if (m_phase == Phase::Sandbox) {
+        return;
+    }
+    if (m_ship) {
+        m_shipSeen = m_world.body(m_ship).massCenter;
+    }
+    if (m_payload) {
+        m_payloadSeen = m_world.body(m_payload).massCenter;
+    }
+    const bool payloadMoved = m_payloadState != PayloadState::Absent && m_payloadState != PayloadState::Waiting;
+    m_camera.follow(m_ship || !payloadMoved ? m_shipSeen : m_payloadSeen, updateSeconds());
+}
+
+BodyId Session::addActor(const BodyDef& def, BodyRole role, Key key) {
+    BodyDef named = def;
+    named.user = key;
+    const Result<BodyId> added = m_world.addBody(named);
+    if (!added) {
+        return {};
+    }
+    m_actors.push_back({added.value(), std::make_shared<const BodyLook>(BodyLook{++m_lastLook, key, role, def.kind,
+                                                                                 def.tangible, def.filter.tags.bits,
+                                                                                 m_world.shapes(added.value())})});
+    return added.value();
+}
+
+void Session::removeActor(BodyId& body) {
+    m_world.removeBody(body);
+    std::erase_if(m_actors, [&](const Actor& actor) { return actor.body == body; });
+    body = {};
+}
+
+} // namespace spacetow

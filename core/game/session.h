@@ -1,0 +1,108 @@
+#pragma once
+// A game of SpaceTow in one level, or, in a level without a ship, a sandbox. A session is a value: a copy of it goes on
+// exactly like the original. It knows no clock and no thread; each step is one update of the world.
+//
+// An attempt begins with the level as it was drawn and the ship frozen. It ends when the payload is towed through the
+// finish, or costs one life when ship or payload is lost.
+
+#include "core/base/random.h"
+#include "core/game/camera.h"
+#include "core/game/controls.h"
+#include "core/game/debris.h"
+#include "core/game/payload.h"
+#include "core/game/snapshot.h"
+#include "core/physics/world.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace spacetow {
+
+class Session {
+  public:
+    explicit Session(const Level& level, std::uint64_t seed = 1);
+
+    /// One update. A press counts when the key was not held in the update before.
+    void step(const Controls& controls);
+
+    Phase phase() const { return m_phase; }
+    Hud hud() const;
+    double time() const { return m_time; } // s since the first press of this attempt; stands still when it is over
+    double fuel() const { return m_fuel; } // s of thrust since the level began, all attempts together
+    int lives() const { return m_lives; }  // attempts left, this one included
+    std::int64_t updates() const { return m_update; }
+    /// Simulated by one step, s.
+    double updateSeconds() const { return m_world.parameters().seconds; }
+    const Level& level() const { return *m_level; }
+    const World& world() const { return m_world; }
+    const Camera& camera() const { return m_camera; }
+    PayloadState payloadState() const { return m_payloadState; }
+    /// None while there is no such body in the world.
+    std::optional<BodyState> ship() const;
+    std::optional<BodyState> payload() const;
+    bool payloadInRange() const;
+
+    /// A picture of the state now, with the sounds of the last step; the cells of the quadtrees on request.
+    std::shared_ptr<const Snapshot> snapshot(bool withQuadtree = false) const;
+    /// Over everything that decides the future.
+    std::uint64_t hash() const;
+
+  private:
+    struct Actor {
+        BodyId body;
+        std::shared_ptr<const BodyLook> look;
+    };
+    struct FlyingDebris {
+        DebrisPiece piece;
+        BodyId body;
+    };
+    struct Verdict;
+
+    void buildStart();
+    void beginAttempt();
+    void beginLevel();
+    void obey(const Controls& fresh);
+    void attachRope();
+    Verdict verdict() const;
+    void judge();
+    void loseAttempt();
+    void win();
+    void destroyShip();
+    void destroyPayload();
+    void breakRope();
+    void scatter(const BodyState& source, int least);
+    void addDebris(FlyingDebris& debris);
+    void ageDebris();
+    void moveCamera();
+
+    BodyId addActor(const BodyDef& def, BodyRole role, Key key);
+    void removeActor(BodyId& body);
+    bool isPlaying() const { return m_phase == Phase::Flying || m_phase == Phase::Towing; }
+    void hear(Sound sound) { m_sounds |= static_cast<std::uint32_t>(sound); }
+
+    std::shared_ptr<const Level> m_level;
+    std::shared_ptr<const World> m_start; // the level's own bodies and the finish, before the first update
+    World m_world;
+    std::vector<Actor> m_actors; // in order of creation; the first m_startActors are those of m_start
+    std::size_t m_startActors = 0;
+    std::vector<FlyingDebris> m_debris;
+    std::uint64_t m_lastLook = 0;
+    Random m_random;
+
+    Phase m_phase = Phase::Sandbox;
+    PayloadState m_payloadState = PayloadState::Absent;
+    BodyId m_ship, m_payload;
+    ConnectorId m_rope;
+    Controls m_controls;
+    int m_lives = 0;
+    double m_fuel = 0;
+    double m_time = 0;
+    double m_flippedFor = -1; // s
+    std::int64_t m_update = 0;
+    std::uint32_t m_sounds = 0;
+    Camera m_camera;
+    Vec2 m_shipSeen{0, 0}, m_payloadSeen{0, 0}; // where they are or were last
+};
+
+} // namespace spacetow

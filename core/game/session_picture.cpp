@@ -1,0 +1,68 @@
+// What can be seen of a session: readings, the snapshot and the hash.
+
+#include "core/base/hash.h"
+#include "core/game/session.h"
+#include "core/physics/queries.h"
+
+namespace spacetow {
+
+Hud Session::hud() const {
+    return {m_lives, m_fuel, m_time, payloadInRange(), m_flippedFor};
+}
+
+std::optional<BodyState> Session::ship() const {
+    return m_ship ? std::optional(m_world.body(m_ship)) : std::nullopt;
+}
+
+std::optional<BodyState> Session::payload() const {
+    return m_payload ? std::optional(m_world.body(m_payload)) : std::nullopt;
+}
+
+std::shared_ptr<const Snapshot> Session::snapshot(bool withQuadtree) const {
+    auto picture = std::make_shared<Snapshot>();
+    picture->update = m_update;
+    picture->phase = m_phase;
+    picture->hud = hud();
+    picture->camera = m_camera.position();
+    picture->controls = m_controls;
+    picture->sounds = m_sounds;
+    picture->bodies.reserve(m_actors.size());
+    for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic}) {
+        for (const Actor& actor : m_actors) {
+            if (actor.look->kind == kind && m_world.contains(actor.body)) {
+                const BodyState state = m_world.body(actor.body);
+                picture->bodies.push_back(
+                    {actor.look, state.pose, state.velocity, state.angularVelocity, m_world.bounds(actor.body)});
+            }
+        }
+    }
+    for (const ConnectorId id : m_world.connectors()) {
+        const ConnectorState state = m_world.connector(id);
+        picture->connectors.push_back({state.anchorA, state.anchorB, state.length, state.tension});
+    }
+    if (withQuadtree) {
+        picture->quadtree = quadtreeCells(m_world);
+    }
+    return picture;
+}
+
+std::uint64_t Session::hash() const {
+    StateHash hash;
+    hash.add(m_world.hash());
+    Random next = m_random; // what it is about to draw stands for its state
+    hash.add(std::uint64_t{next.next()});
+    hash.add(std::uint64_t{next.next()});
+    hash.add(static_cast<std::uint64_t>(m_phase));
+    hash.add(static_cast<std::uint64_t>(m_payloadState));
+    hash.add(static_cast<std::uint64_t>(m_lives));
+    hash.add(std::uint64_t{toBits(m_controls)});
+    hash.add(m_fuel);
+    hash.add(m_time);
+    hash.add(m_flippedFor);
+    for (const FlyingDebris& one : m_debris) {
+        hash.add(one.piece.life);
+    }
+    return hash.value();
+}
+
+} // namespace spacetow
