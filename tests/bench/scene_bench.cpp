@@ -1,0 +1,125 @@
+// Times one scene: scene_bench SCENE [N [UPDATES]] [--hz H] [--iterations I] [--substeps S], and prints one line.
+
+#include "tests/bench/scene.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+
+using namespace spacetow;
+using namespace spacetow::bench;
+
+namespace {
+
+struct Request {
+    std::string_view scene;
+    std::optional<int> n, updates, iterations, substeps;
+    std::optional<double> hertz;
+};
+
+template <class Number>
+std::optional<Number> positive(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = error == std::errc{} && end == text.data() + text.size();
+    return whole && number > 0 && number < Number{10'000'000} ? std::optional(number) : std::nullopt;
+}
+
+/// Nothing when the arguments make no sense.
+std::optional<Request> request(int count, char** arguments) {
+    Request result;
+    int places = 0;
+    for (int i = 1; i < count; ++i) {
+        const std::string_view word = arguments[i];
+        const std::string_view next = i + 1 < count ? arguments[i + 1] : "";
+        bool known = true;
+        if (word == "--hz") {
+            known = (result.hertz = positive<double>(next)).has_value();
+            ++i;
+        } else if (word == "--iterations") {
+            known = (result.iterations = positive<int>(next)).has_value();
+            ++i;
+        } else if (word == "--substeps") {
+            known = (result.substeps = positive<int>(next)).has_value();
+            ++i;
+        } else if (places == 0) {
+            result.scene = word;
+            ++places;
+        } else {
+            std::optional<int>& place = places == 1 ? result.n : result.updates;
+            known = places <= 2 && (place = positive<int>(word)).has_value();
+            ++places;
+        }
+        if (!known) {
+            return std::nullopt;
+        }
+    }
+    return places > 0 ? std::optional(result) : std::nullopt;
+}
+
+/// Of sorted times; share 0 … 1.
+double quantile(const std::vector<double>& sorted, double share) {
+    return sorted[static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))];
+}
+
+std::vector<double> sortedTimes(const Run& run) {
+    std::vector<double> times = run.updateMs;
+    std::sort(times.begin(), times.end());
+    return times;
+}
+
+void printReference(const char* name, const std::optional<Run>& reference, double ownMedian) {
+    if (!reference) {
+        std::printf(" %s_ms= %s_ratio=", name, name);
+        return;
+    }
+    const double median = quantile(sortedTimes(*reference), 0.5);
+    std::printf(" %s_ms=%.3f %s_ratio=%.2f", name, median, name, ownMedian / median);
+}
+
+void print(const Scene& scene, int updates) {
+    const Run own = runSpacetow(scene, updates);
+    std::optional<Run> box2d, chipmunk;
+#ifdef SPACETOW_BENCH_BOX2D
+    box2d = runBox2d(scene, updates);
+#endif
+#ifdef SPACETOW_BENCH_CHIPMUNK
+    chipmunk = runChipmunk(scene, updates);
+#endif
+    const std::vector<double> times = sortedTimes(own);
+    const double median = quantile(times, 0.5);
+    std::printf("scene=%s n=%d bodies=%zu updates=%d build_ms=%.3f median_ms=%.3f p99_ms=%.3f max_ms=%.3f", //
+                scene.name.c_str(), scene.n, scene.bodies.size(), updates, own.buildMs, median, quantile(times, 0.99),
+                times.back());
+    std::printf(" min_y=%.4f mean_y=%.4f kinetic=%.6g hash=%016llx", own.minY, own.meanY, own.kinetic,
+                static_cast<unsigned long long>(own.hash));
+    printReference("box2d", box2d, median);
+    printReference("chipmunk", chipmunk, median);
+    std::printf("\n");
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    const std::optional<Request> asked = request(count, arguments);
+    std::optional<Scene> scene = asked ? makeScene(asked->scene, asked->n) : std::nullopt;
+    if (!scene) {
+        std::fprintf(stderr, "Usage: scene_bench SCENE [N [UPDATES]] [--hz H] [--iterations I] [--substeps S]\n"
+                             "where SCENE is one of:");
+        for (const std::string& name : sceneNames()) {
+            std::fprintf(stderr, " %s", name.c_str());
+        }
+        std::fprintf(stderr, "\n");
+        return 2;
+    }
+    if (asked->hertz) {
+        scene->parameters.seconds = 1 / *asked->hertz;
+    }
+    scene->parameters.iterations = asked->iterations.value_or(scene->parameters.iterations);
+    scene->parameters.substeps = asked->substeps.value_or(scene->parameters.substeps);
+    print(*scene, asked->updates.value_or(scene->updates));
+    return 0;
+}
