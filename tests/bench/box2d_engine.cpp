@@ -56,7 +56,8 @@ b2Body* addBody(b2World& world, const BodyDef& def) {
         }
     }
     if (def.mass) {
-        b2MassData data = result->GetMassData();
+        b2MassData data;
+        result->GetMassData(&data);
         const float factor = static_cast<float>(*def.mass) / data.mass;
         data.mass *= factor;
         data.I *= factor;
