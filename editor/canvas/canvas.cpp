@@ -1,0 +1,186 @@
+#include "editor/canvas/canvas.h"
+
+#include "core/level/edits.h"
+#include "editor/canvas/overlay_painter.h"
+#include "editor/canvas/scene_painter.h"
+
+#include <QGuiApplication>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+Vec2 toVec(const QPointF& point) {
+    return {point.x(), point.y()};
+}
+
+Qt::CursorShape shapeFor(CursorShape shape) {
+    switch (shape) {
+    case CursorShape::Arrow:
+        return Qt::ArrowCursor;
+    case CursorShape::Cross:
+        return Qt::CrossCursor;
+    case CursorShape::Move:
+        return Qt::SizeAllCursor;
+    case CursorShape::OpenHand:
+        return Qt::OpenHandCursor;
+    case CursorShape::Pointing:
+        break;
+    }
+    return Qt::PointingHandCursor;
+}
+
+Aabb boundsOfSelected(const Edit& edit) {
+    Aabb box;
+    for (const Object& object : edit.level->objects) {
+        if (edit.selection.contains(object.key)) {
+            box.include(boundsOf(*edit.level, object));
+        }
+    }
+    return box;
+}
+
+} // namespace
+
+Canvas::Canvas(Document& document, Toolbox& toolbox, QWidget* parent)
+    : QWidget(parent), m_document(document), m_toolbox(toolbox) {
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMinimumSize(240, 180);
+    setAccessibleName(tr("Drawing board"));
+    m_documentListener = m_document.changed.connect([this](const Change& change) { documentChanged(change); });
+    m_toolboxListener = m_toolbox.changed.connect([this] {
+        updateCursor();
+        update();
+    });
+}
+
+Canvas::~Canvas() {
+    m_document.changed.disconnect(m_documentListener);
+    m_toolbox.changed.disconnect(m_toolboxListener);
+}
+
+void Canvas::setView(const Viewport& view) {
+    m_view = view;
+    m_view.size = Vec2(std::max(1, width()), std::max(1, height()));
+    update();
+    emit viewChanged();
+}
+
+void Canvas::setGridVisible(bool visible) {
+    m_grid = visible;
+    update();
+}
+
+void Canvas::setOverlays(const OverlayFlags& overlays) {
+    m_overlays = overlays;
+    update();
+}
+
+void Canvas::zoom(double factor) {
+    setView(m_view.zoomedAt(0.5 * m_view.size, factor));
+}
+
+void Canvas::zoomTo(double scale) {
+    zoom(scale / m_view.scale);
+}
+
+void Canvas::fitLevel() {
+    setView(m_view.showing(boundsOf(m_document.level())));
+}
+
+void Canvas::centerSelection() {
+    const Aabb box = boundsOfSelected(m_document.shown());
+    Viewport view = m_view;
+    const Aabb all = boundsOf(m_document.level());
+    if (!box.isEmpty() || !all.isEmpty()) {
+        view.center = (box.isEmpty() ? all : box).center();
+    }
+    setView(view);
+}
+
+void Canvas::frameSelection() {
+    const Aabb box = boundsOfSelected(m_document.shown());
+    setView(m_view.showing(box.isEmpty() ? boundsOf(m_document.level()) : box));
+}
+
+Vec2 Canvas::pointerPosition() const {
+    return m_position ? m_view.toWorld(toVec(*m_position)) : m_view.center;
+}
+
+Pointer Canvas::pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers) const {
+    return {m_view.toWorld(toVec(position)), toVec(position),
+            Modifiers{modifiers.testFlag(Qt::ShiftModifier), modifiers.testFlag(Qt::ControlModifier),
+                      modifiers.testFlag(Qt::AltModifier)},
+            m_view.pixel()};
+}
+
+void Canvas::documentChanged(const Change& change) {
+    if (change.before.level != change.after.level) {
+        if (m_document.hasPreview()) {
+            m_layer.setMoving(*m_document.current().level, *change.after.level);
+        } else {
+            m_layer.clearMoving();
+        }
+    }
+    update();
+}
+
+void Canvas::paintEvent(QPaintEvent*) {
+    if (!m_document.hasPreview()) {
+        m_layer.clearMoving();
+    }
+    const bool live = m_document.hasPreview();
+    const Edit& shown = m_document.shown();
+    LayerCache::Request request;
+    request.view = m_view;
+    request.level = shown.level;
+    request.selection = live ? Selection() : shown.selection;
+    request.overlays = live ? OverlayFlags() : m_overlays;
+    request.gridStep = m_grid ? m_toolbox.snap.step : 0;
+    request.pixelRatio = devicePixelRatioF();
+
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_layer.layer(request));
+    const Stage stage{painter, m_view, editingTheme()};
+    if (m_layer.hasMoving()) {
+        paintObjects(stage, *shown.level, [this](const Object& object) { return m_layer.isMoving(object.key); });
+    }
+    if (live) {
+        if (m_overlays.any()) {
+            paintLevelOverlays(stage, *shown.level, m_overlays);
+        }
+        paintSelection(stage, *shown.level, shown.selection);
+    }
+    paintToolOverlay(stage, m_toolbox.overlay());
+    if (hasFocus()) {
+        painter.setPen(stroke(palette().color(QPalette::Highlight), 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+    }
+}
+
+void Canvas::resizeEvent(QResizeEvent*) {
+    setView(m_view);
+}
+
+void Canvas::panBy(const QPointF& pixels) {
+    setView(m_view.panned(toVec(pixels)));
+}
+
+void Canvas::updateCursor() {
+    if (m_drag == Drag::Pan) {
+        setCursor(Qt::ClosedHandCursor);
+    } else if (m_spaceHeld) {
+        setCursor(Qt::OpenHandCursor);
+    } else {
+        setCursor(shapeFor(m_toolbox.cursor()));
+    }
+}
+
+} // namespace spacetow

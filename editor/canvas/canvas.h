@@ -1,0 +1,94 @@
+#pragma once
+// The drawing board: shows the document, hands mouse and keys to the toolbox, and moves the view. Positions of the
+// mouse are logical pixels; the world is in metres.
+
+#include "editor/canvas/layer_cache.h"
+#include "editor/canvas/overlay_flags.h"
+#include "editor/editing/document.h"
+#include "editor/editing/toolbox.h"
+#include "editor/editing/viewport.h"
+
+#include <QPointF>
+#include <QWidget>
+
+#include <optional>
+
+class QNativeGestureEvent;
+
+namespace spacetow {
+
+class Canvas : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// Document and toolbox must outlive the canvas.
+    Canvas(Document& document, Toolbox& toolbox, QWidget* parent = nullptr);
+    ~Canvas() override;
+
+    const Viewport& view() const { return m_view; }
+    void setView(const Viewport& view);
+    bool isGridVisible() const { return m_grid; }
+    void setGridVisible(bool visible);
+    void setOverlays(const OverlayFlags& overlays);
+
+    /// About the middle of the view.
+    void zoom(double factor);
+    void zoomTo(double scale); // pixels a metre
+    void fitLevel();
+    void centerSelection();
+    void frameSelection();
+
+    /// Where the pointer is or was last, in world coordinates; the middle of the view before it ever came.
+    Vec2 pointerPosition() const;
+
+    QSize sizeHint() const override { return {880, 660}; }
+
+  signals:
+    void pointerMoved(double x, double y); // m
+    void pointerLeft();
+    void viewChanged();
+    void menuWanted(const QPoint& global);
+
+  protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+  private:
+    enum class Drag { None, Tool, Pan, PanOrMenu };
+
+    Pointer pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
+    void moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void modifiersChanged(Qt::KeyboardModifiers modifiers);
+    bool nativeGesture(const QNativeGestureEvent& event);
+    bool toolKey(int key);
+    bool nudge(int key, Qt::KeyboardModifiers modifiers);
+    void panBy(const QPointF& pixels);
+    void updateCursor();
+    void documentChanged(const Change& change);
+
+    Document& m_document;
+    Toolbox& m_toolbox;
+    Viewport m_view;
+    LayerCache m_layer;
+    OverlayFlags m_overlays;
+    bool m_grid = true;
+
+    Drag m_drag = Drag::None;
+    bool m_spaceHeld = false;
+    QPointF m_pressedAt;
+    std::optional<QPointF> m_position;
+    int m_documentListener = 0;
+    int m_toolboxListener = 0;
+};
+
+} // namespace spacetow

@@ -1,0 +1,224 @@
+// Mouse, touchpad and keys of the canvas.
+#include "editor/canvas/canvas.h"
+#include "editor/editing/verbs.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QPointingDevice>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+constexpr double wheelZoom = 1.25;  // a notch of the wheel
+constexpr double notch = 120;       // eighths of a degree, as the toolkit counts
+constexpr double menuDistance = 4;  // px that a click may move and still be a click
+constexpr double arrowPan = 60;     // px
+constexpr double fineSteps = 5;     // arrow keys move by this fraction of a grid step
+
+bool isTouchpad(const QWheelEvent& event) {
+    return event.device() != nullptr && event.device()->type() == QInputDevice::DeviceType::TouchPad;
+}
+
+std::optional<Vec2> arrowDirection(int key) {
+    switch (key) {
+    case Qt::Key_Left:
+        return Vec2(-1, 0);
+    case Qt::Key_Right:
+        return Vec2(1, 0);
+    case Qt::Key_Up:
+        return Vec2(0, 1);
+    case Qt::Key_Down:
+        return Vec2(0, -1);
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+void Canvas::moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers) {
+    m_position = position;
+    const Pointer pointer = pointerAt(position, modifiers);
+    m_toolbox.move(pointer);
+    emit pointerMoved(pointer.world.x(), pointer.world.y());
+}
+
+void Canvas::mousePressEvent(QMouseEvent* event) {
+    if (m_drag != Drag::None) {
+        return;
+    }
+    m_pressedAt = event->position();
+    m_position = event->position();
+    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && m_spaceHeld)) {
+        m_drag = Drag::Pan;
+    } else if (event->button() == Qt::RightButton) {
+        m_drag = Drag::PanOrMenu;
+    } else if (event->button() == Qt::LeftButton) {
+        m_drag = Drag::Tool;
+        m_toolbox.press(pointerAt(event->position(), event->modifiers()));
+    }
+    updateCursor();
+}
+
+void Canvas::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF moved = event->position() - m_position.value_or(event->position());
+    if (m_drag == Drag::PanOrMenu && (event->position() - m_pressedAt).manhattanLength() > menuDistance) {
+        m_drag = Drag::Pan;
+        updateCursor();
+    }
+    if (m_drag == Drag::Pan) {
+        panBy(moved);
+    }
+    moveTo(event->position(), event->modifiers());
+}
+
+void Canvas::mouseReleaseEvent(QMouseEvent* event) {
+    const Pointer pointer = pointerAt(event->position(), event->modifiers());
+    const bool ends = event->button() == Qt::LeftButton ? m_drag == Drag::Tool || m_drag == Drag::Pan
+                      : event->button() == Qt::MiddleButton
+                          ? m_drag == Drag::Pan
+                          : event->button() == Qt::RightButton && (m_drag == Drag::Pan || m_drag == Drag::PanOrMenu);
+    if (!ends) {
+        return;
+    }
+    const Drag drag = std::exchange(m_drag, Drag::None);
+    if (drag == Drag::Tool) {
+        m_toolbox.release(pointer);
+    } else if (drag == Drag::PanOrMenu && !m_toolbox.secondaryClick(pointer)) {
+        emit menuWanted(event->globalPosition().toPoint());
+    }
+    updateCursor();
+}
+
+void Canvas::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && !m_spaceHeld) {
+        m_drag = Drag::Tool;
+        m_toolbox.doubleClick(pointerAt(event->position(), event->modifiers()));
+    } else {
+        mousePressEvent(event);
+    }
+}
+
+void Canvas::wheelEvent(QWheelEvent* event) {
+    const QPoint angle = event->angleDelta();
+    const bool zooms = event->modifiers().testFlag(Qt::ControlModifier) || !isTouchpad(*event);
+    if (!zooms) {
+        const QPoint pixels = event->pixelDelta();
+        panBy(pixels.isNull() ? QPointF(angle) / 2 : QPointF(pixels));
+    } else if (event->modifiers().testFlag(Qt::ShiftModifier)) {
+        panBy(QPointF(angle.y() + angle.x(), 0) / 2);
+    } else {
+        const double turned = angle.y() != 0 ? angle.y() : angle.x();
+        setView(m_view.zoomedAt(Vec2(event->position().x(), event->position().y()),
+                                std::pow(wheelZoom, turned / notch)));
+    }
+    moveTo(event->position(), event->modifiers());
+    event->accept();
+}
+
+bool Canvas::event(QEvent* event) {
+    if (event->type() == QEvent::NativeGesture) {
+        return nativeGesture(*static_cast<QNativeGestureEvent*>(event));
+    }
+    return QWidget::event(event);
+}
+
+bool Canvas::nativeGesture(const QNativeGestureEvent& event) {
+    const Vec2 at(event.position().x(), event.position().y());
+    if (event.gestureType() == Qt::ZoomNativeGesture) {
+        setView(m_view.zoomedAt(at, std::max(0.2, 1 + event.value())));
+    } else if (event.gestureType() == Qt::PanNativeGesture) {
+        panBy(event.delta());
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool Canvas::toolKey(int key) {
+    ToolKey toolKey{};
+    switch (key) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        toolKey = ToolKey::Enter;
+        break;
+    case Qt::Key_Escape:
+        toolKey = ToolKey::Escape;
+        break;
+    case Qt::Key_Backspace:
+        toolKey = m_toolbox.isBusy() ? ToolKey::Backspace : ToolKey::Delete;
+        break;
+    case Qt::Key_Delete:
+        toolKey = ToolKey::Delete;
+        break;
+    default:
+        return false;
+    }
+    m_toolbox.key(toolKey, pointerAt(m_position.value_or(QPointF(rect().center())), QApplication::keyboardModifiers()));
+    return true;
+}
+
+bool Canvas::nudge(int key, Qt::KeyboardModifiers modifiers) {
+    const std::optional<Vec2> direction = arrowDirection(key);
+    if (!direction) {
+        return false;
+    }
+    if (m_document.selection().empty()) {
+        panBy(QPointF(-direction->x(), direction->y()) * arrowPan);
+        return true;
+    }
+    const double step = m_toolbox.snap.step;
+    const double distance = modifiers.testFlag(Qt::AltModifier)     ? m_view.pixel()
+                            : modifiers.testFlag(Qt::ShiftModifier) ? step
+                                                                    : step / fineSteps;
+    m_toolbox.finish(nudgeSelected(m_toolbox.context(), distance * *direction));
+    return true;
+}
+
+void Canvas::modifiersChanged(Qt::KeyboardModifiers modifiers) {
+    if (m_position && m_drag != Drag::Pan) {
+        m_toolbox.move(pointerAt(*m_position, modifiers));
+    }
+}
+
+void Canvas::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space) {
+        if (!event->isAutoRepeat()) {
+            m_spaceHeld = true;
+            updateCursor();
+        }
+    } else if (event->key() == Qt::Key_Shift || event->key() == Qt::Key_Control || event->key() == Qt::Key_Alt) {
+        modifiersChanged(QApplication::keyboardModifiers());
+    } else if (!toolKey(event->key()) && !nudge(event->key(), event->modifiers())) {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void Canvas::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
+        m_spaceHeld = false;
+        updateCursor();
+    } else if (event->key() == Qt::Key_Shift || event->key() == Qt::Key_Control || event->key() == Qt::Key_Alt) {
+        modifiersChanged(QApplication::keyboardModifiers());
+    } else {
+        QWidget::keyReleaseEvent(event);
+    }
+}
+
+void Canvas::leaveEvent(QEvent*) {
+    emit pointerLeft();
+}
+
+void Canvas::focusOutEvent(QFocusEvent* event) {
+    m_spaceHeld = false;
+    updateCursor();
+    QWidget::focusOutEvent(event);
+}
+
+} // namespace spacetow

@@ -1,0 +1,17 @@
+#pragma once
+// The program's icons: line drawings from the resources in the colours of the palette, sharp at every size, so that
+// they are read on light and on dark panels.
+
+#include <QIcon>
+#include <QPalette>
+
+namespace spacetow {
+
+/// The icon ":/icons/NAME.svg" in the text colours of the palette; an empty icon when there is none of that name.
+QIcon icon(const QString& name, const QPalette& palette);
+/// In one colour, for marks such as warnings.
+QIcon icon(const QString& name, const QColor& color);
+/// The picture of the program itself, in its own colours.
+QIcon applicationIcon();
+
+} // namespace spacetow

@@ -1,0 +1,21 @@
+#pragma once
+// Paints the debug overlays over a level or a snapshot, and what a tool shows while it is at work.
+
+#include "core/game/snapshot.h"
+#include "core/level/level.h"
+#include "editor/canvas/overlay_flags.h"
+#include "editor/canvas/stage.h"
+#include "editor/editing/overlay.h"
+
+namespace spacetow {
+
+/// What the physics would make of the level at its start. The quadtree is built anew at every call: milliseconds
+/// for thousands of walls.
+void paintLevelOverlays(const Stage& stage, const Level& level, const OverlayFlags& overlays);
+/// Called by paintSnapshot.
+void paintSnapshotOverlays(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);
+
+/// Drafts, handles, rubber band, snap marks and measurements.
+void paintToolOverlay(const Stage& stage, const Overlay& overlay);
+
+} // namespace spacetow

@@ -1,0 +1,27 @@
+#pragma once
+// Paints a level as it is edited, and a snapshot as it is played. Only what is in view costs time. Neither clears the
+// background; both leave the painter as they found it.
+
+#include "core/game/snapshot.h"
+#include "core/level/level.h"
+#include "editor/canvas/overlay_flags.h"
+#include "editor/canvas/stage.h"
+#include "editor/editing/selection.h"
+
+#include <functional>
+
+namespace spacetow {
+
+/// All objects, walls first, then the selected ones' outlines on top.
+void paintLevel(const Stage& stage, const Level& level, const Selection& selection);
+
+using Wanted = std::function<bool(const Object&)>;
+/// Only the objects that are wanted, for layers that are painted apart.
+void paintObjects(const Stage& stage, const Level& level, const Wanted& wanted);
+/// Outlines of the selected objects, with a dot at each vertex.
+void paintSelection(const Stage& stage, const Level& level, const Selection& selection);
+
+/// Statics, kinematics, dynamics, connectors, then the overlays that are switched on.
+void paintSnapshot(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);
+
+} // namespace spacetow

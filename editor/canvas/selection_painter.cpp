@@ -1,0 +1,68 @@
+// The outlines of what is selected.
+#include "editor/canvas/scene_painter.h"
+#include "editor/canvas/wall_painter.h"
+#include "editor/editing/outline.h"
+
+namespace spacetow {
+
+namespace {
+
+void strokeOutline(const Stage& stage, const Outline& outline) {
+    for (const OutlinePath& path : outline.paths) {
+        paintPolyline(stage, path.points, path.closed);
+    }
+    for (const Circle& circle : outline.discs) {
+        const double radius = stage.pixels(circle.radius);
+        stage.painter.drawEllipse(stage.at(circle.center), radius, radius);
+    }
+}
+
+void paintDots(const Stage& stage, const Outline& outline) {
+    constexpr double apart = 7; // px; closer dots would run together
+    constexpr double size = 2.6;
+    stage.painter.setPen(stroke(stage.theme.background, 1));
+    stage.painter.setBrush(stage.theme.selection);
+    const QRectF view(-size, -size, stage.view.size.x() + 2 * size, stage.view.size.y() + 2 * size);
+    for (const OutlinePath& path : outline.paths) {
+        QPointF last(-1e9, -1e9);
+        for (const Vec2& point : path.points) {
+            const QPointF at = stage.at(point);
+            if (view.contains(at) && (at - last).manhattanLength() >= apart) {
+                stage.painter.drawRect(QRectF(at.x() - size, at.y() - size, 2 * size, 2 * size));
+                last = at;
+            }
+        }
+    }
+    stage.painter.setBrush(Qt::NoBrush);
+}
+
+} // namespace
+
+void paintSelection(const Stage& stage, const Level& level, const Selection& selection) {
+    if (selection.empty()) {
+        return;
+    }
+    const Outlines outlines(level);
+    QPainter& painter = stage.painter;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (const Object& object : level.objects) {
+        if (!selection.contains(object.key)) {
+            continue;
+        }
+        const Outline outline = outlines.of(object);
+        QColor glow = stage.theme.selection;
+        glow.setAlpha(90);
+        painter.setPen(stroke(glow, 7));
+        strokeOutline(stage, outline);
+        painter.setPen(stroke(stage.theme.selection, 2));
+        strokeOutline(stage, outline);
+        if (std::holds_alternative<BodyObject>(object.data)) {
+            paintDots(stage, outline);
+        }
+    }
+    painter.restore();
+}
+
+} // namespace spacetow

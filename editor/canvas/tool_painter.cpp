@@ -1,0 +1,101 @@
+// What a tool shows while it is at work.
+#include "editor/canvas/overlay_painter.h"
+#include "editor/canvas/wall_painter.h"
+
+#include <QFontMetricsF>
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+QPen penFor(const Theme& theme, OverlayStyle style) {
+    switch (style) {
+    case OverlayStyle::Draft:
+        return stroke(theme.draft, 2);
+    case OverlayStyle::SolidSide:
+        return stroke(theme.rim, 1.4);
+    case OverlayStyle::Band:
+        return stroke(theme.band, 1.2, Qt::DashLine);
+    case OverlayStyle::Handle:
+        return stroke(theme.selection, 1.6);
+    case OverlayStyle::HotHandle:
+    case OverlayStyle::Snap:
+        return stroke(theme.snap, 1.8);
+    case OverlayStyle::Measure:
+        break;
+    }
+    return stroke(theme.text, 1, Qt::DotLine);
+}
+
+void paintLine(const Stage& stage, const OverlayLine& line) {
+    if (line.style == OverlayStyle::Band && line.closed) {
+        QColor fill = stage.theme.band;
+        fill.setAlpha(36);
+        stage.painter.setPen(Qt::NoPen);
+        stage.painter.setBrush(fill);
+        stage.painter.drawPolygon(stage.at(line.points));
+        stage.painter.setBrush(Qt::NoBrush);
+    }
+    stage.painter.setPen(penFor(stage.theme, line.style));
+    paintPolyline(stage, line.points, line.closed);
+}
+
+void paintPoint(const Stage& stage, const OverlayPoint& point) {
+    const QPointF at = stage.at(point.at);
+    stage.painter.setPen(penFor(stage.theme, point.style));
+    if (point.style == OverlayStyle::Snap) {
+        constexpr double arm = 6; // px
+        stage.painter.drawLine(at - QPointF(arm, 0), at + QPointF(arm, 0));
+        stage.painter.drawLine(at - QPointF(0, arm), at + QPointF(0, arm));
+    } else if (point.style == OverlayStyle::HotHandle) {
+        stage.painter.setBrush(stage.theme.background);
+        stage.painter.drawEllipse(at, 6.5, 6.5);
+    } else {
+        stage.painter.setBrush(stage.theme.background);
+        stage.painter.drawRect(QRectF(at.x() - 3.5, at.y() - 3.5, 7, 7));
+    }
+    stage.painter.setBrush(Qt::NoBrush);
+}
+
+/// Text on a plate beside the point, kept inside the view.
+void paintText(const Stage& stage, const OverlayText& text) {
+    const QString words = QString::fromStdString(text.text);
+    const QFontMetricsF metrics(stage.painter.font());
+    QRectF plate = metrics.boundingRect(words).adjusted(-6, -3, 6, 3);
+    plate.moveBottomLeft(stage.at(text.at) + QPointF(12, -12));
+    plate.moveLeft(std::clamp(plate.left(), 2.0, std::max(2.0, stage.view.size.x() - plate.width() - 2)));
+    plate.moveTop(std::clamp(plate.top(), 2.0, std::max(2.0, stage.view.size.y() - plate.height() - 2)));
+    stage.painter.setPen(Qt::NoPen);
+    stage.painter.setBrush(stage.theme.halo);
+    stage.painter.drawRoundedRect(plate, 4, 4);
+    stage.painter.setBrush(Qt::NoBrush);
+    stage.painter.setPen(stage.theme.text);
+    stage.painter.drawText(plate, Qt::AlignCenter, words);
+}
+
+} // namespace
+
+void paintToolOverlay(const Stage& stage, const Overlay& overlay) {
+    stage.painter.save();
+    stage.painter.setRenderHint(QPainter::Antialiasing);
+    stage.painter.setBrush(Qt::NoBrush);
+    for (const OverlayLine& line : overlay.lines) {
+        paintLine(stage, line);
+    }
+    for (const OverlayCircle& circle : overlay.circles) {
+        stage.painter.setPen(penFor(stage.theme, circle.style));
+        const double radius = stage.pixels(circle.radius);
+        stage.painter.drawEllipse(stage.at(circle.center), radius, radius);
+    }
+    for (const OverlayPoint& point : overlay.points) {
+        paintPoint(stage, point);
+    }
+    for (const OverlayText& text : overlay.texts) {
+        paintText(stage, text);
+    }
+    stage.painter.restore();
+}
+
+} // namespace spacetow

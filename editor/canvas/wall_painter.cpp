@@ -1,0 +1,232 @@
+#include "editor/canvas/wall_painter.h"
+
+#include "core/geometry/polygon.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+constexpr double fadeDepth = 0.45; // m, how far the band of a wall without a back reaches
+constexpr int fadeLayers = 5;
+constexpr double minMitre = 0.35; // sharper corners are bevelled
+
+struct Segment {
+    Vec2 a, b;
+    Vec2 free; // unit, to the free side
+};
+
+/// The segments of a run that have a length, with their normals.
+std::vector<Segment> segmentsOf(const WallRun& run) {
+    std::vector<Segment> segments;
+    const std::size_t count = run.points.size();
+    const std::size_t last = run.closed ? count : count - 1;
+    for (std::size_t i = 0; count >= 2 && i < last; ++i) {
+        const Vec2& a = run.points[i];
+        const Vec2& b = run.points[(i + 1) % count];
+        const Vec2 along = b - a;
+        const double length = along.norm();
+        if (length > 0 && std::isfinite(length)) {
+            segments.push_back({a, b, leftOf(along / length)});
+        }
+    }
+    return segments;
+}
+
+Aabb boxOf(const Segment& segment) {
+    Aabb box;
+    box.include(segment.a);
+    box.include(segment.b);
+    return box;
+}
+
+/// Adds the band behind the segment, clockwise in the world like every piece, so that overlaps stay filled.
+void addBand(const Stage& stage, const Segment& s, double depth, QPainterPath& path) {
+    const std::array<Vec2, 4> corners{s.a, s.b, s.b - depth * s.free, s.a - depth * s.free};
+    path.addPolygon(stage.at(corners));
+    path.closeSubpath();
+}
+
+/// Fills the gap between two bands at a corner that points to the solid side.
+void addCorner(const Stage& stage, const Segment& before, const Segment& after, double depth, QPainterPath& path) {
+    if (cross(before.free, after.free) <= 0) {
+        return;
+    }
+    const Vec2 sum = before.free + after.free;
+    const double length = sum.norm();
+    const Vec2 middle = length > 1e-9 ? Vec2(sum / length) : Vec2(leftOf(before.free));
+    const std::array<Vec2, 4> corners{before.b, before.b - depth * after.free, before.b - depth * middle,
+                                      before.b - depth * before.free};
+    path.addPolygon(stage.at(corners));
+    path.closeSubpath();
+}
+
+void addRim(const Stage& stage, const WallRun& run, double depth, QPainterPath& path) {
+    const std::vector<Segment> segments = segmentsOf(run);
+    const Aabb visible = stage.view.visible().grown(depth + stage.view.pixel());
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        if (!visible.overlaps(boxOf(segments[i]))) {
+            continue;
+        }
+        addBand(stage, segments[i], depth, path);
+        const bool joined = i + 1 < segments.size() || run.closed;
+        if (joined) {
+            addCorner(stage, segments[i], segments[(i + 1) % segments.size()], depth, path);
+        }
+    }
+}
+
+/// Where the backs of two neighbouring walls meet.
+Vec2 backCorner(const Vec2& at, const Vec2& before, const Vec2& after, double depth) {
+    const double one = 1 + before.dot(after);
+    return one < minMitre ? Vec2(at - depth * after) : Vec2(at - depth / one * (before + after));
+}
+
+void paintBack(const Stage& stage, const WallRun& run) {
+    const std::vector<Segment> segments = segmentsOf(run);
+    std::vector<Vec2> back;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const bool first = i == 0 && !run.closed;
+        const Segment& before = segments[i == 0 ? segments.size() - 1 : i - 1];
+        back.push_back(first ? Vec2(segments[i].a - run.depth * segments[i].free)
+                             : backCorner(segments[i].a, before.free, segments[i].free, run.depth));
+    }
+    if (!segments.empty() && !run.closed) {
+        back.emplace_back(segments.back().b - run.depth * segments.back().free);
+    }
+    paintPolyline(stage, back, run.closed);
+}
+
+void fillRims(const Stage& stage, std::span<const WallRun> runs, double layer, const QColor& color) {
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    for (const WallRun& run : runs) {
+        if (std::isinf(run.depth)) {
+            addRim(stage, run, layer, path);
+        }
+    }
+    stage.painter.fillPath(path, color);
+}
+
+QColor faded(QColor color, double factor) {
+    color.setAlphaF(static_cast<float>(color.alphaF() * factor));
+    return color;
+}
+
+} // namespace
+
+WallRun wallRun(const EdgeChain& chain, const Transform& pose) {
+    WallRun run{{}, chain.closed && chain.vertices.size() > 2, chain.depth};
+    run.points.reserve(chain.vertices.size());
+    for (const Vec2& vertex : chain.vertices) {
+        run.points.push_back(pose.toWorld(vertex));
+    }
+    return run;
+}
+
+std::vector<WallRun> wallRuns(std::span<const Shape> shapes, const Transform& pose) {
+    std::vector<WallRun> runs;
+    const Edge* last = nullptr;
+    for (const Shape& shape : shapes) {
+        const Edge* edge = std::get_if<Edge>(&shape);
+        if (edge == nullptr) {
+            continue;
+        }
+        if (last == nullptr || last->b != edge->a || last->depth != edge->depth || runs.back().closed) {
+            runs.push_back({{pose.toWorld(edge->a)}, false, edge->depth});
+        }
+        const Vec2 end = pose.toWorld(edge->b);
+        if (end == runs.back().points.front()) {
+            runs.back().closed = true;
+        } else {
+            runs.back().points.push_back(end);
+        }
+        last = edge;
+    }
+    return runs;
+}
+
+QPainterPath rockBehind(const Stage& stage, std::span<const WallRun> runs) {
+    QPainterPath rock;
+    rock.setFillRule(Qt::WindingFill);
+    bool outside = false;
+    for (const WallRun& run : runs) {
+        if (run.closed && std::isinf(run.depth)) {
+            rock.addPolygon(stage.at(run.points));
+            rock.closeSubpath();
+            outside = outside || signedArea(run.points) > 0;
+        }
+    }
+    if (outside) {
+        // Clockwise in the world, so that an anticlockwise loop cuts a hole and a clockwise one inside it fills again.
+        const Aabb box = stage.view.visible().grown(20 * stage.view.pixel());
+        const std::array<Vec2, 4> corners{box.min, Vec2(box.min.x(), box.max.y()), box.max,
+                                          Vec2(box.max.x(), box.min.y())};
+        rock.addPolygon(stage.at(corners));
+        rock.closeSubpath();
+    }
+    return rock;
+}
+
+void paintRims(const Stage& stage, std::span<const WallRun> runs, const QColor& color) {
+    const int layers = stage.pixels(fadeDepth) < 4 ? 1 : fadeLayers;
+    for (int i = layers; i >= 1; --i) {
+        fillRims(stage, runs, fadeDepth * i / layers, faded(color, 0.55 / layers));
+    }
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    for (const WallRun& run : runs) {
+        if (std::isfinite(run.depth)) {
+            addRim(stage, run, run.depth, path);
+        }
+    }
+    stage.painter.fillPath(path, faded(color, 0.34));
+    stage.painter.setPen(stroke(faded(color, 0.8), 1, Qt::DotLine));
+    for (const WallRun& run : runs) {
+        if (std::isfinite(run.depth) && stage.pixels(run.depth) > 3) {
+            paintBack(stage, run);
+        }
+    }
+}
+
+void paintWallLine(const Stage& stage, const WallRun& run) {
+    paintPolyline(stage, run.points, run.closed);
+}
+
+void paintPolyline(const Stage& stage, std::span<const Vec2> points, bool closed) {
+    constexpr double finest = 0.7; // pixels
+    const Aabb visible = stage.view.visible().grown(8 * stage.view.pixel());
+    const std::size_t count = points.size();
+    QPolygonF piece;
+    const auto flush = [&] {
+        if (piece.size() > 1) {
+            stage.painter.drawPolyline(piece);
+        }
+        piece.clear();
+    };
+    const std::size_t last = closed ? count : count - std::min<std::size_t>(count, 1);
+    for (std::size_t i = 0; i < last; ++i) {
+        const Vec2& a = points[i];
+        const Vec2& b = points[(i + 1) % count];
+        Aabb box;
+        box.include(a);
+        box.include(b);
+        if (!visible.overlaps(box)) {
+            flush();
+            continue;
+        }
+        if (piece.isEmpty()) {
+            piece << stage.at(a);
+        }
+        const QPointF end = stage.at(b);
+        if ((end - piece.back()).manhattanLength() >= finest || i + 1 == last) {
+            piece << end;
+        }
+    }
+    flush();
+}
+
+} // namespace spacetow
