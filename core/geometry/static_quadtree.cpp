@@ -1,0 +1,179 @@
+#include "core/geometry/static_quadtree.h"
+
+#include <algorithm>
+#include <array>
+
+namespace spacetow {
+
+namespace {
+
+constexpr std::size_t leafCapacity = 4;
+constexpr int maxDepth = 40;
+// A level that keeps more than this share of its boxes in one quadrant has not divided them.
+constexpr double poorShare = 0.75;
+
+enum class SplitAt : std::uint8_t { Centers, UpperBounds, LowerBounds };
+
+double median(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) {
+        return *middle;
+    }
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double coordinate(const Aabb& box, SplitAt at, int axis) {
+    switch (at) {
+    case SplitAt::UpperBounds:
+        return box.max[axis];
+    case SplitAt::LowerBounds:
+        return box.min[axis];
+    case SplitAt::Centers:
+        break;
+    }
+    return 0.5 * (box.min[axis] + box.max[axis]);
+}
+
+/// Quadrants by bit: 1 is the right half, 2 the upper one. The middle itself belongs to the right and upper halves.
+bool reaches(const Aabb& box, const Vec2& middle, unsigned quadrant) {
+    const bool x = (quadrant & 1u) != 0 ? box.max.x() >= middle.x() : box.min.x() < middle.x();
+    const bool y = (quadrant & 2u) != 0 ? box.max.y() >= middle.y() : box.min.y() < middle.y();
+    return x && y;
+}
+
+Aabb quadrantOf(const Aabb& region, const Vec2& middle, unsigned quadrant) {
+    Aabb result = region;
+    for (int axis = 0; axis < 2; ++axis) {
+        const bool upper = (quadrant & (axis == 0 ? 1u : 2u)) != 0;
+        (upper ? result.min : result.max)[axis] = middle[axis];
+    }
+    return result;
+}
+
+bool holds(const Aabb& region, const Vec2& p) { // half open, so that every point is in one leaf
+    return region.min.x() <= p.x() && p.x() < region.max.x() && region.min.y() <= p.y() && p.y() < region.max.y();
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Aabb everywhere() { return {Vec2(-infinity, -infinity), Vec2(infinity, infinity)}; }
+
+} // namespace
+
+struct StaticQuadtree::Builder {
+    StaticQuadtree& tree;
+    std::vector<double> values;
+
+    Vec2 middleOf(const std::vector<std::uint32_t>& items, SplitAt at) {
+        Vec2 middle;
+        for (int axis = 0; axis < 2; ++axis) {
+            values.clear();
+            for (const std::uint32_t item : items) {
+                values.push_back(coordinate(tree.m_boxes[item], at, axis));
+            }
+            middle[axis] = median(values);
+        }
+        return middle;
+    }
+
+    void makeLeaf(std::uint32_t node, const std::vector<std::uint32_t>& items) {
+        tree.m_nodes[node].first = static_cast<std::uint32_t>(tree.m_items.size());
+        tree.m_nodes[node].count = static_cast<std::uint32_t>(items.size());
+        tree.m_items.insert(tree.m_items.end(), items.begin(), items.end());
+    }
+
+    /// `poor` counts the levels in a row that did not divide the boxes; each tries another kind of split point.
+    void build(std::uint32_t node, const std::vector<std::uint32_t>& items, int depth, int poor) {
+        tree.m_depth = std::max(tree.m_depth, depth);
+        if (items.size() <= leafCapacity || poor >= 3 || depth >= maxDepth) {
+            makeLeaf(node, items);
+            return;
+        }
+        const Vec2 middle = middleOf(items, static_cast<SplitAt>(poor));
+        std::array<std::vector<std::uint32_t>, 4> parts;
+        for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
+            for (const std::uint32_t item : items) {
+                if (reaches(tree.m_boxes[item], middle, quadrant)) {
+                    parts[quadrant].push_back(item);
+                }
+            }
+        }
+        const auto first = static_cast<std::uint32_t>(tree.m_nodes.size());
+        tree.m_nodes[node] = {middle, first, 0, false};
+        tree.m_nodes.resize(first + 4);
+        for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
+            const bool isPoor = static_cast<double>(parts[quadrant].size()) >
+                                poorShare * static_cast<double>(items.size());
+            build(first + quadrant, parts[quadrant], depth + 1, isPoor ? poor + 1 : 0);
+            parts[quadrant] = {};
+        }
+    }
+};
+
+StaticQuadtree::StaticQuadtree(std::vector<Aabb> boxes) : m_boxes(std::move(boxes)) {
+    std::vector<std::uint32_t> items;
+    for (std::uint32_t i = 0; i < m_boxes.size(); ++i) {
+        if (!m_boxes[i].isEmpty()) {
+            items.push_back(i);
+            m_bounds.include(m_boxes[i]);
+        }
+    }
+    m_nodes.resize(1);
+    Builder{*this, {}}.build(0, items, 0, 0);
+}
+
+void StaticQuadtree::query(const Aabb& area, std::vector<std::uint32_t>& out) const {
+    if (m_nodes.empty() || area.isEmpty()) {
+        return;
+    }
+    struct Visit {
+        std::uint32_t node;
+        Aabb region;
+    };
+    std::array<Visit, 3 * maxDepth + 4> stack;
+    std::size_t size = 0;
+    stack[size++] = {0, everywhere()};
+    while (size > 0) {
+        const Visit visit = stack[--size];
+        const Node& node = m_nodes[visit.node];
+        if (!node.leaf) {
+            for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
+                if (reaches(area, node.middle, quadrant)) {
+                    stack[size++] = {node.first + quadrant, quadrantOf(visit.region, node.middle, quadrant)};
+                }
+            }
+            continue;
+        }
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const Aabb& box = m_boxes[m_items[i]];
+            // A box in several leaves is found in the one that holds the lower corner of what it shares with the area.
+            if (box.overlaps(area) && holds(visit.region, box.min.cwiseMax(area.min))) {
+                out.push_back(m_items[i]);
+            }
+        }
+    }
+}
+
+std::vector<Aabb> StaticQuadtree::cells() const {
+    std::vector<Aabb> result;
+    if (m_nodes.empty() || m_bounds.isEmpty()) {
+        return result;
+    }
+    std::vector<std::pair<std::uint32_t, Aabb>> stack{{0, m_bounds}};
+    while (!stack.empty()) {
+        const auto [index, region] = stack.back();
+        stack.pop_back();
+        const Node& node = m_nodes[index];
+        if (node.leaf) {
+            result.push_back(region);
+            continue;
+        }
+        for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
+            stack.emplace_back(node.first + quadrant, quadrantOf(region, node.middle, quadrant));
+        }
+    }
+    return result;
+}
+
+} // namespace spacetow
