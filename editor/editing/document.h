@@ -7,7 +7,10 @@
 #include "editor/editing/signal.h"
 
 #include <chrono>
+#include <deque>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,10 +38,17 @@ struct Change {
 
 class Document {
   public:
-    explicit Document(Level level = {});
+    using Clock = std::function<std::chrono::steady_clock::time_point()>;
+    static constexpr std::size_t maxEntries = 1000; // older ones are forgotten
+    static constexpr std::chrono::steady_clock::duration mergeWindow = std::chrono::seconds(1);
+
+    /// The clock decides which commits merge.
+    explicit Document(Level level = {}, Clock clock = std::chrono::steady_clock::now);
 
     /// What is shown: the preview while there is one, else the current edit.
     const Edit& shown() const;
+    /// Without the preview.
+    const Edit& current() const { return m_current; }
     const Level& level() const { return *shown().level; }
     const Selection& selection() const { return shown().selection; }
 
@@ -46,14 +56,17 @@ class Document {
     void dropPreview();
     bool hasPreview() const;
 
-    /// One history entry; ends the preview. An edit that changes nothing adds none. Commits with the same merge key
-    /// (not empty) within a second replace each other.
+    /// One history entry; ends the preview. An edit that leaves the level equal in value adds none and only selects.
+    /// Commits with the same merge key (not empty) within a second of each other share one entry, unless the history,
+    /// the saved state or the selection changed in between; when together they change nothing, the entry goes.
     void commit(const Label& label, Edit edit, const std::string& mergeKey = {});
-    /// Selecting is no history entry of its own; undoing an edit brings back the selection it was made with.
+    /// Ends the preview. Selecting is no history entry of its own; undoing an edit brings back the selection it was
+    /// made with.
     void select(Selection selection);
 
     bool canUndo() const;
     bool canRedo() const;
+    /// Both end the preview; without anything to undo or redo they do no more than that.
     void undo();
     void redo();
     /// The label that undo or redo would take back or repeat; there must be one.
@@ -62,6 +75,7 @@ class Document {
     /// All labels, oldest first, and how many of them are applied.
     std::vector<Label> history() const;
     int position() const;
+    /// From 0 (nothing applied) to the length of the history.
     void goTo(int position);
 
     /// Whether the level differs in value from the one last saved or opened.
@@ -70,8 +84,8 @@ class Document {
     /// Starts over with another level and an empty history.
     void reset(Level level);
 
-    Signal<const Change&> changed;        // level or selection shown
-    Signal<> historyChanged;              // labels, position or isModified
+    Signal<const Change&> changed; // level or selection shown
+    Signal<> historyChanged;       // labels, position or isModified
 
   private:
     struct Entry {
@@ -80,13 +94,17 @@ class Document {
         std::string mergeKey;
         std::chrono::steady_clock::time_point time;
     };
-    void show(const Change& change);
+    void becomeCurrent(Edit edit, Edit before);
+    bool mergesWithLast(const std::string& mergeKey) const;
+    void record(const Label& label, const Edit& edit, const std::string& mergeKey);
 
+    Clock m_clock;
     Edit m_current;
-    std::shared_ptr<const Edit> m_preview;
-    std::vector<Entry> m_entries;
+    std::optional<Edit> m_preview;
+    std::deque<Entry> m_entries;
     std::size_t m_position = 0;
     std::shared_ptr<const Level> m_saved;
+    bool m_mergeable = false; // nothing happened since the last commit that the user would see as a break
 };
 
 } // namespace spacetow

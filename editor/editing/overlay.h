@@ -11,13 +11,13 @@
 namespace spacetow {
 
 enum class OverlayStyle : std::uint8_t {
-    Draft,      // outline of the shape being drawn
-    SolidSide,  // short strokes on the solid side of a one-way wall being drawn
-    Band,       // rubber band
-    Handle,     // something to grab
-    HotHandle,  // the one under the pointer, or the one that closes a shape
-    Snap,       // where the point will land
-    Measure,    // length and angle while drawing
+    Draft,     // outline of the shape being drawn
+    SolidSide, // short strokes on the solid side of a one-way wall being drawn
+    Band,      // rubber band
+    Handle,    // something to grab
+    HotHandle, // the one under the pointer, or the one that closes a shape
+    Snap,      // where the point will land
+    Measure,   // length and angle while drawing
 };
 
 struct OverlayLine {

@@ -14,6 +14,14 @@
 
 namespace spacetow {
 
+/// What the status bar says: a code that editor/window/messages turns into a sentence, with its numbers.
+struct Hint {
+    std::string code; // e.g. "draw-edge.next", see codes.h
+    std::vector<std::string> arguments;
+
+    bool operator==(const Hint&) const = default;
+};
+
 /// Lives as long as a drag; made from the edit it starts with.
 class Gesture {
   public:
@@ -22,31 +30,26 @@ class Gesture {
     virtual Edit at(const Pointer& pointer) const = 0;
     virtual Label label() const = 0;
     virtual Overlay overlay(const Pointer&) const { return {}; }
+    virtual Hint hint(const Pointer& pointer) const = 0;
     /// False for gestures that only select: they add no history entry.
     virtual bool edits() const { return true; }
 };
 
 enum class CursorShape : std::uint8_t { Arrow, Cross, Move, OpenHand, Pointing };
 
-/// What the status bar says: a code that editor/window/messages turns into a sentence, with its numbers.
-struct Hint {
-    std::string code; // e.g. "draw-edge.next"
-    std::vector<std::string> arguments;
-
-    bool operator==(const Hint&) const = default;
-};
-
 /// An edit that is ready without a drag.
 struct FinishedEdit {
     Label label;
     Edit edit;
+    std::string mergeKey = {}; // see Document::commit
 };
 
 /// What a tool needs to know beside the pointer.
 struct ToolContext {
     Edit edit; // current, without preview
     SnapSettings snap;
-    std::uint64_t seed = 1; // for fresh keys; another at every call
+    std::uint64_t seed = 1;              // for fresh keys; another at every call
+    std::optional<Pointer> pressed = {}; // where the button went down, while it is held without a gesture
 };
 
 class Tool {
@@ -59,10 +62,14 @@ class Tool {
     virtual std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) = 0;
     /// …or, for tools that work click by click, finish an edit at a click (press and release without a drag).
     virtual std::optional<FinishedEdit> click(const ToolContext&, const Pointer&) { return {}; }
+    /// A drag for which press() started no gesture ends here.
+    virtual std::optional<FinishedEdit> drop(const ToolContext& context, const Pointer& pointer) {
+        return click(context, pointer);
+    }
     virtual std::optional<FinishedEdit> doubleClick(const ToolContext&, const Pointer&) { return {}; }
     virtual std::optional<FinishedEdit> secondaryClick(const ToolContext&, const Pointer&) { return {}; }
     virtual std::optional<FinishedEdit> key(const ToolContext&, ToolKey, const Pointer&) { return {}; }
-    /// The pointer moved without a gesture.
+    /// The pointer moved without a gesture, whether the button is down or not.
     virtual void hover(const ToolContext&, const Pointer&) {}
     /// Whether a shape is half drawn; Escape then cancels it before anything else.
     virtual bool isBusy() const { return false; }

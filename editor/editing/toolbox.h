@@ -1,46 +1,55 @@
 #pragma once
 // The tools, which of them is in the hand, and the gesture in progress. The canvas feeds it; it feeds the document.
 
+#include "editor/editing/place_tool.h"
 #include "editor/editing/tool.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
-#include <vector>
+#include <optional>
 
 namespace spacetow {
 
 enum class ToolId : std::uint8_t { Select, Edge, Line, Polygon, Circle, Place };
-constexpr std::array allTools{ToolId::Select,  ToolId::Edge,   ToolId::Line,
-                              ToolId::Polygon, ToolId::Circle, ToolId::Place};
-
-/// What the place tool puts down.
-enum class PlaceKind : std::uint8_t { Ship, Payload, Finish };
+inline constexpr std::array allTools{ToolId::Select,  ToolId::Edge,   ToolId::Line,
+                                     ToolId::Polygon, ToolId::Circle, ToolId::Place};
 
 class Toolbox {
   public:
-    /// The document must outlive the toolbox.
+    /// The document must outlive the toolbox. The seed decides the keys of new objects; without it they are random.
     explicit Toolbox(Document& document);
+    Toolbox(Document& document, std::uint64_t seed);
     ~Toolbox();
 
+    /// Drops what is half done. Choosing Place while it is in the hand goes on to the next kind.
     void choose(ToolId tool);
     ToolId current() const;
-    /// Choosing Place again goes on to the next kind.
+    /// Does not take the tool in hand; the next choose(Place) keeps this kind.
     void setPlaceKind(PlaceKind kind);
     PlaceKind placeKind() const;
     SnapSettings snap; // shared by all tools
 
-    /// Primary button. A drag starts once the pointer has moved by more than four pixels.
+    /// Primary button. A drag starts once the pointer has moved by more than four pixels. A modifier that changes
+    /// while the pointer rests is a move with the last position. A double click comes instead of the second press;
+    /// the release after it does nothing.
     void press(const Pointer& pointer);
     void move(const Pointer& pointer);
     void release(const Pointer& pointer);
     void doubleClick(const Pointer& pointer);
+    /// The pointer has left the view: marks that follow it disappear until it is back.
+    void leave();
     /// Secondary button without a drag. False when the tool has no use for it, so that a menu may open.
     bool secondaryClick(const Pointer& pointer);
-    /// Modifiers may change without the pointer moving: call with the last pointer and the new modifiers.
     /// Escape peels one layer a press: gesture, half-drawn shape, selection, then the Select tool.
     void key(ToolKey key, const Pointer& pointer);
     /// Drops gesture and half-drawn shape.
     void cancel();
+
+    /// For verbs that need no drag: `finish(removeSelected(context()))`. Each call gives other fresh keys.
+    ToolContext context();
+    /// Commits what a verb made; false when it made nothing. Drops a gesture in progress.
+    bool finish(const std::optional<FinishedEdit>& finished);
 
     bool isBusy() const; // gesture or half-drawn shape
     Overlay overlay() const;

@@ -8,11 +8,11 @@ namespace spacetow {
 
 class Viewport {
   public:
-    static constexpr double minScale = 0.5;   // pixels a metre
+    static constexpr double minScale = 0.5; // pixels a metre
     static constexpr double maxScale = 20000;
 
-    Vec2 center{0, 0};  // world point in the middle of the view
-    double scale = 66;  // logical pixels a metre, the same on both axes
+    Vec2 center{0, 0};   // world point in the middle of the view
+    double scale = 66;   // logical pixels a metre, the same on both axes
     Vec2 size{880, 660}; // of the view, logical pixels
 
     Vec2 toScreen(const Vec2& world) const;

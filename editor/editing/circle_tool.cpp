@@ -1,0 +1,105 @@
+#include "editor/editing/circle_tool.h"
+
+#include "editor/editing/drawn_body.h"
+#include "editor/editing/measure.h"
+
+namespace spacetow {
+
+namespace {
+
+/// Whole grid steps while the grid is on. Zero when the pointer is too near the centre.
+double radiusAt(const SnapSettings& settings, const Pointer& pointer, const Vec2& center) {
+    const double distance = (pointer.world - center).norm();
+    return snaps(settings, pointer.modifiers) ? onGrid(settings, distance) : distance;
+}
+
+Overlay circleOverlay(const Vec2& center, double radius) {
+    const Vec2 rim = center + Vec2(radius, 0);
+    Overlay overlay;
+    overlay.circles.push_back({OverlayStyle::Draft, center, radius});
+    overlay.lines.push_back({OverlayStyle::Measure, {center, rim}});
+    overlay.points.push_back({OverlayStyle::Handle, center});
+    overlay.texts.push_back({0.5 * (center + rim), lengthText(radius) + " m"});
+    return overlay;
+}
+
+Hint radiusHint(double radius) {
+    return {"draw-circle.radius", {lengthText(radius)}};
+}
+
+class CircleGesture : public Gesture {
+  public:
+    CircleGesture(const ToolContext& context, const Vec2& center) : m_context(context), m_center(center) {}
+
+    Edit at(const Pointer& pointer) const override {
+        const double radius = radiusAt(m_context.snap, pointer, m_center);
+        return radius > 0 ? withDrawnBody(m_context, Circle{{0, 0}, radius}, m_center) : m_context.edit;
+    }
+    Label label() const override { return {"draw-circle", 1}; }
+    Overlay overlay(const Pointer& pointer) const override {
+        return circleOverlay(m_center, radiusAt(m_context.snap, pointer, m_center));
+    }
+    Hint hint(const Pointer& pointer) const override { return radiusHint(radiusAt(m_context.snap, pointer, m_center)); }
+
+  private:
+    ToolContext m_context;
+    Vec2 m_center;
+};
+
+} // namespace
+
+std::unique_ptr<Gesture> CircleTool::press(const ToolContext& context, const Pointer& pointer) {
+    if (m_center) {
+        return nullptr;
+    }
+    return std::make_unique<CircleGesture>(context, snapped(context.snap, pointer));
+}
+
+std::optional<FinishedEdit> CircleTool::click(const ToolContext& context, const Pointer& pointer) {
+    if (!m_center) {
+        m_center = snapped(context.snap, pointer);
+        return {};
+    }
+    const double radius = radiusAt(context.snap, pointer, *m_center);
+    m_tooSmall = !(radius > 0);
+    if (m_tooSmall) {
+        return {};
+    }
+    const FinishedEdit finished{{"draw-circle", 1}, withDrawnBody(context, Circle{{0, 0}, radius}, *m_center)};
+    cancel();
+    return finished;
+}
+
+std::optional<FinishedEdit> CircleTool::key(const ToolContext&, ToolKey key, const Pointer&) {
+    if (key == ToolKey::Backspace || key == ToolKey::Delete) {
+        cancel();
+    }
+    return {};
+}
+
+void CircleTool::hover(const ToolContext& context, const Pointer& pointer) {
+    m_tooSmall = m_tooSmall && !(radiusAt(context.snap, pointer, *m_center) > 0);
+}
+
+void CircleTool::cancel() {
+    m_center.reset();
+    m_tooSmall = false;
+}
+
+Overlay CircleTool::overlay(const ToolContext& context, const Pointer& pointer) const {
+    if (m_center) {
+        return circleOverlay(*m_center, radiusAt(context.snap, pointer, *m_center));
+    }
+    Overlay overlay;
+    overlay.points.push_back({OverlayStyle::Snap, snapped(context.snap, pointer)});
+    return overlay;
+}
+
+Hint CircleTool::hint(const ToolContext& context, const Pointer& pointer) const {
+    if (m_tooSmall) {
+        return {"draw-circle.too-small", {}};
+    }
+    return m_center ? radiusHint(radiusAt(context.snap, pointer, *m_center)) : Hint{"draw-circle.start", {}};
+}
+
+} // namespace spacetow

@@ -1,0 +1,27 @@
+#pragma once
+// Draws circles: by a drag from the centre, or by a click on the centre and one on the rim.
+
+#include "editor/editing/tool.h"
+
+namespace spacetow {
+
+class CircleTool : public Tool {
+  public:
+    std::string code() const override { return "circle"; }
+    std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
+    std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;
+    std::optional<FinishedEdit> key(const ToolContext& context, ToolKey key, const Pointer& pointer) override;
+    void hover(const ToolContext& context, const Pointer& pointer) override;
+    bool isBusy() const override { return m_center.has_value(); }
+    void cancel() override;
+
+    Overlay overlay(const ToolContext& context, const Pointer& pointer) const override;
+    Hint hint(const ToolContext& context, const Pointer& pointer) const override;
+    CursorShape cursor(const ToolContext&, const Pointer&) const override { return CursorShape::Cross; }
+
+  private:
+    std::optional<Vec2> m_center; // world
+    bool m_tooSmall = false;      // the last click was refused
+};
+
+} // namespace spacetow

@@ -1,0 +1,50 @@
+#pragma once
+// Every code that the editing layer hands to editor/window/messages, so that a test can ask for a sentence for each.
+// The comment names the arguments of the hints that have any.
+
+#include <array>
+#include <string_view>
+
+namespace spacetow {
+
+inline constexpr std::array<std::string_view, 32> hintCodes{
+    "select.idle",
+    "select.object",
+    "select.selected", // number of objects
+    "select.moving",   // m to the right, m upwards
+    "select.band",     // number of objects
+    "draw-edge.start",
+    "draw-edge.next",  // number of points, m, degrees
+    "draw-edge.close", // number of points
+    "draw-edge.too-few",
+    "draw-edge.same-point",
+    "draw-line.start",
+    "draw-line.next",
+    "draw-line.close",
+    "draw-line.too-few",
+    "draw-line.same-point",
+    "draw-polygon.start",
+    "draw-polygon.next",
+    "draw-polygon.close",
+    "draw-polygon.too-few",
+    "draw-polygon.same-point",
+    "draw-polygon.crosses",
+    "draw-polygon.flat",
+    "draw-circle.start",
+    "draw-circle.radius", // m
+    "draw-circle.too-small",
+    "place-ship.start",
+    "place-ship.turning", // degrees
+    "place-payload.start",
+    "place-payload.moving", // x, y in m
+    "place-finish.start",
+    "place-finish.end", // m, degrees
+    "place-finish.too-short",
+};
+
+inline constexpr std::array<std::string_view, 14> labelCodes{
+    "draw-edge", "draw-line", "draw-polygon", "draw-circle", "place-ship", "place-payload", "place-finish",
+    "move",      "rotate",    "reverse",      "delete",      "duplicate",  "cut",           "paste",
+};
+
+} // namespace spacetow

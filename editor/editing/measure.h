@@ -1,0 +1,17 @@
+#pragma once
+// Lengths and angles as short text for hints and labels on the canvas.
+
+#include "core/math/vec.h"
+
+#include <string>
+
+namespace spacetow {
+
+/// With two decimals, three below ten centimetres: "1.25", "0.075".
+std::string lengthText(double metres);
+/// Whole degrees where it is that, else one decimal, in (−180, 180]: "45", "-22.5".
+std::string degreesText(double radians);
+/// Direction of a vector, anticlockwise from the x axis, in radians.
+double directionOf(const Vec2& vector);
+
+} // namespace spacetow

@@ -1,0 +1,192 @@
+#include "editor/editing/outline.h"
+
+#include "core/game/ship.h"
+#include "core/geometry/intersect.h"
+#include "core/geometry/polygon.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace spacetow {
+
+namespace {
+
+std::vector<Vec2> inWorld(std::vector<Vec2> points, const Transform& pose) {
+    for (Vec2& point : points) {
+        point = pose.toWorld(point);
+    }
+    return points;
+}
+
+void addShape(Outline& outline, const LevelShape& shape, const Transform& pose) {
+    if (const auto* edges = std::get_if<EdgeChain>(&shape)) {
+        outline.paths.push_back({inWorld(edges->vertices, pose), edges->closed, false});
+    } else if (const auto* lines = std::get_if<LineChain>(&shape)) {
+        outline.paths.push_back({inWorld(lines->vertices, pose), lines->closed, false});
+    } else if (const auto* polygon = std::get_if<Polygon>(&shape)) {
+        outline.paths.push_back({inWorld(polygon->vertices, pose), true, true});
+    } else if (const auto* circle = std::get_if<Circle>(&shape)) {
+        outline.discs.push_back({pose.toWorld(circle->center), circle->radius});
+    }
+}
+
+/// Calls `visit` with both ends of each segment until it returns true; a lone point is a segment of no length.
+template <class Visit>
+bool anySegment(const OutlinePath& path, Visit visit) {
+    const std::size_t count = path.points.size();
+    const std::size_t segments = path.closed || count < 2 ? count : count - 1;
+    for (std::size_t i = 0; i < segments; ++i) {
+        if (visit(path.points[i], path.points[(i + 1) % count])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Clips the segment against the four sides of the box (Liang and Barsky, 1984).
+bool segmentMeets(const Vec2& a, const Vec2& b, const Aabb& box) {
+    double enters = 0;
+    double leaves = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double way = b[axis] - a[axis];
+        if (way == 0) {
+            if (a[axis] < box.min[axis] || a[axis] > box.max[axis]) {
+                return false;
+            }
+            continue;
+        }
+        const double first = (box.min[axis] - a[axis]) / way;
+        const double second = (box.max[axis] - a[axis]) / way;
+        enters = std::max(enters, std::min(first, second));
+        leaves = std::min(leaves, std::max(first, second));
+    }
+    return enters <= leaves;
+}
+
+} // namespace
+
+std::optional<Transform> poseOf(const Object& object) {
+    if (const auto* body = std::get_if<BodyObject>(&object.data)) {
+        return Transform{body->position, Rot::fromAngle(body->angle)};
+    }
+    if (const auto* ship = std::get_if<ShipObject>(&object.data)) {
+        return Transform{ship->position, Rot::fromAngle(ship->angle)};
+    }
+    if (const auto* payload = std::get_if<PayloadObject>(&object.data)) {
+        return Transform{payload->position, {}};
+    }
+    return {};
+}
+
+Outlines::Outlines(const Level& level) {
+    for (const Object& object : level.objects) {
+        if (const auto* connector = std::get_if<ConnectorObject>(&object.data)) {
+            m_ends.emplace_back(connector->a, Transform{});
+            m_ends.emplace_back(connector->b, Transform{});
+        }
+    }
+    if (m_ends.empty()) {
+        return;
+    }
+    const auto byKey = [](const auto& a, const auto& b) { return a.first < b.first; };
+    std::sort(m_ends.begin(), m_ends.end(), byKey);
+    std::vector<std::pair<Key, Transform>> found;
+    for (const Object& object : level.objects) {
+        const std::optional<Transform> pose = poseOf(object);
+        if (pose && std::binary_search(m_ends.begin(), m_ends.end(), std::pair(object.key, Transform{}), byKey)) {
+            found.emplace_back(object.key, *pose);
+        }
+    }
+    std::sort(found.begin(), found.end(), byKey);
+    m_ends = std::move(found);
+}
+
+const Transform* Outlines::find(Key key) const {
+    const auto place = std::lower_bound(m_ends.begin(), m_ends.end(), key,
+                                        [](const auto& entry, Key wanted) { return entry.first < wanted; });
+    return place != m_ends.end() && place->first == key ? &place->second : nullptr;
+}
+
+Outline Outlines::of(const Object& object) const {
+    Outline outline;
+    if (const auto* body = std::get_if<BodyObject>(&object.data)) {
+        for (const LevelShape& shape : body->shapes) {
+            addShape(outline, shape, *poseOf(object));
+        }
+    } else if (std::holds_alternative<ShipObject>(object.data)) {
+        outline.paths.push_back({inWorld(shipHull().vertices, *poseOf(object)), true, true});
+    } else if (const auto* payload = std::get_if<PayloadObject>(&object.data)) {
+        outline.discs.push_back({payload->position, payload->radius});
+    } else if (const auto* finish = std::get_if<FinishObject>(&object.data)) {
+        outline.paths.push_back({{finish->a, finish->b}, false, false});
+    } else if (const auto* connector = std::get_if<ConnectorObject>(&object.data)) {
+        const Transform* a = find(connector->a);
+        const Transform* b = find(connector->b);
+        if (a && b) {
+            outline.paths.push_back({{a->toWorld(connector->anchorA), b->toWorld(connector->anchorB)}, false, false});
+        }
+    }
+    std::erase_if(outline.paths, [](const OutlinePath& path) { return path.points.empty(); });
+    return outline;
+}
+
+Aabb boundsOf(const Outline& outline) {
+    Aabb box;
+    for (const OutlinePath& path : outline.paths) {
+        for (const Vec2& point : path.points) {
+            box.include(point);
+        }
+    }
+    for (const Circle& disc : outline.discs) {
+        box.include(Aabb{disc.center, disc.center}.grown(disc.radius));
+    }
+    return box;
+}
+
+double distanceTo(const Outline& outline, const Vec2& point) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const OutlinePath& path : outline.paths) {
+        if (path.filled && contains(path.points, point)) {
+            return 0;
+        }
+        anySegment(path, [&](const Vec2& a, const Vec2& b) {
+            nearest = std::min(nearest, (closestOnSegment(a, b, point) - point).norm());
+            return false;
+        });
+    }
+    for (const Circle& disc : outline.discs) {
+        nearest = std::min(nearest, std::max(0.0, (point - disc.center).norm() - disc.radius));
+    }
+    return nearest;
+}
+
+bool touches(const Outline& outline, const Aabb& box) {
+    for (const OutlinePath& path : outline.paths) {
+        // With no side in the box, either all of the box lies inside the path or nothing of it.
+        if (anySegment(path, [&](const Vec2& a, const Vec2& b) { return segmentMeets(a, b, box); }) ||
+            (path.filled && contains(path.points, box.center()))) {
+            return true;
+        }
+    }
+    return std::any_of(outline.discs.begin(), outline.discs.end(), [&](const Circle& disc) {
+        const Vec2 nearest = disc.center.cwiseMax(box.min).cwiseMin(box.max);
+        return (nearest - disc.center).norm() <= disc.radius;
+    });
+}
+
+PointSum pointsOf(const Outline& outline) {
+    PointSum points;
+    for (const OutlinePath& path : outline.paths) {
+        for (const Vec2& point : path.points) {
+            points.sum += point;
+            ++points.count;
+        }
+    }
+    for (const Circle& disc : outline.discs) {
+        points.sum += disc.center;
+        ++points.count;
+    }
+    return points;
+}
+
+} // namespace spacetow

@@ -1,0 +1,118 @@
+#include "editor/editing/place_tool.h"
+
+#include "core/game/ship.h"
+#include "editor/editing/place_gestures.h"
+
+#include <utility>
+
+namespace spacetow {
+
+namespace {
+
+/// The outline of what a click would put down.
+Overlay ghost(PlaceKind kind, const Level& level, const Vec2& position) {
+    Overlay overlay;
+    overlay.points.push_back({OverlayStyle::Snap, position});
+    if (kind == PlaceKind::Ship) {
+        const Transform pose{position, Rot::fromAngle(shipAt(level, position).angle)};
+        std::vector<Vec2> hull = shipHull().vertices;
+        for (Vec2& corner : hull) {
+            corner = pose.toWorld(corner);
+        }
+        overlay.lines.push_back({OverlayStyle::Draft, std::move(hull), true});
+    } else if (kind == PlaceKind::Payload) {
+        overlay.circles.push_back({OverlayStyle::Draft, position, payloadAt(level, position).radius});
+    }
+    return overlay;
+}
+
+} // namespace
+
+void PlaceTool::setKind(PlaceKind kind) {
+    cancel();
+    m_kind = kind;
+}
+
+std::unique_ptr<Gesture> PlaceTool::press(const ToolContext& context, const Pointer& pointer) {
+    switch (m_kind) {
+    case PlaceKind::Ship:
+        return turnShip(context, pointer);
+    case PlaceKind::Payload:
+        return carryPayload(context);
+    case PlaceKind::Finish:
+        break;
+    }
+    return m_finishStart ? nullptr : drawFinish(context, pointer);
+}
+
+std::optional<FinishedEdit> PlaceTool::click(const ToolContext& context, const Pointer& pointer) {
+    const Vec2 position = snapped(context.snap, pointer);
+    const Level& level = *context.edit.level;
+    switch (m_kind) {
+    case PlaceKind::Ship:
+        return FinishedEdit{{"place-ship", 1}, withPlaced(context, shipAt(level, position))};
+    case PlaceKind::Payload:
+        return FinishedEdit{{"place-payload", 1}, withPlaced(context, payloadAt(level, position))};
+    case PlaceKind::Finish:
+        break;
+    }
+    return clickFinish(context, pointer);
+}
+
+std::optional<FinishedEdit> PlaceTool::clickFinish(const ToolContext& context, const Pointer& pointer) {
+    if (!m_finishStart) {
+        m_finishStart = snapped(context.snap, pointer);
+        return {};
+    }
+    const Vec2 end = snappedFrom(context.snap, pointer, *m_finishStart);
+    m_tooShort = end == *m_finishStart;
+    if (m_tooShort) {
+        return {};
+    }
+    const FinishedEdit finished{{"place-finish", 1}, withPlaced(context, FinishObject{*m_finishStart, end})};
+    cancel();
+    return finished;
+}
+
+std::optional<FinishedEdit> PlaceTool::key(const ToolContext&, ToolKey key, const Pointer&) {
+    if (key == ToolKey::Backspace || key == ToolKey::Delete) {
+        cancel();
+    }
+    return {};
+}
+
+void PlaceTool::hover(const ToolContext& context, const Pointer& pointer) {
+    m_tooShort = m_tooShort && snappedFrom(context.snap, pointer, *m_finishStart) == *m_finishStart;
+}
+
+void PlaceTool::cancel() {
+    m_finishStart.reset();
+    m_tooShort = false;
+}
+
+Overlay PlaceTool::overlay(const ToolContext& context, const Pointer& pointer) const {
+    if (m_finishStart) {
+        return finishOverlay(*m_finishStart, snappedFrom(context.snap, pointer, *m_finishStart));
+    }
+    return ghost(m_kind, *context.edit.level, snapped(context.snap, pointer));
+}
+
+Hint PlaceTool::hint(const ToolContext& context, const Pointer& pointer) const {
+    if (m_tooShort) {
+        return {"place-finish.too-short", {}};
+    }
+    if (m_finishStart) {
+        return finishHint(*m_finishStart, snappedFrom(context.snap, pointer, *m_finishStart));
+    }
+    switch (m_kind) {
+    case PlaceKind::Ship:
+        return {"place-ship.start", {}};
+    case PlaceKind::Payload:
+        return {"place-payload.start", {}};
+    case PlaceKind::Finish:
+        break;
+    }
+    return {"place-finish.start", {}};
+}
+
+} // namespace spacetow

@@ -1,0 +1,80 @@
+#include "editor/editing/select_gestures.h"
+
+#include "core/level/edits.h"
+#include "editor/editing/measure.h"
+#include "editor/editing/pick.h"
+
+#include <cmath>
+
+namespace spacetow {
+
+MoveGesture::MoveGesture(const ToolContext& context, const Pointer& start, const Vec2& reference)
+    : m_edit(context.edit), m_snap(context.snap), m_start(start.world), m_reference(reference) {}
+
+Vec2 MoveGesture::deltaAt(const Pointer& pointer) const {
+    const Vec2 way = pointer.world - m_start;
+    Vec2 delta = snaps(m_snap, pointer.modifiers) ? Vec2(onGrid(m_snap, m_reference + way) - m_reference) : way;
+    if (pointer.modifiers.shift) {
+        delta[std::abs(way.x()) < std::abs(way.y()) ? 0 : 1] = 0;
+    }
+    return delta;
+}
+
+Edit MoveGesture::at(const Pointer& pointer) const {
+    const Vec2 delta = deltaAt(pointer);
+    if (delta == Vec2(0, 0)) {
+        return m_edit;
+    }
+    Level level = moved(*m_edit.level, m_edit.selection.keys(), delta);
+    return {std::make_shared<const Level>(std::move(level)), m_edit.selection};
+}
+
+Label MoveGesture::label() const {
+    return {"move", m_edit.selection.size()};
+}
+
+Overlay MoveGesture::overlay(const Pointer& pointer) const {
+    const Vec2 delta = deltaAt(pointer);
+    const Vec2 target = m_reference + delta;
+    Overlay overlay;
+    overlay.lines.push_back({OverlayStyle::Measure, {m_reference, target}});
+    overlay.points.push_back({OverlayStyle::Snap, target});
+    overlay.texts.push_back({target, lengthText(delta.x()) + ", " + lengthText(delta.y()) + " m"});
+    return overlay;
+}
+
+Hint MoveGesture::hint(const Pointer& pointer) const {
+    const Vec2 delta = deltaAt(pointer);
+    return {"select.moving", {lengthText(delta.x()), lengthText(delta.y())}};
+}
+
+BandGesture::BandGesture(const Edit& edit, const Vec2& start, bool extends)
+    : m_edit(edit), m_start(start), m_extends(extends) {}
+
+Aabb BandGesture::boxAt(const Pointer& pointer) const {
+    Aabb box{m_start, m_start};
+    box.include(pointer.world);
+    return box;
+}
+
+Edit BandGesture::at(const Pointer& pointer) const {
+    std::vector<Key> keys = pickedIn(*m_edit.level, boxAt(pointer), pointer.modifiers.alt);
+    if (m_extends) {
+        keys.insert(keys.end(), m_edit.selection.keys().begin(), m_edit.selection.keys().end());
+    }
+    return {m_edit.level, Selection(std::move(keys))};
+}
+
+Overlay BandGesture::overlay(const Pointer& pointer) const {
+    const Aabb box = boxAt(pointer);
+    Overlay overlay;
+    overlay.lines.push_back(
+        {OverlayStyle::Band, {box.min, Vec2(box.max.x(), box.min.y()), box.max, Vec2(box.min.x(), box.max.y())}, true});
+    return overlay;
+}
+
+Hint BandGesture::hint(const Pointer& pointer) const {
+    return {"select.band", {std::to_string(at(pointer).selection.size())}};
+}
+
+} // namespace spacetow

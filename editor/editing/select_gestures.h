@@ -1,0 +1,47 @@
+#pragma once
+// The two drags of the select tool: moving objects, and the rubber band.
+
+#include "editor/editing/tool.h"
+
+namespace spacetow {
+
+/// Moves the selection of the edit it starts with. What snaps is the place of one object, `reference`, so that what
+/// is on the grid stays on it. Shift keeps to one axis.
+class MoveGesture : public Gesture {
+  public:
+    MoveGesture(const ToolContext& context, const Pointer& start, const Vec2& reference);
+
+    Edit at(const Pointer& pointer) const override;
+    Label label() const override;
+    Overlay overlay(const Pointer& pointer) const override;
+    Hint hint(const Pointer& pointer) const override;
+
+  private:
+    Vec2 deltaAt(const Pointer& pointer) const;
+
+    Edit m_edit;
+    SnapSettings m_snap;
+    Vec2 m_start;
+    Vec2 m_reference;
+};
+
+/// Selects what the band touches, with Alt what lies wholly inside; `extends` adds to what was selected.
+class BandGesture : public Gesture {
+  public:
+    BandGesture(const Edit& edit, const Vec2& start, bool extends);
+
+    Edit at(const Pointer& pointer) const override;
+    Label label() const override { return {}; }
+    Overlay overlay(const Pointer& pointer) const override;
+    Hint hint(const Pointer& pointer) const override;
+    bool edits() const override { return false; }
+
+  private:
+    Aabb boxAt(const Pointer& pointer) const;
+
+    Edit m_edit;
+    Vec2 m_start;
+    bool m_extends;
+};
+
+} // namespace spacetow

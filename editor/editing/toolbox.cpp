@@ -1,0 +1,284 @@
+#include "editor/editing/toolbox.h"
+
+#include "editor/editing/circle_tool.h"
+#include "editor/editing/draw_tool.h"
+#include "editor/editing/select_tool.h"
+#include "editor/editing/verbs.h"
+
+#include <random>
+#include <utility>
+
+namespace spacetow {
+
+namespace {
+
+constexpr double dragPixels = 4;
+
+std::uint64_t randomSeed() {
+    std::random_device device;
+    return std::uint64_t{device()} << 32 | device();
+}
+
+} // namespace
+
+struct Toolbox::State {
+    State(Document& edited, std::uint64_t firstSeed) : document(edited), seed(firstSeed) {}
+
+    Document& document;
+    std::uint64_t seed;
+    SelectTool select;
+    DrawTool edge{DrawKind::Edge};
+    DrawTool line{DrawKind::Line};
+    DrawTool polygon{DrawKind::Polygon};
+    CircleTool circle;
+    PlaceTool place;
+    ToolId current = ToolId::Select;
+    bool kindChosen = false; // since Place was last chosen
+
+    std::unique_ptr<Gesture> gesture; // from the press on; it shows and acts once `dragging`
+    std::optional<Pointer> pressed;   // while the button is held
+    bool dragging = false;            // the pointer has left the spot where the button went down
+    Pointer last;
+    bool inside = false;     // the pointer is in the view
+    bool committing = false; // the history changes by our own doing
+    int connection = 0;
+
+    Tool& tool() {
+        switch (current) {
+        case ToolId::Select:
+            return select;
+        case ToolId::Edge:
+            return edge;
+        case ToolId::Line:
+            return line;
+        case ToolId::Polygon:
+            return polygon;
+        case ToolId::Circle:
+            return circle;
+        case ToolId::Place:
+            break;
+        }
+        return place;
+    }
+    bool gestureShows() const { return gesture && dragging; }
+    void noticeDrag(const Pointer& pointer) {
+        dragging = dragging || (pressed && (pointer.screen - pressed->screen).norm() > dragPixels);
+    }
+    void letGo() {
+        gesture.reset();
+        pressed.reset();
+        dragging = false;
+    }
+    /// Leaves the level as it was before the button went down.
+    void abandon() {
+        if (gestureShows()) {
+            document.dropPreview();
+        }
+        letGo();
+    }
+    void commit(const FinishedEdit& finished) {
+        committing = true;
+        document.commit(finished.label, finished.edit, finished.mergeKey);
+        committing = false;
+    }
+    void conclude(const Gesture& ended, const Pointer& pointer) {
+        Edit edit = ended.at(pointer);
+        if (ended.edits()) {
+            commit({ended.label(), std::move(edit)});
+        } else {
+            document.select(std::move(edit.selection));
+        }
+    }
+    ToolContext context(const SnapSettings& snap) const {
+        return {document.current(), snap, seed, gesture ? std::nullopt : pressed};
+    }
+};
+
+Toolbox::Toolbox(Document& document) : Toolbox(document, randomSeed()) {}
+
+Toolbox::Toolbox(Document& document, std::uint64_t seed) : m_state(std::make_unique<State>(document, seed)) {
+    // A gesture starts from the level as it was; undo or another file in the middle of it leaves nothing to go on from.
+    m_state->connection = document.historyChanged.connect([this] {
+        if (!m_state->committing && m_state->pressed) {
+            m_state->abandon();
+            changed.emit();
+        }
+    });
+}
+
+Toolbox::~Toolbox() {
+    m_state->document.historyChanged.disconnect(m_state->connection);
+}
+
+void Toolbox::choose(ToolId tool) {
+    State& state = *m_state;
+    cancel();
+    if (tool == ToolId::Place && state.current == ToolId::Place && !state.kindChosen) {
+        constexpr int kinds = 3;
+        state.place.setKind(static_cast<PlaceKind>((static_cast<int>(state.place.kind()) + 1) % kinds));
+    }
+    state.kindChosen = false;
+    state.current = tool;
+    changed.emit();
+}
+
+ToolId Toolbox::current() const {
+    return m_state->current;
+}
+
+void Toolbox::setPlaceKind(PlaceKind kind) {
+    if (m_state->current == ToolId::Place) {
+        m_state->abandon();
+    }
+    m_state->place.setKind(kind);
+    m_state->kindChosen = true;
+    changed.emit();
+}
+
+PlaceKind Toolbox::placeKind() const {
+    return m_state->place.kind();
+}
+
+void Toolbox::press(const Pointer& pointer) {
+    State& state = *m_state;
+    state.abandon(); // a release that was never reported
+    state.last = pointer;
+    state.inside = true;
+    state.kindChosen = false;
+    state.gesture = state.tool().press(context(), pointer);
+    state.pressed = pointer;
+    changed.emit();
+}
+
+void Toolbox::move(const Pointer& pointer) {
+    State& state = *m_state;
+    state.last = pointer;
+    state.inside = true;
+    state.noticeDrag(pointer);
+    if (state.gestureShows()) {
+        state.document.preview(state.gesture->at(pointer));
+    } else {
+        state.tool().hover(state.context(snap), pointer);
+    }
+    changed.emit();
+}
+
+void Toolbox::release(const Pointer& pointer) {
+    State& state = *m_state;
+    if (!state.pressed) {
+        return;
+    }
+    state.last = pointer;
+    state.noticeDrag(pointer); // it may have gone in one jump
+    const bool dragged = state.dragging;
+    ToolContext before = context();
+    const std::unique_ptr<Gesture> gesture = std::move(state.gesture);
+    state.letGo();
+    if (gesture && dragged) {
+        state.conclude(*gesture, pointer);
+    } else if (dragged) {
+        finish(state.tool().drop(before, pointer));
+    } else {
+        before.pressed.reset();
+        finish(state.tool().click(before, pointer));
+    }
+    changed.emit();
+}
+
+void Toolbox::doubleClick(const Pointer& pointer) {
+    m_state->abandon();
+    m_state->last = pointer;
+    finish(m_state->tool().doubleClick(context(), pointer));
+    changed.emit();
+}
+
+void Toolbox::leave() {
+    m_state->inside = false;
+    changed.emit();
+}
+
+bool Toolbox::secondaryClick(const Pointer& pointer) {
+    State& state = *m_state;
+    if (state.pressed) {
+        return true;
+    }
+    state.last = pointer;
+    const bool busy = state.tool().isBusy();
+    finish(state.tool().secondaryClick(context(), pointer));
+    changed.emit();
+    return busy;
+}
+
+void Toolbox::key(ToolKey key, const Pointer& pointer) {
+    State& state = *m_state;
+    state.last = pointer;
+    const bool busy = state.tool().isBusy();
+    if (key == ToolKey::Escape) {
+        if (state.pressed) {
+            state.abandon();
+        } else if (busy) {
+            state.tool().cancel();
+        } else if (!state.document.selection().empty()) {
+            state.document.select({});
+        } else {
+            choose(ToolId::Select);
+        }
+    } else if (!state.pressed) {
+        finish(state.tool().key(context(), key, pointer));
+        if (!busy && (key == ToolKey::Delete || key == ToolKey::Backspace)) {
+            finish(removeSelected(context()));
+        }
+    }
+    changed.emit();
+}
+
+void Toolbox::cancel() {
+    m_state->abandon();
+    m_state->tool().cancel();
+    changed.emit();
+}
+
+ToolContext Toolbox::context() {
+    constexpr std::uint64_t stride = 0x9e3779b97f4a7c15ull; // odd, so that no seed comes twice
+    m_state->seed += stride;
+    return m_state->context(snap);
+}
+
+bool Toolbox::finish(const std::optional<FinishedEdit>& finished) {
+    if (!finished) {
+        return false;
+    }
+    m_state->abandon();
+    m_state->commit(*finished);
+    return true;
+}
+
+bool Toolbox::isBusy() const {
+    return m_state->pressed || m_state->tool().isBusy();
+}
+
+Overlay Toolbox::overlay() const {
+    State& state = *m_state;
+    if (state.gestureShows()) {
+        return state.gesture->overlay(state.last);
+    }
+    if (!state.inside && !state.tool().isBusy()) {
+        return {};
+    }
+    return state.tool().overlay(state.context(snap), state.last);
+}
+
+Hint Toolbox::hint() const {
+    State& state = *m_state;
+    return state.gestureShows() ? state.gesture->hint(state.last) : state.tool().hint(state.context(snap), state.last);
+}
+
+CursorShape Toolbox::cursor() const {
+    State& state = *m_state;
+    if (state.gestureShows()) {
+        return state.current == ToolId::Select && state.gesture->edits() ? CursorShape::Move : CursorShape::Cross;
+    }
+    return state.tool().cursor(state.context(snap), state.last);
+}
+
+} // namespace spacetow

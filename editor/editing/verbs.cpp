@@ -1,0 +1,108 @@
+#include "editor/editing/verbs.h"
+
+#include "core/level/edits.h"
+#include "editor/editing/outline.h"
+
+#include <utility>
+
+namespace spacetow {
+
+namespace {
+
+Label labelOf(const char* code, const Selection& selection) {
+    return {code, selection.size()};
+}
+
+Edit withLevel(const Edit& edit, Level level) {
+    return {std::make_shared<const Level>(std::move(level)), edit.selection};
+}
+
+/// The mean of the points of all selected objects; nothing when none of them has a place of its own.
+std::optional<Vec2> middleOf(const Edit& edit) {
+    const Outlines outlines(*edit.level);
+    PointSum all;
+    for (const Object& object : edit.level->objects) {
+        if (edit.selection.contains(object.key) && !std::holds_alternative<ConnectorObject>(object.data)) {
+            const PointSum points = pointsOf(outlines.of(object));
+            all.sum += points.sum;
+            all.count += points.count;
+        }
+    }
+    if (all.count == 0) {
+        return {};
+    }
+    return all.sum / all.count;
+}
+
+} // namespace
+
+std::optional<FinishedEdit> removeSelected(const ToolContext& context) {
+    const Selection& selection = context.edit.selection;
+    if (selection.empty()) {
+        return {};
+    }
+    Edit edit = withLevel(context.edit, removed(*context.edit.level, selection.keys()));
+    edit.selection = {};
+    return FinishedEdit{labelOf("delete", selection), std::move(edit)};
+}
+
+std::optional<FinishedEdit> duplicateSelected(const ToolContext& context) {
+    const Vec2 delta(context.snap.step, -context.snap.step);
+    std::vector<Key> copies;
+    Level level = duplicated(*context.edit.level, context.edit.selection.keys(), delta, context.seed, copies);
+    if (copies.empty()) {
+        return {};
+    }
+    Selection selection(std::move(copies));
+    const Label label = labelOf("duplicate", selection);
+    return FinishedEdit{label, {std::make_shared<const Level>(std::move(level)), std::move(selection)}};
+}
+
+std::optional<FinishedEdit> nudgeSelected(const ToolContext& context, const Vec2& delta) {
+    const Selection& selection = context.edit.selection;
+    if (selection.empty()) {
+        return {};
+    }
+    return FinishedEdit{labelOf("move", selection),
+                        withLevel(context.edit, moved(*context.edit.level, selection.keys(), delta)), "nudge"};
+}
+
+std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double radians) {
+    const Selection& selection = context.edit.selection;
+    const std::optional<Vec2> middle = middleOf(context.edit);
+    if (!middle) {
+        return {};
+    }
+    return FinishedEdit{labelOf("rotate", selection),
+                        withLevel(context.edit, rotated(*context.edit.level, selection.keys(), *middle, radians)),
+                        "rotate"};
+}
+
+std::optional<FinishedEdit> reverseSelected(const ToolContext& context) {
+    const Selection& selection = context.edit.selection;
+    if (selection.empty()) {
+        return {};
+    }
+    return FinishedEdit{labelOf("reverse", selection),
+                        withLevel(context.edit, reversed(*context.edit.level, selection.keys()))};
+}
+
+Selection selectAll(const Level& level) {
+    std::vector<Key> keys;
+    for (const Object& object : level.objects) {
+        keys.push_back(object.key);
+    }
+    return Selection(std::move(keys));
+}
+
+Selection invertedSelection(const Edit& edit) {
+    std::vector<Key> keys;
+    for (const Object& object : edit.level->objects) {
+        if (!edit.selection.contains(object.key)) {
+            keys.push_back(object.key);
+        }
+    }
+    return Selection(std::move(keys));
+}
+
+} // namespace spacetow

@@ -1,0 +1,25 @@
+#pragma once
+// What menus and keys do to the selection, without a drag. Each gives the finished edit, or nothing when there is
+// nothing to do; Toolbox::finish makes it a history entry.
+
+#include "editor/editing/tool.h"
+
+#include <optional>
+
+namespace spacetow {
+
+std::optional<FinishedEdit> removeSelected(const ToolContext& context);
+/// Copies one grid step to the right and down; the copies are selected.
+std::optional<FinishedEdit> duplicateSelected(const ToolContext& context);
+/// By `delta` metres. Repeated within a second it stays one history entry.
+std::optional<FinishedEdit> nudgeSelected(const ToolContext& context, const Vec2& delta);
+/// Anticlockwise about the middle of the selection's points, which a rotation leaves where it is. Repeated within a
+/// second it stays one history entry.
+std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double radians);
+/// Turns the solid side of the selected one-way walls round.
+std::optional<FinishedEdit> reverseSelected(const ToolContext& context);
+
+Selection selectAll(const Level& level);
+Selection invertedSelection(const Edit& edit);
+
+} // namespace spacetow
