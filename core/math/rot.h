@@ -1,6 +1,7 @@
 #pragma once
 // A rotation as a unit complex number: it never grows, and turning a vector needs no trigonometry.
 
+#include "core/math/trig.h"
 #include "core/math/vec.h"
 
 #include <cmath>
@@ -12,7 +13,10 @@ struct Rot {
     double c = 1; // cosine
     double s = 0; // sine
 
-    static Rot fromAngle(double radians) { return {std::cos(radians), std::sin(radians)}; }
+    static Rot fromAngle(double radians) {
+        const SinCos sc = sinCos(radians);
+        return {sc.cos, sc.sin};
+    }
 
     /// In (−π, π].
     double angle() const { return std::atan2(s, c); }
@@ -25,5 +29,12 @@ struct Rot {
 
 inline Vec2 operator*(const Rot& r, const Vec2& v) { return {r.c * v.x() - r.s * v.y(), r.s * v.x() + r.c * v.y()}; }
 inline Rot operator*(const Rot& a, const Rot& b) { return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s}; }
+
+/// `r` turned on by `radians`, with the length brought back to one.
+inline Rot turned(const Rot& r, double radians) {
+    const Rot t = Rot::fromAngle(radians) * r;
+    const double scale = 1 / std::sqrt(t.c * t.c + t.s * t.s);
+    return {t.c * scale, t.s * scale};
+}
 
 } // namespace spacetow

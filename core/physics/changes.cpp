@@ -1,0 +1,130 @@
+#include "core/physics/changes.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+void endTouches(WorldData& data, Slot slot, int iteration) {
+    for (const SlotPair& pair : data.touching) {
+        if (pair.first != slot && pair.second != slot) {
+            continue;
+        }
+        Slot a = pair.first;
+        Slot b = pair.second;
+        if (data.records[b].serial < data.records[a].serial) {
+            std::swap(a, b);
+        }
+        const bool solid = data.records[a].tangible && data.records[b].tangible;
+        data.events.ended.push_back({iteration, data.idOf(a), data.idOf(b), solid});
+    }
+    std::erase_if(data.touching, [slot](const SlotPair& p) { return p.first == slot || p.second == slot; });
+    std::erase_if(data.pairs, [slot](const Pair& p) { return p.bodyA == slot || p.bodyB == slot; });
+    data.records[slot].touchedTags = {};
+}
+
+void removeNow(WorldData& data, Slot slot, int iteration) {
+    endTouches(data, slot, iteration);
+    for (std::uint32_t i = 0; i < data.connectors.size(); ++i) {
+        ConnectorRecord& c = data.connectors[i];
+        if (c.used && (c.a == slot || c.b == slot)) {
+            c.used = false;
+            ++c.generation;
+            data.freeConnectors.push_back(i);
+        }
+    }
+    BodyRecord& record = data.records[slot];
+    data.staticsChanged |= record.kind == BodyKind::Static;
+    data.events.removed.push_back({iteration, data.idOf(slot), record.user});
+    const std::uint32_t generation = record.generation + 1;
+    record = BodyRecord{};
+    record.generation = generation;
+    data.motions[slot] = BodyMotion{};
+    data.steps[slot] = BodyStep{};
+    data.freeSlots.push_back(slot);
+}
+
+void setFrozenNow(WorldData& data, Slot slot, bool position, bool rotation) {
+    BodyRecord& record = data.records[slot];
+    record.positionFrozen = position;
+    record.rotationFrozen = rotation;
+    if (position) {
+        data.motions[slot].velocity.setZero();
+    }
+    if (rotation) {
+        data.motions[slot].angularVelocity = 0;
+    }
+    refreshInverseMass(data, slot);
+}
+
+void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
+    BodyRecord& record = data.records[slot];
+    if (record.active && !active) {
+        endTouches(data, slot, iteration);
+    }
+    data.staticsChanged |= record.kind == BodyKind::Static && record.active != active;
+    record.active = active;
+}
+
+} // namespace
+
+bool applyPending(WorldData& data, int iteration) {
+    if (data.pending.empty()) {
+        return false;
+    }
+    for (const PendingChange& change : data.pending) {
+        const Slot slot = change.body.index;
+        if (slot >= data.records.size() || !data.records[slot].used ||
+            data.records[slot].generation != change.body.generation) {
+            continue;
+        }
+        switch (change.kind) {
+        case PendingChange::Kind::Remove:
+            removeNow(data, slot, iteration);
+            break;
+        case PendingChange::Kind::Active:
+            setActiveNow(data, slot, change.first, iteration);
+            break;
+        case PendingChange::Kind::Tangible:
+            data.records[slot].tangible = change.first;
+            break;
+        case PendingChange::Kind::Frozen:
+            setFrozenNow(data, slot, change.first, change.second);
+            break;
+        }
+    }
+    data.pending.clear();
+    refreshConnections(data);
+    return true;
+}
+
+void refreshInverseMass(WorldData& data, Slot slot) {
+    const BodyRecord& record = data.records[slot];
+    BodyMotion& m = data.motions[slot];
+    const bool dynamic = record.kind == BodyKind::Dynamic;
+    m.inverseMass = dynamic && !record.positionFrozen ? 1 / record.mass : 0;
+    m.inverseInertia = dynamic && !record.rotationFrozen && record.inertia > 0 ? 1 / record.inertia : 0;
+}
+
+void refreshConnections(WorldData& data) {
+    data.notColliding.clear();
+    for (BodyRecord& record : data.records) {
+        record.connected = false;
+    }
+    for (const ConnectorRecord& c : data.connectors) {
+        if (!c.used) {
+            continue;
+        }
+        if (data.records[c.a].active && data.records[c.b].active) {
+            data.records[c.a].connected = true;
+            data.records[c.b].connected = true;
+        }
+        if (!c.bodiesCollide) {
+            data.notColliding.push_back(std::minmax(c.a, c.b));
+        }
+    }
+    std::sort(data.notColliding.begin(), data.notColliding.end());
+}
+
+} // namespace spacetow

@@ -1,0 +1,139 @@
+#include "core/physics/integrate.h"
+
+#include "core/math/trig.h"
+#include "core/physics/connector_forces.h"
+
+namespace spacetow {
+
+namespace {
+
+/// Exact for v' = a − damping·v over `h` seconds; the series avoids cancellation for weak damping.
+FreeMotion freeMotion(double damping, double h) {
+    const double x = damping * h;
+    if (x < 1e-4) {
+        return {1 - x * (1 - x / 2 * (1 - x / 3)), h * (1 - x / 2 * (1 - x / 3)), h * h * (0.5 - x / 6 * (1 - x / 4))};
+    }
+    const double decay = expExact(-x);
+    const double gain = (1 - decay) / damping;
+    return {decay, gain, (h - gain) / damping};
+}
+
+struct Change {
+    Vec2 shift;
+    double turn;
+};
+
+Change integrated(BodyMotion& m, const BodyStep& s) {
+    const Change change{s.linear.gain * m.velocity + s.linear.lag * s.acceleration,
+                        s.angular.gain * m.angularVelocity + s.angular.lag * s.angularAcceleration};
+    m.velocity = s.linear.decay * m.velocity + s.linear.gain * s.acceleration;
+    m.angularVelocity = s.angular.decay * m.angularVelocity + s.angular.gain * s.angularAcceleration;
+    return change;
+}
+
+void integrateConnected(WorldData& data, const IterationStep& step) {
+    if (data.connectors.size() == data.freeConnectors.size()) {
+        return;
+    }
+    data.trial.resize(data.motions.size());
+    for (Slot slot = 0; slot < data.motions.size(); ++slot) {
+        data.trial[slot] = data.pose(slot);
+    }
+    for (int i = 0; i < step.substeps; ++i) {
+        applyConnectorForces(data, step.substep);
+        for (const Slot slot : data.moving) {
+            if (!data.records[slot].connected) {
+                continue;
+            }
+            const Change change = integrated(data.motions[slot], data.steps[slot]);
+            data.steps[slot].shift += change.shift;
+            data.steps[slot].turn += change.turn;
+            data.trial[slot].position += change.shift;
+            data.trial[slot].rotation = turned(data.trial[slot].rotation, change.turn);
+        }
+    }
+}
+
+} // namespace
+
+void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravity) {
+    for (const Slot slot : data.moving) {
+        BodyRecord& record = data.records[slot];
+        BodyStep& s = data.steps[slot];
+        const double h = record.connected ? step.substep : step.dt;
+        s.acceleration = record.force / record.mass;
+        s.angularAcceleration = record.inertia > 0 ? record.torque / record.inertia : 0;
+        if (record.kind == BodyKind::Dynamic) {
+            s.acceleration += gravity;
+        }
+        s.linear = freeMotion(record.linearDamping, h);
+        s.angular = freeMotion(record.angularDamping, h);
+        if (record.positionFrozen) {
+            s.acceleration.setZero();
+            s.linear = {0, 0, 0};
+        }
+        if (record.rotationFrozen) {
+            s.angularAcceleration = 0;
+            s.angular = {0, 0, 0};
+        }
+        record.force.setZero();
+        record.torque = 0;
+    }
+}
+
+void integrateVelocities(WorldData& data, const IterationStep& step) {
+    for (const Slot slot : data.moving) {
+        BodyMotion& m = data.motions[slot];
+        BodyStep& s = data.steps[slot];
+        s.startVelocity = m.velocity;
+        s.startAngularVelocity = m.angularVelocity;
+        s.shift.setZero();
+        s.turn = 0;
+        s.fraction = 1;
+        s.pushed = false;
+        if (!data.records[slot].connected) {
+            const Change change = integrated(m, s);
+            s.shift = change.shift;
+            s.turn = change.turn;
+        }
+    }
+    integrateConnected(data, step);
+    for (const Slot slot : data.moving) {
+        BodyStep& s = data.steps[slot];
+        s.reach = std::sqrt(s.shift.squaredNorm()) + std::abs(s.turn) * data.records[slot].outerRadius;
+    }
+}
+
+void advance(WorldData& data, const IterationStep&) {
+    for (const Slot slot : data.moving) {
+        BodyMotion& m = data.motions[slot];
+        const BodyStep& s = data.steps[slot];
+        m.center += s.fraction * s.shift;
+        if (s.turn != 0) {
+            m.rotation = turned(m.rotation, s.fraction * s.turn);
+        }
+    }
+}
+
+void isolateFaults(WorldData& data, int iteration) {
+    for (const Slot slot : data.moving) {
+        BodyMotion& m = data.motions[slot];
+        BodyStep& s = data.steps[slot];
+        const double sum = m.velocity.x() + m.velocity.y() + m.angularVelocity + s.shift.x() + s.shift.y() + s.turn +
+                           m.center.x() + m.center.y();
+        if (std::isfinite(sum)) {
+            continue;
+        }
+        m.velocity.setZero();
+        m.angularVelocity = 0;
+        s.shift.setZero();
+        s.turn = 0;
+        s.reach = 0;
+        if (data.records[slot].active) {
+            data.events.faults.push_back({iteration, data.idOf(slot)});
+            data.pending.push_back({PendingChange::Kind::Active, data.idOf(slot), false, false});
+        }
+    }
+}
+
+} // namespace spacetow

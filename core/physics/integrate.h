@@ -1,0 +1,21 @@
+#pragma once
+// Motion without contacts: forces, gravity, damping and connectors change the velocities and say how far each body
+// would go; after the contacts are solved the bodies are advanced.
+
+#include "core/physics/world_data.h"
+
+namespace spacetow {
+
+/// Accelerations and damping factors for this update; consumes the forces applied since the last one.
+void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravity);
+
+/// Velocities at the end of the iteration, and shift and turn on the way there, as if nothing were touched.
+void integrateVelocities(WorldData& data, const IterationStep& step);
+
+/// Carries out the motion. Bodies that a contact pushed go where their new velocity takes them.
+void advance(WorldData& data, const IterationStep& step);
+
+/// Switches off bodies whose velocity or place is not finite, so that they spoil no others.
+void isolateFaults(WorldData& data, int iteration);
+
+} // namespace spacetow

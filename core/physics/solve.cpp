@@ -1,0 +1,215 @@
+#include "core/physics/solve.h"
+
+#include "core/physics/contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+// Overlap is reduced at this rate, 1/s, by at most this share an iteration and not faster than this, m/s.
+constexpr double pushOutRate = 40;
+constexpr double pushOutShare = 0.2;
+constexpr double pushOutSpeed = 3;
+
+struct Bodies {
+    BodyMotion& a;
+    BodyMotion& b;
+};
+
+Bodies bodiesOf(WorldData& data, const Constraint& c) { return {data.motions[c.a], data.motions[c.b]}; }
+
+void applyImpulse(const Bodies& on, const ConstraintPoint& p, const Vec2& impulse) {
+    on.a.velocity -= on.a.inverseMass * impulse;
+    on.a.angularVelocity -= on.a.inverseInertia * cross(p.armA, impulse);
+    on.b.velocity += on.b.inverseMass * impulse;
+    on.b.angularVelocity += on.b.inverseInertia * cross(p.armB, impulse);
+}
+
+Vec2 relativeVelocity(const Bodies& of, const ConstraintPoint& p) {
+    return of.b.velocity + cross(of.b.angularVelocity, p.armB) - of.a.velocity - cross(of.a.angularVelocity, p.armA);
+}
+
+void solveTangent(const Bodies& on, const Constraint& c, ConstraintPoint& p) {
+    const Vec2 tangent = leftOf(c.normal);
+    const double limit = c.friction * p.normalImpulse;
+    const double wanted = p.tangentImpulse - p.tangentMass * relativeVelocity(on, p).dot(tangent);
+    const double impulse = std::clamp(wanted, -limit, limit);
+    applyImpulse(on, p, (impulse - p.tangentImpulse) * tangent);
+    p.tangentImpulse = impulse;
+}
+
+void solvePoint(const Bodies& on, const Constraint& c, ConstraintPoint& p, double target) {
+    const double excess = relativeVelocity(on, p).dot(c.normal) - target;
+    const double impulse = std::max(p.normalImpulse - p.normalMass * excess, 0.0);
+    applyImpulse(on, p, (impulse - p.normalImpulse) * c.normal);
+    p.normalImpulse = impulse;
+}
+
+/// The impulses x ≥ 0 with K x + b ≥ 0 and x·(K x + b) = 0, found by trying which of them act. The order of the
+/// points does not matter, so that mirrored scenes stay mirrored.
+std::array<double, 2> complementary(const Constraint& c, double b1, double b2) {
+    const double k11 = 1 / c.points[0].normalMass;
+    const double k22 = 1 / c.points[1].normalMass;
+    const double x1 = (c.coupling * b2 - k22 * b1) / c.determinant;
+    const double x2 = (c.coupling * b1 - k11 * b2) / c.determinant;
+    if (x1 >= 0 && x2 >= 0) {
+        return {x1, x2};
+    }
+    const double only1 = -b1 / k11;
+    if (only1 >= 0 && c.coupling * only1 + b2 >= 0) {
+        return {only1, 0};
+    }
+    const double only2 = -b2 / k22;
+    if (only2 >= 0 && c.coupling * only2 + b1 >= 0) {
+        return {0, only2};
+    }
+    return {0, 0};
+}
+
+void solveBlock(const Bodies& on, Constraint& c, double target1, double target2) {
+    ConstraintPoint& p1 = c.points[0];
+    ConstraintPoint& p2 = c.points[1];
+    const double k11 = 1 / p1.normalMass;
+    const double k22 = 1 / p2.normalMass;
+    const double b1 = relativeVelocity(on, p1).dot(c.normal) - target1 - k11 * p1.normalImpulse -
+                      c.coupling * p2.normalImpulse;
+    const double b2 = relativeVelocity(on, p2).dot(c.normal) - target2 - c.coupling * p1.normalImpulse -
+                      k22 * p2.normalImpulse;
+    const std::array<double, 2> x = complementary(c, b1, b2);
+    applyImpulse(on, p1, (x[0] - p1.normalImpulse) * c.normal);
+    applyImpulse(on, p2, (x[1] - p2.normalImpulse) * c.normal);
+    p1.normalImpulse = x[0];
+    p2.normalImpulse = x[1];
+}
+
+void solveNormals(const Bodies& on, Constraint& c, double target1, double target2) {
+    if (c.block) {
+        solveBlock(on, c, target1, target2);
+        return;
+    }
+    solvePoint(on, c, c.points[0], target1);
+    if (c.count == 2) {
+        solvePoint(on, c, c.points[1], target2);
+    }
+}
+
+void warmStart(WorldData& data) {
+    for (Constraint& c : data.constraints) {
+        const Bodies on = bodiesOf(data, c);
+        for (int i = 0; i < c.count; ++i) {
+            const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
+            applyImpulse(on, p, p.normalImpulse * c.normal + p.tangentImpulse * leftOf(c.normal));
+        }
+    }
+}
+
+void markPushed(WorldData& data, double dt) {
+    for (const Constraint& c : data.constraints) {
+        if (c.points[0].normalImpulse > 0 || (c.count == 2 && c.points[1].normalImpulse > 0)) {
+            data.steps[c.a].pushed = true;
+            data.steps[c.b].pushed = true;
+        }
+    }
+    for (const Slot slot : data.moving) {
+        BodyStep& s = data.steps[slot];
+        if (s.pushed) {
+            s.shift = dt * data.motions[slot].velocity;
+            s.turn = dt * data.motions[slot].angularVelocity;
+        }
+    }
+}
+
+bool bounces(const Constraint& c, const ConstraintPoint& p) {
+    return c.restitution > 0 && p.impactSpeed > 0 && p.normalImpulse > 0;
+}
+
+} // namespace
+
+void solveVelocities(WorldData& data, const IterationStep& step) {
+    warmStart(data);
+    for (int pass = 0; pass < step.passes; ++pass) {
+        for (Constraint& c : data.constraints) {
+            const Bodies on = bodiesOf(data, c);
+            if (c.friction > 0) {
+                for (int i = 0; i < c.count; ++i) {
+                    solveTangent(on, c, c.points[static_cast<std::size_t>(i)]);
+                }
+            }
+            solveNormals(on, c, c.points[0].target, c.points[1].target);
+        }
+    }
+    markPushed(data, step.dt);
+}
+
+void applyRestitution(WorldData& data) {
+    for (Constraint& c : data.constraints) {
+        ConstraintPoint& p1 = c.points[0];
+        ConstraintPoint& p2 = c.points[1];
+        const bool first = bounces(c, p1);
+        const bool second = c.count == 2 && bounces(c, p2);
+        if (!first && !second) {
+            continue;
+        }
+        const Bodies on = bodiesOf(data, c);
+        // The bodies have moved since the arms were taken; a common point keeps the angular momentum.
+        for (int i = 0; i < c.count; ++i) {
+            ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
+            const Vec2 a = on.a.center + p.armA + data.steps[c.a].turn * data.steps[c.a].fraction * leftOf(p.armA);
+            const Vec2 b = on.b.center + p.armB + data.steps[c.b].turn * data.steps[c.b].fraction * leftOf(p.armB);
+            const bool fixed = on.a.inverseMass == 0 || on.b.inverseMass == 0;
+            const Vec2 point = fixed ? (on.a.inverseMass == 0 ? b : a) : Vec2(0.5 * (a + b));
+            p.armA = point - on.a.center;
+            p.armB = point - on.b.center;
+        }
+        prepareMasses(data, c);
+        solveNormals(on, c, first ? c.restitution * p1.impactSpeed : 0, second ? c.restitution * p2.impactSpeed : 0);
+        if (c.friction > 0) {
+            for (int i = 0; i < c.count; ++i) {
+                solveTangent(on, c, c.points[static_cast<std::size_t>(i)]);
+            }
+        }
+    }
+}
+
+void pushOut(WorldData& data, const IterationStep& step) {
+    const double share = std::min(pushOutShare, pushOutRate * step.dt);
+    for (const Constraint& c : data.constraints) {
+        for (int i = 0; i < c.count; ++i) {
+            const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
+            if (p.separation >= -linearSlop) {
+                continue;
+            }
+            const Bodies on = bodiesOf(data, c);
+            const double opened = step.dt * std::max(relativeVelocity(on, p).dot(c.normal), 0.0);
+            const double excess = -linearSlop - p.separation - opened;
+            if (excess <= 0) {
+                continue;
+            }
+            const double push = std::min(share * excess, pushOutSpeed * step.dt) * p.normalMass;
+            on.a.center -= push * on.a.inverseMass * c.normal;
+            on.b.center += push * on.b.inverseMass * c.normal;
+            on.a.rotation = turned(on.a.rotation, -push * on.a.inverseInertia * cross(p.armA, c.normal));
+            on.b.rotation = turned(on.b.rotation, push * on.b.inverseInertia * cross(p.armB, c.normal));
+        }
+    }
+}
+
+void storeImpulses(WorldData& data) {
+    for (const Constraint& c : data.constraints) {
+        Pair& pair = data.pairs[c.pair];
+        for (int i = 0; i < c.count; ++i) {
+            const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
+            ContactPoint& kept = pair.points[static_cast<std::size_t>(i)];
+            const bool impact = kept.fresh || bounces(c, p);
+            kept.normalImpulse = impact ? 0 : p.normalImpulse;
+            kept.tangentImpulse = impact ? 0 : p.tangentImpulse;
+            kept.fresh = p.normalImpulse == 0 || bounces(c, p);
+            pair.touching |= p.normalImpulse > 0 || p.separation <= 0;
+        }
+    }
+}
+
+} // namespace spacetow

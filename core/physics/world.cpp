@@ -1,0 +1,229 @@
+#include "core/physics/world.h"
+
+#include "core/base/contract.h"
+#include "core/geometry/bounds.h"
+#include "core/physics/changes.h"
+#include "core/physics/contacts.h"
+#include "core/physics/continuous.h"
+#include "core/physics/integrate.h"
+#include "core/physics/make_body.h"
+#include "core/physics/pairs.h"
+#include "core/physics/solve.h"
+#include "core/physics/touches.h"
+#include "core/physics/world_data.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+bool isUsable(const UpdateParameters& p) {
+    return isFinite(p.gravity) && std::isfinite(p.seconds) && p.seconds > 0 && p.iterations >= 1 && p.substeps >= 1;
+}
+
+IterationStep iterationStep(const UpdateParameters& p) {
+    const double dt = p.seconds / p.iterations;
+    // A few passes over coarse iterations; fine ones converge from one iteration to the next.
+    const int passes = std::clamp(8 / p.iterations, 1, 4);
+    return {dt, dt / p.substeps, p.substeps, p.seconds, 0, passes};
+}
+
+void iterate(WorldData& data, const IterationStep& step) {
+    integrateVelocities(data, step);
+    isolateFaults(data, step.index);
+    if (!pairsCover(data)) {
+        findPairs(data, step);
+    }
+    findContacts(data, step);
+    solveVelocities(data, step);
+    storeImpulses(data);
+    if (!pairsCover(data)) {
+        findPairs(data, step);
+    }
+    stopAtImpacts(data, step);
+    advance(data, step);
+    applyRestitution(data);
+    pushOut(data, step);
+    findOverlaps(data);
+    reportTouches(data, step.index);
+}
+
+} // namespace
+
+World::World(const UpdateParameters& parameters) : m_data(std::make_unique<WorldData>()) { setParameters(parameters); }
+World::World(const World& other) : m_data(std::make_unique<WorldData>(*other.m_data)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(const World& other) {
+    if (this != &other) {
+        *m_data = *other.m_data;
+    }
+    return *this;
+}
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+void World::update() { update(m_data->parameters); }
+
+void World::update(const UpdateParameters& parameters) {
+    EXPECTS(isUsable(parameters));
+    WorldData& data = *m_data;
+    data.events.clear();
+    applyPending(data, -1);
+    IterationStep step = iterationStep(parameters);
+    prepareStructure(data);
+    prepareMotion(data, step, parameters.gravity);
+    findPairs(data, step);
+    for (step.index = 0; step.index < parameters.iterations; ++step.index) {
+        iterate(data, step);
+        step.remaining -= step.dt;
+        if (applyPending(data, step.index)) {
+            prepareStructure(data);
+            findPairs(data, step);
+        }
+    }
+}
+
+Result<BodyId> World::addBody(const BodyDef& def) {
+    Result<MadeBody> made = makeBody(def);
+    if (!made) {
+        return made.error();
+    }
+    WorldData& data = *m_data;
+    Slot slot = static_cast<Slot>(data.records.size());
+    if (data.freeSlots.empty()) {
+        data.records.emplace_back();
+        data.motions.emplace_back();
+        data.steps.emplace_back();
+    } else {
+        slot = data.freeSlots.back();
+        data.freeSlots.pop_back();
+    }
+    const std::uint32_t generation = data.records[slot].generation;
+    data.records[slot] = made.value().record;
+    data.records[slot].generation = generation;
+    data.records[slot].used = true;
+    data.records[slot].serial = data.nextSerial++;
+    data.motions[slot] = made.value().motion;
+    data.steps[slot] = BodyStep{};
+    refreshInverseMass(data, slot);
+    data.staticsChanged |= def.kind == BodyKind::Static;
+    return data.idOf(slot);
+}
+
+void World::removeBody(BodyId body) {
+    EXPECTS(contains(body));
+    m_data->pending.push_back({PendingChange::Kind::Remove, body});
+}
+
+void World::setActive(BodyId body, bool active) {
+    EXPECTS(contains(body));
+    m_data->pending.push_back({PendingChange::Kind::Active, body, active});
+}
+
+void World::setTangible(BodyId body, bool tangible) {
+    EXPECTS(contains(body));
+    m_data->pending.push_back({PendingChange::Kind::Tangible, body, tangible});
+}
+
+void World::setFrozen(BodyId body, bool position, bool rotation) {
+    EXPECTS(contains(body));
+    m_data->pending.push_back({PendingChange::Kind::Frozen, body, position, rotation});
+}
+
+void World::setPose(BodyId body, const Vec2& position, double angle) {
+    EXPECTS(contains(body) && isFinite(position) && std::isfinite(angle));
+    BodyMotion& m = m_data->motions[body.index];
+    const BodyRecord& record = m_data->records[body.index];
+    m.rotation = Rot::fromAngle(angle);
+    m.center = position + m.rotation * record.localCenter;
+    m_data->staticsChanged |= record.kind == BodyKind::Static;
+}
+
+void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocity) {
+    EXPECTS(contains(body) && isFinite(velocity) && std::isfinite(angularVelocity));
+    const BodyRecord& record = m_data->records[body.index];
+    if (record.kind == BodyKind::Static) {
+        return;
+    }
+    BodyMotion& m = m_data->motions[body.index];
+    m.velocity = record.positionFrozen ? Vec2(0, 0) : velocity;
+    m.angularVelocity = record.rotationFrozen ? 0 : angularVelocity;
+}
+
+void World::setFilter(BodyId body, const Filter& filter) {
+    EXPECTS(contains(body));
+    m_data->records[body.index].filter = filter;
+}
+
+const UpdateParameters& World::parameters() const { return m_data->parameters; }
+
+void World::setParameters(const UpdateParameters& parameters) {
+    EXPECTS(isUsable(parameters));
+    m_data->parameters = parameters;
+}
+
+const Events& World::events() const { return m_data->events; }
+
+bool World::contains(BodyId body) const {
+    return body.index < m_data->records.size() && m_data->records[body.index].used &&
+           m_data->records[body.index].generation == body.generation;
+}
+
+BodyState World::body(BodyId body) const {
+    EXPECTS(contains(body));
+    const BodyRecord& r = m_data->records[body.index];
+    const BodyMotion& m = m_data->motions[body.index];
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const bool dynamic = r.kind == BodyKind::Dynamic;
+    return {.kind = r.kind,
+            .pose = {m.center - m.rotation * r.localCenter, m.rotation},
+            .angle = m.rotation.angle(),
+            .velocity = m.velocity,
+            .angularVelocity = m.angularVelocity,
+            .massCenter = m.center,
+            .mass = dynamic ? r.mass : infinite,
+            .inertia = dynamic ? r.inertia : infinite,
+            .filter = r.filter,
+            .touchedTags = r.touchedTags,
+            .tangible = r.tangible,
+            .active = r.active,
+            .positionFrozen = r.positionFrozen,
+            .rotationFrozen = r.rotationFrozen,
+            .user = r.user};
+}
+
+const std::vector<Shape>& World::shapes(BodyId body) const {
+    EXPECTS(contains(body));
+    return *m_data->records[body.index].shapes;
+}
+
+Aabb World::bounds(BodyId body) const {
+    EXPECTS(contains(body));
+    const BodyRecord& record = m_data->records[body.index];
+    if (!record.bounds.isEmpty()) {
+        return record.bounds;
+    }
+    Aabb box;
+    for (const Part& part : *record.parts) {
+        box.include(boundsOf(part, m_data->pose(body.index)));
+    }
+    return box;
+}
+
+std::vector<BodyId> World::bodies() const {
+    std::vector<BodyId> ids;
+    for (Slot slot = 0; slot < m_data->records.size(); ++slot) {
+        if (m_data->records[slot].used) {
+            ids.push_back(m_data->idOf(slot));
+        }
+    }
+    std::sort(ids.begin(), ids.end(), [this](BodyId a, BodyId b) {
+        return m_data->records[a.index].serial < m_data->records[b.index].serial;
+    });
+    return ids;
+}
+
+int World::bodyCount() const { return static_cast<int>(m_data->records.size() - m_data->freeSlots.size()); }
+
+} // namespace spacetow

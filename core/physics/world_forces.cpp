@@ -1,0 +1,72 @@
+// World: forces and impulses from outside.
+
+#include "core/base/contract.h"
+#include "core/physics/world.h"
+#include "core/physics/world_data.h"
+
+namespace spacetow {
+
+namespace {
+
+bool accepts(const BodyRecord& record, ForceSource source) {
+    return record.active && (record.kind == BodyKind::Dynamic ||
+                             (record.kind == BodyKind::Kinematic && source == ForceSource::Manual));
+}
+
+} // namespace
+
+bool World::applyForce(BodyId body, const Vec2& force, ForceSource source) {
+    EXPECTS(contains(body));
+    return applyForceAt(body, force, m_data->motions[body.index].center, source);
+}
+
+bool World::applyForceAt(BodyId body, const Vec2& force, const Vec2& worldPoint, ForceSource source) {
+    EXPECTS(contains(body));
+    if (!isFinite(force) || !isFinite(worldPoint)) {
+        return false;
+    }
+    BodyRecord& record = m_data->records[body.index];
+    if (accepts(record, source)) {
+        record.force += force;
+        record.torque += cross(worldPoint - m_data->motions[body.index].center, force);
+    }
+    return true;
+}
+
+bool World::applyTorque(BodyId body, double torque, ForceSource source) {
+    EXPECTS(contains(body));
+    if (!std::isfinite(torque)) {
+        return false;
+    }
+    BodyRecord& record = m_data->records[body.index];
+    if (accepts(record, source)) {
+        record.torque += torque;
+    }
+    return true;
+}
+
+bool World::applyImpulseAt(BodyId body, const Vec2& impulse, const Vec2& worldPoint, ForceSource source) {
+    EXPECTS(contains(body));
+    if (!isFinite(impulse) || !isFinite(worldPoint)) {
+        return false;
+    }
+    const BodyRecord& record = m_data->records[body.index];
+    if (accepts(record, source) && !record.positionFrozen) {
+        m_data->motions[body.index].velocity += impulse / record.mass;
+    }
+    return applyAngularImpulse(body, cross(worldPoint - m_data->motions[body.index].center, impulse), source);
+}
+
+bool World::applyAngularImpulse(BodyId body, double impulse, ForceSource source) {
+    EXPECTS(contains(body));
+    if (!std::isfinite(impulse)) {
+        return false;
+    }
+    const BodyRecord& record = m_data->records[body.index];
+    if (accepts(record, source) && !record.rotationFrozen && record.inertia > 0) {
+        m_data->motions[body.index].angularVelocity += impulse / record.inertia;
+    }
+    return true;
+}
+
+} // namespace spacetow

@@ -1,0 +1,87 @@
+// World: energy and hash of the whole state.
+
+#include "core/base/hash.h"
+#include "core/physics/world.h"
+#include "core/physics/world_data.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+void add(StateHash& hash, const Vec2& v) {
+    hash.add(v.x());
+    hash.add(v.y());
+}
+
+void addBodyState(StateHash& hash, const BodyMotion& m, const BodyRecord& r) {
+    add(hash, m.center);
+    hash.add(m.rotation.c);
+    hash.add(m.rotation.s);
+    add(hash, m.velocity);
+    hash.add(m.angularVelocity);
+    hash.add(m.inverseMass);
+    hash.add(m.inverseInertia);
+    add(hash, r.force);
+    hash.add(r.torque);
+    const std::uint64_t flags = std::uint64_t{r.used} | std::uint64_t{r.active} << 1 | std::uint64_t{r.tangible} << 2 |
+                                std::uint64_t{r.positionFrozen} << 3 | std::uint64_t{r.rotationFrozen} << 4;
+    hash.add(flags | std::uint64_t{r.generation} << 32);
+    hash.add(r.filter.tags.bits | std::uint64_t{r.filter.touches.bits} << 32);
+}
+
+} // namespace
+
+double World::energy() const {
+    const WorldData& data = *m_data;
+    double energy = 0;
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        const BodyRecord& r = data.records[slot];
+        if (!r.used || r.kind != BodyKind::Dynamic || !r.active) {
+            continue;
+        }
+        const BodyMotion& m = data.motions[slot];
+        energy += 0.5 * r.mass * m.velocity.squaredNorm() + 0.5 * r.inertia * m.angularVelocity * m.angularVelocity -
+                  r.mass * data.parameters.gravity.dot(m.center);
+    }
+    for (const ConnectorRecord& c : data.connectors) {
+        if (c.used) {
+            const Vec2 span = data.pose(c.b).toWorld(c.anchorB) - data.pose(c.a).toWorld(c.anchorA);
+            const double stretch = span.norm() - c.length;
+            energy += c.slack && stretch < 0 ? 0 : 0.5 * c.stiffness * stretch * stretch;
+        }
+    }
+    return energy;
+}
+
+std::uint64_t World::hash() const {
+    const WorldData& data = *m_data;
+    StateHash hash;
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        addBodyState(hash, data.motions[slot], data.records[slot]);
+    }
+    for (const ConnectorRecord& c : data.connectors) {
+        hash.add(std::uint64_t{c.a} << 32 | c.b);
+        hash.add(std::uint64_t{c.used});
+        hash.add(c.length);
+        hash.add(c.stiffness);
+        hash.add(c.damping);
+    }
+    for (const Pair& pair : data.pairs) {
+        if (!pair.touching && pair.count == 0) {
+            continue;
+        }
+        hash.add(pair.bodies());
+        hash.add(pair.parts());
+        for (int i = 0; i < pair.count; ++i) {
+            const ContactPoint& point = pair.points[static_cast<std::size_t>(i)];
+            hash.add(std::uint64_t{point.feature} | std::uint64_t{point.fresh} << 32);
+            hash.add(point.normalImpulse);
+            hash.add(point.tangentImpulse);
+        }
+    }
+    return hash.value();
+}
+
+} // namespace spacetow
