@@ -32,7 +32,9 @@ struct ConvexPart {
     std::array<Vec2, maxCorners> corners;
     std::array<Vec2, maxCorners> normals; // unit, outward
     std::uint8_t outerFaces = 0;          // bit i: face i lies on the polygon's outline
-    Vec2 center{0, 0};                    // centroid of this part
+    std::array<Vec2, maxCorners>
+        normalsBefore; // unit; of the outline's face that ends at corner i, read where an outer face starts at i
+    Vec2 center{0, 0}; // centroid of this part
 };
 
 using Part = std::variant<Circle, WallPart, ConvexPart>;

@@ -1,6 +1,6 @@
 #include "core/math/trig.h"
 
-#include <cstdint>
+#include <initializer_list>
 #include <limits>
 
 namespace spacetow {
@@ -50,8 +50,8 @@ double cosNearZero(double x) {
 /// e^r − 1 for |r| ≤ ln 2 / 2, Taylor series.
 double expMinusOneNearZero(double r) {
     double sum = 1.0 / 87178291200;
-    for (const double factorial : {6227020800.0, 479001600.0, 39916800.0, 3628800.0, 362880.0, 40320.0, 5040.0, 720.0,
-                                   120.0, 24.0, 6.0}) {
+    for (const double factorial :
+         {6227020800.0, 479001600.0, 39916800.0, 3628800.0, 362880.0, 40320.0, 5040.0, 720.0, 120.0, 24.0, 6.0}) {
         sum = sum * r + 1.0 / factorial;
     }
     return r + r * r * (0.5 + r * sum);

@@ -1,6 +1,6 @@
 #pragma once
-// Sine, cosine, exponential and hyperbolic tangent from + − × ÷ and exact IEEE operations alone, so that every compiler and
-// processor computes the same bits. Angles in radians.
+// Sine, cosine, exponential and hyperbolic tangent from + − × ÷ and exact IEEE operations alone, so that every compiler
+// and processor computes the same bits. Angles in radians.
 
 #include <cmath>
 

@@ -1,0 +1,36 @@
+#pragma once
+// Distances between parts as solid things: walls are segments from both sides, cuts through polygons are not felt.
+
+#include "core/geometry/part.h"
+#include "core/math/transform.h"
+
+#include <array>
+
+namespace spacetow {
+
+/// A part in the world without its rounding: a point, a segment, or a convex polygon, grown by `radius`.
+struct Core {
+    int count = 0; // 1, 2 or 3 … 8 points
+    std::array<Vec2, ConvexPart::maxCorners> points;
+    std::array<Vec2, ConvexPart::maxCorners> normals; // of polygons: face i, outward
+    double radius = 0;                                // m
+};
+
+Core coreOf(const Part& part, const Transform& pose);
+
+struct ClosestPoints {
+    Vec2 onA{0, 0}; // world, on the surfaces; no meaning when the parts overlap
+    Vec2 onB{0, 0};
+    Vec2 normal{0, 1};   // unit, from A to B; no meaning when the cores overlap
+    double distance = 0; // m, 0 when they overlap or touch
+};
+
+ClosestPoints closestPoints(const Part& a, const Transform& poseA, const Part& b, const Transform& poseB);
+
+/// Distance of the cores, 0 when they overlap, and the points on them; the radii play no part.
+ClosestPoints closestOfCores(const Core& a, const Core& b);
+
+/// The point of the part nearest to `p`: `p` itself inside a circle or polygon.
+Vec2 closestPoint(const Part& part, const Transform& pose, const Vec2& p);
+
+} // namespace spacetow

@@ -1,0 +1,89 @@
+#include "core/geometry/collide.h"
+
+#include "core/geometry/closest.h"
+#include "core/geometry/collide_pairs.h"
+#include "core/geometry/moved.h"
+#include "core/geometry/wall_side.h"
+
+namespace spacetow {
+
+namespace {
+
+Manifold flipped(Manifold manifold) {
+    manifold.normal = -manifold.normal;
+    return manifold;
+}
+
+/// From the coordinates of `frame` to the world.
+Manifold toWorld(Manifold manifold, const Transform& frame) {
+    manifold.normal = frame.rotation * manifold.normal;
+    for (int i = 0; i < manifold.count; ++i) {
+        Vec2& point = manifold.points[static_cast<std::size_t>(i)].point;
+        point = frame.toWorld(point);
+    }
+    return manifold;
+}
+
+Manifold circleAgainstCircle(const Circle& a, const Circle& b, double margin) {
+    Manifold manifold;
+    const Vec2 apart = b.center - a.center;
+    const double distance = apart.norm();
+    const double separation = distance - (a.radius + b.radius);
+    if (!(separation <= margin)) {
+        return manifold;
+    }
+    manifold.normal = distance > 0 ? Vec2(apart / distance) : Vec2(0, 1);
+    const Vec2 onA = a.center + a.radius * manifold.normal;
+    const Vec2 onB = b.center - b.radius * manifold.normal;
+    addPoint(manifold, 0.5 * (onA + onB), separation, 0);
+    return manifold;
+}
+
+/// Chooses the routine and the coordinates for each pair. A pair in the other order is turned round.
+struct PairCollider {
+    const Transform& poseA;
+    const Transform& poseB;
+    double margin;
+
+    PairCollider reversed() const { return {poseB, poseA, margin}; }
+
+    Manifold operator()(const Circle& a, const Circle& b) const {
+        return circleAgainstCircle(moved(a, poseA), moved(b, poseB), margin);
+    }
+    Manifold operator()(const WallPart& a, const Circle& b) const {
+        const Circle circle{poseA.toLocal(poseB.toWorld(b.center)), b.radius};
+        return toWorld(wallAgainstCircle(a, circle, margin), poseA);
+    }
+    Manifold operator()(const ConvexPart& a, const Circle& b) const {
+        const Circle circle{poseA.toLocal(poseB.toWorld(b.center)), b.radius};
+        return toWorld(convexAgainstCircle(a, circle, margin), poseA);
+    }
+    Manifold operator()(const WallPart& a, const ConvexPart& b) const {
+        return toWorld(wallAgainstConvex(moved(a, relative(poseA, poseB)), b, margin), poseB);
+    }
+    Manifold operator()(const ConvexPart& a, const ConvexPart& b) const {
+        return toWorld(convexAgainstConvex(a, moved(b, relative(poseB, poseA)), margin), poseA);
+    }
+    Manifold operator()(const WallPart&, const WallPart&) const { return {}; }
+
+    Manifold operator()(const Circle& a, const WallPart& b) const { return flipped(reversed()(b, a)); }
+    Manifold operator()(const Circle& a, const ConvexPart& b) const { return flipped(reversed()(b, a)); }
+    Manifold operator()(const ConvexPart& a, const WallPart& b) const { return flipped(reversed()(b, a)); }
+};
+
+} // namespace
+
+Manifold collide(const Part& a, const Transform& poseA, const Part& b, const Transform& poseB, double margin) {
+    return std::visit(PairCollider{poseA, poseB, margin}, a, b);
+}
+
+bool overlaps(const Part& a, const Transform& poseA, const Part& b, const Transform& poseB) {
+    if (closestPoints(a, poseA, b, poseB).distance <= 0) {
+        return true;
+    }
+    // What is inside the depth of an edge touches it without meeting its face.
+    const bool wallInvolved = std::holds_alternative<WallPart>(a) || std::holds_alternative<WallPart>(b);
+    return wallInvolved && collide(a, poseA, b, poseB, 0).count > 0;
+}
+
+} // namespace spacetow

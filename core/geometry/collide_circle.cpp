@@ -1,0 +1,115 @@
+#include "core/geometry/collide_pairs.h"
+#include "core/geometry/wall_side.h"
+
+namespace spacetow {
+
+namespace {
+
+enum Feature : unsigned { wallFace, wallPoint, convexFace, convexPoint };
+
+/// Contact of a circle with a point; `fallback` is the normal when the centre is on it.
+Manifold pointAgainstCircle(const Vec2& point, const Circle& circle, const Vec2& fallback, double margin) {
+    Manifold manifold;
+    const Vec2 apart = circle.center - point;
+    const double distance = apart.norm();
+    if (!(distance - circle.radius <= margin)) {
+        return manifold;
+    }
+    manifold.normal = distance > 1e-12 ? Vec2(apart / distance) : fallback;
+    addPoint(manifold, 0.5 * (point + circle.center - circle.radius * manifold.normal), distance - circle.radius, 0);
+    return manifold;
+}
+
+Manifold named(Manifold manifold, std::uint32_t feature) {
+    manifold.points[0].feature = feature;
+    return manifold;
+}
+
+} // namespace
+
+Manifold wallAgainstCircle(const WallPart& wall, const Circle& circle, double margin) {
+    const WallSide side = sideFacing(wall, circle.center);
+    const Vec2& center = circle.center;
+    const double above = side.above(center);
+    const int turned = side.turned ? 1 : 0;
+    Manifold manifold;
+    if (side.holds(center)) {
+        if (above - circle.radius <= margin) {
+            manifold.normal = side.normal;
+            const double toMiddle = 0.5 * (above + circle.radius);
+            addPoint(manifold, center - toMiddle * side.normal, above - circle.radius, featureId(wallFace, turned, 0));
+        }
+        return manifold;
+    }
+    const double t = side.along(center);
+    if (t > side.length && side.end.kind == WallEnd::Kind::Convex) {
+        const Vec2 outward = center - side.end.point;
+        const bool mine = side.end.nextDirection.dot(outward) <= 1e-9;
+        return mine ? named(pointAgainstCircle(side.end.point, circle, side.normal, margin),
+                            featureId(wallPoint, turned, 1))
+                    : manifold;
+    }
+    // Over the span the face is open from here (from behind, deeper than its depth): only the nearer end is left.
+    const bool atEnd = t > 0.5 * side.length;
+    for (const bool useEnd : {atEnd, !atEnd}) {
+        const WallEnd& end = useEnd ? side.end : side.start;
+        const bool beyondTheOther = useEnd ? t < 0 : t > side.length;
+        if (end.kind == WallEnd::Kind::Free && !beyondTheOther) {
+            return named(pointAgainstCircle(end.point, circle, side.normal, margin),
+                         featureId(wallPoint, turned, useEnd ? 1 : 0));
+        }
+    }
+    return manifold;
+}
+
+Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, double margin) {
+    Manifold manifold;
+    int best = 0;
+    int bestOuter = -1;
+    double separation = -std::numeric_limits<double>::infinity();
+    double outerSeparation = separation;
+    for (int i = 0; i < convex.count; ++i) {
+        const double s = normalOf(convex, i).dot(circle.center - cornerOf(convex, i));
+        if (s - circle.radius > margin) {
+            return manifold;
+        }
+        if (s > separation) {
+            separation = s;
+            best = i;
+        }
+        if (s > outerSeparation && isOuterFace(convex, i)) {
+            outerSeparation = s;
+            bestOuter = i;
+        }
+    }
+    if (separation > 0) {
+        const Vec2& from = cornerOf(convex, best);
+        const int next = cornerAfter(convex, best);
+        const Vec2 direction = leftOf(normalOf(convex, best));
+        int corner = -1;
+        if (direction.dot(circle.center - from) < 0) {
+            corner = best;
+        } else if (direction.dot(circle.center - cornerOf(convex, next)) > 0) {
+            corner = next;
+        }
+        if (corner >= 0) {
+            const Vec2 fallback = normalOf(convex, best);
+            manifold = pointAgainstCircle(cornerOf(convex, corner), circle, fallback, margin);
+            const bool allowed = cornerAllows(convex, corner, manifold.normal);
+            return allowed ? named(manifold, featureId(convexPoint, corner, 0)) : Manifold{};
+        }
+        if (!isOuterFace(convex, best)) {
+            return manifold; // the centre is in the part beyond the cut
+        }
+        bestOuter = best;
+        outerSeparation = separation;
+    }
+    if (bestOuter >= 0) {
+        manifold.normal = normalOf(convex, bestOuter);
+        const Vec2 middle = circle.center - 0.5 * (outerSeparation + circle.radius) * manifold.normal;
+        addPoint(manifold, middle, outerSeparation - circle.radius, featureId(convexFace, bestOuter, 0));
+    }
+    return manifold;
+}
+
+} // namespace spacetow

@@ -1,0 +1,188 @@
+#include "core/geometry/clip.h"
+#include "core/geometry/collide_pairs.h"
+#include "core/geometry/intersect.h"
+
+namespace spacetow {
+
+namespace {
+
+enum Feature : unsigned { cornerOfFirst = 16, cornerOfSecond, cornerToCorner };
+
+constexpr double tie = 1e-6; // m: separations nearer than this count as equal
+
+// Something that has come a little way through a cut, and so through the thin end of the part beyond it, is that
+// part's affair; the outer faces of this one are far away and would throw it out in the wrong direction.
+constexpr double littleWay = 0.02; // m
+constexpr double farAway = 0.01;   // m beyond twice the way
+
+constexpr double none = -std::numeric_limits<double>::infinity();
+
+struct Axis {
+    double separation = none; // largest of all faces
+    int face = -1;
+    double allowed = none; // largest of those that may be contact normals
+    int allowedFace = -1;
+};
+
+/// Separations along the face normals of `reference`.
+Axis bestAxis(const ConvexPart& reference, const ConvexPart& other, double margin) {
+    Axis axis;
+    for (int i = 0; i < reference.count; ++i) {
+        const Vec2& normal = normalOf(reference, i);
+        const int corner = deepestCorner(other, normal);
+        const double separation = normal.dot(cornerOf(other, corner) - cornerOf(reference, i));
+        if (separation > axis.separation) {
+            axis.separation = separation;
+            axis.face = i;
+        }
+        if (separation > axis.allowed && isOuterFace(reference, i) && cornerAllows(other, corner, -normal)) {
+            axis.allowed = separation;
+            axis.allowedFace = i;
+        }
+        if (separation > margin) {
+            break;
+        }
+    }
+    return axis;
+}
+
+double faceLength(const ConvexPart& part, int face) {
+    return (cornerOf(part, cornerAfter(part, face)) - cornerOf(part, face)).norm();
+}
+
+/// Contact with the normal of a face of `reference`. A point is named after the corner that ends the stretch on which
+/// the two sides face each other, so that the name does not depend on which of the parts is the reference.
+Manifold faceManifold(const ConvexPart& reference, int face, const ConvexPart& other, double margin, bool swapped) {
+    const Vec2& normal = normalOf(reference, face);
+    const Vec2& from = cornerOf(reference, face);
+    const int opposite = facing(other, normal);
+    const std::array<int, 2> corners{opposite, cornerAfter(other, opposite)};
+    const std::array<int, 2> ends{face, cornerAfter(reference, face)};
+    const auto clipped = clipToFace(from, leftOf(normal), faceLength(reference, face),
+                                    {cornerOf(other, corners[0]), cornerOf(other, corners[1])});
+    Manifold manifold;
+    manifold.normal = swapped ? Vec2(-normal) : normal;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
+        const ClippedPoint& clip = clipped.points[i];
+        const double separation = normal.dot(clip.point - from);
+        if (separation > margin) {
+            continue;
+        }
+        const bool ofOther = clip.cutAt < 0;
+        const int corner = ofOther ? corners[i] : ends[static_cast<std::size_t>(clip.cutAt)];
+        const unsigned kind = ofOther != swapped ? cornerOfSecond : cornerOfFirst;
+        addPoint(manifold, clip.point - 0.5 * separation * normal, separation, featureId(kind, corner, 0));
+    }
+    if (manifold.count == 2 && (manifold.points[0].point - manifold.points[1].point).squaredNorm() < 1e-18) {
+        manifold.count = 1;
+    }
+    return manifold;
+}
+
+/// Whether the first face is the one to keep still while the other is clipped. Ties go to the longer face, then to
+/// the lower part, so that swapping the parts changes nothing.
+bool firstIsReference(const ConvexPart& a, int faceA, double separationA, const ConvexPart& b, int faceB,
+                      double separationB) {
+    if (faceA < 0 || faceB < 0) {
+        return faceB < 0;
+    }
+    if (std::fabs(separationA - separationB) > tie) {
+        return separationA > separationB;
+    }
+    const double lengthA = faceLength(a, faceA);
+    const double lengthB = faceLength(b, faceB);
+    if (std::fabs(lengthA - lengthB) > tie) {
+        return lengthA > lengthB;
+    }
+    const Vec2 apart = b.center - a.center;
+    return std::fabs(apart.y()) > tie ? apart.y() > 0 : apart.x() >= 0;
+}
+
+/// The nearest features of two parts that do not overlap.
+struct Nearest {
+    double squared = std::numeric_limits<double>::infinity();
+    int cornerA = -1; // both corners, or the face of one and the corner of the other
+    int cornerB = -1;
+    int faceA = -1;
+    int faceB = -1;
+};
+
+/// Looks at the corners of `part` over the faces of `reference`.
+void includeCorners(const ConvexPart& reference, const ConvexPart& part, bool referenceIsA, Nearest& nearest) {
+    for (int i = 0; i < reference.count; ++i) {
+        const Vec2& from = cornerOf(reference, i);
+        const Vec2& to = cornerOf(reference, cornerAfter(reference, i));
+        for (int k = 0; k < part.count; ++k) {
+            const Vec2& p = cornerOf(part, k);
+            const Vec2 on = closestOnSegment(from, to, p);
+            const double d = (p - on).squaredNorm();
+            if (!(d < nearest.squared * (1 - 1e-9))) {
+                continue;
+            }
+            nearest.squared = d;
+            const bool atCorner = on == from || on == to;
+            const int corner = on == from ? i : cornerAfter(reference, i);
+            const int ofReference = atCorner ? corner : -1;
+            nearest.faceA = referenceIsA && !atCorner ? i : -1;
+            nearest.faceB = !referenceIsA && !atCorner ? i : -1;
+            nearest.cornerA = referenceIsA ? ofReference : k;
+            nearest.cornerB = referenceIsA ? k : ofReference;
+        }
+    }
+}
+
+Manifold apartManifold(const ConvexPart& a, const ConvexPart& b, double margin) {
+    Nearest nearest;
+    includeCorners(a, b, true, nearest);
+    includeCorners(b, a, false, nearest);
+    Manifold manifold;
+    const double distance = std::sqrt(nearest.squared);
+    if (distance > margin) {
+        return manifold;
+    }
+    if (nearest.faceA >= 0) {
+        const Vec2& normal = normalOf(a, nearest.faceA);
+        const bool allowed = isOuterFace(a, nearest.faceA) && cornerAllows(b, nearest.cornerB, -normal);
+        return allowed ? faceManifold(a, nearest.faceA, b, margin, false) : manifold;
+    }
+    if (nearest.faceB >= 0) {
+        const Vec2& normal = normalOf(b, nearest.faceB);
+        const bool allowed = isOuterFace(b, nearest.faceB) && cornerAllows(a, nearest.cornerA, -normal);
+        return allowed ? faceManifold(b, nearest.faceB, a, margin, true) : manifold;
+    }
+    const Vec2& onA = cornerOf(a, nearest.cornerA);
+    const Vec2& onB = cornerOf(b, nearest.cornerB);
+    manifold.normal = (onB - onA) / distance;
+    if (distance > 0 && cornerAllows(a, nearest.cornerA, manifold.normal) &&
+        cornerAllows(b, nearest.cornerB, -manifold.normal)) {
+        addPoint(manifold, 0.5 * (onA + onB), distance, featureId(cornerToCorner, nearest.cornerA, nearest.cornerB));
+    }
+    return manifold;
+}
+
+} // namespace
+
+Manifold convexAgainstConvex(const ConvexPart& a, const ConvexPart& b, double margin) {
+    const Axis ofA = bestAxis(a, b, margin);
+    if (ofA.separation > margin) {
+        return {};
+    }
+    const Axis ofB = bestAxis(b, a, margin);
+    if (ofB.separation > margin) {
+        return {};
+    }
+    if (std::max(ofA.separation, ofB.separation) > 0) {
+        return apartManifold(a, b, margin);
+    }
+    const double depth = -std::max(ofA.separation, ofB.separation);
+    const double allowedDepth = -std::max(ofA.allowed, ofB.allowed);
+    const bool throughCut = depth < littleWay && allowedDepth > 2 * depth + farAway;
+    if (throughCut || (ofA.allowedFace < 0 && ofB.allowedFace < 0)) {
+        return {};
+    }
+    const bool first = firstIsReference(a, ofA.allowedFace, ofA.allowed, b, ofB.allowedFace, ofB.allowed);
+    return first ? faceManifold(a, ofA.allowedFace, b, margin, false)
+                 : faceManifold(b, ofB.allowedFace, a, margin, true);
+}
+
+} // namespace spacetow

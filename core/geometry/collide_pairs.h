@@ -1,0 +1,83 @@
+#pragma once
+// The pairs of the narrow phase, each in the coordinates of one of its parts. Used by collide.cpp; everything else
+// calls collide().
+
+#include "core/geometry/collide.h"
+
+namespace spacetow {
+
+/// Both in the same coordinates; the normal points from the wall to the circle.
+Manifold wallAgainstCircle(const WallPart& wall, const Circle& circle, double margin);
+/// Both in the same coordinates; the normal points from the polygon to the circle. A radius of 0 is a point.
+Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, double margin);
+/// Both in the same coordinates; the normal points from the wall to the polygon.
+Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, double margin);
+/// Both in the same coordinates; the normal points from a to b.
+Manifold convexAgainstConvex(const ConvexPart& a, const ConvexPart& b, double margin);
+
+inline const Vec2& cornerOf(const ConvexPart& part, int i) {
+    return part.corners[static_cast<std::size_t>(i)];
+}
+inline const Vec2& normalOf(const ConvexPart& part, int i) {
+    return part.normals[static_cast<std::size_t>(i)];
+}
+inline int cornerAfter(const ConvexPart& part, int i) {
+    return i + 1 < part.count ? i + 1 : 0;
+}
+inline bool isOuterFace(const ConvexPart& part, int i) {
+    return (part.outerFaces >> i & 1) != 0;
+}
+
+/// Whether something may touch the corner with the unit normal `u` (outward): it has to lie between the normals of
+/// the two faces of the outline that meet there, which need not be faces of this part. Of the parts that share a
+/// corner the one whose outer face starts there answers.
+inline bool cornerAllows(const ConvexPart& part, int i, const Vec2& u) {
+    constexpr double slack = 1e-9;
+    const unsigned whole = (1u << part.count) - 1;
+    if (part.outerFaces == whole) {
+        return true; // all neighbours are its own: what is nearest to the corner lies between their normals
+    }
+    const Vec2& before = part.normalsBefore[static_cast<std::size_t>(i)];
+    const Vec2& after = normalOf(part, i);
+    return isOuterFace(part, i) && cross(before, after) > slack && cross(before, u) >= -slack &&
+           cross(u, after) >= -slack;
+}
+
+/// The corner farthest along −u.
+inline int deepestCorner(const ConvexPart& part, const Vec2& u) {
+    int deepest = 0;
+    double least = u.dot(part.corners[0]);
+    for (int i = 1; i < part.count; ++i) {
+        const double d = u.dot(cornerOf(part, i));
+        if (d < least) {
+            least = d;
+            deepest = i;
+        }
+    }
+    return deepest;
+}
+
+/// The face that looks most nearly along −u.
+inline int facing(const ConvexPart& part, const Vec2& u) {
+    int best = 0;
+    double least = u.dot(part.normals[0]);
+    for (int i = 1; i < part.count; ++i) {
+        const double d = u.dot(normalOf(part, i));
+        if (d < least) {
+            least = d;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// Names of contact points: kind of contact in the high bits, then what meets.
+inline std::uint32_t featureId(unsigned kind, int first, int second) {
+    return kind << 16 | static_cast<unsigned>(first) << 8 | static_cast<unsigned>(second);
+}
+
+inline void addPoint(Manifold& manifold, const Vec2& point, double separation, std::uint32_t feature) {
+    manifold.points[static_cast<std::size_t>(manifold.count++)] = {point, separation, feature};
+}
+
+} // namespace spacetow

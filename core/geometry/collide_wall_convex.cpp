@@ -1,0 +1,301 @@
+#include "core/geometry/clip.h"
+#include "core/geometry/collide_pairs.h"
+#include "core/geometry/intersect.h"
+#include "core/geometry/wall_side.h"
+
+namespace spacetow {
+
+namespace {
+
+enum Feature : unsigned { onFace = 4, onFaceCut, underFace, underFaceCut, onPoint };
+
+// How much shallower a way out has to be before it is preferred to the wall's own normal.
+constexpr double preference = 1e-4; // m
+constexpr double share = 0.98;      // of the depth
+
+// Something that has come a little way through a cut of the polygon is the affair of the part beyond the cut.
+constexpr double littleWay = 0.02; // m
+constexpr double farAway = 0.01;   // m beyond twice the way
+
+constexpr double none = -std::numeric_limits<double>::infinity();
+
+/// A wall and a polygon, and what is asked of every pair.
+struct Pair {
+    WallSide side;
+    const ConvexPart& convex;
+    double margin;
+
+    std::uint32_t id(unsigned kind, int first, int second) const {
+        return featureId(kind, first, second | (side.turned ? 0x80 : 0));
+    }
+};
+
+/// The face of the wall stops the polygon: the points of its lower side that are over the wall.
+Manifold faceManifold(const Pair& pair) {
+    const WallSide& side = pair.side;
+    const ConvexPart& convex = pair.convex;
+    const int face = facing(convex, side.normal);
+    const std::array<int, 2> corners{face, cornerAfter(convex, face)};
+    const auto clipped = clipToFace(side.start.point, side.direction, side.length,
+                                    {cornerOf(convex, corners[0]), cornerOf(convex, corners[1])});
+    Manifold manifold;
+    manifold.normal = side.normal;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
+        const ClippedPoint& clip = clipped.points[i];
+        const double separation = side.above(clip.point);
+        if (separation > pair.margin) {
+            continue;
+        }
+        const std::uint32_t id = clip.cutAt < 0 ? pair.id(onFace, corners[i], 0) : pair.id(onFaceCut, face, clip.cutAt);
+        addPoint(manifold, clip.point - 0.5 * separation * side.normal, separation, id);
+    }
+    if (manifold.count == 2 && (manifold.points[0].point - manifold.points[1].point).squaredNorm() < 1e-18) {
+        manifold.count = 1;
+    }
+    return manifold;
+}
+
+/// A polygon that the wall holds although its lower side is not over the wall: its deepest corner stands for it.
+Manifold heldManifold(const Pair& pair) {
+    Manifold manifold = faceManifold(pair);
+    if (manifold.count == 0) {
+        const int corner = deepestCorner(pair.convex, pair.side.normal);
+        const Vec2& point = cornerOf(pair.convex, corner);
+        const double separation = pair.side.above(point);
+        if (separation <= pair.margin) {
+            addPoint(manifold, point - 0.5 * separation * pair.side.normal, separation, pair.id(onFace, corner, 0));
+        }
+    }
+    return manifold;
+}
+
+/// An end of the wall against a face of the polygon.
+Manifold pointUnderFace(const Pair& pair, const WallEnd& end, int face) {
+    Manifold manifold;
+    manifold.normal = -normalOf(pair.convex, face);
+    const double separation = normalOf(pair.convex, face).dot(end.point - cornerOf(pair.convex, face));
+    addPoint(manifold, end.point + 0.5 * separation * manifold.normal, separation,
+             pair.id(underFace, face, &end == &pair.side.end ? 1 : 0));
+    return manifold;
+}
+
+/// A face of the polygon lies on a free end of the wall, perhaps on more of the wall.
+Manifold wallUnderFace(const Pair& pair, const WallEnd& end, int face) {
+    const Vec2& normal = normalOf(pair.convex, face);
+    const Vec2& from = cornerOf(pair.convex, face);
+    const double length = (cornerOf(pair.convex, cornerAfter(pair.convex, face)) - from).norm();
+    const auto clipped = clipToFace(from, leftOf(normal), length, {pair.side.start.point, pair.side.end.point});
+    Manifold manifold;
+    manifold.normal = -normal;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
+        const ClippedPoint& clip = clipped.points[i];
+        const WallEnd& own = i == 0 ? pair.side.start : pair.side.end;
+        const bool left = clip.cutAt < 0 && &own != &end && own.kind != WallEnd::Kind::Free; // to its neighbour
+        const double separation = normal.dot(clip.point - from);
+        if (separation > pair.margin || left) {
+            continue;
+        }
+        const std::uint32_t id =
+            clip.cutAt < 0 ? pair.id(underFace, face, static_cast<int>(i)) : pair.id(underFaceCut, face, clip.cutAt);
+        addPoint(manifold, clip.point - 0.5 * separation * normal, separation, id);
+    }
+    if (manifold.count == 2 && (manifold.points[0].point - manifold.points[1].point).squaredNorm() < 1e-18) {
+        manifold.count = 1;
+    }
+    return manifold.count > 0 ? manifold : pointUnderFace(pair, end, face);
+}
+
+/// Whether the wall reports contacts at this end along `u`. Both walls at a corner come to the same answer, only the
+/// one that arrives there says so.
+bool reports(const Pair& pair, const WallEnd& end) {
+    return end.kind == WallEnd::Kind::Free || &end == &pair.side.end;
+}
+bool mayPoint(const Pair& pair, const WallEnd& end, const Vec2& u) {
+    return end.kind == WallEnd::Kind::Free || cornerAllows(pair.side, end, u);
+}
+
+Manifold underFaceManifold(const Pair& pair, const WallEnd& end, int face) {
+    if (!reports(pair, end)) {
+        return {};
+    }
+    return end.kind == WallEnd::Kind::Free ? wallUnderFace(pair, end, face) : pointUnderFace(pair, end, face);
+}
+
+Manifold cornerManifold(const Pair& pair, const WallEnd& end, int corner, const Vec2& apart) {
+    Manifold manifold;
+    const double distance = apart.norm();
+    if (distance > pair.margin || distance <= 0) {
+        return manifold;
+    }
+    manifold.normal = apart / distance;
+    if (!reports(pair, end) || !mayPoint(pair, end, manifold.normal) ||
+        !cornerAllows(pair.convex, corner, -manifold.normal)) {
+        return manifold;
+    }
+    addPoint(manifold, end.point + 0.5 * apart, distance, pair.id(onPoint, corner, &end == &pair.side.end ? 1 : 0));
+    return manifold;
+}
+
+/// A polygon in front of the wall that it does not overlap: the pair of features nearest to each other decides.
+Manifold apartManifold(const Pair& pair) {
+    const WallSide& side = pair.side;
+    const ConvexPart& convex = pair.convex;
+    double nearest = pair.margin * pair.margin;
+    int corner = -1;
+    int face = -1;
+    const WallEnd* end = nullptr;
+    for (int i = 0; i < convex.count; ++i) {
+        const Vec2& p = cornerOf(convex, i);
+        const Vec2 on = closestOnSegment(side.start.point, side.end.point, p);
+        const double d = (p - on).squaredNorm();
+        if (d <= nearest && (corner < 0 || d < nearest)) {
+            nearest = d;
+            corner = i;
+            const double t = side.along(p);
+            end = t < 0 ? &side.start : (t > side.length ? &side.end : nullptr);
+        }
+    }
+    for (int i = 0; i < convex.count; ++i) {
+        for (const WallEnd* candidate : {&side.start, &side.end}) {
+            const Vec2& from = cornerOf(convex, i);
+            const Vec2& to = cornerOf(convex, cornerAfter(convex, i));
+            const Vec2 on = closestOnSegment(from, to, candidate->point);
+            const double d = (candidate->point - on).squaredNorm();
+            if (d < nearest * (1 - 1e-9) && on != from && on != to) {
+                nearest = d;
+                face = i;
+                end = candidate;
+            }
+        }
+    }
+    if (face >= 0) {
+        const bool allowed = isOuterFace(convex, face) && mayPoint(pair, *end, -normalOf(convex, face));
+        return allowed ? underFaceManifold(pair, *end, face) : Manifold{};
+    }
+    if (corner < 0) {
+        return {};
+    }
+    if (end == nullptr) {
+        return faceManifold(pair);
+    }
+    const bool besideSmooth = end->kind == WallEnd::Kind::Smooth;
+    return besideSmooth ? faceManifold(pair)
+                        : cornerManifold(pair, *end, corner, cornerOf(convex, corner) - end->point);
+}
+
+/// The least penetration along the polygon's own face normals, of those that may be contact normals.
+struct FaceChoice {
+    double deepest = none; // largest separation of all faces: above 0 they are apart
+    double cut = none;     // largest separation of the inner faces
+    double separation = none;
+    int face = -1;
+    const WallEnd* end = nullptr;
+};
+
+/// `only`: this end of the wall alone counts; without it the whole wall does.
+FaceChoice chooseFace(const Pair& pair, const WallEnd* only) {
+    FaceChoice choice;
+    for (int i = 0; i < pair.convex.count; ++i) {
+        const Vec2& normal = normalOf(pair.convex, i);
+        const Vec2& from = cornerOf(pair.convex, i);
+        const double atStart = normal.dot(pair.side.start.point - from);
+        const double atEnd = normal.dot(pair.side.end.point - from);
+        const WallEnd* end = only != nullptr ? only : (atStart < atEnd ? &pair.side.start : &pair.side.end);
+        const double separation = end == &pair.side.start ? atStart : atEnd;
+        choice.deepest = std::max(choice.deepest, separation);
+        if (!isOuterFace(pair.convex, i)) {
+            choice.cut = std::max(choice.cut, separation);
+        }
+        if (separation > choice.separation && isOuterFace(pair.convex, i) && mayPoint(pair, *end, -normal)) {
+            choice.separation = separation;
+            choice.face = i;
+            choice.end = end;
+        }
+    }
+    return choice;
+}
+
+/// Separation along the normal of the wall that continues this one at a corner, if that wall may use it.
+double neighbourSeparation(const Pair& pair, const WallEnd& end) {
+    if (end.kind != WallEnd::Kind::Convex || end.nextNormal.dot(pair.convex.center - end.point) < 0) {
+        return none;
+    }
+    const int corner = deepestCorner(pair.convex, end.nextNormal);
+    return end.nextNormal.dot(cornerOf(pair.convex, corner) - end.point);
+}
+
+bool cameThroughCut(const FaceChoice& choice, double separation) {
+    return choice.cut > -littleWay && separation < 2 * choice.cut - farAway;
+}
+
+bool clearlyAbove(double separation, double other) {
+    return separation > share * std::min(other, 0.0) + preference;
+}
+
+/// A polygon whose centre is in front of the wall.
+Manifold frontManifold(const Pair& pair) {
+    const WallSide& side = pair.side;
+    const double above = side.above(cornerOf(pair.convex, deepestCorner(pair.convex, side.normal)));
+    const FaceChoice choice = chooseFace(pair, nullptr);
+    if (std::max(above, choice.deepest) > pair.margin) {
+        return {};
+    }
+    if (std::max(above, choice.deepest) > 0) {
+        return apartManifold(pair);
+    }
+    const double neighbours = std::max(neighbourSeparation(pair, side.start), neighbourSeparation(pair, side.end));
+    const double best = std::max(above, choice.separation);
+    if (clearlyAbove(neighbours, best) || cameThroughCut(choice, best)) {
+        return {};
+    }
+    if (!clearlyAbove(choice.separation, above)) {
+        const Manifold manifold = faceManifold(pair);
+        if (manifold.count > 0) {
+            return manifold;
+        }
+    }
+    return choice.face >= 0 ? underFaceManifold(pair, *choice.end, choice.face) : Manifold{};
+}
+
+/// An end of the wall against a polygon that the face lets through.
+Manifold endManifold(const Pair& pair, const WallEnd& end) {
+    if (end.kind == WallEnd::Kind::Free) {
+        Manifold manifold = convexAgainstCircle(pair.convex, {end.point, 0}, pair.margin);
+        manifold.normal = -manifold.normal;
+        const int which = &end == &pair.side.end ? 1 : 0;
+        manifold.points[0].feature = pair.id(onPoint, static_cast<int>(manifold.points[0].feature >> 8 & 0xffu), which);
+        return manifold;
+    }
+    if (!reports(pair, end) || end.kind != WallEnd::Kind::Convex) {
+        return {};
+    }
+    const FaceChoice choice = chooseFace(pair, &end);
+    if (choice.deepest > 0) {
+        Manifold manifold = convexAgainstCircle(pair.convex, {end.point, 0}, pair.margin);
+        manifold.normal = -manifold.normal;
+        return cornerAllows(pair.side, end, manifold.normal) ? manifold : Manifold{};
+    }
+    const bool othersTurn =
+        clearlyAbove(neighbourSeparation(pair, end), choice.separation) || cameThroughCut(choice, choice.separation);
+    return choice.face >= 0 && !othersTurn ? pointUnderFace(pair, end, choice.face) : Manifold{};
+}
+
+} // namespace
+
+Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, double margin) {
+    const Pair pair{sideFacing(wall, convex.center), convex, margin};
+    const double above = pair.side.above(convex.center);
+    if (above >= 0) {
+        return frontManifold(pair);
+    }
+    if (pair.side.holds(convex.center)) {
+        return heldManifold(pair);
+    }
+    const Manifold atStart = endManifold(pair, pair.side.start);
+    const Manifold atEnd = endManifold(pair, pair.side.end);
+    const bool startIsDeeper =
+        atStart.count > 0 && (atEnd.count == 0 || atStart.points[0].separation <= atEnd.points[0].separation);
+    return startIsDeeper ? atStart : atEnd;
+}
+
+} // namespace spacetow
