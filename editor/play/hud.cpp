@@ -1,0 +1,190 @@
+#include "editor/play/hud.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace spacetow {
+namespace {
+
+constexpr double bannerSeconds = 1.5;
+constexpr double smallest = 5; // pixels; below that a window shows nothing anybody could read
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("Hud", text);
+}
+
+struct Message {
+    QString title, advice;
+};
+
+Message messageOf(const HudInput& input) {
+    if (input.paused) {
+        return {tr("Paused"), tr("P: go on · O: one step · Esc: menu")};
+    }
+    switch (input.phase) {
+    case Phase::AwaitingInput:
+        return {tr("Ready"), tr("Press a direction to start")};
+    case Phase::Crashed:
+        return {tr("Crashed"), tr("Press any key to try again")};
+    case Phase::GameOver:
+        return {tr("Game over"), tr("No life is left. Press any key to start the level over")};
+    case Phase::Won:
+        return {tr("You made it!"), tr("The payload is home. Space: fly again · Esc: menu")};
+    case Phase::Sandbox:
+    case Phase::Flying:
+    case Phase::Towing:
+        break;
+    }
+    return {};
+}
+
+QSizeF extent(const QString& text, const QFont& font, double width) {
+    const QRectF wide(0, 0, width, 1e6);
+    const QSizeF size = QFontMetricsF(font).boundingRect(wide, Qt::AlignCenter | Qt::TextWordWrap, text).size();
+    // Rounded up, so that the box that is painted into breaks the lines where the measured one did.
+    return {std::ceil(size.width()) + 1, std::ceil(size.height())};
+}
+
+QFont sized(const QFont& base, double pixels, QFont::Weight weight) {
+    QFont font = base;
+    font.setPixelSize(static_cast<int>(std::max(smallest, std::round(pixels))));
+    font.setWeight(weight);
+    return font;
+}
+
+/// The largest font up to `pixels` in which the text fits.
+QFont fitted(const QString& text, const QSizeF& room, double pixels, const QFont& base, QFont::Weight weight) {
+    QFont font = sized(base, pixels, weight);
+    while (font.pixelSize() > smallest) {
+        const QSizeF needed = extent(text, font, room.width());
+        if (needed.width() <= room.width() && needed.height() <= room.height()) {
+            break;
+        }
+        font.setPixelSize(font.pixelSize() - 1);
+    }
+    return font;
+}
+
+QString minutes(double seconds) {
+    const auto tenths = static_cast<long long>(std::floor(seconds * 10 + 1e-6));
+    return QStringLiteral("%1:%2.%3").arg(tenths / 600).arg(tenths / 10 % 60, 2, 10, QLatin1Char('0')).arg(tenths % 10);
+}
+
+class Layout {
+  public:
+    Layout(const QSizeF& size, const QFont& base)
+        : m_size(size), m_base(base), m_unit(std::min(size.width() / 13.333, size.height() / 10)) {}
+
+    /// Three columns of equal width along the top.
+    void addReadings(const Hud& hud) {
+        const double margin = 0.25 * m_unit;
+        const double height = 0.55 * m_unit;
+        const double width = (m_size.width() - 4 * margin) / 3;
+        const std::array<std::pair<HudText::Role, QString>, 3> readings{
+            std::pair(HudText::Role::Lives, tr("Lives %1").arg(hud.lives)),
+            std::pair(HudText::Role::Time, tr("Time %1").arg(minutes(hud.time))),
+            std::pair(HudText::Role::Fuel, tr("Fuel used %1 s").arg(hud.fuel, 0, 'f', 2))};
+        double x = margin;
+        for (const auto& [role, text] : readings) {
+            const QSizeF room(width, height);
+            const double pixels = std::clamp(0.34 * m_unit, 9.0, 26.0);
+            const QFont font = fitted(text, room, pixels, m_base, QFont::DemiBold);
+            const QSizeF needed = extent(text, font, width);
+            double left = x;
+            if (role == HudText::Role::Time) {
+                left += (width - needed.width()) / 2;
+            } else if (role == HudText::Role::Fuel) {
+                left += width - needed.width();
+            }
+            m_texts.push_back({role, text, QRectF(QPointF(left, margin), needed), font});
+            x += width + margin;
+        }
+    }
+
+    /// One text centred in a band of the view; `top` and `height` as shares of it.
+    void addCentred(HudText::Role role, const QString& text, double top, double height, double pixels) {
+        if (text.isEmpty()) {
+            return;
+        }
+        const QSizeF room(0.92 * m_size.width(), height * m_size.height());
+        const QFont font = fitted(text, room, pixels, m_base, QFont::Bold);
+        const QSizeF needed = extent(text, font, room.width());
+        const QPointF corner((m_size.width() - needed.width()) / 2,
+                             top * m_size.height() + (room.height() - needed.height()) / 2);
+        m_texts.push_back({role, text, QRectF(corner, needed), font});
+    }
+
+    double unit() const { return m_unit; }
+    std::vector<HudText> take() { return std::move(m_texts); }
+
+  private:
+    QSizeF m_size;
+    QFont m_base;
+    double m_unit; // pixels a metre in the classic view
+    std::vector<HudText> m_texts;
+};
+
+QColor colorOf(HudText::Role role) {
+    switch (role) {
+    case HudText::Role::Title:
+        return {255, 255, 255};
+    case HudText::Role::Banner:
+        return {255, 190, 120};
+    case HudText::Role::Hint:
+        return {255, 226, 150};
+    default:
+        return {226, 232, 242};
+    }
+}
+
+} // namespace
+
+std::vector<HudText> hudLayout(const HudInput& input, const QSizeF& size, const QFont& base) {
+    if (size.width() < 1 || size.height() < 1) {
+        return {};
+    }
+    Layout layout(size, base);
+    if (input.phase != Phase::Sandbox) {
+        layout.addReadings(input.hud);
+    }
+    const Message message = messageOf(input);
+    layout.addCentred(HudText::Role::Title, message.title, 0.30, 0.14, std::clamp(0.75 * layout.unit(), 12.0, 56.0));
+    layout.addCentred(HudText::Role::Advice, message.advice, 0.45, 0.14, std::clamp(0.36 * layout.unit(), 10.0, 28.0));
+    if (input.hud.gravityFlippedFor >= 0 && input.hud.gravityFlippedFor < bannerSeconds) {
+        layout.addCentred(HudText::Role::Banner, tr("Gravity is upside down!"), 0.17, 0.12,
+                          std::clamp(0.5 * layout.unit(), 11.0, 38.0));
+    }
+    if (input.hud.towInRange && !input.paused) {
+        layout.addCentred(HudText::Role::Hint, tr("In range. Space: tow"), 0.84, 0.12,
+                          std::clamp(0.4 * layout.unit(), 10.0, 30.0));
+    }
+    return layout.take();
+}
+
+void paintHud(QPainter& painter, const std::vector<HudText>& texts) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const HudText& text : texts) {
+        painter.setFont(text.font);
+        // A dark copy all round keeps the words apart from whatever is behind them.
+        const double reach = std::max(1.0, text.font.pixelSize() / 14.0);
+        const int flags = Qt::AlignCenter | Qt::TextWordWrap;
+        painter.setPen(QColor(6, 14, 26, 110));
+        for (int i = 0; i < 16; ++i) {
+            const double angle = i * 0.39269908169872414;
+            const double far = reach * (i % 2 == 0 ? 1.0 : 1.8);
+            painter.drawText(text.box.translated(far * std::cos(angle), far * std::sin(angle)), flags, text.text);
+        }
+        painter.setPen(colorOf(text.role));
+        painter.drawText(text.box, flags, text.text);
+    }
+    painter.restore();
+}
+
+} // namespace spacetow

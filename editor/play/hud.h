@@ -1,0 +1,37 @@
+#pragma once
+// The head-up display: lives, fuel and time along the top, what to do next in the middle, the tow hint below. Sizes
+// are logical pixels; whatever the window, no text leaves it and no two texts overlap.
+
+#include "core/game/snapshot.h"
+
+#include <QColor>
+#include <QFont>
+#include <QRectF>
+#include <QString>
+
+#include <vector>
+
+class QPainter;
+
+namespace spacetow {
+
+struct HudText {
+    enum class Role { Lives, Fuel, Time, Title, Advice, Hint, Banner };
+
+    Role role;
+    QString text;
+    QRectF box; // the text fills it, centred; may hold several lines
+    QFont font;
+};
+
+struct HudInput {
+    Phase phase = Phase::Sandbox;
+    Hud hud{};
+    bool paused = false; // by the pause key: the menu has words of its own
+};
+
+/// Where every text goes in a view of this size.
+std::vector<HudText> hudLayout(const HudInput& input, const QSizeF& size, const QFont& base);
+void paintHud(QPainter& painter, const std::vector<HudText>& texts);
+
+} // namespace spacetow

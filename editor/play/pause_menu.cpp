@@ -1,0 +1,103 @@
+#include "editor/play/pause_menu.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace spacetow {
+namespace {
+
+constexpr int normalType = 15, smallestType = 7; // pixels
+
+QString styleFor(int type) {
+    return QStringLiteral("spacetow--PauseMenu { background: rgba(10, 20, 38, 235); border: 1px solid #5a6f96;"
+                          " border-radius: %1px; }"
+                          "QLabel { color: #ffffff; font-size: %2px; font-weight: bold; background: transparent; }"
+                          "QPushButton { color: #e2e8f2; background: #22304c; border: 1px solid #4a5f86;"
+                          " border-radius: %3px; padding: %3px %4px; font-size: %5px; }"
+                          "QPushButton:hover { background: #2c4068; }"
+                          "QPushButton:focus { border: 2px solid #54b4ff; background: #2c4068; }"
+                          "QPushButton:pressed { background: #1a2740; }")
+        .arg(type * 2 / 3)
+        .arg(type * 4 / 3)
+        .arg(type * 2 / 5)
+        .arg(type * 3 / 2)
+        .arg(type);
+}
+
+} // namespace
+
+PauseMenu::PauseMenu(QWidget* parent) : QFrame(parent) {
+    setObjectName(QStringLiteral("pauseMenu"));
+    setAccessibleName(tr("Paused"));
+    auto* layout = new QVBoxLayout(this); // owned by this widget, as are all children
+    auto* title = new QLabel(tr("Paused"), this);
+    title->setAlignment(Qt::AlignCenter);
+    layout->addWidget(title);
+    m_resume = addButton(tr("Resume"), tr("Go on playing (Esc)"));
+    QPushButton* restart = addButton(tr("Restart"), tr("Start the level over (R)"));
+    QPushButton* leave = addButton(tr("Back to the editor"), tr("Stop playing (F8)"));
+    connect(m_resume, &QPushButton::clicked, this, &PauseMenu::resumed);
+    connect(restart, &QPushButton::clicked, this, &PauseMenu::restarted);
+    connect(leave, &QPushButton::clicked, this, &PauseMenu::left);
+    hide();
+}
+
+QPushButton* PauseMenu::addButton(const QString& text, const QString& tip) {
+    auto* button = new QPushButton(text, this);
+    button->setToolTip(tip);
+    button->setAutoDefault(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    layout()->addWidget(button);
+    return button;
+}
+
+void PauseMenu::open() {
+    placeIn(parentWidget()->size());
+    show();
+    raise();
+    m_resume->setFocus(Qt::OtherFocusReason);
+}
+
+void PauseMenu::placeIn(const QSize& room) {
+    for (int type = normalType; type >= smallestType; --type) {
+        setStyleSheet(styleFor(type));
+        layout()->setContentsMargins(type, type, type, type);
+        layout()->setSpacing(type / 2);
+        ensurePolished();
+        layout()->invalidate();
+        const QSize wanted = layout()->sizeHint();
+        if (type == smallestType || (wanted.width() <= room.width() - 8 && wanted.height() <= room.height() - 8)) {
+            resize(wanted);
+            break;
+        }
+    }
+    move((room.width() - width()) / 2, (room.height() - height()) / 2);
+}
+
+void PauseMenu::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+    case Qt::Key_Escape:
+    case Qt::Key_P:
+        Q_EMIT resumed();
+        break;
+    case Qt::Key_R:
+        Q_EMIT restarted();
+        break;
+    case Qt::Key_Up:
+    case Qt::Key_W:
+        focusPreviousChild();
+        break;
+    case Qt::Key_Down:
+    case Qt::Key_S:
+        focusNextChild();
+        break;
+    default: // nothing reaches the game behind the menu
+        break;
+    }
+}
+
+} // namespace spacetow

@@ -1,0 +1,185 @@
+#include "editor/play/play_view.h"
+
+#include "core/game/blend.h"
+#include "core/level/bounds.h"
+#include "editor/canvas/scene_painter.h"
+#include "editor/play/backdrop.h"
+#include "editor/play/hud.h"
+#include "editor/play/pause_menu.h"
+#include "editor/play/scene_marks.h"
+
+#include <QPainter>
+#include <QScreen>
+
+#include <algorithm>
+
+namespace spacetow {
+namespace {
+
+const Vec2 classicView(40.0 / 3, 10); // m
+
+/// Blended for the time that has passed since the newer picture was taken.
+double shareOf(const Frame& frame) {
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - frame.at;
+    return std::clamp(since.count() / frame.period, 0.0, 1.0);
+}
+
+} // namespace
+
+PlayView::PlayView(QWidget* parent, Runner::Mode mode) : QWidget(parent), m_mode(mode), m_menu(new PauseMenu(this)) {
+    setObjectName(QStringLiteral("playView"));
+    setAccessibleName(tr("Running game"));
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    m_frames.setTimerType(Qt::PreciseTimer);
+    connect(&m_frames, &QTimer::timeout, this, [this] { update(); });
+    connect(m_menu, &PauseMenu::resumed, this, &PlayView::closeMenu);
+    connect(m_menu, &PauseMenu::restarted, this, &PlayView::restart);
+    connect(m_menu, &PauseMenu::left, this, [this] {
+        stop();
+        Q_EMIT finished();
+    });
+}
+
+PlayView::~PlayView() = default;
+
+void PlayView::start(const Level& level) {
+    stop();
+    m_runner = std::make_unique<Runner>(level, m_mode);
+    m_background = QString::fromStdString(level.rules.background);
+    m_towRange = level.rules.towRange;
+    m_extent = classicView;
+    if (phase() == Phase::Sandbox) { // nothing to follow, so all of it should be in sight
+        const Aabb bounds = boundsOf(level);
+        if (!bounds.isEmpty() && isFinite(bounds.size())) {
+            m_extent = m_extent.cwiseMax(1.08 * bounds.size());
+        }
+    }
+    m_runner->wantQuadtree(m_overlays.quadtree);
+    follow();
+    const double rate = screen() != nullptr ? std::clamp(screen()->refreshRate(), 30.0, 240.0) : 60.0;
+    m_frames.start(static_cast<int>(1000 / rate));
+    setFocus(Qt::OtherFocusReason);
+    update();
+}
+
+void PlayView::stop() {
+    m_frames.stop();
+    m_menu->hide();
+    m_held.clear();
+    m_dragging = false;
+    m_runner.reset();
+    if (m_paused) {
+        m_paused = false;
+        Q_EMIT pausedChanged(false);
+    }
+}
+
+void PlayView::setPaused(bool paused) {
+    if (!m_runner || m_paused == paused) {
+        return;
+    }
+    m_paused = paused;
+    if (paused) {
+        letGo();
+        m_runner->pause();
+    } else {
+        m_menu->hide();
+        setFocus(Qt::OtherFocusReason);
+        m_runner->resume();
+    }
+    Q_EMIT pausedChanged(paused);
+    update();
+}
+
+void PlayView::stepOnce() {
+    if (m_runner) {
+        setPaused(true);
+        m_runner->stepOnce();
+        update();
+    }
+}
+
+void PlayView::restart() {
+    if (m_runner) {
+        letGo();
+        m_runner->restart();
+        setPaused(false);
+        follow();
+        update();
+    }
+}
+
+void PlayView::setOverlays(const OverlayFlags& overlays) {
+    m_overlays = overlays;
+    if (m_runner) {
+        m_runner->wantQuadtree(overlays.quadtree);
+    }
+    update();
+}
+
+double PlayView::fittingScale() const {
+    return std::min(width() / m_extent.x(), height() / m_extent.y());
+}
+
+Viewport PlayView::viewport() const {
+    Viewport view;
+    view.size = Vec2(std::max(1, width()), std::max(1, height()));
+    view.scale = std::clamp(m_zoom * fittingScale(), Viewport::minScale, Viewport::maxScale);
+    if (m_lookedAt) {
+        view.center = *m_lookedAt;
+    } else if (m_runner) {
+        view.center = picture().camera;
+    }
+    return view;
+}
+
+Phase PlayView::phase() const {
+    return m_runner ? m_runner->frame()->now->phase : Phase::Sandbox;
+}
+
+Snapshot PlayView::picture() const {
+    const std::shared_ptr<const Frame> frame = m_runner->frame();
+    const bool still = frame->paused || m_mode == Runner::Mode::Manual;
+    return blended(*frame->before, *frame->now, still ? 1 : shareOf(*frame));
+}
+
+void PlayView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    if (!m_runner) {
+        painter.fillRect(rect(), canvasTheme().background);
+        return;
+    }
+    const Snapshot snapshot = picture();
+    paintScene(painter, snapshot);
+    if (m_menu->isVisible()) {
+        painter.fillRect(rect(), QColor(4, 8, 18, 130));
+        return;
+    }
+    paintHud(painter, hudLayout({snapshot.phase, snapshot.hud, m_paused}, size(), font()));
+}
+
+void PlayView::paintScene(QPainter& painter, const Snapshot& snapshot) {
+    Viewport view = viewport();
+    if (!m_lookedAt) {
+        view.center = snapshot.camera;
+    }
+    const Stage stage{painter, view, canvasTheme()};
+    paintBackdrop(stage, m_background);
+    paintFlame(stage, snapshot);
+    paintSnapshot(stage, snapshot, m_overlays);
+    paintTowRange(stage, snapshot, m_towRange);
+}
+
+void PlayView::follow() {
+    m_lookedAt.reset();
+    m_zoom = 1;
+}
+
+void PlayView::resizeEvent(QResizeEvent*) {
+    if (m_menu->isVisible()) {
+        m_menu->placeIn(size());
+    }
+}
+
+} // namespace spacetow

@@ -1,0 +1,96 @@
+#pragma once
+// A game or sandbox running in the window, on a copy of the level. The view owns the runner, turns keys into controls
+// and paints the newest two snapshots blended at the display's rate. Circles stay round in any window; at least the
+// classic view, 13.33 × 10 m, can be seen.
+
+#include "core/game/runner.h"
+#include "editor/canvas/overlay_flags.h"
+#include "editor/editing/viewport.h"
+#include "editor/play/key_map.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+namespace spacetow {
+
+class PauseMenu;
+
+class PlayView : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// With a manual runner nothing moves but by Runner::advance, for tests and screenshots.
+    explicit PlayView(QWidget* parent = nullptr, Runner::Mode mode = Runner::Mode::Threaded);
+    ~PlayView() override;
+
+    /// Plays the level from its beginning; what was playing before is stopped.
+    void start(const Level& level);
+    /// Ends the game, if there is one. `finished` is not emitted.
+    void stop();
+    bool isRunning() const { return m_runner != nullptr; }
+
+    /// Without the menu, so that the scene stays in sight.
+    void setPaused(bool paused);
+    bool isPaused() const { return m_paused; }
+    /// Pauses and makes one update.
+    void stepOnce();
+    void restart();
+    void setOverlays(const OverlayFlags& overlays);
+
+    /// Null while nothing is played.
+    Runner* runner() { return m_runner.get(); }
+    /// What the view would show of the world now.
+    Viewport viewport() const;
+
+    QSize minimumSizeHint() const override { return {160, 120}; }
+    QSize sizeHint() const override { return {880, 660}; }
+
+  signals:
+    /// The player wants to go back to the editor; the game has been stopped.
+    void finished();
+    void pausedChanged(bool paused);
+
+  protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+  private:
+    Snapshot picture() const;
+    Phase phase() const;
+    void paintScene(QPainter& painter, const Snapshot& snapshot);
+    void tapIfOver();
+    void openMenu();
+    void closeMenu();
+    void letGo();
+    void follow();
+    double fittingScale() const;
+
+    const Runner::Mode m_mode;
+    std::unique_ptr<Runner> m_runner;
+    PauseMenu* m_menu; // owned by Qt as a child
+    QTimer m_frames;
+    OverlayFlags m_overlays;
+    HeldKeys m_held;
+    QString m_background;
+    double m_towRange = 0;        // m
+    Vec2 m_extent{13.333333, 10}; // m, seen at least
+    bool m_paused = false;
+    double m_zoom = 1;
+    std::optional<Vec2> m_lookedAt; // world point in the middle, when the player has moved the view
+    QPointF m_dragged;
+    bool m_dragging = false;
+};
+
+} // namespace spacetow
