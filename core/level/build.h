@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-
 namespace spacetow {
 
 /// What a level became. Bodies carry their object's key in `user`. Ship, payload and finish are left to the game.

@@ -2,8 +2,8 @@
 // Edits as free functions Level → Level, named by past participle; the editor, the command line and the tests call
 // the same ones. Keys that are not in the level are ignored.
 
+#include "core/level/bounds.h"
 #include "core/level/level.h"
-#include "core/math/aabb.h"
 
 #include <span>
 
@@ -15,7 +15,7 @@ Level added(Level level, Object object);
 /// Also removes the connectors that lose an end.
 Level removed(Level level, std::span<const Key> keys);
 Level moved(Level level, std::span<const Key> keys, const Vec2& delta);
-/// Anticlockwise by `radians` about `pivot`.
+/// Anticlockwise by `radians` about `pivot`. Angles come out in [−π, π]; velocities keep their direction.
 Level rotated(Level level, std::span<const Key> keys, const Vec2& pivot, double radians);
 /// Turns the solid side of edge chains round, and the winding of lines; other shapes stay.
 Level reversed(Level level, std::span<const Key> keys);
@@ -23,14 +23,13 @@ Level reversed(Level level, std::span<const Key> keys);
 /// The keys of the copies come out in `copies`, in the order of `keys`. Ship, payload and finish are not copied.
 Level duplicated(Level level, std::span<const Key> keys, const Vec2& delta, std::uint64_t seed,
                  std::vector<Key>& copies);
+/// Objects from elsewhere (the clipboard), treated likewise: fresh keys, shifted, a ship, payload or finish only when
+/// the level has none. Connectors follow their ends, and are left out when an end is not among the objects.
+Level pasted(Level level, const std::vector<Object>& objects, const Vec2& delta, std::uint64_t seed,
+             std::vector<Key>& copies);
 /// The object with the same key is replaced; the key must exist.
 Level withObject(Level level, Object object);
 Level renamed(Level level, Key key, std::string name);
 Level withTag(Level level, int index, TagInfo info);
-
-/// Bounds of one object in world coordinates (the ship by its hull, connectors by their anchors).
-Aabb boundsOf(const Level& level, const Object& object);
-/// Of everything in the level; empty for an empty level.
-Aabb boundsOf(const Level& level);
 
 } // namespace spacetow

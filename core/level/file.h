@@ -29,10 +29,14 @@ std::string levelText(const Level& level);
 /// Codes: "cannot-read" (path, reason), "file-too-large" (path, bytes).
 Result<LevelFile> readLevel(const std::filesystem::path& path);
 /// Writes beside the file, flushes and renames, so that the old file stays whole when anything fails.
-/// Code: "cannot-write" (path, reason).
+/// Links are followed and the mode of the old file is kept. Codes: "cannot-write" (path, reason), "not-finite" (field).
 std::optional<Error> writeLevel(const std::filesystem::path& path, const Level& level);
 
-/// One object as text and back, for the clipboard. Parsing gives the objects and a list of problems.
+/// Why JSON cannot hold the level: a number that is not finite. Code: "not-finite" (field).
+std::optional<Error> notWritable(const Level& level);
+
+/// Objects as text and back, for the clipboard. Parsing gives the objects and a list of problems: one with an error is
+/// left out, a tag that is not in `tags` is left off.
 std::string objectsText(const Level& level, std::span<const Key> keys);
 std::vector<Object> parseObjects(std::string_view text, const TagTable& tags, std::vector<Problem>& problems);
 

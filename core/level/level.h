@@ -7,6 +7,7 @@
 #include "core/physics/body.h"
 #include "core/physics/connector.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -58,6 +59,10 @@ struct BodyObject {
     bool operator==(const BodyObject&) const = default;
 };
 
+/// Outline of the ship about its centre of mass, nose up, anticlockwise; the third corner is the notch at the stern.
+/// No corner is further than 0.2604 m from the centre.
+std::array<Vec2, 4> shipOutline();
+
 /// Where the ship starts.
 struct ShipObject {
     Vec2 position{0, 0}; // of its centre of mass
@@ -105,15 +110,17 @@ struct Object {
     Key key = 0;
     std::string name; // for people; may be empty or shared
     ObjectData data;
-    std::string unknownFields; // JSON object text of the fields this version does not know; empty for none
+    /// Fields of the file that this version does not know, kept for the next save: JSON object text whose names are
+    /// JSON pointers within this object ({"/glow": 1, "/shapes/0/glow": 2}); empty for none.
+    std::string unknownFields;
 
     bool operator==(const Object&) const = default;
 };
 
 /// The rules of a game of SpaceTow in this level.
 struct Rules {
-    int lives = 3;              // attempts, ≥ 1
-    double towRange = 1.5;      // m, between the centres of ship and payload
+    int lives = 3;         // attempts, ≥ 1
+    double towRange = 1.5; // m, between the centres of ship and payload
     bool flipGravityOnTow = false;
     std::string background = "stars"; // name of a shipped background
 
@@ -136,6 +143,12 @@ class ObjectList {
     void insert(int index, Object object);
     void replace(int index, Object object);
     void erase(int index);
+    /// Removes every object for which `predicate(object)` holds, in one pass.
+    template <class Predicate>
+    void eraseIf(Predicate predicate) {
+        std::erase_if(m_items, [&predicate](const auto& item) { return predicate(*item); });
+    }
+    /// The object at `from` comes to stand at `to`; those between make room.
     void move(int from, int to);
     /// Whether both lists hold the very same piece at this place: a cheap "has it changed?".
     bool sharesPiece(int index, const ObjectList& other) const {
@@ -179,7 +192,7 @@ struct Level {
     Rules rules;
     TagTable tags;
     ObjectList objects;
-    std::string unknownFields; // as in Object, of the level itself
+    std::string unknownFields; // as in Object, of the level itself; tags are counted by their index
 
     bool operator==(const Level&) const = default;
 };

@@ -5,7 +5,8 @@
 
 namespace spacetow {
 
-/// In the order of the objects, those of the level itself first. Lines and pointers are left empty.
+/// In the order of the objects, those of the level itself first. Pointers are those of the file the level would be
+/// written to; lines are 0.
 std::vector<Problem> lint(const Level& level);
 
 } // namespace spacetow

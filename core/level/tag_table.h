@@ -12,7 +12,7 @@
 namespace spacetow {
 
 struct TagInfo {
-    std::string name;            // empty: the tag is not in use; unique among those in use
+    std::string name;               // empty: the tag is not in use; unique among those in use
     std::uint32_t color = 0x808080; // 0xRRGGBB
 
     bool operator==(const TagInfo&) const = default;
@@ -24,6 +24,8 @@ class TagTable {
     static constexpr int size = 32;
 
     TagTable();
+    /// A table without any name.
+    static TagTable empty();
 
     const TagInfo& operator[](int index) const { return m_tags[static_cast<std::size_t>(index)]; }
     void set(int index, TagInfo info) { m_tags[static_cast<std::size_t>(index)] = std::move(info); }

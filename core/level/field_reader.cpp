@@ -1,0 +1,312 @@
+#include "core/level/field_reader.h"
+
+#include "core/level/json_read.h"
+#include "core/level/json_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+constexpr std::size_t excerpt = 40; // characters of a rejected value that are shown
+
+std::string joined(std::span<const std::string_view> names) {
+    std::string out;
+    for (const std::string_view name : names) {
+        out += out.empty() ? "" : ", ";
+        out += name;
+    }
+    return out;
+}
+
+} // namespace
+
+std::string Place::pointer() const {
+    if (parent == nullptr) {
+        return {};
+    }
+    return parent->pointer() + '/' + (index >= 0 ? std::to_string(index) : pointerSegment(name));
+}
+
+FieldReader::FieldReader(ReadState& state, JsonView object, const Place& place)
+    : m_state(state), m_object(object), m_place(place), m_next(object.begin()) {
+    EXPECTS(object.isObject());
+}
+
+void FieldReader::report(Severity severity, std::string code, std::vector<std::string> arguments, JsonView at,
+                         const Place& place) {
+    m_state.hasErrors = m_state.hasErrors || severity == Severity::Error;
+    if (m_state.problems.size() < maxProblems) {
+        m_state.problems.push_back(
+            {severity, std::move(code), std::move(arguments), place.pointer(), at.line(), m_state.object});
+    }
+}
+
+void FieldReader::reject(std::string code, const Place& place, JsonView value) {
+    std::string name = place.index >= 0 ? std::string(place.parent->name) : std::string(place.name);
+    report(Severity::Error, std::move(code), {std::move(name), value.spelled(excerpt)}, value, place);
+}
+
+std::optional<JsonView> FieldReader::member(const char* name, bool required) {
+    m_known.emplace_back(name);
+    const auto end = m_object.end();
+    if (!(m_next == end) && (*m_next).name() == name) {
+        const JsonView found = *m_next;
+        ++m_next;
+        return found;
+    }
+    for (auto i = m_object.begin(); !(i == end); ++i) {
+        if ((*i).name() == name) {
+            const JsonView found = *i;
+            m_next = ++i;
+            return found;
+        }
+    }
+    if (required) {
+        report(Severity::Error, "missing-field", {name}, m_object, m_place);
+    }
+    return {};
+}
+
+void FieldReader::number(const Field& field, double& value, double byDefault) {
+    value = byDefault;
+    if (const auto json = member(field.name, field.presence == Presence::Required)) {
+        if (json->isNumber()) {
+            value = json->number();
+        } else {
+            reject("not-a-number", {&m_place, field.name}, *json);
+        }
+    }
+}
+
+void FieldReader::integer(const Field& field, int& value, int byDefault) {
+    value = byDefault;
+    const auto json = member(field.name, field.presence == Presence::Required);
+    if (!json) {
+        return;
+    }
+    const Place place{&m_place, field.name};
+    if (!json->isNumber() || json->number() != std::floor(json->number())) {
+        reject("not-an-integer", place, *json);
+    } else if (json->number() < field.min || json->number() > field.max) {
+        report(Severity::Error, "out-of-range",
+               {field.name, json->spelled(excerpt), spelledNumber(field.min), spelledNumber(field.max)}, *json, place);
+    } else {
+        value = static_cast<int>(json->number());
+    }
+}
+
+void FieldReader::optionalNumber(const Field& field, std::optional<double>& value) {
+    value.reset();
+    if (const auto json = member(field.name, false)) {
+        if (json->isNumber()) {
+            value = json->number();
+        } else {
+            reject("not-a-number", {&m_place, field.name}, *json);
+        }
+    }
+}
+
+void FieldReader::depth(const Field& field, double& value, double byDefault) {
+    value = byDefault;
+    if (const auto json = member(field.name, false)) {
+        if (json->isNumber()) {
+            value = json->number();
+        } else if (json->kind() == JsonKind::Null) {
+            value = noBack;
+        } else {
+            reject("not-a-depth", {&m_place, field.name}, *json);
+        }
+    }
+}
+
+void FieldReader::flag(const Field& field, bool& value, bool byDefault) {
+    value = byDefault;
+    if (const auto json = member(field.name, false)) {
+        if (json->isBool()) {
+            value = json->kind() == JsonKind::True;
+        } else {
+            reject("not-a-flag", {&m_place, field.name}, *json);
+        }
+    }
+}
+
+void FieldReader::text(const Field& field, std::string& value, const std::string& byDefault) {
+    value = byDefault;
+    if (const auto json = member(field.name, false)) {
+        if (json->isText()) {
+            value = json->text();
+        } else {
+            reject("not-a-text", {&m_place, field.name}, *json);
+        }
+    }
+}
+
+bool FieldReader::readPoint(JsonView value, Vec2& point) const {
+    if (!value.isArray() || value.size() != 2) {
+        return false;
+    }
+    auto i = value.begin();
+    const JsonView x = *i;
+    const JsonView y = *++i;
+    if (!x.isNumber() || !y.isNumber()) {
+        return false;
+    }
+    point = Vec2(x.number(), y.number());
+    return true;
+}
+
+void FieldReader::point(const Field& field, Vec2& value, const Vec2& byDefault) {
+    value = byDefault;
+    const auto json = member(field.name, field.presence == Presence::Required);
+    if (json && !readPoint(*json, value)) {
+        reject("not-a-point", {&m_place, field.name}, *json);
+    }
+}
+
+void FieldReader::points(const Field& field, std::vector<Vec2>& value) {
+    value.clear();
+    const auto json = member(field.name, true);
+    const Place place{&m_place, field.name};
+    if (json && !json->isArray()) {
+        reject("not-a-list", place, *json);
+        return;
+    }
+    if (!json) {
+        return;
+    }
+    int index = 0;
+    for (const JsonView vertex : *json) {
+        value.emplace_back(0, 0);
+        if (!readPoint(vertex, value.back())) {
+            reject("not-a-point", {&place, {}, index}, vertex);
+        }
+        ++index;
+    }
+}
+
+TagMask FieldReader::maskOf(JsonView list, const Place& place) {
+    TagMask mask;
+    int index = 0;
+    for (const JsonView tag : list) {
+        const Place here{&place, {}, index++};
+        if (!tag.isText()) {
+            reject("not-a-text", here, tag);
+            continue;
+        }
+        const int unnamed = unnamedTag(tag.text());
+        const std::optional<int> named = m_state.tags.indexOf(tag.text());
+        if (named || unnamed >= 0) {
+            mask = mask | TagMask::bit(named ? *named : unnamed);
+        } else {
+            report(m_state.keepUnknownTags ? Severity::Error : Severity::Warning, "unknown-tag", {tag.text()}, tag,
+                   here);
+        }
+    }
+    return mask;
+}
+
+void FieldReader::tags(const Field& field, TagMask& value, TagMask byDefault) {
+    value = byDefault;
+    if (const auto json = member(field.name, false)) {
+        const Place place{&m_place, field.name};
+        if (json->isArray()) {
+            value = maskOf(*json, place);
+        } else {
+            reject("not-a-list", place, *json);
+        }
+    }
+}
+
+void FieldReader::touches(const Field& field, TagMask& value) {
+    value = TagMask::all();
+    if (const auto json = member(field.name, false)) {
+        const Place place{&m_place, field.name};
+        if (json->isArray()) {
+            value = maskOf(*json, place);
+        } else if (!json->isText() || json->text() != "all") {
+            reject("not-touches", place, *json);
+        }
+    }
+}
+
+void FieldReader::key(const Field& field, Key& value) {
+    const auto json = member(field.name, true);
+    if (!json) {
+        return;
+    }
+    const std::optional<Key> read = json->isText() ? keyFromText(json->text()) : std::nullopt;
+    if (read) {
+        value = *read;
+    } else {
+        reject("bad-key", {&m_place, field.name}, *json);
+    }
+}
+
+int FieldReader::spelling(JsonView value, std::string_view name, std::span<const std::string_view> names) {
+    const auto found = value.isText() ? std::ranges::find(names, value.text()) : names.end();
+    if (found != names.end()) {
+        return static_cast<int>(found - names.begin());
+    }
+    report(Severity::Error, "unknown-choice", {std::string(name), value.spelled(excerpt), joined(names)}, value,
+           {&m_place, name});
+    return -1;
+}
+
+void FieldReader::chooseFrom(const Field& field, int& index, std::span<const std::string_view> names) {
+    if (const auto json = member(field.name, field.presence == Presence::Required)) {
+        const int read = spelling(*json, field.name, names);
+        index = read >= 0 ? read : index;
+    }
+}
+
+void FieldReader::shapes(const Field& field, std::vector<LevelShape>& value) {
+    value.clear();
+    const auto json = member(field.name, true);
+    const Place place{&m_place, field.name};
+    if (json && !json->isArray()) {
+        reject("not-a-list", place, *json);
+        return;
+    }
+    if (!json) {
+        return;
+    }
+    int index = 0;
+    for (const JsonView item : *json) {
+        const Place here{&place, {}, index++};
+        if (!item.isObject()) {
+            reject("not-an-object", here, item);
+            continue;
+        }
+        FieldReader reader(m_state, item, here);
+        const auto type = reader.member("type", true);
+        const int kind = type ? reader.spelling(*type, "type", shapeTypeNames) : -1;
+        if (kind < 0) {
+            continue;
+        }
+        constexpr auto makers =
+            std::array{+[]() -> LevelShape { return EdgeChain(); }, +[]() -> LevelShape { return LineChain(); },
+                       +[]() -> LevelShape { return Polygon(); }, +[]() -> LevelShape { return Circle(); }};
+        LevelShape shape = makers[static_cast<std::size_t>(kind)]();
+        std::visit([&reader](auto& s) { visitFields(reader, s); }, shape);
+        reader.finish();
+        value.push_back(std::move(shape));
+    }
+}
+
+void FieldReader::finish() {
+    for (const JsonView value : m_object) {
+        if (std::ranges::find(m_known, value.name()) != m_known.end()) {
+            continue;
+        }
+        const Place place{&m_place, value.name()};
+        const std::string pointer = m_state.ownerPointer + place.pointer().substr(m_state.owner->pointer().size());
+        report(Severity::Warning, "unknown-field", {value.name()}, value, place);
+        m_state.unknownFields += m_state.unknownFields.empty() ? "" : ", ";
+        m_state.unknownFields += spelledText(pointer) + ": " + value.spelled(std::string::npos);
+    }
+}
+
+} // namespace spacetow

@@ -1,0 +1,83 @@
+#pragma once
+// Reads the fields of one JSON object into a struct: the visitor of core/level/fields.h that json_read uses.
+
+#include "core/level/fields.h"
+#include "core/level/json_tree.h"
+#include "core/level/key_text.h"
+#include "core/level/problem.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace spacetow {
+
+/// Where in the document the reading is: a chain on the stack, spelled only when there is something to report.
+struct Place {
+    const Place* parent = nullptr;
+    std::string_view name; // of a member, or
+    int index = -1;        // position in a list
+
+    std::string pointer() const;
+};
+
+/// What all readers of a document share.
+struct ReadState {
+    TagTable tags;
+    std::vector<Problem> problems;
+    bool keepUnknownTags = true;  // else an unknown tag is only a warning, and left off
+    bool hasErrors = false;       // also counts the errors that are no longer listed
+    Key object = 0;               // whose fields are being read
+    const Place* owner = nullptr; // of the unknown fields: the place of the object, the level or the tag
+    std::string ownerPointer;     // what stands for that place in `unknownFields`
+    std::string unknownFields;    // collected so far: members of a JSON object, without the braces
+};
+
+class FieldReader {
+  public:
+    FieldReader(ReadState& state, JsonView object, const Place& place);
+
+    void number(const Field& field, double& value, double byDefault);
+    void integer(const Field& field, int& value, int byDefault);
+    void optionalNumber(const Field& field, std::optional<double>& value);
+    void depth(const Field& field, double& value, double byDefault);
+    void flag(const Field& field, bool& value, bool byDefault);
+    void text(const Field& field, std::string& value, const std::string& byDefault);
+    void point(const Field& field, Vec2& value, const Vec2& byDefault);
+    void points(const Field& field, std::vector<Vec2>& value);
+    void tags(const Field& field, TagMask& value, TagMask byDefault);
+    void touches(const Field& field, TagMask& value);
+    void key(const Field& field, Key& value);
+    void shapes(const Field& field, std::vector<LevelShape>& value);
+    template <class Enum, std::size_t n>
+    void choice(const Field& field, Enum& value, Enum byDefault, const Spellings<n>& names) {
+        int index = static_cast<int>(byDefault);
+        chooseFrom(field, index, names);
+        value = static_cast<Enum>(index);
+    }
+
+    /// The member of this name, remembered as a known one; none when it is missing, which is a problem if required.
+    std::optional<JsonView> member(const char* name, bool required);
+    /// Index of the text among the names, or −1 after reporting it.
+    int spelling(JsonView value, std::string_view name, std::span<const std::string_view> names);
+    /// To be called after all fields: what is left is unknown, kept and reported.
+    void finish();
+
+    void report(Severity severity, std::string code, std::vector<std::string> arguments, JsonView at,
+                const Place& place);
+    /// Reports that `value` of the field is not what `code` says.
+    void reject(std::string code, const Place& place, JsonView value);
+
+  private:
+    void chooseFrom(const Field& field, int& index, std::span<const std::string_view> names);
+    TagMask maskOf(JsonView list, const Place& place);
+    bool readPoint(JsonView value, Vec2& point) const;
+
+    ReadState& m_state;
+    JsonView m_object;
+    const Place& m_place;
+    std::vector<std::string_view> m_known;
+    JsonView::Iterator m_next; // members mostly come in the order in which they are asked for
+};
+
+} // namespace spacetow

@@ -1,0 +1,235 @@
+#include "core/level/json_read.h"
+
+#include "core/level/field_reader.h"
+#include "core/level/migrate.h"
+
+#include <map>
+#include <type_traits>
+
+namespace spacetow {
+
+namespace {
+
+const Place documentPlace{};
+
+ObjectData emptyData(int type) {
+    constexpr auto makers =
+        std::array{+[]() -> ObjectData { return BodyObject(); }, +[]() -> ObjectData { return ShipObject(); },
+                   +[]() -> ObjectData { return PayloadObject(); }, +[]() -> ObjectData { return FinishObject(); },
+                   +[]() -> ObjectData { return ConnectorObject(); }};
+    return makers[static_cast<std::size_t>(type)]();
+}
+
+std::string takeUnknownFields(ReadState& state) {
+    std::string members = std::exchange(state.unknownFields, {});
+    return members.empty() ? members : '{' + members + '}';
+}
+
+/// One entry of the tag table.
+void readTag(ReadState& state, JsonView entry, const Place& place) {
+    FieldReader reader(state, entry, place);
+    const auto index = reader.member("index", true);
+    const auto name = reader.member("name", false);
+    const auto color = reader.member("color", false);
+    TagInfo info;
+    if (name && !name->isText()) {
+        reader.reject("not-a-text", {&place, "name"}, *name);
+    } else if (name && state.tags.indexOf(name->text())) {
+        reader.report(Severity::Error, "duplicate-tag", {name->text()}, *name, {&place, "name"});
+    } else if (name && unnamedTag(name->text()) >= 0) {
+        reader.report(Severity::Error, "bad-tag-name", {name->text()}, *name, {&place, "name"});
+    } else if (name) {
+        info.name = name->text();
+    }
+    const auto rgb = color && color->isText() ? colorFromText(color->text()) : std::nullopt;
+    if (color && !rgb) {
+        reader.reject("bad-color", {&place, "color"}, *color);
+    }
+    info.color = rgb.value_or(info.color);
+    if (!index) {
+        return;
+    }
+    const double number = index->isNumber() ? index->number() : -1;
+    if (!(number >= 0 && number < TagTable::size && number == static_cast<int>(number))) {
+        reader.reject("bad-tag-index", {&place, "index"}, *index);
+        return;
+    }
+    const int position = static_cast<int>(number);
+    if (!(state.tags[position] == TagInfo())) {
+        reader.report(Severity::Error, "duplicate-tag-index", {std::to_string(position)}, *index, {&place, "index"});
+    }
+    state.tags.set(position, std::move(info));
+    state.owner = &place;
+    state.ownerPointer = "/tags/" + std::to_string(position);
+    reader.finish();
+}
+
+void readTags(ReadState& state, FieldReader& level, const Place& parent) {
+    const auto json = level.member("tags", false);
+    if (!json) {
+        return;
+    }
+    const Place place{&parent, "tags"};
+    if (!json->isArray()) {
+        level.reject("not-a-list", place, *json);
+        return;
+    }
+    state.tags = TagTable::empty();
+    int index = 0;
+    for (const JsonView entry : *json) {
+        const Place here{&place, {}, index++};
+        if (entry.isObject()) {
+            readTag(state, entry, here);
+        } else {
+            level.reject("not-an-object", here, entry);
+        }
+    }
+}
+
+/// The key of an object, 0 after reporting that it has none.
+Key readKey(ReadState& state, FieldReader& reader, const Place& place) {
+    const auto json = reader.member("key", true);
+    if (!json) {
+        return 0;
+    }
+    const std::optional<Key> key = json->isText() ? keyFromText(json->text()) : std::nullopt;
+    if (!key) {
+        reader.reject("bad-key", {&place, "key"}, *json);
+    }
+    state.object = key.value_or(0);
+    return state.object;
+}
+
+std::optional<Object> readObject(ReadState& state, JsonView json, const Place& place) {
+    state.object = 0;
+    state.owner = &place;
+    state.ownerPointer.clear();
+    FieldReader reader(state, json, place);
+    Object object;
+    object.key = readKey(state, reader, place);
+    const auto type = reader.member("type", true);
+    reader.text(fields::plain("name"), object.name, {});
+    const int kind = type ? reader.spelling(*type, "type", objectTypeNames) : -1;
+    if (kind < 0) {
+        return {};
+    }
+    object.data = emptyData(kind);
+    std::visit([&reader](auto& data) { visitFields(reader, data); }, object.data);
+    reader.finish();
+    object.unknownFields = takeUnknownFields(state);
+    return object;
+}
+
+/// Calls `take(object)` for each object that could be read without an error.
+template <class Take>
+void readObjectList(ReadState& state, FieldReader& owner, JsonView list, const Place& place, const Take& take) {
+    std::map<Key, int> lines;
+    int index = 0;
+    for (const JsonView item : list) {
+        const Place here{&place, {}, index++};
+        if (!item.isObject()) {
+            owner.reject("not-an-object", here, item);
+            continue;
+        }
+        const bool errorsBefore = std::exchange(state.hasErrors, false);
+        std::optional<Object> object = readObject(state, item, here);
+        if (object && object->key != 0) {
+            const auto [first, isNew] = lines.emplace(object->key, item.line());
+            if (!isNew) {
+                owner.report(Severity::Error, "duplicate-key", {keyText(object->key), std::to_string(first->second)},
+                             item, here);
+            }
+        }
+        if (object && !state.hasErrors) {
+            take(std::move(*object));
+        }
+        state.hasErrors = state.hasErrors || errorsBefore;
+    }
+    state.object = 0;
+}
+
+void addDuplicateNames(ReadState& state, const JsonTree& tree) {
+    for (Problem& problem : tree.duplicateNames()) {
+        state.hasErrors = true;
+        state.problems.push_back(std::move(problem));
+    }
+}
+
+/// The member "objects" of the document.
+std::optional<JsonView> objectsMember(FieldReader& document, const Place& place) {
+    auto json = document.member("objects", true);
+    if (json && !json->isArray()) {
+        document.reject("not-a-list", {&place, "objects"}, *json);
+        json.reset();
+    }
+    return json;
+}
+
+/// False when the document is no object or of a schema that this version cannot read; it has then been reported.
+bool checkDocument(ReadState& state, const JsonTree& tree) {
+    if (std::optional<Problem> problem = schemaProblem(tree)) {
+        state.hasErrors = true;
+        state.problems.push_back(std::move(*problem));
+        return false;
+    }
+    addDuplicateNames(state, tree);
+    return true;
+}
+
+} // namespace
+
+LevelReading readTree(const JsonTree& tree) {
+    ReadState state;
+    if (!checkDocument(state, tree)) {
+        return {{}, std::move(state.problems)};
+    }
+    state.owner = &documentPlace;
+    Level level;
+    FieldReader reader(state, tree.root(), documentPlace);
+    reader.member("schema", true);
+    visitFields(reader, level);
+    const auto rules = reader.member("rules", false);
+    const Place rulesPlace{&documentPlace, "rules"};
+    if (rules && rules->isObject()) {
+        FieldReader rulesReader(state, *rules, rulesPlace);
+        visitFields(rulesReader, level.rules);
+        rulesReader.finish();
+    } else if (rules) {
+        reader.reject("not-an-object", rulesPlace, *rules);
+    }
+    readTags(state, reader, documentPlace);
+    const auto objects = objectsMember(reader, documentPlace);
+    state.owner = &documentPlace;
+    state.ownerPointer.clear();
+    reader.finish();
+    level.unknownFields = takeUnknownFields(state);
+    level.tags = state.tags;
+    if (objects) {
+        readObjectList(state, reader, *objects, {&documentPlace, "objects"},
+                       [&level](Object object) { level.objects.append(std::move(object)); });
+    }
+    LevelReading reading;
+    reading.problems = std::move(state.problems);
+    if (!state.hasErrors) {
+        reading.level = std::move(level);
+    }
+    return reading;
+}
+
+std::vector<Object> readObjects(const JsonTree& tree, const TagTable& tags, std::vector<Problem>& problems) {
+    ReadState state;
+    state.tags = tags;
+    state.keepUnknownTags = false;
+    std::vector<Object> result;
+    if (checkDocument(state, tree)) {
+        FieldReader reader(state, tree.root(), documentPlace);
+        if (const auto objects = objectsMember(reader, documentPlace)) {
+            readObjectList(state, reader, *objects, {&documentPlace, "objects"},
+                           [&result](Object object) { result.push_back(std::move(object)); });
+        }
+    }
+    std::ranges::move(state.problems, std::back_inserter(problems));
+    return result;
+}
+
+} // namespace spacetow

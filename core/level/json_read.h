@@ -1,0 +1,27 @@
+#pragma once
+// From the JSON tree to the level. Everything that cannot be understood without guessing is an error with its line
+// and JSON pointer; what is merely unknown is kept for the next save. Nothing is repaired in silence.
+
+#include "core/level/json_tree.h"
+#include "core/level/problem.h"
+
+#include <optional>
+#include <vector>
+
+namespace spacetow {
+
+/// More problems than this are not listed one by one.
+constexpr std::size_t maxProblems = 1000;
+
+struct LevelReading {
+    std::optional<Level> level; // none when there is an error
+    std::vector<Problem> problems;
+};
+
+LevelReading readTree(const JsonTree& tree);
+
+/// The "objects" of a tree, for the clipboard: an object with an error is left out, a tag that is not in `tags` is
+/// left off; both are reported.
+std::vector<Object> readObjects(const JsonTree& tree, const TagTable& tags, std::vector<Problem>& problems);
+
+} // namespace spacetow

@@ -1,0 +1,176 @@
+#include "core/level/json_write.h"
+
+#include "core/level/fields.h"
+#include "core/level/json_tree.h"
+#include "core/level/key_text.h"
+#include "core/level/migrate.h"
+
+namespace spacetow {
+
+namespace {
+
+JsonText pointText(const Vec2& p) {
+    return JsonText::raw('[' + spelledNumber(p.x()) + ", " + spelledNumber(p.y()) + ']');
+}
+
+/// The visitor of core/level/fields.h that writes.
+class FieldWriter {
+  public:
+    FieldWriter(JsonText& out, const TagTable& tags) : m_out(out), m_tags(tags) {}
+
+    void number(const Field& field, const double& value, double byDefault) {
+        if (isWritten(field, value == byDefault)) {
+            m_out.append(field.name, JsonText::number(value));
+        }
+    }
+    void integer(const Field& field, const int& value, int byDefault) {
+        if (isWritten(field, value == byDefault)) {
+            m_out.append(field.name, JsonText::integer(value));
+        }
+    }
+    void optionalNumber(const Field& field, const std::optional<double>& value) {
+        if (value) {
+            m_out.append(field.name, JsonText::number(*value));
+        }
+    }
+    void depth(const Field& field, const double& value, double) {
+        m_out.append(field.name, value == noBack ? JsonText::null() : JsonText::number(value));
+    }
+    void flag(const Field& field, const bool& value, bool byDefault) {
+        if (isWritten(field, value == byDefault)) {
+            m_out.append(field.name, JsonText::flag(value));
+        }
+    }
+    void text(const Field& field, const std::string& value, const std::string& byDefault) {
+        if (isWritten(field, value == byDefault)) {
+            m_out.append(field.name, JsonText::text(value));
+        }
+    }
+    template <class Enum, std::size_t n>
+    void choice(const Field& field, const Enum& value, Enum byDefault, const Spellings<n>& names) {
+        const auto index = static_cast<std::size_t>(value);
+        EXPECTS(index < n);
+        if (isWritten(field, value == byDefault)) {
+            m_out.append(field.name, JsonText::text(names[index]));
+        }
+    }
+    void point(const Field& field, const Vec2& value, const Vec2& byDefault) {
+        if (isWritten(field, value == byDefault)) {
+            m_out.append(field.name, pointText(value));
+        }
+    }
+    void points(const Field& field, const std::vector<Vec2>& value) {
+        JsonText list = JsonText::array();
+        for (const Vec2& vertex : value) {
+            list.append(pointText(vertex));
+        }
+        m_out.append(field.name, std::move(list));
+    }
+    void tags(const Field& field, const TagMask& value, TagMask) { m_out.append(field.name, maskText(value)); }
+    void touches(const Field& field, const TagMask& value) {
+        if (!(value == TagMask::all())) {
+            m_out.append(field.name, maskText(value));
+        }
+    }
+    void key(const Field& field, const Key& value) { m_out.append(field.name, JsonText::text(keyText(value))); }
+    void shapes(const Field& field, const std::vector<LevelShape>& value) {
+        JsonText list = JsonText::array();
+        for (const LevelShape& shape : value) {
+            JsonText json = JsonText::object();
+            json.append("type", JsonText::text(shapeTypeNames[shape.index()]));
+            FieldWriter writer(json, m_tags);
+            std::visit([&writer](const auto& s) { visitFields(writer, s); }, shape);
+            list.append(std::move(json));
+        }
+        m_out.append(field.name, std::move(list));
+    }
+
+  private:
+    static bool isWritten(const Field& field, bool isDefault) {
+        return field.presence != Presence::Optional || !isDefault;
+    }
+    JsonText maskText(TagMask mask) const {
+        JsonText list = JsonText::array();
+        for (int i = 0; i < TagTable::size; ++i) {
+            if (mask.contains(i)) {
+                const std::string& name = m_tags[i].name;
+                list.append(JsonText::text(name.empty() ? '#' + std::to_string(i) : name));
+            }
+        }
+        return list;
+    }
+
+    JsonText& m_out;
+    const TagTable& m_tags;
+};
+
+/// Puts the fields that this version does not know back where they were. `row[i]` is the place of tag i in its list.
+void insertUnknown(JsonText& out, const std::string& unknownFields, const std::vector<int>& row = {}) {
+    if (unknownFields.empty()) {
+        return;
+    }
+    const auto parsed = JsonTree::parsed(unknownFields);
+    const JsonTree* tree = std::get_if<JsonTree>(&parsed);
+    if (tree == nullptr || !tree->root().isObject()) {
+        return;
+    }
+    for (const JsonView member : tree->root()) {
+        std::vector<std::string> segments = pointerSegments(member.name());
+        if (segments.size() == 3 && segments[0] == "tags" && !row.empty()) {
+            const auto index = static_cast<std::size_t>(std::atoi(segments[1].c_str()));
+            segments[1] = index < row.size() ? std::to_string(row[index]) : segments[1];
+        }
+        out.insert(segments, JsonText::raw(member.spelled(std::string::npos)));
+    }
+}
+
+} // namespace
+
+JsonText writtenObject(const Object& object, const TagTable& tags) {
+    JsonText json = JsonText::object();
+    json.append("key", JsonText::text(keyText(object.key)));
+    json.append("type", JsonText::text(objectTypeNames[object.data.index()]));
+    if (!object.name.empty()) {
+        json.append("name", JsonText::text(object.name));
+    }
+    FieldWriter writer(json, tags);
+    std::visit([&writer](const auto& data) { visitFields(writer, data); }, object.data);
+    insertUnknown(json, object.unknownFields);
+    return json;
+}
+
+JsonText writtenLevel(const Level& level) {
+    JsonText json = JsonText::object();
+    json.append("schema", JsonText::integer(newestSchema));
+    FieldWriter writer(json, level.tags);
+    visitFields(writer, level);
+    JsonText rules = JsonText::object();
+    FieldWriter rulesWriter(rules, level.tags);
+    visitFields(rulesWriter, level.rules);
+    json.append("rules", std::move(rules));
+
+    JsonText tags = JsonText::array();
+    std::vector<int> row(TagTable::size, -1);
+    for (int i = 0; i < TagTable::size; ++i) {
+        const TagInfo& info = level.tags[i];
+        if (!(info == TagInfo())) {
+            JsonText tag = JsonText::object();
+            tag.append("index", JsonText::integer(i));
+            tag.append("name", JsonText::text(info.name));
+            tag.append("color", JsonText::text(colorText(info.color)));
+            row[static_cast<std::size_t>(i)] = tags.size();
+            tags.append(std::move(tag));
+        }
+    }
+    json.append("tags", std::move(tags).broken());
+
+    JsonText objects = JsonText::array();
+    for (const Object& object : level.objects) {
+        objects.append(writtenObject(object, level.tags));
+    }
+    json.append("objects", std::move(objects).broken());
+    insertUnknown(json, level.unknownFields, row);
+    return std::move(json).broken();
+}
+
+} // namespace spacetow

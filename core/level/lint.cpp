@@ -1,0 +1,104 @@
+#include "core/level/lint.h"
+
+#include "core/level/key_text.h"
+#include "core/level/lint_findings.h"
+
+#include <algorithm>
+#include <map>
+
+namespace spacetow {
+
+bool hasErrors(const std::vector<Problem>& problems) {
+    return std::ranges::any_of(problems, [](const Problem& p) { return p.severity == Severity::Error; });
+}
+
+void Findings::add(Severity severity, const char* code, std::vector<std::string> arguments, int index, Key key,
+                   const std::string& path) {
+    const std::string start = index < 0 ? std::string() : "/objects/" + std::to_string(index);
+    m_found.emplace_back(index, Problem{severity, code, std::move(arguments), start + path, 0, key});
+    if (severity == Severity::Error) {
+        m_bad.insert(index);
+    }
+}
+
+std::vector<Problem> Findings::sorted() && {
+    std::ranges::stable_sort(m_found, {}, &std::pair<int, Problem>::first);
+    std::vector<Problem> problems;
+    problems.reserve(m_found.size());
+    for (auto& [index, problem] : m_found) {
+        problems.push_back(std::move(problem));
+    }
+    return problems;
+}
+
+void checkTags(const Level& level, Findings& findings) {
+    for (int i = 0; i < TagTable::size; ++i) {
+        const std::string& name = level.tags[i].name;
+        if (unnamedTag(name) >= 0) {
+            findings.add(Severity::Error, "bad-tag-name", {name}, -1, 0, "/tags");
+        } else if (!name.empty() && *level.tags.indexOf(name) != i) {
+            findings.add(Severity::Error, "duplicate-tag", {name}, -1, 0, "/tags");
+        }
+    }
+}
+
+void checkKeys(const Level& level, Findings& findings) {
+    std::map<Key, int> owners;
+    for (int i = 0; i < level.objects.size(); ++i) {
+        const Key key = level.objects[i].key;
+        const auto [owner, isNew] = owners.emplace(key, i);
+        if (!isNew || key == 0) {
+            findings.add(Severity::Error, "key-taken", {keyText(key)}, i, key, "/key");
+        }
+    }
+}
+
+void checkFilters(const Level& level, Findings& findings) {
+    // Levels use few different filters, so comparing each with each is cheap; one with more is past understanding.
+    constexpr std::size_t maxFilters = 500;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+    for (const Object& object : level.objects) {
+        if (const auto* body = std::get_if<BodyObject>(&object.data)) {
+            ++uses[{body->filter.tags.bits, body->filter.touches.bits}];
+        }
+    }
+    const bool isGame = firstOf<ShipObject>(level) != nullptr || firstOf<PayloadObject>(level) != nullptr;
+    const TagMask players = TagMask::bit(shipTag) | TagMask::bit(payloadTag) | TagMask::bit(debrisTag);
+    const auto isAlone = [&](const Filter& filter, int count) {
+        // Whoever plays touches walls, and is what it is named after.
+        if (isGame && mayTouch(filter, {players, TagMask::bit(wallTag) | players | TagMask::bit(finishTag)})) {
+            return false;
+        }
+        return std::ranges::none_of(uses, [&](const auto& use) {
+            const Filter other{{use.first.first}, {use.first.second}};
+            return mayTouch(filter, other) && (!(other == filter) || count > 1);
+        });
+    };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, bool> alone;
+    for (const auto& [bits, count] : uses) {
+        const Filter filter{{bits.first}, {bits.second}};
+        const bool canTouchNothing = filter.tags.bits == 0 || filter.touches.bits == 0;
+        const bool hasCompany = uses.size() <= maxFilters && (uses.size() > 1 || isGame);
+        alone[bits] = canTouchNothing || (hasCompany && isAlone(filter, count));
+    }
+    for (int i = 0; i < level.objects.size(); ++i) {
+        const auto* body = std::get_if<BodyObject>(&level.objects[i].data);
+        if (body != nullptr && body->tangible && alone[{body->filter.tags.bits, body->filter.touches.bits}]) {
+            findings.add(Severity::Warning, "touches-nothing", {}, i, level.objects[i].key, "/touches");
+        }
+    }
+}
+
+std::vector<Problem> lint(const Level& level) {
+    Findings findings;
+    checkTags(level, findings);
+    checkKeys(level, findings);
+    checkRanges(level, findings);
+    checkShapes(level, findings);
+    checkFilters(level, findings);
+    checkConnectors(level, findings);
+    checkStart(level, findings);
+    return std::move(findings).sorted();
+}
+
+} // namespace spacetow

@@ -1,0 +1,45 @@
+#pragma once
+// What the parts of lint share: the list of problems they add to, and the checks one by one.
+
+#include "core/level/problem.h"
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spacetow {
+
+class Findings {
+  public:
+    /// About an object (its place in the level) or, with index −1, about the level; `path` continues the pointer.
+    void add(Severity severity, const char* code, std::vector<std::string> arguments, int index, Key key,
+             const std::string& path = {});
+    /// Whether an error was found in this object so far: its numbers and shapes are then not to be trusted.
+    bool isBad(int index) const { return m_bad.contains(index); }
+    /// In the order of the objects, those of the level first.
+    std::vector<Problem> sorted() &&;
+
+  private:
+    std::vector<std::pair<int, Problem>> m_found;
+    std::set<int> m_bad;
+};
+
+// The checks, in the order in which they have to run.
+
+/// Names of tags that could not be read back, or told apart.
+void checkTags(const Level& level, Findings& findings);
+/// Keys that are zero or taken.
+void checkKeys(const Level& level, Findings& findings);
+/// Numbers that are not finite or out of their range, in all objects and the level itself.
+void checkRanges(const Level& level, Findings& findings);
+/// Shapes that cannot be built: too few vertices, crossing sides, no length, no area.
+void checkShapes(const Level& level, Findings& findings);
+/// Bodies that no other can touch.
+void checkFilters(const Level& level, Findings& findings);
+/// Connectors without their ends, and springs that the sub-steps are too long for.
+void checkConnectors(const Level& level, Findings& findings);
+/// Ship, payload and finish: one each, or none at all in a sandbox; ship and payload free of the walls.
+void checkStart(const Level& level, Findings& findings);
+
+} // namespace spacetow
