@@ -1,0 +1,82 @@
+#include "editor/window/messages.h"
+
+#include "editor/window/messages_table.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+template <class Text>
+const Text* textOf(std::span<const Text> texts, const std::string& code) {
+    const auto found = std::ranges::find_if(texts, [&code](const Text& text) { return code == text.code; });
+    return found == texts.end() ? nullptr : &*found;
+}
+
+/// In one pass, so that a percent sign within an argument stays one.
+QString filled(const QString& text, const std::vector<std::string>& arguments) {
+    QString out;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        const int number = text[i] == u'%' && i + 1 < text.size() ? text[i + 1].digitValue() : 0;
+        if (number >= 1) {
+            ++i;
+            if (static_cast<std::size_t>(number) <= arguments.size()) {
+                out += QString::fromStdString(arguments[static_cast<std::size_t>(number) - 1]);
+            }
+        } else {
+            out += text[i];
+        }
+    }
+    return out;
+}
+
+/// "set-friction" → "Set friction".
+QString spokenCode(const std::string& code) {
+    QString text = QString::fromStdString(code).replace('-', ' ');
+    if (!text.isEmpty()) {
+        text[0] = text[0].toUpper();
+    }
+    return text;
+}
+
+QString sentenceOf(std::span<const MessageText> texts, const std::string& code,
+                   const std::vector<std::string>& arguments) {
+    const MessageText* text = textOf(texts, code);
+    return text == nullptr ? spokenCode(code) : filled(QCoreApplication::translate("messages", text->text), arguments);
+}
+
+} // namespace
+
+QString sentence(const Problem& problem) {
+    return sentenceOf(problemTexts(), problem.code, problem.arguments);
+}
+
+QString sentence(const Error& error) {
+    return sentenceOf(problemTexts(), error.code, error.arguments);
+}
+
+QString sentence(const Hint& hint) {
+    return hint.code.empty() ? QString() : sentenceOf(hintTexts(), hint.code, hint.arguments);
+}
+
+QString sentence(const Label& label) {
+    const LabelText* text = textOf(labelTexts(), label.code);
+    if (text == nullptr) {
+        return spokenCode(label.code);
+    }
+    return label.count == 1 ? QCoreApplication::translate("messages", text->one)
+                            : QCoreApplication::translate("messages", text->many, nullptr, label.count);
+}
+
+bool hasSentence(const std::string& code) {
+    return textOf(problemTexts(), code) != nullptr || textOf(hintTexts(), code) != nullptr;
+}
+
+bool hasLabel(const std::string& code) {
+    return textOf(labelTexts(), code) != nullptr;
+}
+
+} // namespace spacetow

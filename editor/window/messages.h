@@ -1,0 +1,24 @@
+#pragma once
+// The one place where codes become sentences, in the language of the user. Texts stand in messages_problems.cpp and
+// messages_hints.cpp; a code without a text is shown as it is, which the tests do not let happen for ours.
+
+#include "core/base/result.h"
+#include "core/level/problem.h"
+#include "editor/editing/tool.h"
+
+#include <QString>
+
+namespace spacetow {
+
+QString sentence(const Problem& problem);
+QString sentence(const Error& error);
+/// For the status bar.
+QString sentence(const Hint& hint);
+/// For "Undo …" and the history, e.g. "Move 3 objects".
+QString sentence(const Label& label);
+
+/// Whether there is a text for the code of a problem, error or hint.
+bool hasSentence(const std::string& code);
+bool hasLabel(const std::string& code);
+
+} // namespace spacetow

@@ -1,0 +1,23 @@
+#pragma once
+// The English texts of editor/window/messages, by code. %1, %2 … stand for the arguments, %n for a number of objects.
+
+#include <span>
+
+namespace spacetow {
+
+struct MessageText {
+    const char* code;
+    const char* text;
+};
+
+struct LabelText {
+    const char* code;
+    const char* one;
+    const char* many; // with %n
+};
+
+std::span<const MessageText> problemTexts(); // and errors
+std::span<const MessageText> hintTexts();
+std::span<const LabelText> labelTexts();
+
+} // namespace spacetow
