@@ -26,8 +26,4 @@ struct Manifold {
 /// changes nothing else. Two walls never touch each other.
 Manifold collide(const Part& a, const Transform& poseA, const Part& b, const Transform& poseB, double margin);
 
-/// Whether intangible bodies feel each other: the parts meet anywhere, walls from either side and with one another
-/// included, or collide() would let them touch at a margin of 0.
-bool overlaps(const Part& a, const Transform& poseA, const Part& b, const Transform& poseB);
-
 } // namespace spacetow

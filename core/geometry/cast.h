@@ -1,0 +1,44 @@
+#pragma once
+// Parts on the move: when they meet, what a ray meets, and whether a point is inside. Metres and radians; times are
+// fractions of a motion, 0 … 1.
+
+#include "core/geometry/part.h"
+#include "core/math/transform.h"
+
+#include <optional>
+
+namespace spacetow {
+
+/// A pose that changes at constant speed: the point `pivot` of the part moves straight by `translation` while all else
+/// turns round it by `turn`, which may be many turns.
+struct Motion {
+    Transform start;
+    Vec2 translation{0, 0}; // m
+    double turn = 0;        // rad
+    Vec2 pivot{0, 0};       // local; the centre of mass of a free body
+
+    Transform at(double fraction) const;
+};
+
+/// The first fraction at which the parts have come within `targetGap` metres (> 0) of each other and still approach;
+/// 0 when they are that near from the start. Nothing when they never are, or only while at rest or moving apart.
+/// The fraction may be early by a little, never late. One-way walls are met from the front, by what has its centre in
+/// front of them at the start; their free ends are met from everywhere. Where walls are joined, contacts that slide
+/// across are none. Conservative advancement (Mirtich, 1996) with support planes.
+std::optional<double> timeOfImpact(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
+                                   double targetGap);
+
+struct RayContact {
+    double fraction = 0; // of the way
+    Vec2 normal{0, 1};   // unit, world, out of the surface and against the ray
+};
+
+/// Where the ray from → to enters the part. A ray that starts inside a circle or polygon does not enter it; one-way
+/// walls are met from the front only.
+std::optional<RayContact> rayCast(const Part& part, const Transform& pose, const Vec2& from, const Vec2& to);
+
+/// Whether the point is in the circle or polygon, border included. Walls contain nothing.
+bool contains(const Part& part, const Transform& pose, const Vec2& point);
+bool contains(const Shape& shape, const Transform& pose, const Vec2& point);
+
+} // namespace spacetow
