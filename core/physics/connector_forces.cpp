@@ -1,5 +1,8 @@
 #include "core/physics/connector_forces.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace spacetow {
 
 namespace {
@@ -7,19 +10,37 @@ namespace {
 // Above this k h²/μ an explicit step would distort the oscillation by more than a percent or so; at 4 it explodes.
 constexpr double explicitLimit = 0.25;
 
-/// Tension after the sub-step for an extension `x` and its rate `rate`; `inverseMass` is that of the relative motion.
-double steppedTension(const ConnectorRecord& c, double x, double rate, double inverseMass, double h) {
-    const double spring = truncated(c.truncation, c.stiffness * x);
-    const double stiffness = x != 0 ? spring / x : c.stiffness; // the secant: what truncation leaves of the stiffness
-    const double implicit = stiffness * h * h * inverseMass > explicitLimit ? h * stiffness : 0;
-    const double resistance = c.damping + implicit;
-    const double tension = (spring + resistance * rate) / (1 + h * inverseMass * resistance);
-    return c.slack ? std::max(tension, 0.0) : tension;
+struct Stretch {
+    double length;      // beyond the natural length, m
+    double rate;        // m/s
+    double inverseMass; // of the relative motion, 1/kg
+};
+
+/// For how long the tension acts, s: nothing is left for the end of the iteration where the whole sub-step was
+/// anticipated.
+double duration(double h, Kick kick, bool anticipated) {
+    if (anticipated) {
+        return kick == Kick::Last ? 0 : h;
+    }
+    return kick == Kick::Between ? h : 0.5 * h;
+}
+
+/// Sets the connector's tension and returns its impulse, N s.
+double pull(ConnectorRecord& c, const Stretch& s, double h, Kick kick) {
+    const double spring = truncated(c.truncation, c.stiffness * s.length);
+    // The secant: what truncation leaves of the stiffness.
+    const double stiffness = s.length != 0 ? spring / s.length : c.stiffness;
+    const bool stiff = stiffness * h * h * s.inverseMass > explicitLimit;
+    const double time = duration(h, kick, stiff);
+    const double resistance = c.damping + (stiff ? time * stiffness : 0);
+    const double tension = (spring + resistance * s.rate) / (1 + time * s.inverseMass * resistance);
+    c.tension = c.slack ? std::max(tension, 0.0) : tension;
+    return time * c.tension;
 }
 
 } // namespace
 
-void applyConnectorForces(WorldData& data, double h) {
+void applyConnectorForces(WorldData& data, double h, Kick kick) {
     for (ConnectorRecord& c : data.connectors) {
         if (!c.used) {
             continue;
@@ -46,8 +67,7 @@ void applyConnectorForces(WorldData& data, double h) {
             continue;
         }
         const double rate = (b.velocity - a.velocity).dot(u) + b.angularVelocity * leverB - a.angularVelocity * leverA;
-        c.tension = steppedTension(c, distance - c.length, rate, inverseMass, h);
-        const double impulse = c.tension * h;
+        const double impulse = pull(c, {distance - c.length, rate, inverseMass}, h, kick);
         a.velocity += impulse * a.inverseMass * u;
         a.angularVelocity += impulse * a.inverseInertia * leverA;
         b.velocity -= impulse * b.inverseMass * u;

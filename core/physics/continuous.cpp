@@ -23,7 +23,7 @@ bool isFast(const WorldData& data, Slot slot) {
 
 Motion plannedMotion(const WorldData& data, Slot slot) {
     const BodyStep& s = data.steps[slot];
-    return {data.pose(slot), s.fraction * s.shift, s.fraction * s.turn};
+    return {.start = data.pose(slot), .translation = s.fraction * s.shift, .turn = s.fraction * s.turn};
 }
 
 bool shorten(BodyStep& s, double fraction) {
@@ -76,7 +76,7 @@ void stopAtImpacts(WorldData& data, const IterationStep& step) {
     for (int round = 0; round < maxRounds; ++round) {
         bool changed = false;
         for (const Pair& pair : data.pairs) {
-            if (!pair.solid) {
+            if (!pair.solid || pair.count > 0) { // the solver keeps those in contact from closing their gap
                 continue;
             }
             const bool fastA = isFast(data, pair.bodyA) && data.motions[pair.bodyA].inverseMass > 0;

@@ -40,7 +40,7 @@ void integrateConnected(WorldData& data, const IterationStep& step) {
         data.trial[slot] = data.pose(slot);
     }
     for (int i = 0; i < step.substeps; ++i) {
-        applyConnectorForces(data, step.substep);
+        applyConnectorForces(data, step.substep, i == 0 ? Kick::First : Kick::Between);
         for (const Slot slot : data.moving) {
             if (!data.records[slot].connected) {
                 continue;
@@ -52,6 +52,7 @@ void integrateConnected(WorldData& data, const IterationStep& step) {
             data.trial[slot].rotation = turned(data.trial[slot].rotation, change.turn);
         }
     }
+    applyConnectorForces(data, step.substep, Kick::Last);
 }
 
 } // namespace

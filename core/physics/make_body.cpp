@@ -95,14 +95,17 @@ double outerRadius(const Part& part) {
 }
 
 void setMass(BodyRecord& record, const BodyDef& def) {
-    MassProperties total;
+    std::vector<MassProperties> shapes;
     for (const Shape& shape : def.shapes) {
-        total = sum(total, massOf(shape, def.density));
+        shapes.push_back(massOf(shape, def.density));
     }
-    const double mass = def.mass.value_or(total.mass);
+    MassProperties total = sum(shapes);
+    if (def.mass) {
+        total = total.withMass(*def.mass);
+    }
     record.localCenter = total.center;
-    record.mass = mass;
-    record.inertia = total.mass > 0 ? total.inertia * (mass / total.mass) : 0;
+    record.mass = total.mass;
+    record.inertia = total.inertia;
 }
 
 void setParts(BodyRecord& record, const BodyDef& def) {
@@ -114,15 +117,19 @@ void setParts(BodyRecord& record, const BodyDef& def) {
         }
     }
     std::vector<WallPart*> walls;
+    std::vector<ConvexPart*> convexParts;
     record.innerRadius = parts->empty() ? 0 : std::numeric_limits<double>::infinity();
     for (Part& part : *parts) {
         if (auto* wall = std::get_if<WallPart>(&part)) {
             walls.push_back(wall);
+        } else if (auto* convex = std::get_if<ConvexPart>(&part)) {
+            convexParts.push_back(convex);
         }
         record.innerRadius = std::min(record.innerRadius, innerRadius(part));
         record.outerRadius = std::max(record.outerRadius, outerRadius(part));
     }
     joinWalls(walls);
+    joinConvexParts(convexParts);
     record.parts = std::move(parts);
 }
 
