@@ -4,8 +4,11 @@
 #include "tests/bench/stopwatch.h"
 
 #include <chipmunk/chipmunk.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <limits>
 #include <memory>
 
@@ -43,6 +46,18 @@ struct SpaceDeleter {
 };
 
 using SpacePointer = std::unique_ptr<cpSpace, SpaceDeleter>;
+
+/// Debian's build greets on the standard output, which is for results.
+SpacePointer quietSpace() {
+    std::fflush(stdout);
+    const int output = dup(STDOUT_FILENO);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+    SpacePointer space(cpSpaceNew());
+    std::fflush(stdout);
+    dup2(output, STDOUT_FILENO);
+    close(output);
+    return space;
+}
 
 cpShape* chipmunkShape(cpBody* body, const Part& part) {
     if (const auto* circle = std::get_if<Circle>(&part)) {
@@ -129,7 +144,7 @@ void describe(Run& run, cpSpace* space) {
 
 Run runChipmunk(const Scene& scene, int updates) {
     Run run;
-    const SpacePointer space(cpSpaceNew());
+    const SpacePointer space = quietSpace();
     cpSpaceSetGravity(space.get(), toChipmunk(scene.parameters.gravity));
     run.buildMs = milliseconds([&] { build(space.get(), scene); });
     for (int i = 0; i < updates; ++i) {
