@@ -1,0 +1,236 @@
+// Holds the sources against ARCHITECTURE.md: who may include whom, and what no file may contain.
+
+#include "tests/architecture/source_rules.h"
+#include "tests/support/test_main.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace spacetow::test;
+
+namespace {
+
+const fs::path root = SPACETOW_SOURCE_DIR;
+
+std::string contentOf(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::vector<Source> sourcesUnder(std::initializer_list<const char*> folders) {
+    std::vector<Source> sources;
+    for (const char* folder : folders) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+            const fs::path extension = entry.path().extension();
+            if (entry.is_regular_file() && (extension == ".h" || extension == ".cpp")) {
+                sources.push_back({entry.path().lexically_relative(root).generic_string(), contentOf(entry.path())});
+            }
+        }
+    }
+    std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) { return a.path < b.path; });
+    return sources;
+}
+
+std::string joined(const std::vector<std::string>& problems) {
+    std::string text;
+    for (const std::string& problem : problems) {
+        text += "\n  " + problem;
+    }
+    return text;
+}
+
+void expectNone(const std::vector<std::string>& problems) {
+    QVERIFY2(problems.empty(), ("see ARCHITECTURE.md:" + joined(problems)).c_str());
+}
+
+void append(std::vector<std::string>& all, std::vector<std::string> more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+} // namespace
+
+class ArchitectureTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theTableNamesEveryFolderOfSources();
+    void everyIncludePointsDown();
+    void everyFileKeepsItsForm();
+    void theRootHoldsOnlyWhatIsExpected();
+
+    void aForbiddenIncludeIsFound_data();
+    void aForbiddenIncludeIsFound();
+    void anAllowedIncludePasses_data();
+    void anAllowedIncludePasses();
+    void aFileOfBadFormIsFound_data();
+    void aFileOfBadFormIsFound();
+
+  private:
+    Layers m_layers = layersIn(contentOf(root / "ARCHITECTURE.md"));
+};
+
+void ArchitectureTest::theTableNamesEveryFolderOfSources() {
+    std::set<std::string> named;
+    for (const auto& [folder, row] : m_layers) {
+        named.insert(folder);
+    }
+    std::set<std::string> existing;
+    for (const Source& source : sourcesUnder({"core", "editor", "app"})) {
+        existing.insert(folderOf(source.path));
+    }
+    std::vector<std::string> differing;
+    std::set_symmetric_difference(named.begin(), named.end(), existing.begin(), existing.end(),
+                                  std::back_inserter(differing));
+    QVERIFY2(
+        differing.empty(),
+        ("these are in the layer table of ARCHITECTURE.md or in the tree, not in both:" + joined(differing)).c_str());
+}
+
+void ArchitectureTest::everyIncludePointsDown() {
+    const std::vector<Source> sources = sourcesUnder({"core", "editor", "app"});
+    QVERIFY(sources.size() > 50);
+    std::vector<std::string> problems;
+    for (const Source& source : sources) {
+        append(problems, includeProblems(source, m_layers));
+    }
+    expectNone(problems);
+}
+
+void ArchitectureTest::everyFileKeepsItsForm() {
+    std::vector<std::string> problems;
+    for (const Source& source : sourcesUnder({"core", "editor", "app", "tests"})) {
+        append(problems, formProblems(source));
+    }
+    expectNone(problems);
+}
+
+void ArchitectureTest::theRootHoldsOnlyWhatIsExpected() {
+    static const std::set<std::string> expected{
+        ".ci",         ".clang-format", ".clang-tidy",     ".gitignore",   ".github",        "app",
+        "core",        "editor",        "levels",          "resources",    "tests",          "dev",
+        "LICENSE",     "README.md",     "ARCHITECTURE.md", "CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json",
+        "translations"};
+    // Not part of the repository: see .gitignore.
+    static const std::set<std::string> ignored{".git", ".cache", "build"};
+    std::vector<std::string> problems;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
+        const std::string name = entry.path().filename().string();
+        if (!expected.contains(name) && !ignored.contains(name) && !name.ends_with(".user")) {
+            problems.push_back(name + " does not belong at the top of the tree");
+        }
+    }
+    expectNone(problems);
+}
+
+void ArchitectureTest::aForbiddenIncludeIsFound_data() {
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("line");
+
+    QTest::newRow("up to the editor") << "core/level/a.cpp"
+                                      << "#include \"editor/editing/tool.h\"";
+    QTest::newRow("up within the core") << "core/physics/a.h"
+                                        << "#include \"core/level/level.h\"";
+    QTest::newRow("geometry knows no time") << "core/geometry/a.cpp"
+                                            << "#include \"core/physics/body.h\"";
+    QTest::newRow("panels beside play") << "editor/panels/a.cpp"
+                                        << "#include \"editor/play/hud.h\"";
+    QTest::newRow("play beside panels") << "editor/play/a.cpp"
+                                        << "#include \"editor/panels/field.h\"";
+    QTest::newRow("canvas below panels") << "editor/canvas/a.h"
+                                         << "#include \"editor/panels/field.h\"";
+    QTest::newRow("canvas below play") << "editor/canvas/a.h"
+                                       << "#include \"editor/play/hud.h\"";
+    QTest::newRow("messages are above panels") << "editor/panels/a.cpp"
+                                               << "#include \"editor/window/messages.h\"";
+    QTest::newRow("the tests") << "core/base/a.cpp"
+                               << "#include \"tests/support/drive.h\"";
+    QTest::newRow("beside the file") << "core/base/a.cpp"
+                                     << "#include \"contract.h\"";
+    QTest::newRow("spaces") << "core/base/a.cpp"
+                            << "  #  include   \"core/math/vec.h\"";
+    QTest::newRow("unknown folder") << "core/extra/a.cpp"
+                                    << "#include \"core/base/hash.h\"";
+    QTest::newRow("Qt in the core") << "core/game/a.cpp"
+                                    << "#include <QString>";
+    QTest::newRow("Qt module in the core") << "core/game/a.cpp"
+                                           << "#include <QtCore/qglobal.h>";
+    QTest::newRow("Qt in the tools") << "editor/editing/a.h"
+                                     << "#include <QPointF>";
+    QTest::newRow("Eigen elsewhere") << "core/physics/a.cpp"
+                                     << "#include <Eigen/Dense>";
+    QTest::newRow("json in a header") << "core/level/a.h"
+                                      << "#include <nlohmann/json.hpp>";
+    QTest::newRow("all widgets in a header") << "editor/panels/a.h"
+                                             << "#include <QtWidgets>";
+}
+
+void ArchitectureTest::aForbiddenIncludeIsFound() {
+    QFETCH(QString, path);
+    QFETCH(QString, line);
+    const Source source{path.toStdString(), "#pragma once\n// What it is for.\n" + line.toStdString() + "\n"};
+    const std::vector<std::string> problems = includeProblems(source, m_layers);
+    QCOMPARE(problems.size(), std::size_t{1});
+    QVERIFY2(problems.front().starts_with(source.path + ":3: "), problems.front().c_str());
+}
+
+void ArchitectureTest::anAllowedIncludePasses_data() {
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("line");
+
+    QTest::newRow("own folder") << "editor/play/a.cpp"
+                                << "#include \"editor/play/hud.h\"";
+    QTest::newRow("play above canvas") << "editor/play/a.cpp"
+                                       << "#include \"editor/canvas/theme.h\"";
+    QTest::newRow("panels above canvas") << "editor/panels/a.cpp"
+                                         << "#include \"editor/canvas/theme.h\"";
+    QTest::newRow("skipping rows") << "app/a.cpp"
+                                   << "#include \"core/base/hash.h\"";
+    QTest::newRow("json in a source") << "core/level/a.cpp"
+                                      << "#include <nlohmann/json.hpp>";
+    QTest::newRow("Eigen in its place") << "core/math/vec.h"
+                                        << "#include <Eigen/Core>";
+    QTest::newRow("Qt in a panel") << "editor/panels/a.h"
+                                   << "#include <QWidget>";
+    QTest::newRow("generated") << "editor/panels/a.cpp"
+                               << "#include \"moc_a.cpp\"";
+    QTest::newRow("no include") << "core/base/a.cpp"
+                                << "// to include \"editor/window/actions.h\" would be wrong";
+}
+
+void ArchitectureTest::anAllowedIncludePasses() {
+    QFETCH(QString, path);
+    QFETCH(QString, line);
+    expectNone(includeProblems({path.toStdString(), line.toStdString() + "\n"}, m_layers));
+}
+
+void ArchitectureTest::aFileOfBadFormIsFound_data() {
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("text");
+
+    QTest::newRow("too long") << "core/base/a.cpp" << QString("\n").repeated(401);
+    QTest::newRow("unfinished") << "core/base/a.cpp" << QString("// TO") + "DO: later\n";
+    QTest::newRow("header without a word") << "core/base/a.h"
+                                           << "#pragma once\n#include <vector>\n";
+    QTest::newRow("empty header") << "core/base/a.h"
+                                  << "";
+    QTest::newRow("vague name") << "core/base/string_utils.cpp"
+                                << "\n";
+}
+
+void ArchitectureTest::aFileOfBadFormIsFound() {
+    QFETCH(QString, path);
+    QFETCH(QString, text);
+    QCOMPARE(formProblems({path.toStdString(), text.toStdString()}).size(), std::size_t{1});
+}
+
+SPACETOW_TEST(ArchitectureTest)
+#include "architecture_test.moc"
