@@ -1,11 +1,67 @@
-// levelc: looks at levels from the command line.
+// levelc: checks, draws, simulates and replays levels from the command line.
 
-#include <QCoreApplication>
+#include "app/levelc_commands.h"
+#include "app/levelc_support.h"
 
-#include <cstdio>
+#include <QGuiApplication>
+
+#include <algorithm>
+#include <memory>
+
+namespace {
+
+using namespace spacetow;
+
+struct Command {
+    const char* name;
+    int (*run)(const QStringList&);
+    const char* usage;
+};
+
+constexpr Command commands[] = {
+    {"check", checkCommand, "check FILE… [--json]"},
+    {"info", infoCommand, "info FILE"},
+    {"render", renderCommand, "render FILE -o OUT.png|OUT.svg [--size WxH] [--overlays LIST]"},
+    {"simulate", simulateCommand, "simulate FILE --updates N [--dump OUT.json] [--hash]"},
+    {"replay", replayCommand, "replay FILE REPLAY [--dump OUT.json]"},
+};
+
+QString usage() {
+    QString text = QStringLiteral("usage:");
+    for (const Command& command : commands) {
+        text += QStringLiteral("\n  levelc ") + QString::fromUtf8(command.usage);
+    }
+    return text;
+}
+
+/// Only pictures need fonts and painting, and never a screen.
+std::unique_ptr<QCoreApplication> application(int& argc, char** argv) {
+    if (argc > 1 && qstrcmp(argv[1], "render") == 0) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        return std::make_unique<QGuiApplication>(argc, argv);
+    }
+    return std::make_unique<QCoreApplication>(argc, argv);
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
-    const QCoreApplication application(argc, argv);
-    std::fputs("usage: levelc COMMAND\n", stderr);
-    return 2;
+    const auto app = application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("levelc"));
+    QStringList arguments = QCoreApplication::arguments();
+    if (arguments.size() < 2) {
+        complain(QStringLiteral("a command is missing\n") + usage());
+        return exitStatus::unusable;
+    }
+    const QString name = arguments.takeAt(1);
+    if (name == QLatin1String("--help") || name == QLatin1String("-h")) {
+        printLine(usage());
+        return exitStatus::good;
+    }
+    const auto found = std::ranges::find_if(commands, [&name](const Command& c) { return name == c.name; });
+    if (found == std::end(commands)) {
+        complain(QStringLiteral("there is no command “%1”\n").arg(name) + usage());
+        return exitStatus::unusable;
+    }
+    return found->run(arguments);
 }

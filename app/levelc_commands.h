@@ -1,12 +1,21 @@
 #pragma once
-// The commands of levelc, one a file. Each takes its arguments after its own name and returns the exit status:
-// 0 good, 1 the level (or the flight) is not, 2 bad usage or a file that cannot be read.
+// The commands of levelc, one a file. Each takes the program's arguments without the command's name (the program's own
+// name stays first) and returns the exit status.
 
 #include <QStringList>
 
 namespace spacetow {
 
+namespace exitStatus {
+constexpr int good = 0;
+constexpr int bad = 1;      // the level has errors, or the flight was not won
+constexpr int unusable = 2; // bad usage, or a file that cannot be read or written
+} // namespace exitStatus
+
 int checkCommand(const QStringList& arguments);
 int infoCommand(const QStringList& arguments);
+int renderCommand(const QStringList& arguments);
+int simulateCommand(const QStringList& arguments);
+int replayCommand(const QStringList& arguments);
 
 } // namespace spacetow

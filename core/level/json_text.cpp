@@ -20,7 +20,11 @@ std::string spelledNumber(double value) {
         return "null";
     }
     std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0 ? 0.0 : value).ptr;
+    const double size = std::abs(value);
+    // Plain notation where people would use it; to_chars alone would write 100000 as 1e+05.
+    const auto format =
+        size == 0 || (size >= 1e-5 && size < 1e15) ? std::chars_format::fixed : std::chars_format::general;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), size == 0 ? 0.0 : value, format).ptr;
     return {buffer.data(), end};
 }
 

@@ -1,0 +1,75 @@
+#include "app/levelc_commands.h"
+#include "app/levelc_support.h"
+#include "core/level/json_text.h"
+#include "core/level/key_text.h"
+#include "editor/window/messages.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+JsonText problemJson(const QString& file, const Problem& problem) {
+    JsonText json = JsonText::object();
+    json.append("file", JsonText::text(file.toStdString()));
+    json.append("line", JsonText::integer(problem.line));
+    json.append("severity", JsonText::text(problem.severity == Severity::Error ? "error" : "warning"));
+    json.append("code", JsonText::text(problem.code));
+    json.append("message", JsonText::text(sentence(problem).toStdString()));
+    json.append("pointer", JsonText::text(problem.pointer));
+    json.append("object", problem.object == 0 ? JsonText::null() : JsonText::text(keyText(problem.object)));
+    return json;
+}
+
+/// The problems of one file; none after complaining that it cannot be read.
+std::optional<std::vector<Problem>> problemsOf(const QString& file) {
+    const Result<LevelFile> result = readLevel(file.toStdString());
+    if (!result) {
+        complain(result.error());
+        return {};
+    }
+    return result.value().problems;
+}
+
+} // namespace
+
+int checkCommand(const QStringList& arguments) {
+    CommandLine line(
+        QStringLiteral("check"),
+        QStringLiteral("Reports what is wrong with levels. Exit status: 0 without errors, 1 with, 2 when a "
+                       "file cannot be read."));
+    line.parser.addOption({QStringLiteral("json"), QStringLiteral("Prints a JSON array instead of lines.")});
+    line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level files."), QStringLiteral("FILE…"));
+    if (!line.read(arguments, 1, -1)) {
+        return exitStatus::unusable;
+    }
+    if (line.helpWanted()) {
+        printLine(line.helpText());
+        return exitStatus::good;
+    }
+    const bool json = line.parser.isSet(QStringLiteral("json"));
+    JsonText all = JsonText::array();
+    int status = exitStatus::good;
+    for (const QString& file : line.parser.positionalArguments()) {
+        const auto problems = problemsOf(file);
+        if (!problems) {
+            status = exitStatus::unusable;
+            continue;
+        }
+        status = std::max(status, hasErrors(*problems) ? exitStatus::bad : exitStatus::good);
+        for (const Problem& problem : *problems) {
+            if (json) {
+                all.append(problemJson(file, problem));
+            } else {
+                printLine(problemLine(file, problem));
+            }
+        }
+    }
+    if (json) {
+        printLine(QString::fromStdString(std::move(all).broken().laidOut()).trimmed());
+    }
+    return status;
+}
+
+} // namespace spacetow

@@ -1,0 +1,132 @@
+#include "app/levelc_commands.h"
+#include "app/levelc_support.h"
+#include "core/level/bounds.h"
+#include "editor/canvas/overlay_painter.h"
+#include "editor/canvas/scene_painter.h"
+
+#include <QFileInfo>
+#include <QImage>
+#include <QRegularExpression>
+#include <QSaveFile>
+#include <QSvgGenerator>
+
+namespace spacetow {
+
+namespace {
+
+std::optional<QSize> sizeFromText(const QString& text) {
+    constexpr int largest = 16384; // pixels
+    static const QRegularExpression pattern(QStringLiteral("^(\\d{1,5})x(\\d{1,5})$"));
+    const QRegularExpressionMatch match = pattern.match(text);
+    const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
+    const bool usable = size.width() > 0 && size.height() > 0 && size.width() <= largest && size.height() <= largest;
+    return match.hasMatch() && usable ? std::optional(size) : std::nullopt;
+}
+
+std::optional<OverlayFlags> overlaysFromText(const QString& text) {
+    OverlayFlags flags;
+    for (const QString& name : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+        const std::array known{std::pair("aabb", &flags.aabb),         std::pair("incircle", &flags.incircle),
+                               std::pair("velocity", &flags.velocity), std::pair("orientation", &flags.orientation),
+                               std::pair("normals", &flags.normals),   std::pair("quadtree", &flags.quadtree)};
+        const auto found = std::ranges::find_if(known, [&](const auto& flag) { return name == flag.first; });
+        if (found == known.end()) {
+            return {};
+        }
+        *found->second = true;
+    }
+    return flags;
+}
+
+struct Picture {
+    const Level& level;
+    QSize size;
+    OverlayFlags overlays;
+};
+
+void paint(QPainter& painter, const Picture& picture) {
+    Viewport view;
+    view.size = Vec2(picture.size.width(), picture.size.height());
+    view = view.showing(boundsOf(picture.level));
+    const Theme& theme = canvasTheme();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(QRect(QPoint(0, 0), picture.size), theme.background);
+    const Stage stage{painter, view, theme};
+    paintLevel(stage, picture.level, Selection());
+    paintLevelOverlays(stage, picture.level, picture.overlays);
+}
+
+void paintSvg(QIODevice& out, const Picture& picture) {
+    QSvgGenerator generator;
+    generator.setOutputDevice(&out);
+    generator.setSize(picture.size);
+    generator.setViewBox(QRect(QPoint(0, 0), picture.size));
+    generator.setTitle(QString::fromStdString(picture.level.name));
+    QPainter painter(&generator);
+    paint(painter, picture);
+}
+
+bool paintPng(QIODevice& out, const Picture& picture) {
+    QImage image(picture.size, QImage::Format_RGB32);
+    if (image.isNull()) {
+        return false;
+    }
+    QPainter painter(&image);
+    paint(painter, picture);
+    painter.end();
+    return image.save(&out, "PNG");
+}
+
+int write(const QString& file, const Picture& picture) {
+    const QString kind = QFileInfo(file).suffix().toLower();
+    if (kind != QLatin1String("png") && kind != QLatin1String("svg")) {
+        complain(QStringLiteral("the picture must be named *.png or *.svg"));
+        return exitStatus::unusable;
+    }
+    QSaveFile out(file);
+    bool good = out.open(QIODevice::WriteOnly);
+    if (good && kind == QLatin1String("svg")) {
+        paintSvg(out, picture);
+    } else if (good) {
+        good = paintPng(out, picture);
+    }
+    if (!good || !out.commit()) {
+        complain(Error{"cannot-write", {file.toStdString(), out.errorString().toStdString()}});
+        return exitStatus::unusable;
+    }
+    return exitStatus::good;
+}
+
+} // namespace
+
+int renderCommand(const QStringList& arguments) {
+    CommandLine line(QStringLiteral("render"), QStringLiteral("Draws a level as a PNG or SVG picture."));
+    line.parser.addOption(
+        {{QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("Picture to write."), QStringLiteral("OUT")});
+    line.parser.addOption({QStringLiteral("size"), QStringLiteral("Size in pixels; 1600x1200 unless told."),
+                           QStringLiteral("WxH"), QStringLiteral("1600x1200")});
+    line.parser.addOption({QStringLiteral("overlays"),
+                           QStringLiteral("Any of aabb,incircle,velocity,orientation,normals,quadtree."),
+                           QStringLiteral("LIST")});
+    line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level file."), QStringLiteral("FILE"));
+    if (!line.read(arguments, 1, 1)) {
+        return exitStatus::unusable;
+    }
+    if (line.helpWanted()) {
+        printLine(line.helpText());
+        return exitStatus::good;
+    }
+    const auto size = sizeFromText(line.parser.value(QStringLiteral("size")));
+    const auto overlays = overlaysFromText(line.parser.value(QStringLiteral("overlays")));
+    const QString output = line.parser.value(QStringLiteral("output"));
+    if (!size || !overlays || output.isEmpty()) {
+        complain(!size       ? QStringLiteral("--size needs width and height in pixels, such as 1600x1200")
+                 : !overlays ? QStringLiteral("--overlays has a name that is not known; see levelc render --help")
+                             : QStringLiteral("the picture to write is missing: -o OUT.png or -o OUT.svg"));
+        return exitStatus::unusable;
+    }
+    const std::optional<Level> level = loadedLevel(line.parser.positionalArguments().front());
+    return level ? write(output, {*level, *size, *overlays}) : exitStatus::unusable;
+}
+
+} // namespace spacetow

@@ -1,0 +1,66 @@
+#include "app/levelc_commands.h"
+#include "app/levelc_support.h"
+#include "core/game/replay.h"
+#include "core/game/session.h"
+#include "core/level/json_text.h"
+
+namespace spacetow {
+
+namespace {
+
+bool dumpEnd(const QString& file, const Level& level, const Replay& replay) {
+    Session session(level, replay.seed);
+    for (const Replay::Run& run : replay.runs) {
+        for (std::int64_t i = 0; i < run.count; ++i) {
+            session.step(run.controls);
+        }
+    }
+    return writeDump(file, level, session.world(), session.updates());
+}
+
+} // namespace
+
+int replayCommand(const QStringList& arguments) {
+    CommandLine line(QStringLiteral("replay"),
+                     QStringLiteral("Flies a recorded flight. Exit status: 0 when it is won, 1 when not, 2 when a file "
+                                    "cannot be read."));
+    line.parser.addOption(
+        {QStringLiteral("dump"), QStringLiteral("Writes where every body is at the end."), QStringLiteral("OUT.json")});
+    line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level file."), QStringLiteral("FILE"));
+    line.parser.addPositionalArgument(QStringLiteral("replay"), QStringLiteral("Recorded flight."),
+                                      QStringLiteral("REPLAY"));
+    if (!line.read(arguments, 2, 2)) {
+        return exitStatus::unusable;
+    }
+    if (line.helpWanted()) {
+        printLine(line.helpText());
+        return exitStatus::good;
+    }
+    const QStringList files = line.parser.positionalArguments();
+    const std::optional<Level> level = loadedLevel(files[0]);
+    if (!level) {
+        return exitStatus::unusable;
+    }
+    const Result<Replay> replay = readReplay(files[1].toStdString());
+    if (!replay) {
+        complain(replay.error());
+        return exitStatus::unusable;
+    }
+    const Outcome outcome = replayed(*level, replay.value());
+    if (outcome.levelChanged) {
+        complain(QStringLiteral("the level has been changed since the flight was recorded"));
+    }
+    const char* result = outcome.won() ? "won" : outcome.lost() ? "lost" : "running";
+    printLine(QStringLiteral("outcome=%1 time=%2 fuel=%3 lives=%4 hash=%5")
+                  .arg(QLatin1String(result), QString::fromStdString(spelledNumber(outcome.time)),
+                       QString::fromStdString(spelledNumber(outcome.fuel)))
+                  .arg(outcome.lives)
+                  .arg(hashText(outcome.hash)));
+    const QString dump = line.parser.value(QStringLiteral("dump"));
+    if (!dump.isEmpty() && !dumpEnd(dump, *level, replay.value())) {
+        return exitStatus::unusable;
+    }
+    return outcome.won() ? exitStatus::good : exitStatus::bad;
+}
+
+} // namespace spacetow
