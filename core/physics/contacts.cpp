@@ -11,7 +11,7 @@ namespace spacetow {
 namespace {
 
 // Slower impacts come to rest, m/s.
-constexpr double bounceThreshold = 0.02;
+constexpr double bounceThreshold = 0.005;
 
 Transform poseOfB(const WorldData& data, const Pair& pair) {
     return pair.staticB ? Transform{} : data.pose(pair.bodyB);
@@ -34,27 +34,42 @@ double anticipation(const WorldData& data, Slot slot) {
 
 Vec2 pointVelocity(const BodyMotion& m, const Vec2& arm) { return m.velocity + cross(m.angularVelocity, arm); }
 
-/// The speed with which a gap closes, taking into account that the bodies accelerate on the way: v² = v₀² + 2 a s.
-double impactSpeed(const WorldData& data, const Constraint& c, const ConstraintPoint& p, double dt) {
+struct Approach {
+    double before; // m/s along the normal at the beginning of the iteration, positive when closing
+    double after;  // with this iteration's forces
+};
+
+Approach approachAt(const WorldData& data, const Constraint& c, const ConstraintPoint& p) {
     const BodyStep& sa = data.steps[c.a];
     const BodyStep& sb = data.steps[c.b];
     const Vec2 before = sb.startVelocity + cross(sb.startAngularVelocity, p.armB) - sa.startVelocity -
                         cross(sa.startAngularVelocity, p.armA);
-    const double approach = -before.dot(c.normal);
-    if (p.separation <= 0) {
-        return approach;
-    }
     const Vec2 after = pointVelocity(data.motions[c.b], p.armB) - pointVelocity(data.motions[c.a], p.armA);
-    const double end = -after.dot(c.normal);
-    const double acceleration = (end - approach) / dt;
-    const double square = approach * std::abs(approach) + 2 * acceleration * p.separation;
-    return square > 0 ? std::sqrt(square) : 0;
+    return {-before.dot(c.normal), -after.dot(c.normal)};
 }
 
-void preparePoint(const WorldData& data, const Constraint& c, ConstraintPoint& p, double dt) {
+enum class Contact : std::uint8_t { Rests, Bounces, WillBounce };
+
+/// Sets what the normal velocity is to be. Surfaces that touch bounce at once, and fall back under this iteration's
+/// forces; those still apart are to be stopped where they meet.
+Contact setTarget(const WorldData& data, const Constraint& c, ConstraintPoint& p, double dt) {
     p.target = p.separation > 0 ? -p.separation / dt : 0;
-    const double speed = c.restitution > 0 ? impactSpeed(data, c, p, dt) : 0;
-    p.impactSpeed = speed > bounceThreshold ? speed : 0;
+    p.bounces = false;
+    if (c.restitution == 0) {
+        return Contact::Rests;
+    }
+    const Approach approach = approachAt(data, c, p);
+    if (p.separation > linearSlop) {
+        const bool meets = std::max(approach.before, approach.after) * dt > p.separation - linearSlop;
+        return meets && approach.after > bounceThreshold ? Contact::WillBounce : Contact::Rests;
+    }
+    const double rebound = c.restitution * approach.before - (approach.after - approach.before);
+    if (approach.before > bounceThreshold && rebound > 0) {
+        p.target = rebound;
+        p.bounces = true;
+        return Contact::Bounces;
+    }
+    return Contact::Rests;
 }
 
 /// A body that may only turn cannot yield to a push through its centre.
@@ -84,30 +99,107 @@ void prepareBlock(const BodyMotion& a, const BodyMotion& b, Constraint& c) {
     c.block = std::max(k11, k22) * std::max(k11, k22) < 1000 * c.determinant;
 }
 
+void prepareMasses(const WorldData& data, Constraint& c) {
+    const BodyMotion& a = data.motions[c.a];
+    const BodyMotion& b = data.motions[c.b];
+    for (int i = 0; i < c.count; ++i) {
+        ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
+        p.normalMass = massAlong(c.normal, p, a, b);
+        p.tangentMass = massAlong(leftOf(c.normal), p, a, b);
+    }
+    if (c.count == 2) {
+        prepareBlock(a, b, c);
+    }
+}
+
 void addConstraint(WorldData& data, std::uint32_t index, const Manifold& manifold, const IterationStep& step) {
-    const Pair& pair = data.pairs[index];
+    Pair& pair = data.pairs[index];
     const BodyRecord& ra = data.records[pair.bodyA];
     const BodyRecord& rb = data.records[pair.bodyB];
-    Constraint& c = data.constraints.emplace_back();
+    Constraint c;
     c.a = pair.bodyA;
     c.b = pair.bodyB;
-    c.pair = index;
-    c.count = manifold.count;
     c.normal = manifold.normal;
     c.friction = std::sqrt(ra.friction * rb.friction);
     c.restitution = std::clamp(0.5 * (ra.restitution + rb.restitution), 0.0, 1.0);
-    for (int i = 0; i < manifold.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        ConstraintPoint& p = c.points[k];
-        const ContactPoint& kept = pair.points[k];
-        p.armA = manifold.points[k].point - data.motions[pair.bodyA].center;
-        p.armB = manifold.points[k].point - data.motions[pair.bodyB].center;
-        p.separation = manifold.points[k].separation;
-        p.normalImpulse = kept.normalImpulse;
-        p.tangentImpulse = kept.tangentImpulse;
-        preparePoint(data, c, p, step.dt);
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(manifold.count); ++i) {
+        ConstraintPoint& p = c.points[static_cast<std::size_t>(c.count)];
+        p.armA = manifold.points[i].point - data.motions[pair.bodyA].center;
+        p.armB = manifold.points[i].point - data.motions[pair.bodyB].center;
+        p.separation = manifold.points[i].separation;
+        p.normalImpulse = pair.points[i].normalImpulse;
+        p.tangentImpulse = pair.points[i].tangentImpulse;
+        p.pair = index;
+        p.index = i;
+        if (setTarget(data, c, p, step.dt) == Contact::WillBounce) {
+            pair.sweep = true;
+        } else {
+            ++c.count;
+        }
     }
-    prepareMasses(data, c);
+    if (c.count > 0) {
+        data.constraints.push_back(c);
+    }
+}
+
+bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) {
+    const bool sameBodies = c.b == d.b || (data.records[c.b].kind == BodyKind::Static &&
+                                           data.records[d.b].kind == BodyKind::Static);
+    if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution ||
+        c.normal.dot(d.normal) < 1 - 1e-9) {
+        return false;
+    }
+    // Points lie half way between the surfaces; half the separation further on is the surface of b.
+    const double planeC = c.points[0].armA.dot(c.normal) + 0.5 * c.points[0].separation;
+    const double planeD = d.points[0].armA.dot(c.normal) + 0.5 * d.points[0].separation;
+    return std::abs(planeC - planeD) < 1e-6;
+}
+
+/// Keeps the outermost two of the points of both.
+void absorb(WorldData& data, Constraint& c, Constraint& d) {
+    const Vec2 tangent = leftOf(c.normal);
+    std::array<ConstraintPoint, 4> all;
+    std::size_t count = 0;
+    for (const Constraint* from : {&c, &d}) {
+        for (int i = 0; i < from->count; ++i) {
+            all[count++] = from->points[static_cast<std::size_t>(i)];
+        }
+    }
+    std::size_t least = 0;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        ConstraintPoint& p = all[i];
+        p.armB = p.armA + data.motions[c.a].center - data.motions[c.b].center;
+        data.pairs[p.pair].touching |= p.separation <= linearSlop;
+        const double t = p.armA.dot(tangent);
+        least = t < all[least].armA.dot(tangent) ? i : least;
+        most = t > all[most].armA.dot(tangent) ? i : most;
+    }
+    c.points[0] = all[least];
+    c.points[1] = all[most];
+    c.count = least == most ? 1 : 2;
+    d.count = 0;
+}
+
+/// A flat face on several walls of one plane, or several parts of a body on one wall, is one contact: the solver then
+/// finds its impulses at once, whatever the order of the walls and parts.
+void mergePlanes(WorldData& data) {
+    std::vector<Constraint>& all = data.constraints;
+    bool merged = false;
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+        for (end = first + 1; end < all.size() && all[end].a == all[first].a; ++end) {
+            for (std::size_t i = first; i < end; ++i) {
+                if (all[i].count > 0 && samePlane(data, all[i], all[end])) {
+                    absorb(data, all[i], all[end]);
+                    merged = true;
+                    break;
+                }
+            }
+        }
+    }
+    if (merged) {
+        std::erase_if(all, [](const Constraint& c) { return c.count == 0; });
+    }
 }
 
 /// Points of the last iteration hand their impulses to those that bring the same corners and faces together.
@@ -132,19 +224,6 @@ bool movable(const BodyMotion& a, const BodyMotion& b) {
 
 } // namespace
 
-void prepareMasses(const WorldData& data, Constraint& c) {
-    const BodyMotion& a = data.motions[c.a];
-    const BodyMotion& b = data.motions[c.b];
-    for (int i = 0; i < c.count; ++i) {
-        ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
-        p.normalMass = massAlong(c.normal, p, a, b);
-        p.tangentMass = massAlong(leftOf(c.normal), p, a, b);
-    }
-    if (c.count == 2) {
-        prepareBlock(a, b, c);
-    }
-}
-
 void findContacts(WorldData& data, const IterationStep& step) {
     data.constraints.clear();
     for (std::uint32_t i = 0; i < data.pairs.size(); ++i) {
@@ -153,6 +232,7 @@ void findContacts(WorldData& data, const IterationStep& step) {
             continue;
         }
         pair.touching = false;
+        pair.sweep = false;
         const double ahead = anticipation(data, pair.bodyA) + (pair.staticB ? 0 : anticipation(data, pair.bodyB));
         const double margin = linearSlop + ahead;
         if (farApart(data, pair, margin)) {
@@ -165,6 +245,10 @@ void findContacts(WorldData& data, const IterationStep& step) {
         if (manifold.count > 0) {
             addConstraint(data, i, manifold, step);
         }
+    }
+    mergePlanes(data);
+    for (Constraint& c : data.constraints) {
+        prepareMasses(data, c);
     }
 }
 

@@ -34,7 +34,7 @@ bool shorten(BodyStep& s, double fraction) {
 }
 
 /// True when the motion of either body was cut short.
-bool sweepPair(WorldData& data, const Pair& pair, bool fastA, bool fastB) {
+bool sweepPair(WorldData& data, const Pair& pair, bool stopA, bool stopB) {
     const Motion a = plannedMotion(data, pair.bodyA);
     const Motion b = pair.staticB ? Motion{} : plannedMotion(data, pair.bodyB);
     const std::optional<double> hit = timeOfImpact(*pair.shapeA, a, *pair.shapeB, b, gap);
@@ -42,13 +42,38 @@ bool sweepPair(WorldData& data, const Pair& pair, bool fastA, bool fastB) {
         return false;
     }
     bool changed = false;
-    if (fastA) {
+    if (stopA) {
         changed |= shorten(data.steps[pair.bodyA], *hit);
     }
-    if (fastB) {
+    if (stopB) {
         changed |= shorten(data.steps[pair.bodyB], *hit);
     }
     return changed;
+}
+
+/// Where the solver has not converged, bodies in contact would still go into each other: they go as far as the slop.
+bool limitClosing(WorldData& data, double dt) {
+    bool limited = false;
+    for (const Constraint& c : data.constraints) {
+        const BodyMotion& a = data.motions[c.a];
+        const BodyMotion& b = data.motions[c.b];
+        for (int i = 0; i < c.count; ++i) {
+            const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
+            const Vec2 velocity = b.velocity + cross(b.angularVelocity, p.armB) - a.velocity -
+                                  cross(a.angularVelocity, p.armA);
+            const double closing = -velocity.dot(c.normal) * dt;
+            const double room = std::max(p.separation, 0.0) + linearSlop;
+            if (closing > room) {
+                for (const Slot slot : {c.a, c.b}) {
+                    if (data.motions[slot].inverseMass > 0) {
+                        data.steps[slot].fraction = std::min(data.steps[slot].fraction, room / closing);
+                        limited = true;
+                    }
+                }
+            }
+        }
+    }
+    return limited;
 }
 
 /// What was not travelled was not accelerated either, so that a fall from rest arrives with the speed of the height.
@@ -66,24 +91,24 @@ void takeBackAcceleration(WorldData& data, double dt) {
 } // namespace
 
 void stopAtImpacts(WorldData& data, const IterationStep& step) {
-    bool any = false;
-    for (const Slot slot : data.moving) {
-        any |= isFast(data, slot);
-    }
+    const bool limited = limitClosing(data, step.dt);
+    const bool any = limited ||
+                     std::any_of(data.moving.begin(), data.moving.end(), [&](Slot s) { return isFast(data, s); }) ||
+                     std::any_of(data.pairs.begin(), data.pairs.end(), [](const Pair& p) { return p.sweep; });
     if (!any) {
         return;
     }
     for (int round = 0; round < maxRounds; ++round) {
         bool changed = false;
         for (const Pair& pair : data.pairs) {
-            if (!pair.solid || pair.count > 0) { // the solver keeps those in contact from closing their gap
+            if (!pair.solid || (pair.count > 0 && !pair.sweep)) { // the solver keeps those from closing their gap
                 continue;
             }
-            const bool fastA = isFast(data, pair.bodyA) && data.motions[pair.bodyA].inverseMass > 0;
-            const bool fastB =
-                !pair.staticB && isFast(data, pair.bodyB) && data.motions[pair.bodyB].inverseMass > 0;
-            if (fastA || fastB) {
-                changed |= sweepPair(data, pair, fastA, fastB);
+            const bool stopA = data.motions[pair.bodyA].inverseMass > 0 && (pair.sweep || isFast(data, pair.bodyA));
+            const bool stopB = !pair.staticB && data.motions[pair.bodyB].inverseMass > 0 &&
+                               (pair.sweep || isFast(data, pair.bodyB));
+            if (stopA || stopB) {
+                changed |= sweepPair(data, pair, stopA, stopB);
             }
         }
         if (!changed) {

@@ -91,7 +91,7 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         s.shift.setZero();
         s.turn = 0;
         s.fraction = 1;
-        s.pushed = false;
+        s.pushed = s.bounced = false;
         if (!data.records[slot].connected) {
             const Change change = integrated(m, s);
             s.shift = change.shift;

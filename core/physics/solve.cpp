@@ -1,7 +1,5 @@
 #include "core/physics/solve.h"
 
-#include "core/physics/contacts.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -108,9 +106,12 @@ void warmStart(WorldData& data) {
 
 void markPushed(WorldData& data, double dt) {
     for (const Constraint& c : data.constraints) {
-        if (c.points[0].normalImpulse > 0 || (c.count == 2 && c.points[1].normalImpulse > 0)) {
-            data.steps[c.a].pushed = true;
-            data.steps[c.b].pushed = true;
+        for (int i = 0; i < c.count; ++i) {
+            const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
+            for (BodyStep* s : {&data.steps[c.a], &data.steps[c.b]}) {
+                s->pushed |= p.normalImpulse > 0;
+                s->bounced |= p.normalImpulse > 0 && p.bounces;
+            }
         }
     }
     for (const Slot slot : data.moving) {
@@ -119,11 +120,10 @@ void markPushed(WorldData& data, double dt) {
             s.shift = dt * data.motions[slot].velocity;
             s.turn = dt * data.motions[slot].angularVelocity;
         }
+        if (s.bounced) { // flies freely from here on: the velocity is that at the end, the way is that of the mean
+            s.shift -= 0.5 * dt * dt * s.acceleration;
+        }
     }
-}
-
-bool bounces(const Constraint& c, const ConstraintPoint& p) {
-    return c.restitution > 0 && p.impactSpeed > 0 && p.normalImpulse > 0;
 }
 
 } // namespace
@@ -142,36 +142,6 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
         }
     }
     markPushed(data, step.dt);
-}
-
-void applyRestitution(WorldData& data) {
-    for (Constraint& c : data.constraints) {
-        ConstraintPoint& p1 = c.points[0];
-        ConstraintPoint& p2 = c.points[1];
-        const bool first = bounces(c, p1);
-        const bool second = c.count == 2 && bounces(c, p2);
-        if (!first && !second) {
-            continue;
-        }
-        const Bodies on = bodiesOf(data, c);
-        // The bodies have moved since the arms were taken; a common point keeps the angular momentum.
-        for (int i = 0; i < c.count; ++i) {
-            ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
-            const Vec2 a = on.a.center + p.armA + data.steps[c.a].turn * data.steps[c.a].fraction * leftOf(p.armA);
-            const Vec2 b = on.b.center + p.armB + data.steps[c.b].turn * data.steps[c.b].fraction * leftOf(p.armB);
-            const bool fixed = on.a.inverseMass == 0 || on.b.inverseMass == 0;
-            const Vec2 point = fixed ? (on.a.inverseMass == 0 ? b : a) : Vec2(0.5 * (a + b));
-            p.armA = point - on.a.center;
-            p.armB = point - on.b.center;
-        }
-        prepareMasses(data, c);
-        solveNormals(on, c, first ? c.restitution * p1.impactSpeed : 0, second ? c.restitution * p2.impactSpeed : 0);
-        if (c.friction > 0) {
-            for (int i = 0; i < c.count; ++i) {
-                solveTangent(on, c, c.points[static_cast<std::size_t>(i)]);
-            }
-        }
-    }
 }
 
 void pushOut(WorldData& data, const IterationStep& step) {
@@ -199,15 +169,14 @@ void pushOut(WorldData& data, const IterationStep& step) {
 
 void storeImpulses(WorldData& data) {
     for (const Constraint& c : data.constraints) {
-        Pair& pair = data.pairs[c.pair];
         for (int i = 0; i < c.count; ++i) {
             const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
-            ContactPoint& kept = pair.points[static_cast<std::size_t>(i)];
-            const bool impact = kept.fresh || bounces(c, p);
+            ContactPoint& kept = data.pairs[p.pair].points[p.index];
+            const bool impact = kept.fresh || p.bounces;
             kept.normalImpulse = impact ? 0 : p.normalImpulse;
             kept.tangentImpulse = impact ? 0 : p.tangentImpulse;
-            kept.fresh = p.normalImpulse == 0 || bounces(c, p);
-            pair.touching |= p.normalImpulse > 0 || p.separation <= 0;
+            kept.fresh = p.normalImpulse == 0 || p.bounces;
+            data.pairs[p.pair].touching |= p.normalImpulse > 0 || p.separation <= 0;
         }
     }
 }

@@ -13,9 +13,6 @@ void solveVelocities(WorldData& data, const IterationStep& step);
 /// Keeps the impulses for the next iteration and marks the pairs in contact.
 void storeImpulses(WorldData& data);
 
-/// Surfaces that met in this iteration leave each other with the restitution's share of their impact speed.
-void applyRestitution(WorldData& data);
-
 /// Moves apart what overlaps by more than the slop, a part of it an iteration.
 void pushOut(WorldData& data, const IterationStep& step);
 

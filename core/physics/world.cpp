@@ -43,7 +43,6 @@ void iterate(WorldData& data, const IterationStep& step) {
     }
     stopAtImpacts(data, step);
     advance(data, step);
-    applyRestitution(data);
     pushOut(data, step);
     findOverlaps(data);
     reportTouches(data, step.index);

@@ -48,7 +48,8 @@ struct BodyStep {
     double turn = 0;     // rad
     double reach = 0;    // no point of the body moves further in this iteration, m
     double fraction = 1; // of shift and turn that is carried out
-    bool pushed = false; // by a contact in this iteration
+    bool pushed = false;  // by a contact in this iteration
+    bool bounced = false; // off one
 };
 
 /// Everything else about a body.
@@ -113,6 +114,7 @@ struct Pair {
     bool staticB = false;
     bool solid = true;  // false: felt, without force
     bool touching = false;
+    bool sweep = false; // the parts are to be stopped where they meet, to bounce from there
     int count = 0;
     std::array<ContactPoint, 2> points;
 
@@ -138,13 +140,14 @@ struct ConstraintPoint {
     double normalImpulse = 0;
     double tangentImpulse = 0;
     double target = 0;      // m/s: the normal velocity is to be at least this
-    double impactSpeed = 0; // m/s, with which the surfaces meet; 0 when they do not bounce
+    bool bounces = false;
+    std::uint32_t pair = 0; // where its impulses are kept
+    std::uint32_t index = 0;
 };
 
 /// A contact as the solver sees it, for one iteration.
 struct Constraint {
     Slot a = 0, b = 0;
-    std::uint32_t pair = 0;
     int count = 0;
     bool block = false; // the two points are solved together
     Vec2 normal{0, 1};  // from a to b
