@@ -38,7 +38,8 @@ bool sweepPair(WorldData& data, const Pair& pair, bool stopA, bool stopB) {
     const Motion a = plannedMotion(data, pair.bodyA);
     const Motion b = pair.staticB ? Motion{} : plannedMotion(data, pair.bodyB);
     const std::optional<double> hit = timeOfImpact(*pair.shapeA, a, *pair.shapeB, b, gap);
-    if (!hit || *hit >= 1) {
+    // What is near from the start and yet no contact is a corner that another part or wall answers for.
+    if (!hit || *hit <= 0 || *hit >= 1) {
         return false;
     }
     bool changed = false;

@@ -30,13 +30,21 @@ Vec2 relativeVelocity(const Bodies& of, const ConstraintPoint& p) {
     return of.b.velocity + cross(of.b.angularVelocity, p.armB) - of.a.velocity - cross(of.a.angularVelocity, p.armA);
 }
 
-void solveTangent(const Bodies& on, const Constraint& c, ConstraintPoint& p) {
+/// Both points at once, from the same velocities, so that their order does not matter; on one plane they have nearly the
+/// same effect, hence half of the change each.
+void solveTangents(const Bodies& on, Constraint& c) {
     const Vec2 tangent = leftOf(c.normal);
-    const double limit = c.friction * p.normalImpulse;
-    const double wanted = p.tangentImpulse - p.tangentMass * relativeVelocity(on, p).dot(tangent);
-    const double impulse = std::clamp(wanted, -limit, limit);
-    applyImpulse(on, p, (impulse - p.tangentImpulse) * tangent);
-    p.tangentImpulse = impulse;
+    std::array<double, 2> change{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
+        const ConstraintPoint& p = c.points[i];
+        const double limit = c.friction * p.normalImpulse;
+        const double step = p.tangentMass * relativeVelocity(on, p).dot(tangent) / c.count;
+        change[i] = std::clamp(p.tangentImpulse - step, -limit, limit) - p.tangentImpulse;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
+        applyImpulse(on, c.points[i], change[i] * tangent);
+        c.points[i].tangentImpulse += change[i];
+    }
 }
 
 void solvePoint(const Bodies& on, const Constraint& c, ConstraintPoint& p, double target) {
@@ -134,9 +142,7 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
         for (Constraint& c : data.constraints) {
             const Bodies on = bodiesOf(data, c);
             if (c.friction > 0) {
-                for (int i = 0; i < c.count; ++i) {
-                    solveTangent(on, c, c.points[static_cast<std::size_t>(i)]);
-                }
+                solveTangents(on, c);
             }
             solveNormals(on, c, c.points[0].target, c.points[1].target);
         }
