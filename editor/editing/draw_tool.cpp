@@ -14,7 +14,7 @@ namespace spacetow {
 namespace {
 
 constexpr double closePixels = 10;      // how near the first point closes the shape
-constexpr double flatShare = 1e-9;      // of the square of its extent: an area below is none
+constexpr double flatShare = 1e-9;      // of the extent: what is nearer to a line lies on it
 constexpr std::size_t leastToClose = 3; // two walls there and back enclose nothing
 
 std::vector<Vec2> relativeTo(const Vec2& origin, std::vector<Vec2> points) {
@@ -24,9 +24,16 @@ std::vector<Vec2> relativeTo(const Vec2& origin, std::vector<Vec2> points) {
     return points;
 }
 
+/// Whether all points lie on one line through the first. The area would not tell: that of a bow tie is zero too.
 bool isFlat(const std::vector<Vec2>& outline) {
-    const double extent = outerRadius(outline, outline.front());
-    return std::abs(signedArea(outline)) <= flatShare * extent * extent;
+    Vec2 way(0, 0);
+    for (const Vec2& point : outline) {
+        const Vec2 other = point - outline.front();
+        way = other.squaredNorm() > way.squaredNorm() ? other : way;
+    }
+    return std::all_of(outline.begin(), outline.end(), [&](const Vec2& point) {
+        return std::abs(cross(way, point - outline.front())) <= flatShare * way.squaredNorm();
+    });
 }
 
 } // namespace

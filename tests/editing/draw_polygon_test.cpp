@@ -1,0 +1,109 @@
+// What polygons need beyond chains: an order of corners, and an outline that does not cross itself.
+
+#include "editor/editing/draw_tool.h"
+
+#include "core/base/random.h"
+#include "core/geometry/polygon.h"
+#include "tests/support/drive.h"
+#include "tests/support/test_main.h"
+
+#include <algorithm>
+#include <numbers>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+struct Drawer : Drive {
+    Drawer() { toolbox.choose(ToolId::Polygon); }
+    void points(const std::vector<Vec2>& points) {
+        for (const Vec2& point : points) {
+            click(point);
+        }
+    }
+    std::string hintCode() const { return toolbox.hint().code; }
+};
+
+} // namespace
+
+class DrawPolygonTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void polygonsAreAnticlockwise();
+    void aPolygonThatCrossesItselfIsRefused();
+    void aFlatPolygonIsRefused();
+    void aPolygonOfAThousandCornersIsDrawn();
+};
+
+void DrawPolygonTest::polygonsAreAnticlockwise() {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        Random random(seed);
+        std::vector<double> angles;
+        for (std::uint32_t i = 0; i < 3 + random.below(12); ++i) {
+            angles.push_back(random.uniform(0, 2 * std::numbers::pi));
+        }
+        std::sort(angles.begin(), angles.end());
+        if (random.below(2) == 0) {
+            std::reverse(angles.begin(), angles.end());
+        }
+        std::vector<Vec2> corners;
+        for (const double angle : angles) {
+            corners.push_back(4 * Vec2(std::cos(angle), std::sin(angle)));
+        }
+        Drawer drive;
+        drive.held.ctrl = true;
+        drive.view.scale = 2000; // so that no two corners are within the closing distance
+        drive.points(corners);
+        drive.key(ToolKey::Enter);
+        QVERIFY2(drive.level().objects.size() == 1, qPrintable(QString("seed %1").arg(seed)));
+        std::vector<Vec2> drawn = worldPoints(drive.newest());
+        QVERIFY(signedArea(drawn) > 0);
+        QVERIFY((drawn.front() - corners.front()).norm() < 1e-12);
+        if (signedArea(corners) < 0) {
+            std::reverse(drawn.begin() + 1, drawn.end());
+        }
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            QVERIFY2((drawn[i] - corners[i]).norm() < 1e-12, qPrintable(QString("seed %1").arg(seed)));
+        }
+    }
+}
+
+void DrawPolygonTest::aPolygonThatCrossesItselfIsRefused() {
+    Drawer drive;
+    drive.click({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+    drive.key(ToolKey::Enter);
+    QVERIFY(drive.level().objects.empty());
+    QCOMPARE(drive.hintCode(), std::string("draw-polygon.crosses"));
+    drive.click({0, 0}); // closing by click is refused as well
+    QVERIFY(drive.level().objects.empty());
+    drive.key(ToolKey::Backspace);
+    QCOMPARE(drive.hintCode(), std::string("draw-polygon.close")); // the pointer is still on the first corner
+    drive.click({0, 0});
+    QCOMPARE(worldPoints(drive.newest()).size(), std::size_t{3});
+}
+
+void DrawPolygonTest::aFlatPolygonIsRefused() {
+    Drawer drive;
+    drive.click({{0, 0}, {1, 0}, {3, 0}});
+    drive.key(ToolKey::Enter);
+    QVERIFY(drive.level().objects.empty());
+    QCOMPARE(drive.hintCode(), std::string("draw-polygon.flat"));
+    drive.click({3, 3});
+    drive.key(ToolKey::Enter);
+    QCOMPARE(worldPoints(drive.newest()).size(), std::size_t{4});
+}
+
+void DrawPolygonTest::aPolygonOfAThousandCornersIsDrawn() {
+    Drawer drive;
+    drive.held.ctrl = true;
+    drive.view.scale = 20000;
+    const std::vector<Vec2> corners = regularPolygon(1000, 5);
+    drive.points(corners);
+    drive.click(corners.front());
+    QCOMPARE(worldPoints(drive.newest()).size(), std::size_t{1000});
+}
+
+SPACETOW_TEST(DrawPolygonTest)
+#include "draw_polygon_test.moc"
