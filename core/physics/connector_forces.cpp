@@ -61,8 +61,8 @@ void applyConnectorForces(WorldData& data, double h, Kick kick) {
         const Vec2 u = span / distance;
         const double leverA = cross(armA, u);
         const double leverB = cross(armB, u);
-        const double inverseMass = a.inverseMass + b.inverseMass + a.inverseInertia * leverA * leverA +
-                                   b.inverseInertia * leverB * leverB;
+        const double inverseMass =
+            a.inverseMass + b.inverseMass + a.inverseInertia * leverA * leverA + b.inverseInertia * leverB * leverB;
         if (inverseMass == 0) {
             continue;
         }

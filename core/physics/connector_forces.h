@@ -5,12 +5,13 @@
 
 namespace spacetow {
 
-/// Where in an iteration the connectors act: before its first sub-step, between two, after its last. Half the impulse at
-/// either end makes the motion of springs second order (velocity Verlet).
+/// Where in an iteration the connectors act: before its first sub-step, between two, after its last. Half the impulse
+/// at either end makes the motion of springs second order (velocity Verlet).
 enum class Kick : std::uint8_t { First, Between, Last };
 
-/// The impulses for sub-steps of `h` seconds at the trial poses; changes velocities only. Damping, and the spring itself
-/// where it is too stiff for the sub-step, are taken implicitly, so that the result stays finite and gains no energy.
+/// The impulses for sub-steps of `h` seconds at the trial poses; changes velocities only. Damping, and the spring
+/// itself where it is too stiff for the sub-step, are taken implicitly, so that the result stays finite and gains no
+/// energy.
 void applyConnectorForces(WorldData& data, double h, Kick kick);
 
 } // namespace spacetow

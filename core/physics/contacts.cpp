@@ -32,7 +32,9 @@ double anticipation(const WorldData& data, Slot slot) {
     return std::min(data.steps[slot].reach, 0.5 * data.records[slot].innerRadius);
 }
 
-Vec2 pointVelocity(const BodyMotion& m, const Vec2& arm) { return m.velocity + cross(m.angularVelocity, arm); }
+Vec2 pointVelocity(const BodyMotion& m, const Vec2& arm) {
+    return m.velocity + cross(m.angularVelocity, arm);
+}
 
 struct Approach {
     double before; // m/s along the normal at the beginning of the iteration, positive when closing
@@ -73,7 +75,9 @@ Contact setTarget(const WorldData& data, const Constraint& c, ConstraintPoint& p
 }
 
 /// A body that may only turn cannot yield to a push through its centre.
-double inverseOrZero(double x) { return x > 0 ? 1 / x : 0; }
+double inverseOrZero(double x) {
+    return x > 0 ? 1 / x : 0;
+}
 
 double massAlong(const Vec2& direction, const ConstraintPoint& p, const BodyMotion& a, const BodyMotion& b) {
     const double leverA = cross(p.armA, direction);
@@ -143,8 +147,8 @@ void addConstraint(WorldData& data, std::uint32_t index, const Manifold& manifol
 }
 
 bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) {
-    const bool sameBodies = c.b == d.b || (data.records[c.b].kind == BodyKind::Static &&
-                                           data.records[d.b].kind == BodyKind::Static);
+    const bool sameBodies =
+        c.b == d.b || (data.records[c.b].kind == BodyKind::Static && data.records[d.b].kind == BodyKind::Static);
     if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution ||
         c.normal.dot(d.normal) < 1 - 1e-9) {
         return false;

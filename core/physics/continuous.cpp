@@ -60,8 +60,8 @@ bool limitClosing(WorldData& data, double dt) {
         const BodyMotion& b = data.motions[c.b];
         for (int i = 0; i < c.count; ++i) {
             const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
-            const Vec2 velocity = b.velocity + cross(b.angularVelocity, p.armB) - a.velocity -
-                                  cross(a.angularVelocity, p.armA);
+            const Vec2 velocity =
+                b.velocity + cross(b.angularVelocity, p.armB) - a.velocity - cross(a.angularVelocity, p.armA);
             const double closing = -velocity.dot(c.normal) * dt;
             const double room = std::max(p.separation, 0.0) + linearSlop;
             if (closing > room) {
@@ -106,8 +106,8 @@ void stopAtImpacts(WorldData& data, const IterationStep& step) {
                 continue;
             }
             const bool stopA = data.motions[pair.bodyA].inverseMass > 0 && (pair.sweep || isFast(data, pair.bodyA));
-            const bool stopB = !pair.staticB && data.motions[pair.bodyB].inverseMass > 0 &&
-                               (pair.sweep || isFast(data, pair.bodyB));
+            const bool stopB =
+                !pair.staticB && data.motions[pair.bodyB].inverseMass > 0 && (pair.sweep || isFast(data, pair.bodyB));
             if (stopA || stopB) {
                 changed |= sweepPair(data, pair, stopA, stopB);
             }

@@ -15,7 +15,7 @@ struct TouchEvent {
 
 struct TagsTouchedEvent {
     int iteration;
-    BodyId body; // one that reports touches
+    BodyId body;  // one that reports touches
     TagMask tags; // of everything it touched in this iteration; never empty
 };
 

@@ -11,8 +11,8 @@ namespace spacetow {
 
 struct RayHit {
     BodyId body;
-    Vec2 point;    // world
-    Vec2 normal;   // unit, out of the surface hit
+    Vec2 point;      // world
+    Vec2 normal;     // unit, out of the surface hit
     double fraction; // 0 at the start, 1 at the end
 };
 

@@ -17,7 +17,9 @@ struct Bodies {
     BodyMotion& b;
 };
 
-Bodies bodiesOf(WorldData& data, const Constraint& c) { return {data.motions[c.a], data.motions[c.b]}; }
+Bodies bodiesOf(WorldData& data, const Constraint& c) {
+    return {data.motions[c.a], data.motions[c.b]};
+}
 
 void applyImpulse(const Bodies& on, const ConstraintPoint& p, const Vec2& impulse) {
     on.a.velocity -= on.a.inverseMass * impulse;
@@ -30,8 +32,8 @@ Vec2 relativeVelocity(const Bodies& of, const ConstraintPoint& p) {
     return of.b.velocity + cross(of.b.angularVelocity, p.armB) - of.a.velocity - cross(of.a.angularVelocity, p.armA);
 }
 
-/// Both points at once, from the same velocities, so that their order does not matter; on one plane they have nearly the
-/// same effect, hence half of the change each.
+/// Both points at once, from the same velocities, so that their order does not matter; on one plane they have nearly
+/// the same effect, hence half of the change each.
 void solveTangents(const Bodies& on, Constraint& c) {
     const Vec2 tangent = leftOf(c.normal);
     std::array<double, 2> change{};
@@ -80,10 +82,10 @@ void solveBlock(const Bodies& on, Constraint& c, double target1, double target2)
     ConstraintPoint& p2 = c.points[1];
     const double k11 = 1 / p1.normalMass;
     const double k22 = 1 / p2.normalMass;
-    const double b1 = relativeVelocity(on, p1).dot(c.normal) - target1 - k11 * p1.normalImpulse -
-                      c.coupling * p2.normalImpulse;
-    const double b2 = relativeVelocity(on, p2).dot(c.normal) - target2 - c.coupling * p1.normalImpulse -
-                      k22 * p2.normalImpulse;
+    const double b1 =
+        relativeVelocity(on, p1).dot(c.normal) - target1 - k11 * p1.normalImpulse - c.coupling * p2.normalImpulse;
+    const double b2 =
+        relativeVelocity(on, p2).dot(c.normal) - target2 - c.coupling * p1.normalImpulse - k22 * p2.normalImpulse;
     const std::array<double, 2> x = complementary(c, b1, b2);
     applyImpulse(on, p1, (x[0] - p1.normalImpulse) * c.normal);
     applyImpulse(on, p2, (x[1] - p2.normalImpulse) * c.normal);

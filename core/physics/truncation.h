@@ -10,8 +10,8 @@ enum class TruncationRule : std::uint8_t { Zero, None, Clamp, Tanh, PartialTanh,
 
 struct Truncation {
     TruncationRule rule = TruncationRule::None;
-    double limit = 0;        // N, ≥ 0; read by Clamp, Tanh and PartialTanh
-    double proportion = 0.5; // 0 … 1, PartialTanh: the share of the limit below which nothing is changed
+    double limit = 0;                     // N, ≥ 0; read by Clamp, Tanh and PartialTanh
+    double proportion = 0.5;              // 0 … 1, PartialTanh: the share of the limit below which nothing is changed
     std::function<double(double)> custom; // Custom: N → N; should be odd, monotonic and free of side effects
 };
 

@@ -50,7 +50,9 @@ void iterate(WorldData& data, const IterationStep& step) {
 
 } // namespace
 
-World::World(const UpdateParameters& parameters) : m_data(std::make_unique<WorldData>()) { setParameters(parameters); }
+World::World(const UpdateParameters& parameters) : m_data(std::make_unique<WorldData>()) {
+    setParameters(parameters);
+}
 World::World(const World& other) : m_data(std::make_unique<WorldData>(*other.m_data)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(const World& other) {
@@ -62,7 +64,9 @@ World& World::operator=(const World& other) {
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
-void World::update() { update(m_data->parameters); }
+void World::update() {
+    update(m_data->parameters);
+}
 
 void World::update(const UpdateParameters& parameters) {
     EXPECTS(isUsable(parameters));
@@ -155,14 +159,18 @@ void World::setFilter(BodyId body, const Filter& filter) {
     m_data->records[body.index].filter = filter;
 }
 
-const UpdateParameters& World::parameters() const { return m_data->parameters; }
+const UpdateParameters& World::parameters() const {
+    return m_data->parameters;
+}
 
 void World::setParameters(const UpdateParameters& parameters) {
     EXPECTS(isUsable(parameters));
     m_data->parameters = parameters;
 }
 
-const Events& World::events() const { return m_data->events; }
+const Events& World::events() const {
+    return m_data->events;
+}
 
 bool World::contains(BodyId body) const {
     return body.index < m_data->records.size() && m_data->records[body.index].used &&
@@ -217,12 +225,13 @@ std::vector<BodyId> World::bodies() const {
             ids.push_back(m_data->idOf(slot));
         }
     }
-    std::sort(ids.begin(), ids.end(), [this](BodyId a, BodyId b) {
-        return m_data->records[a.index].serial < m_data->records[b.index].serial;
-    });
+    std::sort(ids.begin(), ids.end(),
+              [this](BodyId a, BodyId b) { return m_data->records[a.index].serial < m_data->records[b.index].serial; });
     return ids;
 }
 
-int World::bodyCount() const { return static_cast<int>(m_data->records.size() - m_data->freeSlots.size()); }
+int World::bodyCount() const {
+    return static_cast<int>(m_data->records.size() - m_data->freeSlots.size());
+}
 
 } // namespace spacetow

@@ -13,9 +13,12 @@ namespace {
 
 std::optional<Error> check(const ConnectorDef& d) {
     const std::pair<const char*, bool> finite[] = {
-        {"anchor", isFinite(d.anchorA) && isFinite(d.anchorB)}, {"length", !d.length || std::isfinite(*d.length)},
-        {"stiffness", std::isfinite(d.stiffness)},              {"damping", std::isfinite(d.damping)},
-        {"limit", std::isfinite(d.truncation.limit)},           {"proportion", std::isfinite(d.truncation.proportion)},
+        {"anchor", isFinite(d.anchorA) && isFinite(d.anchorB)},
+        {"length", !d.length || std::isfinite(*d.length)},
+        {"stiffness", std::isfinite(d.stiffness)},
+        {"damping", std::isfinite(d.damping)},
+        {"limit", std::isfinite(d.truncation.limit)},
+        {"proportion", std::isfinite(d.truncation.proportion)},
     };
     for (const auto& [name, ok] : finite) {
         if (!ok) {
@@ -95,8 +98,8 @@ ConnectorState World::connector(ConnectorId connector) const {
     const ConnectorRecord& c = m_data->connectors[connector.index];
     const Transform poseA = m_data->pose(c.a);
     const Transform poseB = m_data->pose(c.b);
-    return {m_data->idOf(c.a), m_data->idOf(c.b), poseA.toWorld(c.anchorA),
-            poseB.toWorld(c.anchorB), c.length,        c.tension};
+    return {m_data->idOf(c.a),        m_data->idOf(c.b), poseA.toWorld(c.anchorA),
+            poseB.toWorld(c.anchorB), c.length,          c.tension};
 }
 
 std::vector<ConnectorId> World::connectors() const {

@@ -1,6 +1,6 @@
 #pragma once
-// The arrays behind a world, as the stages of the update see them. Body slots are used again after a removal; slot order
-// is the same for equal histories, so it may decide the order of work. SI units, radians.
+// The arrays behind a world, as the stages of the update see them. Body slots are used again after a removal; slot
+// order is the same for equal histories, so it may decide the order of work. SI units, radians.
 
 #include "core/geometry/moving_quadtree.h"
 #include "core/geometry/part.h"
@@ -44,10 +44,10 @@ struct BodyStep {
     FreeMotion linear, angular;
     Vec2 startVelocity{0, 0}; // at the beginning of the iteration
     double startAngularVelocity = 0;
-    Vec2 shift{0, 0};    // of the centre in this iteration, m
-    double turn = 0;     // rad
-    double reach = 0;    // no point of the body moves further in this iteration, m
-    double fraction = 1; // of shift and turn that is carried out
+    Vec2 shift{0, 0};     // of the centre in this iteration, m
+    double turn = 0;      // rad
+    double reach = 0;     // no point of the body moves further in this iteration, m
+    double fraction = 1;  // of shift and turn that is carried out
     bool pushed = false;  // by a contact in this iteration
     bool bounced = false; // off one
 };
@@ -81,10 +81,10 @@ struct BodyRecord {
     double torque = 0;
     TagMask touchedTags;
     std::uint64_t lastReport = ~std::uint64_t{0}; // iteration count of the last tags-touched event
-    Aabb bounds;        // of the last broad phase
-    Aabb centerBox;     // while the centre stays in here the pairs found are all there are
-    double turnLeft = 0; // rad the body may still turn before that ceases to be true
-    std::uint32_t firstStatic = 0; // of its parts in StaticGeometry
+    Aabb bounds;                                  // of the last broad phase
+    Aabb centerBox;                               // while the centre stays in here the pairs found are all there are
+    double turnLeft = 0;                          // rad the body may still turn before that ceases to be true
+    std::uint32_t firstStatic = 0;                // of its parts in StaticGeometry
 };
 
 /// The parts of all static bodies in world coordinates; immutable, shared between copies of a world.
@@ -112,7 +112,7 @@ struct Pair {
     const Part* shapeA = nullptr; // about the centre of mass
     const Part* shapeB = nullptr; // likewise, or in world coordinates for a static body
     bool staticB = false;
-    bool solid = true;  // false: felt, without force
+    bool solid = true; // false: felt, without force
     bool touching = false;
     bool sweep = false; // the parts are to be stopped where they meet, to bounce from there
     int count = 0;
@@ -120,9 +120,7 @@ struct Pair {
 
     std::uint64_t bodies() const { return std::uint64_t{bodyA} << 32 | bodyB; }
     std::uint64_t parts() const { return std::uint64_t{partA} << 32 | partB; }
-    bool operator<(const Pair& o) const {
-        return bodies() != o.bodies() ? bodies() < o.bodies() : parts() < o.parts();
-    }
+    bool operator<(const Pair& o) const { return bodies() != o.bodies() ? bodies() < o.bodies() : parts() < o.parts(); }
 };
 
 /// A part of a moving body with the box it cannot leave unnoticed.
@@ -139,7 +137,7 @@ struct ConstraintPoint {
     double tangentMass = 0;
     double normalImpulse = 0;
     double tangentImpulse = 0;
-    double target = 0;      // m/s: the normal velocity is to be at least this
+    double target = 0; // m/s: the normal velocity is to be at least this
     bool bounces = false;
     std::uint32_t pair = 0; // where its impulses are kept
     std::uint32_t index = 0;
@@ -199,14 +197,14 @@ struct WorldData {
     std::shared_ptr<const StaticGeometry> statics;
     bool staticsChanged = true;
 
-    std::vector<Pair> pairs;         // sorted
-    std::vector<SlotPair> touching;  // body pairs in contact after the last iteration, sorted
+    std::vector<Pair> pairs;        // sorted
+    std::vector<SlotPair> touching; // body pairs in contact after the last iteration, sorted
     Events events;
     std::vector<RemovedEvent> removedBefore; // since the last update
 
     // Working memory, kept so that a steady update allocates nothing.
     MovingQuadtree tree;
-    std::vector<Slot> moving;             // active, kinematic bodies first
+    std::vector<Slot> moving;              // active, kinematic bodies first
     std::vector<MovingCollider> colliders; // of `moving`
     std::vector<Pair> newPairs;
     std::vector<std::uint32_t> found;
@@ -220,8 +218,8 @@ struct WorldData {
 
 /// What is constant during the iterations of one update.
 struct IterationStep {
-    double dt;       // s, of one iteration
-    double substep;  // s
+    double dt;      // s, of one iteration
+    double substep; // s
     int substeps;
     double remaining; // s until the end of the update, this iteration included
     int index;

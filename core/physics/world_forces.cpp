@@ -9,8 +9,8 @@ namespace spacetow {
 namespace {
 
 bool accepts(const BodyRecord& record, ForceSource source) {
-    return record.active && (record.kind == BodyKind::Dynamic ||
-                             (record.kind == BodyKind::Kinematic && source == ForceSource::Manual));
+    return record.active &&
+           (record.kind == BodyKind::Dynamic || (record.kind == BodyKind::Kinematic && source == ForceSource::Manual));
 }
 
 } // namespace

@@ -21,7 +21,9 @@ void run(World& world, double seconds) {
     }
 }
 
-double relativeError(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+double relativeError(double value, double expected) {
+    return std::abs(value - expected) / std::abs(expected);
+}
 
 void iterationRows() {
     QTest::addColumn<int>("iterations");
@@ -199,10 +201,12 @@ class MotionTest : public QObject {
         QFETCH(int, iterations);
         const double length = 1.5;
         const double start = 0.05; // rad
-        ConnectorDef rope{.length = {}, .stiffness = 50000, .damping = 100,
+        ConnectorDef rope{.length = {},
+                          .stiffness = 50000,
+                          .damping = 100,
                           .truncation = {TruncationRule::PartialTanh, 150, 0.75, {}}};
-        Spring pendulum(withIterations(iterations, {0, -0.95}),
-                        {length * std::sin(start), -length * std::cos(start)}, rope);
+        Spring pendulum(withIterations(iterations, {0, -0.95}), {length * std::sin(start), -length * std::cos(start)},
+                        rope);
         double before = start;
         double lastCrossing = 0;
         double stretch = 0;
@@ -232,8 +236,8 @@ class MotionTest : public QObject {
         b.angularVelocity = 3;
         const BodyId idA = add(world, a);
         const BodyId idB = add(world, b);
-        QVERIFY(bool(world.addConnector({.a = idA, .b = idB, .anchorA = {0.3, 0.1}, .anchorB = {-0.1, 0.1},
-                                         .stiffness = 500, .damping = 3})));
+        QVERIFY(bool(world.addConnector(
+            {.a = idA, .b = idB, .anchorA = {0.3, 0.1}, .anchorB = {-0.1, 0.1}, .stiffness = 500, .damping = 3})));
         const auto momenta = [&] {
             Vec2 momentum(0, 0);
             double angular = 0;

@@ -130,15 +130,21 @@ BodyDef edgeBody(const Vec2& a, const Vec2& b, double depth) {
     return {.kind = BodyKind::Static, .shapes = {Edge{a, b, depth}}};
 }
 
-BodyDef lineBody(const Vec2& a, const Vec2& b) { return {.kind = BodyKind::Static, .shapes = {Line{a, b}}}; }
+BodyDef lineBody(const Vec2& a, const Vec2& b) {
+    return {.kind = BodyKind::Static, .shapes = {Line{a, b}}};
+}
 
-BodyDef ball(const Vec2& at, double radius) { return {.shapes = {Circle{{0, 0}, radius}}, .position = at}; }
+BodyDef ball(const Vec2& at, double radius) {
+    return {.shapes = {Circle{{0, 0}, radius}}, .position = at};
+}
 
 BodyDef box(const Vec2& at, double halfWidth, double halfHeight) {
     return {.shapes = {boxShape(halfWidth, halfHeight)}, .position = at};
 }
 
-BodyId add(World& world, const BodyDef& def) { return world.addBody(def).value(); }
+BodyId add(World& world, const BodyDef& def) {
+    return world.addBody(def).value();
+}
 
 std::optional<World> scene(std::string_view name, int n, const UpdateParameters& parameters) {
     static const std::map<std::string_view, void (*)(World&, int)> scenes{
