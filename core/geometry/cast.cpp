@@ -170,7 +170,7 @@ Core pointCore(const Vec2& point) {
 }
 
 bool isInFront(const WallPart& wall, const Transform& wallPose, const Vec2& reference) {
-    return cross(wall.b - wall.a, wallPose.toLocal(reference) - wall.a) >= 0;
+    return sideFacing(wall, wallPose.toLocal(reference)).above(wallPose.toLocal(reference)) >= -onTheFace;
 }
 
 /// A one-way wall seen from behind: its free ends only. `cast.a` is the wall's side.

@@ -15,7 +15,7 @@ Manifold pointAgainstCircle(const Vec2& point, const Circle& circle, const Vec2&
     if (!(distance - circle.radius <= margin)) {
         return manifold;
     }
-    manifold.normal = distance > 1e-12 ? Vec2(apart / distance) : fallback;
+    manifold.normal = distance > 1e-9 ? Vec2(apart / distance) : fallback;
     addPoint(manifold, 0.5 * (point + circle.center - circle.radius * manifold.normal), distance - circle.radius, 0);
     return manifold;
 }

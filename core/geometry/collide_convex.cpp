@@ -171,7 +171,7 @@ Manifold convexAgainstConvex(const ConvexPart& a, const ConvexPart& b, double ma
     if (ofB.separation > margin) {
         return {};
     }
-    if (std::max(ofA.separation, ofB.separation) > 0) {
+    if (std::max(ofA.separation, ofB.separation) > tie) {
         return apartManifold(a, b, margin);
     }
     const double depth = -std::max(ofA.separation, ofB.separation);

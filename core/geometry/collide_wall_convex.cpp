@@ -17,6 +17,9 @@ constexpr double share = 0.98;      // of the depth
 constexpr double littleWay = 0.02; // m
 constexpr double farAway = 0.01;   // m beyond twice the way
 
+// Below this distance the nearest features are a matter of rounding, and the overlapping case decides.
+constexpr double tie = 1e-6; // m
+
 constexpr double none = -std::numeric_limits<double>::infinity();
 
 /// A wall and a polygon, and what is asked of every pair.
@@ -30,11 +33,10 @@ struct Pair {
     }
 };
 
-/// The face of the wall stops the polygon: the points of its lower side that are over the wall.
-Manifold faceManifold(const Pair& pair) {
+/// The face of the wall stops the polygon: the points of one side of it that are over the wall.
+Manifold faceManifold(const Pair& pair, int face) {
     const WallSide& side = pair.side;
     const ConvexPart& convex = pair.convex;
-    const int face = facing(convex, side.normal);
     const std::array<int, 2> corners{face, cornerAfter(convex, face)};
     const auto clipped = clipToFace(side.start.point, side.direction, side.length,
                                     {cornerOf(convex, corners[0]), cornerOf(convex, corners[1])});
@@ -53,6 +55,18 @@ Manifold faceManifold(const Pair& pair) {
         manifold.count = 1;
     }
     return manifold;
+}
+
+/// The same with the side that faces the wall most, or, when that is not over the wall, the one beside it.
+Manifold faceManifold(const Pair& pair) {
+    const int lowest = facing(pair.convex, pair.side.normal);
+    const Manifold manifold = faceManifold(pair, lowest);
+    if (manifold.count > 0) {
+        return manifold;
+    }
+    const int before = lowest > 0 ? lowest - 1 : pair.convex.count - 1;
+    const Manifold beside = faceManifold(pair, before);
+    return beside.count > 0 ? beside : faceManifold(pair, cornerAfter(pair.convex, lowest));
 }
 
 /// A polygon that the wall holds although its lower side is not over the wall: its deepest corner stands for it.
@@ -168,6 +182,13 @@ Manifold apartManifold(const Pair& pair) {
             }
         }
     }
+    const double above = side.above(cornerOf(convex, deepestCorner(convex, side.normal)));
+    if (above >= std::sqrt(nearest) - onTheFace || (end != nullptr && end->kind == WallEnd::Kind::Smooth)) {
+        const Manifold manifold = faceManifold(pair);
+        if (manifold.count > 0) {
+            return manifold;
+        }
+    }
     if (face >= 0) {
         const bool allowed = isOuterFace(convex, face) && mayPoint(pair, *end, -normalOf(convex, face));
         return allowed ? underFaceManifold(pair, *end, face) : Manifold{};
@@ -178,9 +199,7 @@ Manifold apartManifold(const Pair& pair) {
     if (end == nullptr) {
         return faceManifold(pair);
     }
-    const bool besideSmooth = end->kind == WallEnd::Kind::Smooth;
-    return besideSmooth ? faceManifold(pair)
-                        : cornerManifold(pair, *end, corner, cornerOf(convex, corner) - end->point);
+    return cornerManifold(pair, *end, corner, cornerOf(convex, corner) - end->point);
 }
 
 /// The least penetration along the polygon's own face normals, of those that may be contact normals.
@@ -215,13 +234,20 @@ FaceChoice chooseFace(const Pair& pair, const WallEnd* only) {
     return choice;
 }
 
-/// Separation along the normal of the wall that continues this one at a corner, if that wall may use it.
+/// Separation along the normal of the wall that continues this one at a corner, if that wall is touched and may use it.
 double neighbourSeparation(const Pair& pair, const WallEnd& end) {
-    if (end.kind != WallEnd::Kind::Convex || end.nextNormal.dot(pair.convex.center - end.point) < 0) {
+    const ConvexPart& convex = pair.convex;
+    if (end.kind != WallEnd::Kind::Convex || end.nextNormal.dot(convex.center - end.point) < -onTheFace) {
         return none;
     }
-    const int corner = deepestCorner(pair.convex, end.nextNormal);
-    return end.nextNormal.dot(cornerOf(pair.convex, corner) - end.point);
+    for (int i = 0; i < convex.count; ++i) {
+        const Vec2& normal = normalOf(convex, i);
+        const Vec2& from = cornerOf(convex, i);
+        if (std::min(normal.dot(end.point - from), normal.dot(end.next - from)) > 0) {
+            return none;
+        }
+    }
+    return end.nextNormal.dot(cornerOf(convex, deepestCorner(convex, end.nextNormal)) - end.point);
 }
 
 bool cameThroughCut(const FaceChoice& choice, double separation) {
@@ -240,7 +266,7 @@ Manifold frontManifold(const Pair& pair) {
     if (std::max(above, choice.deepest) > pair.margin) {
         return {};
     }
-    if (std::max(above, choice.deepest) > 0) {
+    if (std::max(above, choice.deepest) > tie) {
         return apartManifold(pair);
     }
     const double neighbours = std::max(neighbourSeparation(pair, side.start), neighbourSeparation(pair, side.end));
@@ -270,7 +296,7 @@ Manifold endManifold(const Pair& pair, const WallEnd& end) {
         return {};
     }
     const FaceChoice choice = chooseFace(pair, &end);
-    if (choice.deepest > 0) {
+    if (choice.deepest > tie) {
         Manifold manifold = convexAgainstCircle(pair.convex, {end.point, 0}, pair.margin);
         manifold.normal = -manifold.normal;
         return cornerAllows(pair.side, end, manifold.normal) ? manifold : Manifold{};
@@ -285,7 +311,7 @@ Manifold endManifold(const Pair& pair, const WallEnd& end) {
 Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, double margin) {
     const Pair pair{sideFacing(wall, convex.center), convex, margin};
     const double above = pair.side.above(convex.center);
-    if (above >= 0) {
+    if (above >= -onTheFace) {
         return frontManifold(pair);
     }
     if (pair.side.holds(convex.center)) {

@@ -20,33 +20,31 @@ WallEnd::Kind jointKind(double turn, double cosine) {
     return convex ? WallEnd::Kind::Convex : WallEnd::Kind::Smooth;
 }
 
-WallEnd wallEnd(const Vec2& point, bool joined, const Vec2& next) {
+WallEnd wallEnd(const Vec2& point, bool joined, const Vec2& next, const Vec2& nextDirection) {
     WallEnd end;
     end.point = point;
     if (joined) {
-        end.nextDirection = next;
-        end.nextNormal = leftOf(next);
+        end.next = next;
+        end.nextDirection = nextDirection;
+        end.nextNormal = leftOf(nextDirection);
         end.kind = WallEnd::Kind::Smooth;
     }
     return end;
 }
 
-/// On which side of a line a point is. Beyond a joint, where both walls end, the side is that of the corner's outside.
+/// On which side of a line a point is. Beyond a joint the neighbour knows better; and where both walls end, the side is
+/// that of the corner's outside.
 bool isOnLeft(const WallPart& line, const Vec2& p) {
     const Vec2 along = line.b - line.a;
-    bool left = cross(along, p - line.a) >= 0;
     if (line.joinedAtB && along.dot(p - line.b) > 0) {
         const Vec2 next = line.afterB - line.b;
-        if (next.dot(p - line.b) < 0) {
-            left = cross(along, next) <= 0;
-        }
-    } else if (line.joinedAtA && along.dot(p - line.a) < 0) {
-        const Vec2 previous = line.a - line.beforeA;
-        if (previous.dot(p - line.a) > 0) {
-            left = cross(previous, along) <= 0;
-        }
+        return next.dot(p - line.b) < 0 ? cross(along, next) <= 0 : cross(next, p - line.b) >= 0;
     }
-    return left;
+    if (line.joinedAtA && along.dot(p - line.a) < 0) {
+        const Vec2 previous = line.a - line.beforeA;
+        return previous.dot(p - line.a) > 0 ? cross(previous, along) <= 0 : cross(previous, p - line.a) >= 0;
+    }
+    return cross(along, p - line.a) >= 0;
 }
 
 WallPart reversed(const WallPart& wall) {
@@ -85,8 +83,8 @@ WallSide sideFacing(const WallPart& wall, const Vec2& reference) {
     side.normal = leftOf(side.direction);
     side.depth = seen.oneWay ? seen.depth : 0;
     side.turned = turned;
-    side.start = wallEnd(seen.a, seen.joinedAtA, unitOr(seen.a - seen.beforeA, side.direction));
-    side.end = wallEnd(seen.b, seen.joinedAtB, unitOr(seen.afterB - seen.b, side.direction));
+    side.start = wallEnd(seen.a, seen.joinedAtA, seen.beforeA, unitOr(seen.a - seen.beforeA, side.direction));
+    side.end = wallEnd(seen.b, seen.joinedAtB, seen.afterB, unitOr(seen.afterB - seen.b, side.direction));
     if (seen.joinedAtA) {
         side.start.kind =
             jointKind(cross(side.start.nextDirection, side.direction), side.start.nextDirection.dot(side.direction));

@@ -13,9 +13,12 @@ struct WallEnd {
 
     Kind kind = Kind::Free;
     Vec2 point{0, 0};
-    Vec2 nextDirection{0, 0}; // unit, of the neighbour, in the same sense as the wall's own; not read for free ends
+    Vec2 next{0, 0};          // the far end of the neighbour; not read for free ends
+    Vec2 nextDirection{0, 0}; // unit, of the neighbour, in the same sense as the wall's own
     Vec2 nextNormal{0, 0};    // unit, of the neighbour
 };
+
+constexpr double onTheFace = 1e-9; // m: what is no farther behind a face counts as in front of it
 
 struct WallSide {
     Vec2 direction{1, 0}; // unit, from start to end
@@ -31,7 +34,7 @@ struct WallSide {
     /// joint, where no other face would.
     bool spans(const Vec2& p) const;
     /// Whether something with this reference point is stopped by the face, wherever its surface is.
-    bool holds(const Vec2& p) const { return above(p) >= -depth && spans(p); }
+    bool holds(const Vec2& p) const { return above(p) >= -depth - onTheFace && spans(p); }
 };
 
 /// The side of the wall that meets what has its reference point at `reference`. A wall without length has an arbitrary
