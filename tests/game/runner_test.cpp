@@ -1,0 +1,169 @@
+#include "core/game/runner.h"
+#include "tests/support/game_levels.h"
+#include "tests/support/test_main.h"
+
+#include <thread>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+/// Lets the runner work until the condition holds; false after ten seconds.
+template <class Condition>
+bool comesTrue(Condition condition) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > deadline) {
+            return false;
+        }
+        std::this_thread::yield();
+    }
+    return true;
+}
+
+} // namespace
+
+class RunnerTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aManualRunnerMovesWhenToldOnly() {
+        Runner runner(openSpace(), Runner::Mode::Manual);
+        QCOMPARE(runner.frame()->now->update, std::int64_t(0));
+        QVERIFY(runner.frame()->before == runner.frame()->now);
+        runner.advance(3);
+        QCOMPARE(runner.frame()->now->update, std::int64_t(3));
+        QCOMPARE(runner.frame()->before->update, std::int64_t(2));
+        runner.pause();
+        runner.advance(5);
+        QVERIFY(runner.frame()->paused);
+        QCOMPARE(runner.frame()->now->update, std::int64_t(3));
+        runner.stepOnce();
+        QCOMPARE(runner.frame()->now->update, std::int64_t(4));
+        runner.resume();
+        runner.advance(1);
+        QCOMPARE(runner.frame()->now->update, std::int64_t(5));
+        QVERIFY(!runner.frame()->paused);
+    }
+    void aKeyThatIsLetGoBeforeTheUpdateStillCounts() {
+        Runner runner(openSpace(), Runner::Mode::Manual);
+        runner.hold(right);
+        runner.hold(idle);
+        runner.advance(1);
+        QCOMPARE(runner.frame()->now->phase, Phase::Flying);
+        QVERIFY(runner.frame()->now->controls == right);
+        runner.advance(1);
+        QVERIFY(runner.frame()->now->controls == idle);
+    }
+    void theRecordingFliesTheSameGame() {
+        Level level = openSpace();
+        addWall(level, Vec2(3, 1), Vec2(-3, 1));
+        Runner runner(level, Runner::Mode::Manual, 21);
+        for (int i = 0; i < 300; ++i) {
+            runner.hold({.left = i % 50 < 4, .thrust = i % 3 != 0, .tow = i % 7 == 0});
+            runner.advance();
+        }
+        const Replay recording = runner.recording();
+        QCOMPARE(recording.updates(), std::int64_t(300));
+        Session session(level, recording.seed);
+        for (const Replay::Run& run : recording.runs) {
+            hold(session, run.controls, static_cast<int>(run.count));
+        }
+        const std::shared_ptr<const Frame> frame = runner.frame();
+        const auto again = session.snapshot();
+        QCOMPARE(again->bodies.size(), frame->now->bodies.size());
+        QCOMPARE(again->phase, frame->now->phase);
+        for (std::size_t i = 0; i < again->bodies.size(); ++i) {
+            QVERIFY(again->bodies[i].pose.position == frame->now->bodies[i].pose.position);
+        }
+    }
+    void restartingBeginsAgainWithAnEmptyRecording() {
+        Runner runner(openSpace(), Runner::Mode::Manual);
+        runner.hold(thrust);
+        runner.advance(50);
+        runner.restart();
+        QCOMPARE(runner.frame()->now->update, std::int64_t(0));
+        QVERIFY(runner.frame()->before == runner.frame()->now);
+        QCOMPARE(runner.recording().updates(), std::int64_t(0));
+        QCOMPARE(runner.frame()->now->phase, Phase::AwaitingInput);
+    }
+    void soundsAreCollectedUntilTheyAreTaken() {
+        Runner runner(openSpace(), Runner::Mode::Manual);
+        runner.hold(thrust);
+        runner.advance(3);
+        const auto start = static_cast<std::uint32_t>(Sound::Start),
+                   flame = static_cast<std::uint32_t>(Sound::Thruster);
+        QCOMPARE(runner.takeSounds(), start | flame);
+        QCOMPARE(runner.takeSounds(), 0u);
+    }
+    void aThreadedRunnerKeepsPaceWithTheClock() {
+        Runner runner(openSpace());
+        const auto begin = std::chrono::steady_clock::now();
+        QVERIFY(comesTrue([&] { return runner.frame()->now->update >= 25; }));
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+        // Never ahead of the clock; how far behind depends on what else the machine does.
+        QVERIFY(passed.count() > 24 * 0.02);
+    }
+    void pausingAndSteppingReachTheThread() {
+        Runner runner(openSpace());
+        runner.pause();
+        QVERIFY(comesTrue([&] { return runner.frame()->paused; }));
+        const std::int64_t at = runner.frame()->now->update;
+        for (int i = 1; i <= 20; ++i) {
+            runner.stepOnce();
+            QVERIFY(comesTrue([&] { return runner.frame()->now->update == at + i; }));
+        }
+        QCOMPARE(runner.recording().updates(), at + 20); // nothing moved by itself meanwhile
+        runner.resume();
+        QVERIFY(comesTrue([&] { return runner.frame()->now->update > at + 22; }));
+    }
+    void keysReachTheThread() {
+        Runner runner(openSpace());
+        runner.hold(thrust);
+        runner.hold(idle);
+        QVERIFY(comesTrue([&] { return runner.frame()->now->phase == Phase::Flying; }));
+        runner.restart();
+        QVERIFY(comesTrue([&] { return runner.frame()->now->phase == Phase::AwaitingInput; }));
+    }
+    void anyNumberOfThreadsMayAskAtOnce() {
+        Runner runner(openSpace());
+        std::atomic<bool> stop = false;
+        std::vector<std::jthread> threads;
+        for (int t = 0; t < 3; ++t) {
+            threads.emplace_back([&, t] {
+                double sum = 0;
+                for (int i = 0; !stop; ++i) {
+                    const std::shared_ptr<const Frame> frame = runner.frame();
+                    for (const BodyPicture& body : frame->now->bodies) {
+                        sum += body.pose.position.x();
+                    }
+                    runner.hold(controlsFromBits(static_cast<std::uint8_t>((i + t) % 16)));
+                    if (i % 50 == 0) {
+                        t == 0 ? runner.pause() : runner.resume();
+                        runner.wantQuadtree(i % 100 == 0);
+                    }
+                    runner.takeSounds();
+                    std::this_thread::yield();
+                }
+                QVERIFY(std::isfinite(sum));
+            });
+        }
+        QVERIFY(comesTrue([&] {
+            runner.stepOnce();
+            return runner.recording().updates() > 40;
+        }));
+        stop = true;
+    }
+    void stoppingWaitsForNothing() {
+        for (int i = 0; i < 20; ++i) {
+            Runner runner(openSpace());
+            if (i % 2 == 0) {
+                runner.pause();
+            }
+        }
+    }
+};
+
+SPACETOW_TEST(RunnerTest)
+#include "runner_test.moc"

@@ -1,0 +1,474 @@
+#include "core/game/rules.h"
+#include "core/game/session.h"
+#include "core/game/ship.h"
+#include "tests/support/game_levels.h"
+#include "tests/support/test_main.h"
+
+#include <limits>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+/// A wall above the ship of openSpace: holding thrust crashes into it.
+Level spaceWithCeiling() {
+    Level level = openSpace();
+    addWall(level, Vec2(3, 1), Vec2(-3, 1));
+    return level;
+}
+
+/// A wall beside the payload's way up, too far from the ship's to be touched by it.
+Level spaceWithLedgeForPayload() {
+    Level level = openSpaceWithPayloadAt(Vec2(0.9, -0.9));
+    addWall(level, Vec2(2, -0.5), Vec2(0.75, -0.5));
+    return level;
+}
+
+std::size_t count(const Session& session, BodyRole role) {
+    const std::shared_ptr<const Snapshot> picture = session.snapshot();
+    std::size_t found = 0;
+    for (const BodyPicture& body : picture->bodies) {
+        found += body.look->role == role ? 1u : 0u;
+    }
+    return found;
+}
+
+bool heard(const Session& session, Sound sound) {
+    return (session.snapshot()->sounds & static_cast<std::uint32_t>(sound)) != 0;
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(spacetow::Controls)
+
+class SessionTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theShipIsFrozenUntilADirectionIsPressed_data() {
+        QTest::addColumn<Controls>("controls");
+        QTest::addColumn<bool>("starts");
+        QTest::addRow("left") << left << true;
+        QTest::addRow("right") << right << true;
+        QTest::addRow("thrust") << thrust << true;
+        QTest::addRow("tow") << tow << false;
+    }
+    void theShipIsFrozenUntilADirectionIsPressed() {
+        QFETCH(Controls, controls);
+        QFETCH(bool, starts);
+        Level level = openSpace();
+        level.gravity = Vec2(0, -0.95);
+        Session session(level);
+        hold(session, idle, 50);
+        QCOMPARE(session.phase(), Phase::AwaitingInput);
+        QVERIFY(session.ship()->pose.position == Vec2(0, 0));
+        QCOMPARE(session.time(), 0.0);
+        session.step(controls);
+        QCOMPARE(session.phase() == Phase::Flying, starts);
+        QCOMPARE(heard(session, Sound::Start), starts);
+        hold(session, controls, 10);
+        QCOMPARE(session.ship()->pose.position != Vec2(0, 0), starts);
+        QVERIFY(session.payload()->pose.position == Vec2(0, -1)); // it waits, whatever gravity says
+    }
+
+    void steeringTurnsAndThrustPushesAlongTheNose() {
+        Session session(openSpace());
+        hold(session, left, 5);
+        QVERIFY(session.ship()->angle > 0);
+        Session other(openSpace());
+        hold(other, right, 5);
+        QCOMPARE(other.ship()->angle, -session.ship()->angle);
+        Session both(openSpace());
+        hold(both, {.left = true, .right = true}, 5);
+        QCOMPARE(both.ship()->angle, 0.0);
+        Session up(openSpace());
+        hold(up, thrust, 10);
+        // v' = thrust / mass − damping · v, from rest.
+        const double d = ship::linearDamping;
+        const double expected = ship::thrust / ship::mass / d * (1 - std::exp(-d * 0.2));
+        QVERIFY(std::abs(up.ship()->velocity.y() - expected) < 1e-6);
+        QCOMPARE(up.ship()->velocity.x(), 0.0);
+    }
+
+    void theRopeIsAttachedWithinItsRangeOnly_data() {
+        QTest::addColumn<double>("distance");
+        QTest::addColumn<bool>("attaches");
+        QTest::addRow("well inside") << 1.0 << true;
+        QTest::addRow("just inside") << 1.4999 << true;
+        QTest::addRow("at the limit") << 1.5 << false;
+        QTest::addRow("just outside") << 1.5001 << false;
+    }
+    void theRopeIsAttachedWithinItsRangeOnly() {
+        QFETCH(double, distance);
+        QFETCH(bool, attaches);
+        Session session(openSpaceWithPayloadAt(Vec2(distance, 0)));
+        QVERIFY(!session.hud().towInRange); // not before the start
+        session.step({.left = true, .right = true});
+        QCOMPARE(session.hud().towInRange, attaches);
+        session.step(tow);
+        QCOMPARE(session.phase(), attaches ? Phase::Towing : Phase::Flying);
+        QCOMPARE(session.world().connectors().size(), attaches ? std::size_t(1) : std::size_t(0));
+        QCOMPARE(heard(session, Sound::TowAttached), attaches);
+        if (attaches) {
+            const Vec2 anchor = shipNotch();
+            const double length = session.world().connector(session.world().connectors()[0]).length;
+            QVERIFY(std::abs(length - (Vec2(distance, 0) - anchor).norm()) < 1e-9);
+        }
+    }
+
+    void theTowKeyHasToBePressedAfresh() {
+        Session session(openSpace());
+        session.step({.right = true, .tow = true});
+        hold(session, tow, 20);
+        QCOMPARE(session.phase(), Phase::Flying);
+        press(session, tow);
+        QCOMPARE(session.phase(), Phase::Towing);
+    }
+
+    void theTowedPayloadFollowsTheShip() {
+        Session session = towing(openSpace());
+        hold(session, thrust, 40);
+        QVERIFY(session.ship()->pose.position.y() > 0.3);
+        const Vec2 gap = session.ship()->pose.toWorld(shipNotch()) - session.payload()->pose.position;
+        QVERIFY(std::abs(gap.norm() - (1 + shipNotch().y())) < 0.01);
+        QVERIFY(!session.payload()->positionFrozen);
+    }
+
+    void theRopedPayloadMayTouchItsShip() {
+        Session session = towing(openSpaceWithPayloadAt(Vec2(0, -0.6)));
+        bool met = false;
+        for (int i = 0; i < 400 && !met; ++i) { // turn over and fly into the ball on the short rope
+            session.step({.left = i < 60, .thrust = i % 2 == 0});
+            const Vec2 gap = session.ship()->massCenter - session.payload()->massCenter;
+            met = gap.norm() < 0.25;
+        }
+        QCOMPARE(session.phase(), Phase::Towing);
+    }
+
+    void thePayloadWinsByBeingTowedThroughTheFinish_data() {
+        QTest::addColumn<bool>("upwards");
+        QTest::addRow("upwards") << true;
+        QTest::addRow("downwards") << false;
+    }
+    void thePayloadWinsByBeingTowedThroughTheFinish() {
+        QFETCH(bool, upwards);
+        Level level = openSpace();
+        if (!upwards) {
+            level.objects.replace(0, {shipKey, "", ShipObject{Vec2(0, 3), 3.14159265358979}, {}});
+            level.objects.replace(1, {payloadKey, "", PayloadObject{Vec2(0, 4)}, {}});
+        }
+        Session session = towing(level);
+        int wins = 0;
+        for (int i = 0; i < 600; ++i) {
+            session.step(thrust);
+            wins += heard(session, Sound::Won) ? 1 : 0;
+        }
+        QCOMPARE(session.phase(), Phase::Won);
+        QCOMPARE(wins, 1);
+        QCOMPARE(session.payloadState(), PayloadState::Delivered);
+        QCOMPARE(session.lives(), 3);
+        QVERIFY(session.world().connectors().empty());
+    }
+
+    void onlyATowedPayloadNoticesTheFinish() {
+        Session session(openSpace());
+        hold(session, thrust, 200); // the ship alone goes through
+        QVERIFY(session.ship()->pose.position.y() > 2.5);
+        QCOMPARE(session.phase(), Phase::Flying);
+
+        Session waiting(openSpaceWithPayloadAt(Vec2(1, 2))); // the payload waits on the line
+        hold(waiting, left, 20);
+        QCOMPARE(waiting.phase(), Phase::Flying);
+    }
+
+    void afterTheWinPhysicsGoesOnAndControlsDoNot() {
+        Session session = towing(openSpace());
+        QVERIFY(holdUntil(session, thrust, Phase::Won));
+        const double fuel = session.fuel();
+        const double time = session.time();
+        const Vec2 before = session.payload()->pose.position;
+        const Vec2 speed = session.ship()->velocity;
+        hold(session, thrust, 10);
+        QCOMPARE(session.fuel(), fuel);
+        QCOMPARE(session.time(), time);
+        QVERIFY(session.payload()->pose.position.y() > before.y());
+        QVERIFY(session.ship()->velocity.norm() < speed.norm()); // damping alone
+        press(session, tow);
+        press(session, left);
+        QCOMPARE(session.phase(), Phase::Won);
+    }
+
+    void noLifeIsLostAfterTheWinAndWallsNoLongerHurtThePayload() {
+        Level level = openSpace();
+        addWall(level, Vec2(10, 4.2), Vec2(-10, 4.2));
+        Session session = towing(level);
+        QVERIFY(holdUntil(session, thrust, Phase::Won));
+        hold(session, idle, 600);
+        QCOMPARE(session.phase(), Phase::Won);
+        QCOMPARE(session.lives(), 3);
+        QVERIFY(!session.ship().has_value()); // it flew into the wall
+        QVERIFY(session.payload().has_value());
+        QCOMPARE(session.payloadState(), PayloadState::Delivered);
+    }
+
+    void aWallEndsTheShipAndCostsOneLife() {
+        Session session(spaceWithCeiling());
+        QVERIFY(holdUntil(session, thrust, Phase::Crashed));
+        QCOMPARE(session.lives(), 2);
+        QVERIFY(!session.ship().has_value());
+        QCOMPARE(count(session, BodyRole::Ship), std::size_t(0));
+        const std::size_t pieces = count(session, BodyRole::Debris);
+        QVERIFY(pieces >= 2 && pieces <= 6);
+        QVERIFY(heard(session, Sound::ShipLost));
+        QVERIFY(session.payload().has_value());
+        QVERIFY(session.payload()->positionFrozen); // nobody touched it
+        hold(session, thrust, 300);
+        QCOMPARE(session.lives(), 2);
+        QCOMPARE(session.phase(), Phase::Crashed);
+        QCOMPARE(count(session, BodyRole::Debris), std::size_t(0)); // gone after five seconds
+    }
+
+    void touchingTheWaitingPayloadEndsTheShipAndFreesThePayload() {
+        Session session(openSpaceWithPayloadAt(Vec2(0, 1)));
+        QVERIFY(holdUntil(session, thrust, Phase::Crashed));
+        QCOMPARE(session.payloadState(), PayloadState::Dropped);
+        QCOMPARE(session.lives(), 2);
+        hold(session, idle, 2);
+        QVERIFY(!session.payload()->positionFrozen);
+    }
+
+    void aTowedPayloadThatHitsAWallCostsOneLifeAndOnePressTriesAgain() {
+        Session session = towing(spaceWithLedgeForPayload());
+        QVERIFY(holdUntil(session, thrust, Phase::Crashed));
+        QCOMPARE(session.payloadState(), PayloadState::Lost);
+        QVERIFY(!session.payload().has_value());
+        QVERIFY(session.ship().has_value()); // falls without control
+        QVERIFY(heard(session, Sound::PayloadLost));
+        QVERIFY(heard(session, Sound::TowBroken));
+        const std::size_t pieces = count(session, BodyRole::Debris);
+        QVERIFY(pieces >= 3 && pieces <= 7);
+        const double angle = session.ship()->angularVelocity;
+        hold(session, thrust, 5);
+        QVERIFY(std::abs(session.ship()->angularVelocity) <= std::abs(angle) + 1e-12);
+        QCOMPARE(session.lives(), 2);
+        press(session, left);
+        QCOMPARE(session.phase(), Phase::AwaitingInput);
+        QVERIFY(session.ship()->pose.position == Vec2(0, 0));
+        QVERIFY(session.payload()->pose.position == Vec2(0.9, -0.9));
+        QCOMPARE(count(session, BodyRole::Ship), std::size_t(1));
+        QCOMPARE(count(session, BodyRole::Payload), std::size_t(1));
+        hold(session, left, 3);
+        QCOMPARE(session.phase(), Phase::AwaitingInput); // a held direction is no fresh one
+        press(session, left);
+        QCOMPARE(session.phase(), Phase::Flying);
+    }
+
+    void anAttemptCostsOneLifeEvenWhenShipAndPayloadAreBothLost() {
+        Level level = spaceWithLedgeForPayload();
+        addWall(level, Vec2(10, 3), Vec2(-10, 3));
+        addWall(level, Vec2(4, -10), Vec2(4, 10));
+        addWall(level, Vec2(-4, 10), Vec2(-4, -10));
+        addWall(level, Vec2(-10, -4), Vec2(10, -4));
+        Session session = towing(level);
+        QVERIFY(holdUntil(session, thrust, Phase::Crashed));
+        for (int i = 0; i < 1500 && session.ship(); ++i) {
+            session.step(idle);
+        }
+        QVERIFY(!session.ship() && !session.payload());
+        QCOMPARE(session.lives(), 2);
+        press(session, tow);
+        QCOMPARE(session.phase(), Phase::AwaitingInput);
+    }
+
+    void aDroppedPayloadThatFallsOntoTheFloorIsLostWithoutCostingAnotherLife() {
+        Level level = openSpace();
+        level.gravity = Vec2(0, -0.95);
+        addWall(level, Vec2(10, 0.9), Vec2(-10, 0.9));
+        addWall(level, Vec2(-10, -2), Vec2(10, -2));
+        Session session = towing(level);
+        QVERIFY(holdUntil(session, thrust, Phase::Crashed));
+        QCOMPARE(session.payloadState(), PayloadState::Dropped);
+        hold(session, idle, 400);
+        QCOMPARE(session.payloadState(), PayloadState::Lost);
+        QCOMPARE(session.lives(), 2);
+    }
+
+    void theLevelIsOverWhenNoLifeIsLeftAndAPressStartsItOver() {
+        Session session(spaceWithCeiling());
+        for (int lives = 2; lives >= 0; --lives) {
+            press(session, thrust);
+            QVERIFY(holdUntil(session, thrust, lives > 0 ? Phase::Crashed : Phase::GameOver));
+            QCOMPARE(session.lives(), lives);
+            if (lives > 0) {
+                press(session, tow);
+            }
+        }
+        QVERIFY(session.fuel() > 0);
+        hold(session, thrust, 20); // held since the crash: no fresh press
+        QCOMPARE(session.phase(), Phase::GameOver);
+        press(session, right);
+        QCOMPARE(session.phase(), Phase::AwaitingInput);
+        QCOMPARE(session.lives(), 3);
+        QCOMPARE(session.fuel(), 0.0);
+        QCOMPARE(count(session, BodyRole::Debris), std::size_t(0));
+    }
+
+    void fuelCountsThrustOfALivingShipOverAllAttempts() {
+        Session session(spaceWithCeiling());
+        hold(session, left, 10);
+        hold(session, idle, 10);
+        QCOMPARE(session.fuel(), 0.0);
+        hold(session, thrust, 5);
+        QVERIFY(std::abs(session.fuel() - 0.1) < 1e-12);
+        QVERIFY(std::abs(session.time() - 0.5) < 1e-12);
+        while (session.phase() == Phase::Flying && session.updates() < 5000) {
+            session.step(session.updates() % 2 == 0 ? thrust : left);
+        }
+        const double spent = session.fuel();
+        hold(session, thrust, 20);
+        QCOMPARE(session.fuel(), spent);
+        press(session, left);
+        QCOMPARE(session.fuel(), spent);
+        QCOMPARE(session.time(), 0.0);
+        press(session, thrust);
+        QVERIFY(std::abs(session.fuel() - spent - 0.02) < 1e-12);
+    }
+
+    void gravityTurnsOverWithTheTowUntilTheNextAttempt() {
+        Level level = openSpace();
+        level.gravity = Vec2(0.1, -0.95);
+        level.rules.flipGravityOnTow = true;
+        Session session = towing(level);
+        QVERIFY(session.world().parameters().gravity == Vec2(-0.1, 0.95));
+        QVERIFY(heard(session, Sound::GravityFlip));
+        QVERIFY(session.hud().gravityFlippedFor > 0 && session.hud().gravityFlippedFor < 0.05);
+        hold(session, idle, 50);
+        QVERIFY(session.hud().gravityFlippedFor > 1);
+        QVERIFY(session.payload()->velocity.y() > 0);
+        QVERIFY(holdUntil(session, idle, Phase::Won)); // both fall upwards
+        QVERIFY(session.world().parameters().gravity == Vec2(-0.1, 0.95));
+    }
+    void aNewAttemptTurnsGravityBack() {
+        Level level = spaceWithCeiling();
+        level.gravity = Vec2(0.1, -0.95);
+        level.rules.flipGravityOnTow = true;
+        Session session = towing(level);
+        QVERIFY(holdUntil(session, idle, Phase::Crashed));
+        QVERIFY(session.world().parameters().gravity == Vec2(-0.1, 0.95));
+        press(session, tow);
+        QVERIFY(session.world().parameters().gravity == Vec2(0.1, -0.95));
+        QVERIFY(session.hud().gravityFlippedFor < 0);
+        QCOMPARE(session.phase(), Phase::AwaitingInput);
+    }
+
+    void theRightPairsTouch() {
+        using rules::debrisFilter, rules::finishFilter, rules::payloadFilter, rules::shipFilter;
+        const Filter wall{};
+        const std::array<Filter, 5> all{wall, shipFilter, payloadFilter, finishFilter, debrisFilter};
+        const std::array<std::array<bool, 5>, 5> touch{{{true, true, true, false, true},
+                                                        {true, false, true, false, false},
+                                                        {true, true, false, true, false},
+                                                        {false, false, true, false, false},
+                                                        {true, false, false, false, true}}};
+        for (std::size_t i = 0; i < 5; ++i) {
+            for (std::size_t j = 0; j < 5; ++j) {
+                QCOMPARE(mayTouch(all[i], all[j]), touch[i][j]);
+            }
+        }
+    }
+
+    void aNewAttemptFindsTheLevelAsItWasDrawn() {
+        Level level = spaceWithCeiling();
+        addBall(level, Vec2(5, 0), 0.3, Vec2(0.5, 0));
+        const auto ballAt = [](const Session& session) {
+            const std::shared_ptr<const Snapshot> picture = session.snapshot();
+            for (const BodyPicture& body : picture->bodies) {
+                if (body.look->kind == BodyKind::Dynamic && body.look->role == BodyRole::Object) {
+                    return body.pose.position;
+                }
+            }
+            return Vec2(0, 0);
+        };
+        Session session(level);
+        QVERIFY(holdUntil(session, thrust, Phase::Crashed));
+        const Vec2 moved = ballAt(session);
+        QVERIFY(moved.x() > 5.1);
+        press(session, tow);
+        const Vec2 again = ballAt(session);
+        QVERIFY(again.x() < 5.02);
+        QVERIFY(count(session, BodyRole::Debris) > 0); // the wreck is still there to be seen
+    }
+
+    void withoutAShipThereIsPhysicsAlone() {
+        Level level;
+        addBall(level, Vec2(0, 0), 0.5, Vec2(1, 0));
+        Session session(level);
+        QCOMPARE(session.phase(), Phase::Sandbox);
+        hold(session, {.left = true, .thrust = true, .tow = true}, 50);
+        QCOMPARE(session.phase(), Phase::Sandbox);
+        QCOMPARE(session.fuel(), 0.0);
+        const Vec2 at = session.snapshot()->bodies.at(0).pose.position;
+        QVERIFY(std::abs(at.x() - 1) < 1e-6);
+        QVERIFY(std::abs(at.y() + 0.5 * 0.95) < 1e-6);
+    }
+
+    void unfinishedLevelsCanBePlayed_data() {
+        QTest::addColumn<int>("missing");
+        QTest::addRow("no payload") << 1;
+        QTest::addRow("no finish") << 2;
+        QTest::addRow("no payload and no finish") << 3;
+        QTest::addRow("nothing at all") << 4;
+        QTest::addRow("no life") << 5;
+        QTest::addRow("a finish without length") << 6;
+        QTest::addRow("a payload without radius") << 7;
+        QTest::addRow("a ship nowhere") << 8;
+    }
+    void unfinishedLevelsCanBePlayed() {
+        QFETCH(int, missing);
+        Level level = missing == 4 ? Level{} : openSpace();
+        if (missing == 2 || missing == 3) {
+            level.objects.erase(2);
+        }
+        if (missing == 1 || missing == 3) {
+            level.objects.erase(1);
+        }
+        if (missing == 5) {
+            level.rules.lives = -4;
+        }
+        if (missing == 6) {
+            level.objects.replace(2, {finishKey, "", FinishObject{Vec2(1, 1), Vec2(1, 1)}, {}});
+        }
+        if (missing == 7) {
+            level.objects.replace(1, {payloadKey, "", PayloadObject{Vec2(0, -1), 0}, {}});
+        }
+        if (missing == 8) {
+            const double nowhere = std::numeric_limits<double>::quiet_NaN();
+            level.objects.replace(0, {shipKey, "", ShipObject{Vec2(nowhere, 0)}, {}});
+        }
+        Session session(level);
+        press(session, thrust);
+        press(session, tow);
+        hold(session, thrust, 100);
+        QCOMPARE(session.phase() == Phase::Sandbox, missing == 4 || missing == 8);
+        QVERIFY(session.snapshot() != nullptr);
+        QVERIFY(session.lives() >= 1 || session.phase() == Phase::Sandbox);
+    }
+
+    void theCameraFollowsTheShipThenWhatIsLeft() {
+        Session session(spaceWithCeiling());
+        QVERIFY(session.camera().position() == Vec2(0, 0));
+        QVERIFY(holdUntil(session, thrust, Phase::Crashed));
+        press(session, tow);
+        QVERIFY(session.camera().position() == Vec2(0, 0));
+
+        Session towed = towing(openSpace());
+        QVERIFY(holdUntil(towed, thrust, Phase::Won));
+        hold(towed, idle, 200);
+        const Vec2 gap = towed.ship()->massCenter - towed.camera().position();
+        QVERIFY(gap.norm() < 2.5);
+    }
+};
+
+SPACETOW_TEST(SessionTest)
+#include "session_test.moc"

@@ -1,0 +1,120 @@
+#include "core/game/blend.h"
+#include "core/game/session.h"
+#include "tests/support/game_levels.h"
+#include "tests/support/test_main.h"
+
+#include <map>
+#include <set>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+Level busyLevel() {
+    Level level = openSpace();
+    addWall(level, Vec2(3, 1), Vec2(-3, 1));
+    addBall(level, Vec2(5, 0), 0.3, Vec2(0.5, 0));
+    BodyObject mover;
+    mover.kind = BodyKind::Kinematic;
+    mover.shapes = {Polygon{{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}}};
+    mover.position = Vec2(-6, 0);
+    mover.angularVelocity = 1;
+    level.objects.append({77, "mover", mover, {}});
+    return level;
+}
+
+} // namespace
+
+class SnapshotTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void bodiesComeByKindThenByAgeWithIdsOfTheirOwn() {
+        Session session(busyLevel());
+        std::map<std::uint64_t, BodyRole> known;
+        for (int i = 0; i < 600; ++i) {
+            session.step({.thrust = true, .tow = i % 40 == 0});
+            const auto picture = session.snapshot();
+            std::set<std::uint64_t> ids;
+            for (std::size_t b = 0; b < picture->bodies.size(); ++b) {
+                const BodyLook& look = *picture->bodies[b].look;
+                QVERIFY(ids.insert(look.id).second);
+                const auto [entry, isNew] = known.emplace(look.id, look.role);
+                QVERIFY(entry->second == look.role);
+                if (b > 0) {
+                    const BodyLook& before = *picture->bodies[b - 1].look;
+                    QVERIFY(before.kind < look.kind || (before.kind == look.kind && before.id < look.id));
+                }
+            }
+        }
+        QVERIFY(known.size() > 8); // there have been several ships and their debris
+    }
+    void looksAreSharedBetweenSnapshots() {
+        Session session(busyLevel());
+        session.step(idle);
+        const auto one = session.snapshot();
+        session.step(idle);
+        const auto other = session.snapshot();
+        QCOMPARE(one->bodies.size(), other->bodies.size());
+        for (std::size_t i = 0; i < one->bodies.size(); ++i) {
+            QVERIFY(one->bodies[i].look == other->bodies[i].look);
+        }
+    }
+    void aSnapshotSaysWhatThereIs() {
+        Session session = towing(busyLevel());
+        const auto picture = session.snapshot(true);
+        std::map<BodyRole, Key> keys;
+        for (const BodyPicture& body : picture->bodies) {
+            keys[body.look->role] = body.look->key;
+            QVERIFY(!body.look->shapes.empty());
+            QVERIFY(body.look->role != BodyRole::Finish || !body.look->tangible);
+        }
+        QCOMPARE(keys.at(BodyRole::Ship), shipKey);
+        QCOMPARE(keys.at(BodyRole::Payload), payloadKey);
+        QCOMPARE(keys.at(BodyRole::Finish), finishKey);
+        QVERIFY(keys.contains(BodyRole::Object));
+        QCOMPARE(picture->connectors.size(), std::size_t(1));
+        QCOMPARE(picture->phase, Phase::Towing);
+        QCOMPARE(picture->update, session.updates());
+        QVERIFY(!picture->quadtree.empty());
+        QVERIFY(session.snapshot()->quadtree.empty());
+    }
+    void blendingGoesStraightFromOnePictureToTheNext() {
+        Session session(busyLevel());
+        hold(session, {.left = true, .thrust = true}, 20);
+        const auto before = session.snapshot();
+        session.step({.left = true, .thrust = true});
+        const auto now = session.snapshot();
+        const Snapshot start = blended(*before, *now, 0), half = blended(*before, *now, 0.5),
+                       end = blended(*before, *now, 1);
+        for (std::size_t i = 0; i < now->bodies.size(); ++i) {
+            const Transform &a = before->bodies[i].pose, &b = now->bodies[i].pose;
+            QVERIFY((start.bodies[i].pose.position - a.position).norm() < 1e-12);
+            QVERIFY((end.bodies[i].pose.position - b.position).norm() < 1e-12);
+            QVERIFY((half.bodies[i].pose.position - 0.5 * (a.position + b.position)).norm() < 1e-12);
+            const Rot r = half.bodies[i].pose.rotation;
+            QVERIFY(std::abs(r.c * r.c + r.s * r.s - 1) < 1e-12);
+            QVERIFY(std::abs(r.angle() - (a.rotation.angle() + b.rotation.angle()) / 2) < 1e-6);
+        }
+    }
+    void blendingAcrossANewAttemptLeavesTheNewBodiesWhereTheyAre() {
+        Session session(busyLevel());
+        QVERIFY(holdUntil(session, thrust, Phase::Crashed));
+        hold(session, idle, 20);
+        const auto before = session.snapshot();
+        session.step(tow);
+        const auto now = session.snapshot();
+        QCOMPARE(now->phase, Phase::AwaitingInput);
+        const Snapshot half = blended(*before, *now, 0.5);
+        QVERIFY(half.camera == now->camera);
+        for (const BodyPicture& body : half.bodies) {
+            if (body.look->role == BodyRole::Ship) {
+                QVERIFY(body.pose.position == Vec2(0, 0));
+            }
+        }
+    }
+};
+
+SPACETOW_TEST(SnapshotTest)
+#include "snapshot_test.moc"

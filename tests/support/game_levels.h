@@ -1,0 +1,36 @@
+#pragma once
+// Small levels for tests of the game, and the pressing of keys.
+
+#include "core/game/session.h"
+#include "core/level/level.h"
+
+namespace spacetow::test {
+
+constexpr Key shipKey = 1, payloadKey = 2, finishKey = 3;
+
+/// Without gravity and walls: the ship at the origin, the payload one metre below, the finish two metres above across
+/// twenty metres. Ten iterations an update.
+Level openSpace();
+/// openSpace with the payload elsewhere.
+Level openSpaceWithPayloadAt(const Vec2& position);
+/// A static one-way wall, solid for what comes from the left of a→b.
+void addWall(Level& level, const Vec2& a, const Vec2& b);
+/// A dynamic ball with the wall tag.
+void addBall(Level& level, const Vec2& position, double radius, const Vec2& velocity);
+
+constexpr Controls idle{};
+constexpr Controls left{.left = true};
+constexpr Controls right{.right = true};
+constexpr Controls thrust{.thrust = true};
+constexpr Controls tow{.tow = true};
+
+void hold(Session& session, const Controls& controls, int updates);
+/// One update with the keys down after one without, so that it is a fresh press.
+void press(Session& session, const Controls& controls);
+/// Holds the keys until the phase comes; false when it has not come after `updates`.
+bool holdUntil(Session& session, const Controls& controls, Phase phase, int updates = 2000);
+
+/// A session of openSpace in which the ship has just taken the payload in tow.
+Session towing(const Level& level);
+
+} // namespace spacetow::test
