@@ -123,12 +123,13 @@ struct Cast {
         double fraction = 0;
         double before = 0;
         bool wasApart = false;
+        bool slidesIn = false; // past the end of a wall that another continues
         for (int step = 0; step < maxSteps && fraction <= 1; ++step) {
             const Transform poseA = a.motion.at(fraction);
             const Transform poseB = b.motion.at(fraction);
             const ClosestPoints closest = closestOfCores(a.coreAt(poseA), b.coreAt(poseB));
             if (closest.distance <= 0) {
-                if (wasApart || deepens(poseA, poseB, fraction)) {
+                if ((wasApart && !slidesIn) || deepens(poseA, poseB, fraction)) {
                     return before;
                 }
                 if (turning == 0) {
@@ -142,7 +143,8 @@ struct Cast {
             if (near) {
                 const double speed = approach(closest.onA, closest.onB, closest.normal, fraction);
                 const bool comes = speed > 1e-9 * fastest;
-                if (comes && accepted(poseA, poseB, closest)) {
+                slidesIn = comes && !accepted(poseA, poseB, closest);
+                if (comes && !slidesIn) {
                     return fraction;
                 }
                 if (!comes && turning == 0) {
@@ -154,7 +156,7 @@ struct Cast {
             if (closing <= 0) {
                 return std::nullopt;
             }
-            const double patience = step < patientSteps ? 0.5 * targetGap : std::max(0.5 * targetGap, fastest / 256);
+            const double patience = step < patientSteps ? 0.25 * targetGap : std::max(0.25 * targetGap, fastest / 256);
             before = fraction;
             fraction += std::max((gap - targetGap) / closing, patience / fastest);
         }

@@ -22,7 +22,8 @@ struct Motion {
 
 /// The first fraction at which the parts have come within `targetGap` metres (> 0) of each other and still approach;
 /// 0 when they are that near from the start. Nothing when they never are, or only while at rest or moving apart.
-/// The fraction may be early by a little, never late. One-way walls are met from the front, by what has its centre in
+/// The gap left may be a quarter smaller than asked for, and an approach that comes no nearer than that may be missed:
+/// nothing ever gets through. One-way walls are met from the front, by what has its centre in
 /// front of them at the start; their free ends are met from everywhere. Where walls are joined, contacts that slide
 /// across are none. Conservative advancement (Mirtich, 1996) with support planes.
 std::optional<double> timeOfImpact(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
