@@ -80,7 +80,7 @@ void Document::commit(const Label& label, Edit edit, const std::string& mergeKey
     EXPECTS(edit.level);
     edit.selection = edit.selection.within(*edit.level);
     if (sameLevel(m_current, edit)) {
-        select(std::move(edit.selection));
+        select(edit.selection);
         return;
     }
     record(label, edit, mergeKey);
@@ -88,7 +88,7 @@ void Document::commit(const Label& label, Edit edit, const std::string& mergeKey
     historyChanged.emit();
 }
 
-void Document::select(Selection selection) {
+void Document::select(const Selection& selection) {
     Edit edit{m_current.level, selection.within(*m_current.level)};
     m_mergeable = m_mergeable && edit.selection == m_current.selection;
     becomeCurrent(std::move(edit), shown());

@@ -62,7 +62,7 @@ class Document {
     void commit(const Label& label, Edit edit, const std::string& mergeKey = {});
     /// Ends the preview. Selecting is no history entry of its own; undoing an edit brings back the selection it was
     /// made with.
-    void select(Selection selection);
+    void select(const Selection& selection);
 
     bool canUndo() const;
     bool canRedo() const;

@@ -44,6 +44,7 @@ std::vector<Key> picked(const Level& level, const Vec2& point, double tolerance)
     }
     std::sort(candidates.begin(), candidates.end());
     std::vector<Key> keys;
+    keys.reserve(candidates.size());
     for (const Candidate& candidate : candidates) {
         keys.push_back(std::get<Key>(candidate));
     }

@@ -82,11 +82,11 @@ struct Toolbox::State {
         committing = false;
     }
     void conclude(const Gesture& ended, const Pointer& pointer) {
-        Edit edit = ended.at(pointer);
+        const Edit edit = ended.at(pointer);
         if (ended.edits()) {
-            commit({ended.label(), std::move(edit)});
+            commit({ended.label(), edit});
         } else {
-            document.select(std::move(edit.selection));
+            document.select(edit.selection);
         }
     }
     ToolContext context(const SnapSettings& snap) const {
