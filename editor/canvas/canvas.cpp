@@ -69,7 +69,7 @@ void Canvas::setView(const Viewport& view) {
     m_view = view;
     m_view.size = Vec2(std::max(1, width()), std::max(1, height()));
     update();
-    emit viewChanged();
+    Q_EMIT viewChanged();
 }
 
 void Canvas::setGridVisible(bool visible) {

@@ -15,11 +15,11 @@ namespace spacetow {
 
 namespace {
 
-constexpr double wheelZoom = 1.25;  // a notch of the wheel
-constexpr double notch = 120;       // eighths of a degree, as the toolkit counts
-constexpr double menuDistance = 4;  // px that a click may move and still be a click
-constexpr double arrowPan = 60;     // px
-constexpr double fineSteps = 5;     // arrow keys move by this fraction of a grid step
+constexpr double wheelZoom = 1.25; // a notch of the wheel
+constexpr double notch = 120;      // eighths of a degree, as the toolkit counts
+constexpr double menuDistance = 4; // px that a click may move and still be a click
+constexpr double arrowPan = 60;    // px
+constexpr double fineSteps = 5;    // arrow keys move by this fraction of a grid step
 
 bool isTouchpad(const QWheelEvent& event) {
     return event.device() != nullptr && event.device()->type() == QInputDevice::DeviceType::TouchPad;
@@ -46,7 +46,7 @@ void Canvas::moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     m_position = position;
     const Pointer pointer = pointerAt(position, modifiers);
     m_toolbox.move(pointer);
-    emit pointerMoved(pointer.world.x(), pointer.world.y());
+    Q_EMIT pointerMoved(pointer.world.x(), pointer.world.y());
 }
 
 void Canvas::mousePressEvent(QMouseEvent* event) {
@@ -91,7 +91,7 @@ void Canvas::mouseReleaseEvent(QMouseEvent* event) {
     if (drag == Drag::Tool) {
         m_toolbox.release(pointer);
     } else if (drag == Drag::PanOrMenu && !m_toolbox.secondaryClick(pointer)) {
-        emit menuWanted(event->globalPosition().toPoint());
+        Q_EMIT menuWanted(event->globalPosition().toPoint());
     }
     updateCursor();
 }
@@ -115,8 +115,8 @@ void Canvas::wheelEvent(QWheelEvent* event) {
         panBy(QPointF(angle.y() + angle.x(), 0) / 2);
     } else {
         const double turned = angle.y() != 0 ? angle.y() : angle.x();
-        setView(m_view.zoomedAt(Vec2(event->position().x(), event->position().y()),
-                                std::pow(wheelZoom, turned / notch)));
+        setView(
+            m_view.zoomedAt(Vec2(event->position().x(), event->position().y()), std::pow(wheelZoom, turned / notch)));
     }
     moveTo(event->position(), event->modifiers());
     event->accept();
@@ -212,7 +212,7 @@ void Canvas::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void Canvas::leaveEvent(QEvent*) {
-    emit pointerLeft();
+    Q_EMIT pointerLeft();
 }
 
 void Canvas::focusOutEvent(QFocusEvent* event) {

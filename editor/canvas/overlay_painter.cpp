@@ -39,7 +39,8 @@ void arrow(const Stage& stage, const Vec2& from, const Vec2& to) {
 
 void paintBox(const Stage& stage, const Aabb& box) {
     if (!box.isEmpty() && stage.sees(box)) {
-        stage.painter.drawRect(QRectF(stage.at(Vec2(box.min.x(), box.max.y())), stage.at(Vec2(box.max.x(), box.min.y()))));
+        stage.painter.drawRect(
+            QRectF(stage.at(Vec2(box.min.x(), box.max.y())), stage.at(Vec2(box.max.x(), box.min.y()))));
     }
 }
 

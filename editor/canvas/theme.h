@@ -16,15 +16,15 @@ struct BodyColors {
 
 struct Theme {
     QColor background{11, 25, 45};
-    QColor rock{34, 44, 62};          // matter behind walls that have no back
-    QColor rim{150, 166, 196};        // the solid side, strongest at the wall
-    QColor wall{226, 222, 214};       // one-way walls
+    QColor rock{34, 44, 62};    // matter behind walls that have no back
+    QColor rim{150, 166, 196};  // the solid side, strongest at the wall
+    QColor wall{226, 222, 214}; // one-way walls
     QColor gridMinor{255, 255, 255, 14};
     QColor gridMajor{255, 255, 255, 34};
     QColor axisX{255, 120, 110, 150}; // the lines y = 0 and x = 0
     QColor axisY{120, 220, 150, 150};
     QColor text{226, 232, 242};
-    QColor halo{6, 14, 26, 200};      // behind text and thin marks
+    QColor halo{6, 14, 26, 200}; // behind text and thin marks
 
     QColor shipLight{240, 244, 250};
     QColor shipDark{176, 190, 212};

@@ -11,7 +11,7 @@ namespace spacetow {
 namespace {
 
 constexpr double fadeDepth = 0.45; // m, how far the band of a wall without a back reaches
-constexpr int fadeLayers = 5;
+constexpr int fadeLayers = 8;
 constexpr double minMitre = 0.35; // sharper corners are bevelled
 
 struct Segment {

@@ -8,7 +8,6 @@
 
 #include <QPainterPath>
 
-
 #include <span>
 #include <vector>
 

@@ -1,0 +1,227 @@
+#include "editor/panels/tag_grid.h"
+
+#include <QColorDialog>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QToolTip>
+
+#include <algorithm>
+#include <array>
+
+namespace spacetow {
+
+namespace {
+
+constexpr int gap = 5; // px
+/// For new tags, in turn; apart in lightness as well as in hue.
+constexpr std::array<QRgb, 8> freshColors{0xffe69f00, 0xff56b4e9, 0xff009e73, 0xfff0e442,
+                                          0xff3f7fd0, 0xffd55e00, 0xffcc79a7, 0xff9aa4b2};
+
+TagChip::State stateOf(std::span<const TagMask> masks, const auto& holds) {
+    const auto count = std::ranges::count_if(masks, holds);
+    return count == 0                                      ? TagChip::State::Off
+           : count == static_cast<long long>(masks.size()) ? TagChip::State::On
+                                                           : TagChip::State::Mixed;
+}
+
+} // namespace
+
+TagGrid::TagGrid(bool everything, QWidget* parent) : QWidget(parent), m_add(this), m_name(this) {
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    if (everything) {
+        m_everything = std::make_unique<TagChip>(this);
+        m_everything->setTag(tr("everything"), QColor(0x9a, 0xa4, 0xb2));
+        m_everything->setToolTip(tr("Touches whatever has a tag, also tags that are made later"));
+        connect(m_everything.get(), &TagChip::clicked, this,
+                [this] { Q_EMIT everythingSwitched(m_everything->state() != TagChip::State::On); });
+    }
+    m_add.setTag(tr("New tag"), palette().color(QPalette::PlaceholderText));
+    m_add.setToolTip(tr("Name another of the 32 tags"));
+    connect(&m_add, &TagChip::clicked, this, [this] {
+        if (const std::optional<int> index = freeIndex()) {
+            edit(*index);
+        }
+    });
+    m_name.hide();
+    m_name.setMaxLength(40);
+    m_name.installEventFilter(this);
+    connect(&m_name, &QLineEdit::returnPressed, this, [this] { endEdit(true); });
+}
+
+TagGrid::~TagGrid() {
+    m_name.removeEventFilter(this);
+}
+
+std::optional<int> TagGrid::freeIndex() const {
+    for (int i = 0; i < TagTable::size; ++i) {
+        if (m_table[i].name.empty()) {
+            return i;
+        }
+    }
+    return {};
+}
+
+TagChip* TagGrid::chip(int index) const {
+    const auto found = std::ranges::find(m_entries, index, &Entry::index);
+    return found == m_entries.end() ? nullptr : found->chip.get();
+}
+
+void TagGrid::setTags(const TagTable& table, std::span<const TagMask> masks) {
+    m_table = table;
+    TagMask shown = table.named();
+    for (const TagMask mask : masks) {
+        // Bits without a name are shown by number, unless they are only part of "everything".
+        shown = mask == TagMask::all() ? shown : shown | mask;
+    }
+    TagMask present;
+    for (const Entry& entry : m_entries) {
+        present = present | TagMask::bit(entry.index);
+    }
+    if (!(shown == present)) {
+        rebuild(shown);
+    }
+    for (const Entry& entry : m_entries) {
+        const TagInfo& info = table[entry.index];
+        const QString name =
+            info.name.empty() ? QStringLiteral("#%1").arg(entry.index) : QString::fromStdString(info.name);
+        entry.chip->setTag(name, QColor::fromRgb(info.color));
+        entry.chip->setToolTip(tr("%1 – double-click or F2 to rename, right-click for more").arg(name));
+        const int index = entry.index;
+        entry.chip->setState(stateOf(masks, [index](TagMask mask) { return mask.contains(index); }));
+    }
+    if (m_everything) {
+        m_everything->setState(stateOf(masks, [](TagMask mask) { return mask == TagMask::all(); }));
+    }
+    m_add.setVisible(freeIndex().has_value());
+    arrange(width(), true);
+    updateGeometry();
+}
+
+void TagGrid::rebuild(TagMask shown) {
+    for (Entry& entry : m_entries) {
+        // It may be its own click that makes it go.
+        entry.chip->hide();
+        entry.chip.release()->deleteLater();
+    }
+    m_entries.clear();
+    for (int i = 0; i < TagTable::size; ++i) {
+        if (!shown.contains(i)) {
+            continue;
+        }
+        auto chip = std::make_unique<TagChip>(this);
+        TagChip* const button = chip.get();
+        connect(button, &TagChip::clicked, this,
+                [this, i, button] { Q_EMIT tagSwitched(i, button->state() != TagChip::State::On); });
+        connect(button, &TagChip::editWanted, this, [this, i] { edit(i); });
+        button->setContextMenuPolicy(Qt::CustomContextMenu);
+        connect(button, &QWidget::customContextMenuRequested, this,
+                [this, i, button](const QPoint& at) { openMenu(i, button->mapToGlobal(at)); });
+        button->show();
+        m_entries.push_back({i, std::move(chip)});
+    }
+}
+
+int TagGrid::arrange(int width, bool move) const {
+    int x = 0;
+    int y = 0;
+    int lineHeight = 0;
+    const auto place = [&](TagChip* chip) {
+        const QSize size = chip->sizeHint().boundedTo(QSize(std::max(width, 40), 1000));
+        if (x > 0 && x + size.width() > width) {
+            x = 0;
+            y += lineHeight + gap;
+        }
+        if (move) {
+            chip->setGeometry(x, y, size.width(), size.height());
+        }
+        x += size.width() + gap;
+        lineHeight = size.height();
+    };
+    if (m_everything) {
+        place(m_everything.get());
+    }
+    for (const Entry& entry : m_entries) {
+        place(entry.chip.get());
+    }
+    if (freeIndex()) {
+        place(const_cast<TagChip*>(&m_add));
+    }
+    return y + lineHeight;
+}
+
+QSize TagGrid::sizeHint() const {
+    constexpr int usual = 260;
+    return {usual, arrange(usual, false)};
+}
+
+QSize TagGrid::minimumSizeHint() const {
+    return {80, m_add.sizeHint().height()};
+}
+
+void TagGrid::resizeEvent(QResizeEvent*) {
+    arrange(width(), true);
+}
+
+void TagGrid::openMenu(int index, const QPoint& global) {
+    QMenu menu(this);
+    connect(menu.addAction(tr("&Rename")), &QAction::triggered, this, [this, index] { edit(index); });
+    connect(menu.addAction(tr("&Color…")), &QAction::triggered, this, [this, index] { recolour(index); });
+    menu.exec(global);
+}
+
+void TagGrid::recolour(int index) {
+    const QColor color = QColorDialog::getColor(QColor::fromRgb(m_table[index].color), this,
+                                                tr("Color of “%1”").arg(QString::fromStdString(m_table[index].name)));
+    if (color.isValid()) {
+        Q_EMIT tagDefined(index, QString::fromStdString(m_table[index].name), color);
+    }
+}
+
+void TagGrid::edit(int index) {
+    const TagChip* at = chip(index) != nullptr ? chip(index) : &m_add;
+    m_edited = index;
+    m_name.setText(QString::fromStdString(m_table[index].name));
+    m_name.setPlaceholderText(tr("Name"));
+    const int wide = std::max(at->width() + 20, 110);
+    m_name.setGeometry(std::clamp(at->x(), 0, std::max(0, width() - wide)), at->y(), wide, at->height());
+    m_name.show();
+    m_name.raise();
+    m_name.setFocus();
+    m_name.selectAll();
+}
+
+void TagGrid::endEdit(bool keep) {
+    if (!m_edited) {
+        return;
+    }
+    const int index = *m_edited;
+    const QString name = m_name.text().trimmed();
+    const std::optional<int> taken = m_table.indexOf(name.toStdString());
+    if (keep && taken && *taken != index) {
+        QToolTip::showText(m_name.mapToGlobal(QPoint(0, m_name.height())), tr("There is a tag of this name already."));
+        return;
+    }
+    m_edited.reset();
+    m_name.hide();
+    const bool fresh = m_table[index].name.empty();
+    if (keep && !name.isEmpty() && name.toStdString() != m_table[index].name) {
+        const QRgb next = freshColors[static_cast<std::size_t>(index) % freshColors.size()];
+        Q_EMIT tagDefined(index, name, QColor::fromRgb(fresh ? next : m_table[index].color));
+    }
+}
+
+bool TagGrid::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &m_name && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        endEdit(false);
+        return true;
+    }
+    if (watched == &m_name && event->type() == QEvent::FocusOut) {
+        endEdit(false);
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace spacetow

@@ -1,0 +1,25 @@
+#include "editor/panels/text_box.h"
+
+namespace spacetow {
+
+TextBox::TextBox(QWidget* parent) : QPlainTextEdit(parent) {
+    setTabChangesFocus(true);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+}
+
+void TextBox::setValue(const QString& text) {
+    if (!(hasFocus() && document()->isModified()) && text != toPlainText()) {
+        setPlainText(text);
+        document()->setModified(false);
+    }
+}
+
+void TextBox::focusOutEvent(QFocusEvent* event) {
+    QPlainTextEdit::focusOutEvent(event);
+    if (document()->isModified()) {
+        document()->setModified(false);
+        Q_EMIT entered(toPlainText());
+    }
+}
+
+} // namespace spacetow

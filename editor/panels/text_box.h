@@ -1,0 +1,27 @@
+#pragma once
+// A few lines of text that tell when the user is done with them.
+
+#include <QPlainTextEdit>
+
+namespace spacetow {
+
+class TextBox : public QPlainTextEdit {
+    Q_OBJECT
+
+  public:
+    explicit TextBox(QWidget* parent = nullptr);
+
+    /// Emits nothing; left alone while something is being typed.
+    void setValue(const QString& text);
+
+    QSize sizeHint() const override { return {160, 3 * fontMetrics().lineSpacing() + 12}; }
+    QSize minimumSizeHint() const override { return {80, 2 * fontMetrics().lineSpacing() + 12}; }
+
+  Q_SIGNALS:
+    void entered(const QString& text);
+
+  protected:
+    void focusOutEvent(QFocusEvent* event) override;
+};
+
+} // namespace spacetow

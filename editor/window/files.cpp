@@ -1,0 +1,199 @@
+#include "editor/window/files.h"
+
+#include "editor/window/messages.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace spacetow {
+
+namespace {
+
+constexpr int fewProblems = 4; // as many as the bar lists
+
+QString tr(const char* words) {
+    return QCoreApplication::translate("Files", words);
+}
+
+std::filesystem::path toPath(const QString& path) {
+    return {path.toStdU16String()};
+}
+
+QString filter() {
+    return tr("SpaceTow levels (*.json);;All files (*)");
+}
+
+Unsaved askAboutChanges(QWidget* parent, const QString& name) {
+    QMessageBox box(parent);
+    box.setIcon(QMessageBox::Warning);
+    box.setWindowTitle(tr("Unsaved changes"));
+    box.setText(tr("Save the changes to “%1”?").arg(name));
+    box.setInformativeText(tr("If you discard them, they are lost."));
+    const QAbstractButton* save = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
+    const QAbstractButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    QPushButton* cancel = box.addButton(tr("&Cancel"), QMessageBox::RejectRole);
+    box.setEscapeButton(cancel);
+    box.exec();
+    return box.clickedButton() == save      ? Unsaved::Save
+           : box.clickedButton() == discard ? Unsaved::Discard
+                                            : Unsaved::Cancel;
+}
+
+/// One problem a line, the first few of them.
+QString listed(const std::vector<Problem>& problems) {
+    QString text;
+    int count = 0;
+    for (const Problem& problem : problems) {
+        if (++count <= fewProblems) {
+            text += QLatin1Char('\n');
+            text += problem.line > 0 ? tr("Line %1: %2").arg(problem.line).arg(sentence(problem)) : sentence(problem);
+        }
+    }
+    if (count > fewProblems) {
+        text += QLatin1Char('\n') + tr("… and %1 more").arg(count - fewProblems);
+    }
+    return text;
+}
+
+} // namespace
+
+FileQuestions dialogQuestions(QWidget* parent) {
+    return {[parent](const QString& folder) {
+                return QFileDialog::getOpenFileName(parent, tr("Open level"), folder, filter());
+            },
+            [parent](const QString& suggestion) {
+                QFileDialog dialog(parent, tr("Save level as"), suggestion, filter());
+                dialog.setAcceptMode(QFileDialog::AcceptSave);
+                dialog.setDefaultSuffix(QStringLiteral("json"));
+                dialog.selectFile(suggestion);
+                return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+            },
+            [parent](const QString& name) { return askAboutChanges(parent, name); }};
+}
+
+Files::Files(Document& document, FileQuestions questionsToAsk, Tell tell)
+    : questions(std::move(questionsToAsk)), m_document(document), m_tell(std::move(tell)) {}
+
+QString Files::name() const {
+    if (!m_path.isEmpty()) {
+        return QFileInfo(m_path).fileName();
+    }
+    return m_untitled.isEmpty() ? tr("Untitled") : m_untitled;
+}
+
+QString Files::suggestion() const {
+    if (!m_path.isEmpty()) {
+        return m_path;
+    }
+    const QString file = m_untitled.isEmpty() ? tr("level") + QStringLiteral(".json") : m_untitled;
+    const QStringList recent = preferences.recentFiles();
+    return QDir(recent.isEmpty() ? QDir::homePath() : QFileInfo(recent.front()).path()).filePath(file);
+}
+
+bool Files::startNew() {
+    if (!mayLeave()) {
+        return false;
+    }
+    m_path.clear();
+    m_untitled.clear();
+    m_problems.clear();
+    m_document.reset(Level());
+    changed.emit();
+    return true;
+}
+
+bool Files::chooseAndOpen() {
+    const QString path = questions.whichToOpen(QFileInfo(suggestion()).path());
+    return !path.isEmpty() && open(path);
+}
+
+bool Files::open(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    const Result<LevelFile> file = readLevel(toPath(absolute));
+    if (!file) {
+        preferences.removeRecent(absolute);
+        m_tell(MessageBar::Tone::Error, sentence(file.error()));
+        return false;
+    }
+    if (!adopt(file.value(), absolute)) {
+        return false;
+    }
+    preferences.addRecent(absolute);
+    return true;
+}
+
+bool Files::openExample(const QString& resource) {
+    QFile file(resource);
+    if (!file.open(QIODevice::ReadOnly) || !adopt(parseLevel(file.readAll().toStdString()), QString())) {
+        return false;
+    }
+    m_untitled = QFileInfo(resource).fileName();
+    changed.emit();
+    return true;
+}
+
+bool Files::adopt(const LevelFile& file, const QString& path) {
+    const QString shownName = path.isEmpty() ? tr("The example") : QFileInfo(path).fileName();
+    if (!file.level) {
+        m_tell(MessageBar::Tone::Error, tr("%1 cannot be opened.").arg(shownName) + listed(file.problems));
+        return false;
+    }
+    if (!mayLeave()) {
+        return false;
+    }
+    m_path = path;
+    m_untitled.clear();
+    m_problems = file.problems;
+    m_document.reset(*file.level);
+    if (!file.problems.empty()) {
+        m_tell(MessageBar::Tone::Warning, tr("%1 was opened, but:").arg(shownName) + listed(file.problems));
+    }
+    changed.emit();
+    return true;
+}
+
+bool Files::writeTo(const QString& path) {
+    const std::optional<Error> error = writeLevel(toPath(path), *m_document.current().level);
+    if (error) {
+        m_tell(MessageBar::Tone::Error, sentence(*error) + QLatin1Char('\n') +
+                                            tr("Nothing is lost: your work is still here. Save it elsewhere?"));
+        return false;
+    }
+    m_path = path;
+    m_untitled.clear();
+    m_document.markSaved();
+    preferences.addRecent(path);
+    changed.emit();
+    return true;
+}
+
+bool Files::save() {
+    return m_path.isEmpty() ? saveAs() : writeTo(m_path);
+}
+
+bool Files::saveAs() {
+    const QString path = questions.whereToSave(suggestion());
+    return !path.isEmpty() && writeTo(QFileInfo(path).absoluteFilePath());
+}
+
+bool Files::mayLeave() {
+    if (!m_document.isModified()) {
+        return true;
+    }
+    switch (questions.whatAboutChanges(name())) {
+    case Unsaved::Save:
+        return save();
+    case Unsaved::Discard:
+        return true;
+    case Unsaved::Cancel:
+        break;
+    }
+    return false;
+}
+
+} // namespace spacetow

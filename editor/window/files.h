@@ -1,0 +1,68 @@
+#pragma once
+// Opening and saving: which file the document belongs to, and that no work is lost on the way. Questions are asked
+// through functions, so that tests can answer them.
+
+#include "core/level/file.h"
+#include "editor/editing/document.h"
+#include "editor/window/message_bar.h"
+#include "editor/window/preferences.h"
+
+#include <QString>
+
+#include <functional>
+
+namespace spacetow {
+
+enum class Unsaved : std::uint8_t { Save, Discard, Cancel };
+
+struct FileQuestions {
+    std::function<QString(const QString& folder)> whichToOpen;     // empty: none
+    std::function<QString(const QString& suggestion)> whereToSave; // empty: nowhere
+    std::function<Unsaved(const QString& name)> whatAboutChanges;
+};
+
+/// Asks with the dialogs of the desktop.
+FileQuestions dialogQuestions(QWidget* parent);
+
+class Files {
+  public:
+    using Tell = std::function<void(MessageBar::Tone, const QString&)>;
+
+    /// The document must outlive this.
+    Files(Document& document, FileQuestions questions, Tell tell);
+
+    FileQuestions questions;
+
+    /// Each returns whether it was done; when not, document and file are as they were.
+    bool startNew();
+    bool chooseAndOpen();
+    bool open(const QString& path);
+    bool openExample(const QString& resource);
+    bool save();
+    bool saveAs();
+    /// Offers to save what is modified; false when the user would rather stay.
+    bool mayLeave();
+
+    /// Empty for a level that has no file yet.
+    const QString& path() const { return m_path; }
+    /// For the title: the file's name, or that of the level.
+    QString name() const;
+    /// What the file that was opened had to say, lint included.
+    const std::vector<Problem>& fileProblems() const { return m_problems; }
+
+    Signal<> changed; // path or name
+    Preferences preferences;
+
+  private:
+    bool adopt(const LevelFile& file, const QString& path);
+    bool writeTo(const QString& path);
+    QString suggestion() const;
+
+    Document& m_document;
+    Tell m_tell;
+    QString m_path;
+    QString m_untitled; // suggested file name while there is no path
+    std::vector<Problem> m_problems;
+};
+
+} // namespace spacetow

@@ -1,0 +1,26 @@
+#pragma once
+// The overview of keys, made from the table of actions and a few lines about mouse and game.
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace spacetow {
+
+class KeysDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    explicit KeysDialog(QWidget* parent = nullptr);
+
+    /// Every action that has a key stands in it.
+    static QString overview();
+
+  private:
+    QVBoxLayout m_column;
+    QTextBrowser m_text;
+    QDialogButtonBox m_buttons;
+};
+
+} // namespace spacetow

@@ -1,0 +1,108 @@
+#include "editor/window/preferences.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+#include <algorithm>
+#include <array>
+
+namespace spacetow {
+
+namespace {
+
+constexpr auto recentKey = "recent";
+constexpr double minStep = 0.001; // m
+constexpr double maxStep = 100;   // m
+
+struct NamedFlag {
+    const char* key;
+    bool OverlayFlags::*flag;
+};
+constexpr std::array overlayKeys{
+    NamedFlag{"overlays/aabb", &OverlayFlags::aabb},
+    NamedFlag{"overlays/incircle", &OverlayFlags::incircle},
+    NamedFlag{"overlays/velocity", &OverlayFlags::velocity},
+    NamedFlag{"overlays/orientation", &OverlayFlags::orientation},
+    NamedFlag{"overlays/normals", &OverlayFlags::normals},
+    NamedFlag{"overlays/quadtree", &OverlayFlags::quadtree},
+};
+
+} // namespace
+
+QByteArray Preferences::geometry() const {
+    return QSettings().value("window/geometry").toByteArray();
+}
+
+QByteArray Preferences::windowState() const {
+    return QSettings().value("window/state").toByteArray();
+}
+
+void Preferences::setWindow(const QByteArray& geometry, const QByteArray& state) {
+    QSettings settings;
+    settings.setValue("window/geometry", geometry);
+    settings.setValue("window/state", state);
+}
+
+QStringList Preferences::recentFiles() const {
+    QStringList files = QSettings().value(recentKey).toStringList();
+    files.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
+    return files;
+}
+
+void Preferences::addRecent(const QString& path) {
+    QStringList files = recentFiles();
+    files.removeAll(path);
+    files.prepend(path);
+    QSettings().setValue(recentKey, QStringList(files.mid(0, maxRecent)));
+}
+
+void Preferences::removeRecent(const QString& path) {
+    QStringList files = QSettings().value(recentKey).toStringList();
+    files.removeAll(path);
+    QSettings().setValue(recentKey, files);
+}
+
+void Preferences::clearRecent() {
+    QSettings().remove(recentKey);
+}
+
+SnapSettings Preferences::snap() const {
+    const QSettings settings;
+    SnapSettings snap;
+    snap.grid = settings.value("snap/grid", snap.grid).toBool();
+    const double step = settings.value("snap/step", snap.step).toDouble();
+    snap.step = step >= minStep && step <= maxStep ? step : snap.step;
+    return snap;
+}
+
+void Preferences::setSnap(const SnapSettings& snap) {
+    QSettings settings;
+    settings.setValue("snap/grid", snap.grid);
+    settings.setValue("snap/step", snap.step);
+}
+
+bool Preferences::grid() const {
+    return QSettings().value("grid", true).toBool();
+}
+
+void Preferences::setGrid(bool visible) {
+    QSettings().setValue("grid", visible);
+}
+
+OverlayFlags Preferences::overlays() const {
+    const QSettings settings;
+    OverlayFlags overlays;
+    for (const NamedFlag& named : overlayKeys) {
+        overlays.*named.flag = settings.value(named.key, false).toBool();
+    }
+    return overlays;
+}
+
+void Preferences::setOverlays(const OverlayFlags& overlays) {
+    QSettings settings;
+    for (const NamedFlag& named : overlayKeys) {
+        settings.setValue(named.key, overlays.*named.flag);
+    }
+}
+
+} // namespace spacetow

@@ -1,0 +1,35 @@
+#pragma once
+// What the program remembers from one run to the next: window, recent files and switches. Kept by QSettings; nothing of
+// it is ever written into a level.
+
+#include "editor/canvas/overlay_flags.h"
+#include "editor/editing/snap.h"
+
+#include <QByteArray>
+#include <QStringList>
+
+namespace spacetow {
+
+class Preferences {
+  public:
+    static constexpr int maxRecent = 10;
+
+    QByteArray geometry() const;
+    QByteArray windowState() const;
+    void setWindow(const QByteArray& geometry, const QByteArray& state);
+
+    /// Newest first; files that are gone are left out.
+    QStringList recentFiles() const;
+    void addRecent(const QString& path);
+    void removeRecent(const QString& path);
+    void clearRecent();
+
+    SnapSettings snap() const;
+    void setSnap(const SnapSettings& snap);
+    bool grid() const;
+    void setGrid(bool visible);
+    OverlayFlags overlays() const;
+    void setOverlays(const OverlayFlags& overlays);
+};
+
+} // namespace spacetow

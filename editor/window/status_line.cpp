@@ -1,0 +1,124 @@
+#include "editor/window/status_line.h"
+
+#include "editor/canvas/icons.h"
+
+#include <QEvent>
+#include <QLocale>
+
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+QString metres(double value) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(std::abs(value) < 0.005 ? 0 : value, 'f', 2);
+}
+
+} // namespace
+
+StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
+    m_hintLabel.setTextFormat(Qt::PlainText);
+    m_hintLabel.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_hintLabel.setContentsMargins(6, 0, 6, 0);
+    addWidget(&m_hintLabel, 1);
+    addPermanentWidget(&m_selection);
+    addPermanentWidget(&m_pointer);
+    m_pointer.setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    // Wide enough for what is usual, so that the line does not jump about under the moving pointer.
+    m_pointer.setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("x -00.00  y -00.00 m")));
+    for (QToolButton* button : {&m_snap, &m_zoom, &m_problems}) {
+        dressButton(*button);
+    }
+    m_snap.setToolTip(tr("Snap to grid (Shift+G)"));
+    m_zoom.setToolTip(tr("Zoom to original size (Ctrl+0)"));
+    m_problems.setToolTip(tr("Next problem (F4)"));
+    connect(&m_snap, &QToolButton::clicked, this, &StatusLine::snapClicked);
+    connect(&m_zoom, &QToolButton::clicked, this, &StatusLine::zoomClicked);
+    connect(&m_problems, &QToolButton::clicked, this, &StatusLine::problemsClicked);
+    setProblems(0, 0);
+}
+
+void StatusLine::dressButton(QToolButton& button) {
+    button.setAutoRaise(true);
+    button.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button.setIconSize(QSize(16, 16));
+    button.setFocusPolicy(Qt::NoFocus);
+    addPermanentWidget(&button);
+}
+
+void StatusLine::setHint(const QString& sentence) {
+    if (sentence != m_hint) {
+        m_hint = sentence;
+        m_hintLabel.setToolTip(sentence);
+        elide();
+    }
+}
+
+void StatusLine::elide() {
+    const int room = m_hintLabel.width() - 12;
+    m_hintLabel.setText(m_hintLabel.fontMetrics().elidedText(m_hint, Qt::ElideRight, std::max(room, 20)));
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+    QStatusBar::resizeEvent(event);
+    elide();
+}
+
+void StatusLine::setPointer(double x, double y) {
+    m_pointer.setText(tr("x %1  y %2 m").arg(metres(x), metres(y)));
+}
+
+void StatusLine::clearPointer() {
+    m_pointer.clear();
+}
+
+void StatusLine::setSelection(int count, const Aabb& box) {
+    m_selection.setVisible(count > 0);
+    if (count > 0) {
+        const QString size =
+            box.isEmpty() ? QString() : tr(", %1 × %2 m").arg(metres(box.size().x()), metres(box.size().y()));
+        m_selection.setText(tr("%n selected", nullptr, count) + size);
+    }
+    elide();
+}
+
+void StatusLine::setSnap(const SnapSettings& snap) {
+    m_snap.setText(snap.grid ? tr("Snap %1 m").arg(QLocale().toString(snap.step)) : tr("Snap off"));
+}
+
+void StatusLine::setZoom(double scale, double usual) {
+    const double percent = 100 * scale / usual;
+    m_zoom.setText(tr("%1 %").arg(QLocale().toString(percent, 'f', percent < 10 ? 1 : 0)));
+}
+
+void StatusLine::setProblems(int errors, int warnings) {
+    m_errors = errors;
+    m_warnings = warnings;
+    const QPalette& colors = palette();
+    const bool dark = colors.color(QPalette::Window).lightness() < 128;
+    if (errors > 0) {
+        m_problems.setIcon(icon(QStringLiteral("error"), dark ? QColor(255, 120, 108) : QColor(196, 40, 28)));
+    } else if (warnings > 0) {
+        m_problems.setIcon(icon(QStringLiteral("warning"), dark ? QColor(255, 200, 80) : QColor(160, 100, 0)));
+    } else {
+        m_problems.setIcon(icon(QStringLiteral("ok"), dark ? QColor(120, 220, 150) : QColor(20, 120, 60)));
+    }
+    const QString text = errors > 0 && warnings > 0
+                             ? tr("%1, %2").arg(tr("%n errors", nullptr, errors), tr("%n warnings", nullptr, warnings))
+                         : errors > 0   ? tr("%n errors", nullptr, errors)
+                         : warnings > 0 ? tr("%n warnings", nullptr, warnings)
+                                        : tr("No problems");
+    m_problems.setText(text);
+}
+
+void StatusLine::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        setProblems(m_errors, m_warnings);
+    }
+    QStatusBar::changeEvent(event);
+}
+
+} // namespace spacetow

@@ -1,0 +1,55 @@
+#pragma once
+// The bottom line: on the left what the mouse and the keys do right now, on the right where the pointer is, what is
+// selected, how points snap, the zoom and how many problems there are.
+
+#include "core/math/aabb.h"
+#include "editor/editing/snap.h"
+
+#include <QLabel>
+#include <QStatusBar>
+#include <QToolButton>
+
+namespace spacetow {
+
+class StatusLine : public QStatusBar {
+    Q_OBJECT
+
+  public:
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    void setHint(const QString& sentence);
+    void setPointer(double x, double y); // m
+    void clearPointer();
+    /// The box of what is selected, in metres; empty when it has no extent.
+    void setSelection(int count, const Aabb& box);
+    void setSnap(const SnapSettings& snap);
+    void setZoom(double scale, double usual); // pixels a metre
+    void setProblems(int errors, int warnings);
+
+    QString hint() const { return m_hint; }
+
+  Q_SIGNALS:
+    void snapClicked();
+    void zoomClicked();
+    void problemsClicked();
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void elide();
+    void dressButton(QToolButton& button);
+
+    QString m_hint;
+    QLabel m_hintLabel;
+    QLabel m_pointer;
+    QLabel m_selection;
+    QToolButton m_snap;
+    QToolButton m_zoom;
+    QToolButton m_problems;
+    int m_errors = 0;
+    int m_warnings = 0;
+};
+
+} // namespace spacetow
