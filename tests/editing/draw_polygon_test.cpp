@@ -49,8 +49,9 @@ void DrawPolygonTest::polygonsAreAnticlockwise() {
             std::reverse(angles.begin(), angles.end());
         }
         std::vector<Vec2> corners;
+        corners.reserve(angles.size());
         for (const double angle : angles) {
-            corners.push_back(4 * Vec2(std::cos(angle), std::sin(angle)));
+            corners.emplace_back(4 * std::cos(angle), 4 * std::sin(angle));
         }
         Drawer drive;
         drive.held.ctrl = true;

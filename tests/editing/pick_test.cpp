@@ -71,7 +71,7 @@ std::vector<Vec2> samplesOf(const Outline& outline) {
                     path.points[i] + (path.points[(i + 1) % count] - path.points[i]) * (double(step) / steps);
                 // The polygons of this test are seen whole from their centre of area.
                 for (int inwards = 0; inwards <= (path.filled ? steps : 0); ++inwards) {
-                    samples.push_back(on + (centroid(path.points) - on) * (double(inwards) / steps));
+                    samples.emplace_back(on + (centroid(path.points) - on) * (double(inwards) / steps));
                 }
             }
         }
@@ -80,7 +80,8 @@ std::vector<Vec2> samplesOf(const Outline& outline) {
         for (int turn = 0; turn < 2 * steps; ++turn) {
             for (int out = 0; out <= steps; ++out) {
                 const double angle = std::numbers::pi * turn / steps;
-                samples.push_back(disc.center + Vec2(std::cos(angle), std::sin(angle)) * (disc.radius * out / steps));
+                samples.emplace_back(disc.center +
+                                     Vec2(std::cos(angle), std::sin(angle)) * (disc.radius * out / steps));
             }
         }
     }
