@@ -217,6 +217,9 @@ std::vector<Vec2> cleanOutline(std::span<const Vec2> outline) {
 }
 
 std::vector<std::vector<int>> convexPieces(std::span<const Vec2> outline, int maxCorners) {
+    if (outline.size() < 3) {
+        return {};
+    }
     Piece whole(outline.size());
     std::iota(whole.begin(), whole.end(), 0);
     if (outline.size() <= static_cast<std::size_t>(maxCorners) && isConvex(outline, whole) && isSimple(outline)) {
