@@ -1,4 +1,5 @@
 #include "app/levelc_commands.h"
+#include "app/levelc_flight.h"
 #include "app/levelc_support.h"
 #include "core/level/bounds.h"
 #include "editor/canvas/overlay_painter.h"
@@ -42,6 +43,7 @@ struct Picture {
     const Level& level;
     QSize size;
     OverlayFlags overlays;
+    std::optional<Flight> flight;
 };
 
 void paint(QPainter& painter, const Picture& picture) {
@@ -52,6 +54,10 @@ void paint(QPainter& painter, const Picture& picture) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(QRect(QPoint(0, 0), picture.size), theme.background);
     const Stage stage{painter, view, theme};
+    if (picture.flight) {
+        paintFlight(stage, *picture.flight, picture.overlays);
+        return;
+    }
     paintLevel(stage, picture.level, Selection());
     paintLevelOverlays(stage, picture.level, picture.overlays);
 }
@@ -75,6 +81,19 @@ bool paintPng(QIODevice& out, const Picture& picture) {
     paint(painter, picture);
     painter.end();
     return image.save(&out, "PNG");
+}
+
+/// Nothing after complaining, or when no replay is named.
+std::optional<Flight> wantedFlight(const Level& level, const QString& file) {
+    if (file.isEmpty()) {
+        return {};
+    }
+    const Result<Replay> replay = readReplay(file.toStdString());
+    if (!replay) {
+        complain(replay.error());
+        return {};
+    }
+    return flown(level, replay.value());
 }
 
 int write(const QString& file, const Picture& picture) {
@@ -108,6 +127,9 @@ int renderCommand(const QStringList& arguments) {
     line.parser.addOption({QStringLiteral("overlays"),
                            QStringLiteral("Any of aabb,incircle,velocity,orientation,normals,quadtree."),
                            QStringLiteral("LIST")});
+    line.parser.addOption({QStringLiteral("replay"),
+                           QStringLiteral("Draws the end of a recorded flight, and the way that led there."),
+                           QStringLiteral("REPLAY")});
     line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level file."), QStringLiteral("FILE"));
     if (!line.read(arguments, 1, 1)) {
         return exitStatus::unusable;
@@ -126,7 +148,12 @@ int renderCommand(const QStringList& arguments) {
         return exitStatus::unusable;
     }
     const std::optional<Level> level = loadedLevel(line.parser.positionalArguments().front());
-    return level ? write(output, {*level, *size, *overlays}) : exitStatus::unusable;
+    if (!level) {
+        return exitStatus::unusable;
+    }
+    const QString replay = line.parser.value(QStringLiteral("replay"));
+    Picture picture{*level, *size, *overlays, wantedFlight(*level, replay)};
+    return replay.isEmpty() || picture.flight ? write(output, picture) : exitStatus::unusable;
 }
 
 } // namespace spacetow
