@@ -1,5 +1,5 @@
 #include "core/geometry/convex_parts.h"
-#include "tests/bench/scene.h"
+#include "tests/bench/engines.h"
 #include "tests/bench/stopwatch.h"
 
 #include <box2d/box2d.h>

@@ -1,6 +1,6 @@
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/mass.h"
-#include "tests/bench/scene.h"
+#include "tests/bench/engines.h"
 #include "tests/bench/stopwatch.h"
 
 #include <chipmunk/chipmunk.h>

@@ -1,6 +1,6 @@
 // Times one scene: scene_bench SCENE [N [UPDATES]] [--hz H] [--iterations I] [--substeps S], and prints one line.
 
-#include "tests/bench/scene.h"
+#include "tests/bench/engines.h"
 
 #include <algorithm>
 #include <charconv>
@@ -105,11 +105,11 @@ void print(const Scene& scene, int updates) {
 
 int main(int count, char** arguments) {
     const std::optional<Request> asked = request(count, arguments);
-    std::optional<Scene> scene = asked ? makeScene(asked->scene, asked->n) : std::nullopt;
+    std::optional<Scene> scene = asked ? test::makeScene(asked->scene, asked->n) : std::nullopt;
     if (!scene) {
         std::fprintf(stderr, "Usage: scene_bench SCENE [N [UPDATES]] [--hz H] [--iterations I] [--substeps S]\n"
                              "where SCENE is one of:");
-        for (const std::string& name : sceneNames()) {
+        for (const std::string& name : test::sceneNames()) {
             std::fprintf(stderr, " %s", name.c_str());
         }
         std::fprintf(stderr, "\n");

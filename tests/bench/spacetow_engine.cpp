@@ -1,4 +1,4 @@
-#include "tests/bench/scene.h"
+#include "tests/bench/engines.h"
 #include "tests/bench/stopwatch.h"
 
 #include <algorithm>
@@ -7,19 +7,6 @@
 namespace spacetow::bench {
 
 namespace {
-
-void build(World& world, const Scene& scene) {
-    std::vector<BodyId> ids;
-    for (const BodyDef& def : scene.bodies) {
-        ids.push_back(world.addBody(def).value());
-    }
-    for (const Joint& joint : scene.joints) {
-        ConnectorDef connector = joint.connector;
-        connector.a = ids[joint.a];
-        connector.b = ids[joint.b];
-        static_cast<void>(world.addConnector(connector).value());
-    }
-}
 
 void describe(Run& run, const World& world) {
     int count = 0;
@@ -42,8 +29,8 @@ void describe(Run& run, const World& world) {
 
 Run runSpacetow(const Scene& scene, int updates) {
     Run run;
-    World world(scene.parameters);
-    run.buildMs = milliseconds([&] { build(world, scene); });
+    World world;
+    run.buildMs = milliseconds([&] { world = worldOf(scene); });
     for (int i = 0; i < updates; ++i) {
         run.updateMs.push_back(milliseconds([&] { world.update(); }));
     }

@@ -1,4 +1,5 @@
 #include "core/physics/world.h"
+#include "tests/support/bodies.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_main.h"
 
@@ -320,7 +321,7 @@ class MotionTest : public QObject {
     }
 
     void aCopiedWorldHasTheSameFuture() {
-        World world = *scene("pyramid", 8, sceneParameters("pyramid"));
+        World world = worldOf(*makeScene("pyramid", 8));
         for (int i = 0; i < 50; ++i) {
             world.update();
         }

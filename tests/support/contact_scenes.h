@@ -4,7 +4,7 @@
 #include "core/game/ship.h"
 #include "core/geometry/polygon.h"
 #include "core/physics/world.h"
-#include "tests/support/scenes.h"
+#include "tests/support/bodies.h"
 #include "tests/support/test_main.h"
 
 #include <cmath>

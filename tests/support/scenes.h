@@ -1,25 +1,39 @@
 #pragma once
-// Worlds for tests and benchmarks alike. SI units.
+// The scenes of tests and benchmarks, told without any engine: what is in them, and how they are stepped. SI units,
+// radians, y up.
 
+#include "core/physics/body.h"
+#include "core/physics/connector.h"
 #include "core/physics/world.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace spacetow::test {
 
-/// A static edge body; solid for what comes from the left of a→b.
-BodyDef edgeBody(const Vec2& a, const Vec2& b, double depth = noBack);
-BodyDef lineBody(const Vec2& a, const Vec2& b);
-BodyDef ball(const Vec2& at, double radius);
-/// A box with the given half sizes.
-BodyDef box(const Vec2& at, double halfWidth, double halfHeight);
-/// Adds a body that must be fine.
-BodyId add(World& world, const BodyDef& def);
+/// Two bodies of a scene, by their place in it, and what joins them.
+struct Joint {
+    std::size_t a, b;
+    ConnectorDef connector; // its bodies are not set
+};
 
-/// The benchmark scenes by name: balls, pyramid, cave, tumbler, tow, mesh; `n` as each defines it.
-std::optional<World> scene(std::string_view name, int n, const UpdateParameters& parameters);
-/// The parameters of a scene's default run.
-UpdateParameters sceneParameters(std::string_view name);
+struct Scene {
+    std::string name;
+    int n = 0;       // the size asked for; what it counts depends on the scene
+    int updates = 0; // in a default run
+    UpdateParameters parameters;
+    int referenceSteps = 1; // in which other engines carry out one update, where springs are too stiff for a single one
+    std::vector<BodyDef> bodies;
+    std::vector<Joint> joints;
+};
+
+/// The names that makeScene() knows.
+std::vector<std::string> sceneNames();
+/// Nothing for an unknown name. Without `n`, the size of the default run.
+std::optional<Scene> makeScene(std::string_view name, std::optional<int> n);
+/// The scene in our own engine.
+World worldOf(const Scene& scene);
 
 } // namespace spacetow::test
