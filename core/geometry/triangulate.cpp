@@ -220,6 +220,9 @@ std::vector<std::vector<int>> convexPieces(std::span<const Vec2> outline, int ma
     if (outline.size() < 3) {
         return {};
     }
+    if (outline.size() < 3) {
+        return {};
+    }
     Piece whole(outline.size());
     std::iota(whole.begin(), whole.end(), 0);
     if (outline.size() <= static_cast<std::size_t>(maxCorners) && isConvex(outline, whole) && isSimple(outline)) {
