@@ -11,6 +11,8 @@ constexpr std::size_t leafCapacity = 4;
 constexpr int maxDepth = 40;
 // A level that keeps more than this share of its boxes in one quadrant has not divided them.
 constexpr double poorShare = 0.75;
+// Where more than this share straddles the middle, the axis is not divided: it would only hold everything twice.
+constexpr double straddlingShare = 0.5;
 
 enum class SplitAt : std::uint8_t { Centers, UpperBounds, LowerBounds };
 
@@ -77,6 +79,21 @@ struct StaticQuadtree::Builder {
         return middle;
     }
 
+    /// The middle, out of reach along an axis that divides too little.
+    Vec2 usefulMiddle(const std::vector<std::uint32_t>& items, SplitAt at) {
+        Vec2 middle = middleOf(items, at);
+        for (int axis = 0; axis < 2; ++axis) {
+            const auto straddling = std::count_if(items.begin(), items.end(), [&](std::uint32_t item) {
+                const Aabb& box = tree.m_boxes[item];
+                return box.min[axis] < middle[axis] && box.max[axis] >= middle[axis];
+            });
+            if (static_cast<double>(straddling) > straddlingShare * static_cast<double>(items.size())) {
+                middle[axis] = infinity;
+            }
+        }
+        return middle;
+    }
+
     void makeLeaf(std::uint32_t node, const std::vector<std::uint32_t>& items) {
         tree.m_nodes[node].first = static_cast<std::uint32_t>(tree.m_items.size());
         tree.m_nodes[node].count = static_cast<std::uint32_t>(items.size());
@@ -90,7 +107,7 @@ struct StaticQuadtree::Builder {
             makeLeaf(node, items);
             return;
         }
-        const Vec2 middle = middleOf(items, static_cast<SplitAt>(poor));
+        const Vec2 middle = usefulMiddle(items, static_cast<SplitAt>(poor));
         std::array<std::vector<std::uint32_t>, 4> parts;
         for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
             for (const std::uint32_t item : items) {
@@ -170,7 +187,10 @@ std::vector<Aabb> StaticQuadtree::cells() const {
             continue;
         }
         for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
-            stack.emplace_back(node.first + quadrant, quadrantOf(region, node.middle, quadrant));
+            const Aabb part = quadrantOf(region, node.middle.cwiseMin(m_bounds.max), quadrant);
+            if (reaches(m_bounds, node.middle, quadrant)) {
+                stack.emplace_back(node.first + quadrant, part);
+            }
         }
     }
     return result;

@@ -10,7 +10,7 @@ namespace {
 // Overlap is reduced at this rate, 1/s, by at most this share an iteration and not faster than this, m/s.
 constexpr double pushOutRate = 40;
 constexpr double pushOutShare = 0.2;
-constexpr double pushOutSpeed = 3;
+constexpr double pushOutSpeed = 25;
 
 struct Bodies {
     BodyMotion& a;
