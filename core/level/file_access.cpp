@@ -148,6 +148,9 @@ std::optional<Error> writeLevel(const fs::path& path, const Level& level) {
     const fs::path file = target(path);
     struct stat info {};
     const bool exists = ::stat(file.c_str(), &info) == 0;
+    if (!exists && errno != ENOENT) {
+        return cannot("cannot-write", path, errno);
+    }
     if (exists && !S_ISREG(info.st_mode)) {
         return cannot("cannot-write", path, S_ISDIR(info.st_mode) ? EISDIR : EINVAL);
     }

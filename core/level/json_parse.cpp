@@ -94,6 +94,12 @@ Problem syntaxProblem(std::string_view text, std::size_t position) {
     if (position >= text.size()) {
         return problemAt(text, text.size(), "unexpected-end", {});
     }
+    if (text[position] == '\n') { // elsewhere a line break is never wrong
+        return problemAt(text, position, "open-text", {});
+    }
+    if (static_cast<unsigned char>(text[position]) < 0x20) {
+        return problemAt(text, position, "control-character", {std::to_string(text[position])});
+    }
     const std::string word = wordAt(text, position);
     if (isNotFiniteWord(word)) {
         return problemAt(text, position, "not-finite-literal", {word});

@@ -140,12 +140,29 @@ std::vector<Problem> JsonTree::duplicateNames() const {
                 Problem problem;
                 problem.code = "duplicate-field";
                 problem.arguments = {m_names[members[j].first]};
+                problem.pointer = pointerTo(members[j].second);
                 problem.line = static_cast<int>(m_nodes[members[j].second].line);
                 problems.push_back(std::move(problem));
             }
         }
     }
     return problems;
+}
+
+std::string JsonTree::pointerTo(std::uint32_t index) const {
+    std::string pointer;
+    JsonView place = root();
+    while (place.index() != index) {
+        int position = 0;
+        auto member = place.begin();
+        while ((*member).node().end <= index) {
+            ++member;
+            ++position;
+        }
+        pointer += '/' + (place.isArray() ? std::to_string(position) : pointerSegment((*member).name()));
+        place = *member;
+    }
+    return pointer;
 }
 
 int JsonTree::lineAt(std::string_view pointer) const {

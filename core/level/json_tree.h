@@ -88,6 +88,8 @@ class JsonTree {
     int lineAt(std::string_view pointer) const;
 
   private:
+    std::string pointerTo(std::uint32_t index) const;
+
     friend class JsonView;
     friend class JsonTreeBuilder;
 

@@ -1,5 +1,6 @@
 #include "core/geometry/intersect.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/triangulate.h"
 #include "core/level/fields.h"
 #include "core/level/lint_findings.h"
 
@@ -74,7 +75,7 @@ class ShapeChecker {
             add(Severity::Error, "polygon-too-few-vertices", {std::to_string(v.size())});
         } else if (!isSimple(v)) {
             reportCrossing(v);
-        } else if (signedArea(v) == 0) {
+        } else if (cleanOutline(v).empty() || signedArea(v) == 0) {
             add(Severity::Error, "polygon-flat", {});
         } else if (signedArea(v) < 0) {
             add(Severity::Warning, "polygon-clockwise", {});

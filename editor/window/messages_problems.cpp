@@ -23,6 +23,8 @@ constexpr MessageText problems[] = {
      QT_TRANSLATE_NOOP("messages", "“%1” is not expected here: something is wrong at this place or just before it.")},
     {"unexpected-end",
      QT_TRANSLATE_NOOP("messages", "The file ends too early: a bracket, a brace or a quotation mark is not closed.")},
+    {"open-text", QT_TRANSLATE_NOOP("messages", "A text is not closed with a quotation mark before its line ends.")},
+    {"control-character", QT_TRANSLATE_NOOP("messages", "The control character %1 cannot stand here as it is.")},
     {"not-finite-literal",
      QT_TRANSLATE_NOOP("messages", "“%1” is not a number that a file can hold; write a finite one.")},
     {"trailing-comma",

@@ -1,0 +1,225 @@
+#include "tests/support/random_level.h"
+
+#include <bit>
+#include <cmath>
+
+namespace spacetow::test {
+
+namespace {
+
+class Maker {
+  public:
+    explicit Maker(std::uint64_t seed) : m_random(seed) {}
+
+    Level level(int objects) {
+        Level level;
+        level.name = text();
+        level.author = text();
+        level.description = text();
+        level.gravity = point();
+        level.updateSeconds = chance() ? 0.02 : m_random.uniform(0.001, 0.1);
+        level.iterations = 1 + below(1000);
+        level.substeps = 1 + below(100);
+        level.rules = {1 + below(9), m_random.uniform(0.1, 5), chance(), chance() ? "stars" : text()};
+        fillTags(level.tags);
+        for (int i = 0; i < objects; ++i) {
+            level.objects.append(object(level));
+        }
+        return level;
+    }
+
+  private:
+    int below(int count) { return static_cast<int>(m_random.below(static_cast<std::uint32_t>(count))); }
+    bool chance() { return m_random.below(2) == 0; }
+    /// Short decimals, long ones, whole ones, tiny ones and huge ones.
+    double number() {
+        switch (below(6)) {
+        case 0:
+            return below(200) - 100;
+        case 1:
+            return (below(2000) - 1000) / 100.0;
+        case 2:
+            return m_random.uniform(-10, 10);
+        case 3:
+            return std::ldexp(m_random.uniform(-1, 1), below(40) - 20);
+        case 4:
+            return std::ldexp(m_random.uniform(-1, 1), below(600) - 300);
+        default:
+            return 0;
+        }
+    }
+    double positive() { return std::abs(number()) + 0.01; }
+    Vec2 point() { return {number(), number()}; }
+    std::vector<Vec2> points(int least) {
+        std::vector<Vec2> result(static_cast<std::size_t>(least + below(chance() ? 4 : 40)));
+        for (Vec2& p : result) {
+            p = point();
+        }
+        return result;
+    }
+    std::string text() {
+        static const std::vector<std::string> words{
+            "",        "cave", "Höhle", "洞窟", "a \"quoted\" one", "\\n", "two\nlines", std::string("\x01\x1f\0", 3),
+            "🚀 tab\t", "/~1"};
+        return words[static_cast<std::size_t>(below(static_cast<int>(words.size())))];
+    }
+    TagMask mask() { return chance() ? TagMask{m_random.next()} : TagMask::bit(below(32)); }
+
+    void fillTags(TagTable& tags) {
+        for (int i = 5; i < TagTable::size; ++i) {
+            if (below(4) == 0) {
+                tags.set(i, {"tag " + std::to_string(i), m_random.below(0x1000000)});
+            }
+        }
+        if (chance()) {
+            tags.set(below(5), {});
+        }
+        if (chance()) {
+            tags.set(31, {"", 0x123456});
+        }
+    }
+    LevelShape shape() {
+        switch (below(4)) {
+        case 0:
+            return EdgeChain{points(2), chance(), chance() ? noBack : positive()};
+        case 1:
+            return LineChain{points(2), chance()};
+        case 2:
+            return Polygon{points(3)};
+        default:
+            return Circle{point(), positive()};
+        }
+    }
+    BodyObject body() {
+        BodyObject body;
+        body.kind = static_cast<BodyKind>(below(3));
+        for (int i = 1 + below(3); i > 0; --i) {
+            body.shapes.push_back(shape());
+        }
+        body.position = point();
+        if (chance()) {
+            body.angle = number();
+            body.velocity = point();
+            body.angularVelocity = number();
+            body.mass = chance() ? std::optional(positive()) : std::nullopt;
+            body.density = positive();
+            body.restitution = m_random.unit();
+            body.friction = m_random.unit();
+            body.linearDamping = m_random.unit();
+            body.angularDamping = m_random.unit();
+            body.filter = {mask(), chance() ? TagMask::all() : mask()};
+            body.tangible = chance();
+            body.frozen = chance();
+        }
+        return body;
+    }
+    ConnectorObject connector(const Level& level) {
+        ConnectorObject connector;
+        const auto end = [&] {
+            return level.objects.empty() ? Key{1} : level.objects[below(level.objects.size())].key;
+        };
+        connector.a = end();
+        connector.b = end();
+        if (chance()) {
+            connector.anchorA = point();
+            connector.anchorB = point();
+            connector.length = chance() ? std::optional(positive()) : std::nullopt;
+            connector.stiffness = positive();
+            connector.damping = m_random.unit();
+            connector.slack = chance();
+            connector.bodiesCollide = chance();
+            connector.truncation = static_cast<TruncationRule>(below(5));
+            connector.limit = positive();
+            connector.proportion = m_random.unit();
+        }
+        return connector;
+    }
+    Object object(const Level& level) {
+        Object object;
+        object.key = freshKey(level, m_random.next());
+        object.name = text();
+        switch (below(8)) {
+        case 0:
+            object.data = ShipObject{point(), number()};
+            break;
+        case 1:
+            object.data = PayloadObject{point(), positive(), positive()};
+            break;
+        case 2:
+            object.data = FinishObject{point(), point()};
+            break;
+        case 3:
+            object.data = connector(level);
+            break;
+        default:
+            object.data = body();
+        }
+        return object;
+    }
+
+    Random m_random;
+};
+
+BodyObject populatedBody() {
+    BodyObject body;
+    body.kind = BodyKind::Dynamic;
+    body.shapes = {EdgeChain{{{0, 0}, {1, 0}, {1, 1}}, true, 0.5}, LineChain{{{0, 2}, {1, 2}, {1, 3}}, true},
+                   Polygon{{{0, 4}, {1, 4}, {0, 5}}}, Circle{{3, 3}, 0.25}};
+    body.position = {1, 2};
+    body.angle = 0.5;
+    body.velocity = {3, 4};
+    body.angularVelocity = 5;
+    body.mass = 6;
+    body.density = 7;
+    body.restitution = 0.25;
+    body.friction = 0.75;
+    body.linearDamping = 0.125;
+    body.angularDamping = 0.375;
+    body.filter = {TagMask::bit(2) | TagMask::bit(17), TagMask::bit(0) | TagMask::bit(2)};
+    body.tangible = false;
+    body.frozen = true;
+    return body;
+}
+
+} // namespace
+
+Level randomLevel(std::uint64_t seed, int objects) {
+    return Maker(seed).level(objects);
+}
+
+Level populatedLevel() {
+    Level level;
+    level.name = "Everything";
+    level.author = "Nobody";
+    level.description = "One of each.";
+    level.gravity = {0.5, -2};
+    level.updateSeconds = 0.01;
+    level.iterations = 50;
+    level.substeps = 4;
+    level.rules = {5, 2.5, true, "plain"};
+    level.tags.set(7, {"ice", 0xabcdef});
+    BodyObject plain;
+    plain.shapes = {Circle{{0, 0}, 1}};
+    level.objects.append({0x00000001, "body", populatedBody(), {}});
+    level.objects.append({0x00000002, "plain", plain, {}});
+    level.objects.append({0x00000003, "ship", ShipObject{{20, 21}, 0.5}, {}});
+    level.objects.append({0x00000004, "payload", PayloadObject{{30, 31}, 0.3, 0.5}, {}});
+    level.objects.append({0x00000005, "finish", FinishObject{{40, 41}, {42, 43}}, {}});
+    ConnectorObject connector;
+    connector.a = 1;
+    connector.b = 2;
+    connector.anchorA = {0.1, 0.2};
+    connector.anchorB = {0.3, 0.4};
+    connector.length = 1.5;
+    connector.stiffness = 200;
+    connector.damping = 2;
+    connector.slack = true;
+    connector.bodiesCollide = true;
+    connector.truncation = TruncationRule::PartialTanh;
+    connector.limit = 10;
+    connector.proportion = 0.75;
+    level.objects.append({0x00000006, "connector", connector, {}});
+    return level;
+}
+
+} // namespace spacetow::test
