@@ -159,9 +159,9 @@ void Canvas::paintEvent(QPaintEvent*) {
     }
     paintToolOverlay(stage, m_toolbox.overlay());
     if (hasFocus()) {
-        painter.setPen(stroke(palette().color(QPalette::Highlight), 2));
+        painter.setPen(stroke(palette().color(QPalette::Highlight), 1));
         painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
 }
 

@@ -48,9 +48,22 @@ Form::Form(std::span<const FormRow> rows, QWidget* parent) : QWidget(parent), m_
         addRow(row);
     }
     m_grid.setRowStretch(m_grid.rowCount(), 1);
+    m_fullWidth = measured();
 }
 
 Form::~Form() = default;
+
+int Form::measured() {
+    NumberSpec widest;
+    widest.unit = QStringLiteral("kg/m²");
+    for (const std::unique_ptr<FormRowState>& row : m_rows) {
+        row->editor->ensurePolished();
+        if (row->spec.kind == RowKind::Number) {
+            static_cast<NumberField&>(*row->editor).setSpec(widest);
+        }
+    }
+    return m_grid.totalMinimumSize().width();
+}
 
 void Form::addRow(const FormRow& spec) {
     auto row = std::make_unique<FormRowState>();

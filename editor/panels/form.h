@@ -25,6 +25,9 @@ class Form : public QWidget {
     /// The fields of each thing that is shown.
     void setThings(const std::vector<std::vector<FieldEntry>>& things, const TagTable& tags);
 
+    /// The width at which no row would be cut off, be it in sight or not.
+    int fullWidth() const { return m_fullWidth; }
+
     /// The widget that edits this field, for tests and for the focus; null for an unknown one.
     QWidget* editor(const QString& id) const;
 
@@ -41,7 +44,10 @@ class Form : public QWidget {
     void makeTags(FormRowState& row);
     void show(FormRowState& row, const FormShown* shown, const TagTable& tags);
 
+    int measured();
+
     QGridLayout m_grid;
+    int m_fullWidth = 0;
     std::vector<std::unique_ptr<FormRowState>> m_rows; // rows stay where they are
 };
 

@@ -16,14 +16,14 @@ constexpr std::array kinds{TEXT("Static"), TEXT("Kinematic"), TEXT("Dynamic")};
 constexpr std::array truncations{TEXT("No tension"), TEXT("Unlimited"), TEXT("Cut off"), TEXT("Tanh"),
                                  TEXT("Partial tanh")};
 
-constexpr const char* object = TEXT("Object");
+constexpr const char* object = TEXT("General");
 constexpr const char* place = TEXT("Position");
 constexpr const char* shape = TEXT("Shape");
 constexpr const char* motion = TEXT("Motion");
 constexpr const char* matter = TEXT("Matter");
 constexpr const char* connection = TEXT("Connector");
 constexpr const char* collisions = TEXT("Collisions");
-constexpr const char* level = TEXT("Level");
+constexpr const char* level = TEXT("General");
 constexpr const char* rules = TEXT("Rules of the game");
 constexpr const char* physics = TEXT("Physics");
 

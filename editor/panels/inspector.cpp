@@ -58,7 +58,7 @@ void Inspector::watch(Form& form) {
 }
 
 QSize Inspector::minimumSizeHint() const {
-    const int form = std::max(m_levelForm.minimumSizeHint().width(), m_objectForm.minimumSizeHint().width());
+    const int form = std::max(m_levelForm.fullWidth(), m_objectForm.fullWidth());
     return {form + style()->pixelMetric(QStyle::PM_ScrollBarExtent), 120};
 }
 

@@ -71,14 +71,17 @@ void ProblemsPanel::fill() {
     m_list.clear();
     for (const Problem& problem : m_problems) {
         const Object* object = problem.object != 0 ? m_checked->objects.find(problem.object) : nullptr;
+        // There is but one ship, payload and finish; of the others one must say which.
+        const bool oneOfMany = object != nullptr && (std::holds_alternative<BodyObject>(object->data) ||
+                                                     std::holds_alternative<ConnectorObject>(object->data));
         const QString text = m_sentence(problem);
-        m_list.addItem(object != nullptr ? tr("%1: %2").arg(displayName(*object), text) : text);
+        m_list.addItem(oneOfMany ? tr("%1: %2").arg(displayName(*object), text) : text);
         QListWidgetItem* const item = m_list.item(m_list.count() - 1);
         item->setIcon(markFor(problem.severity, palette()));
     }
     if (m_problems.empty()) {
         m_list.addItem(tr("Nothing to complain about."));
-        m_list.item(0)->setFlags(Qt::NoItemFlags);
+        m_list.item(0)->setFlags(Qt::ItemIsEnabled);
     }
 }
 

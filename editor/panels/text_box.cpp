@@ -14,6 +14,12 @@ void TextBox::setValue(const QString& text) {
     }
 }
 
+QSize TextBox::sizeHint() const {
+    constexpr int lines = 4;
+    const int around = 2 * (frameWidth() + static_cast<int>(document()->documentMargin()));
+    return {160, lines * fontMetrics().lineSpacing() + around};
+}
+
 void TextBox::focusOutEvent(QFocusEvent* event) {
     QPlainTextEdit::focusOutEvent(event);
     if (document()->isModified()) {

@@ -14,8 +14,9 @@ class TextBox : public QPlainTextEdit {
     /// Emits nothing; left alone while something is being typed.
     void setValue(const QString& text);
 
-    QSize sizeHint() const override { return {160, 3 * fontMetrics().lineSpacing() + 12}; }
-    QSize minimumSizeHint() const override { return {80, 2 * fontMetrics().lineSpacing() + 12}; }
+    /// Whole lines.
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return {80, sizeHint().height()}; }
 
   Q_SIGNALS:
     void entered(const QString& text);

@@ -41,6 +41,10 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow() {
     m_play.stop();
+    hide(); // what is being typed is entered while all that listens still lives
+    for (QWidget* widget : std::initializer_list<QWidget*>{&m_canvas, &m_play, &m_problems, &m_status}) {
+        widget->blockSignals(true);
+    }
 }
 
 void MainWindow::layOut() {

@@ -23,6 +23,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     m_hintLabel.setTextFormat(Qt::PlainText);
     m_hintLabel.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hintLabel.setContentsMargins(6, 0, 6, 0);
+    m_hintLabel.installEventFilter(this);
     addWidget(&m_hintLabel, 1);
     addPermanentWidget(&m_selection);
     addPermanentWidget(&m_pointer);
@@ -39,6 +40,10 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     connect(&m_zoom, &QToolButton::clicked, this, &StatusLine::zoomClicked);
     connect(&m_problems, &QToolButton::clicked, this, &StatusLine::problemsClicked);
     setProblems(0, 0);
+}
+
+StatusLine::~StatusLine() {
+    m_hintLabel.removeEventFilter(this);
 }
 
 void StatusLine::dressButton(QToolButton& button) {
@@ -62,9 +67,11 @@ void StatusLine::elide() {
     m_hintLabel.setText(m_hintLabel.fontMetrics().elidedText(m_hint, Qt::ElideRight, std::max(room, 20)));
 }
 
-void StatusLine::resizeEvent(QResizeEvent* event) {
-    QStatusBar::resizeEvent(event);
-    elide();
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &m_hintLabel && event->type() == QEvent::Resize) {
+        elide();
+    }
+    return QStatusBar::eventFilter(watched, event);
 }
 
 void StatusLine::setPointer(double x, double y) {
@@ -82,7 +89,6 @@ void StatusLine::setSelection(int count, const Aabb& box) {
             box.isEmpty() ? QString() : tr(", %1 × %2 m").arg(metres(box.size().x()), metres(box.size().y()));
         m_selection.setText(tr("%n selected", nullptr, count) + size);
     }
-    elide();
 }
 
 void StatusLine::setSnap(const SnapSettings& snap) {

@@ -16,6 +16,7 @@ class StatusLine : public QStatusBar {
 
   public:
     explicit StatusLine(QWidget* parent = nullptr);
+    ~StatusLine() override;
 
     void setHint(const QString& sentence);
     void setPointer(double x, double y); // m
@@ -34,7 +35,7 @@ class StatusLine : public QStatusBar {
     void problemsClicked();
 
   protected:
-    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
   private:

@@ -1,0 +1,83 @@
+#pragma once
+// The program's window for tests: with preferences and files of its own, questions answered in advance, and the mouse
+// in metres. Nothing of it waits for time to pass.
+
+#include "editor/window/main_window.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+#include <vector>
+
+namespace spacetow::test {
+
+class TestWindow {
+  public:
+    TestWindow() {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("settings")));
+        QCoreApplication::setOrganizationName(QStringLiteral("spacetow-test"));
+        window = std::make_unique<MainWindow>();
+        window->files().questions = {[this](const QString&) { return toOpen; },
+                                     [this](const QString&) { return toSave; },
+                                     [this](const QString&) {
+                                         ++asked;
+                                         return unsaved;
+                                     }};
+        window->resize(1280, 800);
+        window->show();
+        window->activateWindow();
+        QApplication::processEvents();
+        window->toolbox().snap.grid = false;
+    }
+    ~TestWindow() { unsaved = Unsaved::Discard; }
+
+    QString file(const QString& name) const { return m_folder.filePath(name); }
+    Canvas& canvas() { return window->canvas(); }
+    Document& document() { return window->document(); }
+    const Level& level() { return window->document().level(); }
+    void trigger(Act act) { window->actions()[act].trigger(); }
+
+    QPoint at(double x, double y) {
+        const Vec2 screen = canvas().view().toScreen(Vec2(x, y));
+        return {qRound(screen.x()), qRound(screen.y())};
+    }
+    void click(double x, double y) {
+        QTest::mouseMove(&canvas(), at(x, y));
+        QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at(x, y));
+    }
+    void drag(double fromX, double fromY, double toX, double toY) {
+        QTest::mouseMove(&canvas(), at(fromX, fromY));
+        QTest::mousePress(&canvas(), Qt::LeftButton, {}, at(fromX, fromY));
+        QTest::mouseMove(&canvas(), at(0.5 * (fromX + toX), 0.5 * (fromY + toY)));
+        QTest::mouseMove(&canvas(), at(toX, toY));
+        QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, at(toX, toY));
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : window.get(), key,
+                        modifiers);
+    }
+    /// A square of one-way walls about the origin.
+    void drawWalls() {
+        trigger(Act::ToolEdge);
+        click(-2, -2);
+        click(2, -2);
+        click(2, 2);
+        key(Qt::Key_Return);
+        trigger(Act::ToolSelect);
+    }
+
+    QString toOpen;
+    QString toSave;
+    Unsaved unsaved = Unsaved::Cancel;
+    int asked = 0;
+    std::unique_ptr<MainWindow> window;
+
+  private:
+    QTemporaryDir m_folder;
+};
+
+} // namespace spacetow::test

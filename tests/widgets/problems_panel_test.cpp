@@ -1,0 +1,90 @@
+#include "editor/panels/problems_panel.h"
+
+#include "core/level/lint.h"
+#include "tests/support/test_main.h"
+
+#include <QListWidget>
+#include <QSignalSpy>
+
+using namespace spacetow;
+
+namespace {
+
+Object crossed(Key key) {
+    BodyObject body;
+    body.shapes = {Polygon{{Vec2(0, 0), Vec2(2, 2), Vec2(2, 0), Vec2(0, 1)}}};
+    return {key, {}, body, {}};
+}
+
+QString code(const Problem& problem) {
+    return QString::fromStdString(problem.code);
+}
+
+} // namespace
+
+class ProblemsPanelTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void whatLintFindsIsListedAfterAnEdit() {
+        Document document;
+        ProblemsPanel panel(document, code);
+        QCOMPARE(panel.errors(), 0);
+        QSignalSpy changed(&panel, &ProblemsPanel::problemsChanged);
+        Level level;
+        level.objects.append(crossed(5));
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(level), Selection()});
+        panel.check();
+        QCOMPARE(panel.problems(), lint(level));
+        QVERIFY(panel.errors() > 0);
+        QCOMPARE(changed.count(), 1);
+        QCOMPARE(panel.findChild<QListWidget*>()->count(), static_cast<int>(panel.problems().size()));
+        document.undo();
+        panel.check();
+        QCOMPARE(panel.errors(), 0);
+    }
+
+    void theCheckFollowsAnEditByItself() {
+        Document document;
+        ProblemsPanel panel(document, code);
+        Level level;
+        level.objects.append(crossed(5));
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(level), Selection()});
+        QTRY_VERIFY(panel.errors() > 0);
+    }
+
+    void goingRoundLeadsToEachObjectInTurn() {
+        Document document;
+        ProblemsPanel panel(document, code);
+        Level level;
+        level.objects.append(crossed(5));
+        level.objects.append(crossed(6));
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(level), Selection()});
+        panel.check();
+        std::vector<Key> wanted;
+        connect(&panel, &ProblemsPanel::objectWanted, this, [&wanted](Key key) { wanted.push_back(key); });
+        const std::size_t count = panel.problems().size();
+        for (std::size_t i = 0; i < count + 1; ++i) {
+            panel.go(1);
+        }
+        QCOMPARE(wanted.size(), count + 1);
+        QCOMPARE(wanted.front(), Key{5});
+        QCOMPARE(wanted.back(), Key{5});
+        QVERIFY(std::ranges::find(wanted, Key{6}) != wanted.end());
+        panel.go(-1);
+        QCOMPARE(wanted.back(), Key{6});
+    }
+
+    void aPreviewIsNotCheckedBeforeItEnds() {
+        Document document;
+        ProblemsPanel panel(document, code);
+        Level level;
+        level.objects.append(crossed(5));
+        document.preview({std::make_shared<Level>(level), Selection()});
+        panel.check();
+        QCOMPARE(panel.errors(), 0);
+    }
+};
+
+SPACETOW_TEST(ProblemsPanelTest)
+#include "problems_panel_test.moc"

@@ -1,0 +1,173 @@
+#include "editor/panels/tag_grid.h"
+
+#include "editor/panels/inspector.h"
+#include "tests/support/test_main.h"
+
+#include <QLineEdit>
+
+using namespace spacetow;
+
+namespace {
+
+Object body(Key key, TagMask tags, TagMask touches = TagMask::all()) {
+    BodyObject made;
+    made.shapes = {Circle{}};
+    made.filter = {tags, touches};
+    return {key, {}, made, {}};
+}
+
+struct Fixture {
+    explicit Fixture(std::vector<Object> objects) : document(levelOf(objects)), inspector(document) {
+        std::vector<Key> keys;
+        for (const Object& object : objects) {
+            keys.push_back(object.key);
+        }
+        document.select(Selection(keys));
+        inspector.resize(340, 1200);
+        inspector.show();
+    }
+    static Level levelOf(const std::vector<Object>& objects) {
+        Level level;
+        for (const Object& object : objects) {
+            level.objects.append(object);
+        }
+        return level;
+    }
+    TagGrid& grid(const char* id) { return *qobject_cast<TagGrid*>(inspector.form().editor(id)); }
+    Filter filter(int index) { return std::get<BodyObject>(document.level().objects[index].data).filter; }
+
+    Document document;
+    Inspector inspector;
+};
+
+} // namespace
+
+class TagGridTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theButtonsSayTheNamesOfTheTags() {
+        Fixture test({body(1, TagMask::bit(wallTag))});
+        for (int i = 0; i < TagTable::size; ++i) {
+            const TagInfo& info = test.document.level().tags[i];
+            const TagChip* chip = test.grid("tags").chip(i);
+            QCOMPARE(chip != nullptr, !info.name.empty());
+            if (chip != nullptr) {
+                QCOMPARE(chip->text(), QString::fromStdString(info.name));
+                QCOMPARE(chip->color().rgb() & 0xffffffU, info.color);
+            }
+        }
+        QVERIFY(test.grid("tags").chip(wallTag)->state() == TagChip::State::On);
+        QVERIFY(test.grid("tags").chip(shipTag)->state() == TagChip::State::Off);
+        QVERIFY(test.grid("tags").everythingChip() == nullptr);
+    }
+
+    void aClickOnAMixedTagSetsItForAll() {
+        Fixture test({body(1, TagMask::bit(wallTag)), body(2, TagMask{3})});
+        TagChip* ship = test.grid("tags").chip(shipTag);
+        QVERIFY(ship->state() == TagChip::State::Mixed);
+        ship->click();
+        QCOMPARE(test.filter(0).tags.bits, 3U);
+        QCOMPARE(test.filter(1).tags.bits, 3U);
+        QVERIFY(ship->state() == TagChip::State::On);
+        ship->click();
+        QCOMPARE(test.filter(0).tags.bits, 1U);
+        QCOMPARE(test.filter(1).tags.bits, 1U);
+        test.document.undo();
+        QCOMPARE(test.filter(0).tags.bits, 1U);
+        QCOMPARE(test.filter(1).tags.bits, 3U);
+    }
+
+    void everythingStandsForAllTagsToCome() {
+        Fixture test({body(1, TagMask{1}, TagMask{5})});
+        TagChip* everything = test.grid("touches").everythingChip();
+        QVERIFY(everything->state() == TagChip::State::Off);
+        everything->click();
+        QVERIFY(test.filter(0).touches == TagMask::all());
+        QVERIFY(everything->state() == TagChip::State::On);
+        QVERIFY(test.grid("touches").chip(debrisTag)->state() == TagChip::State::On);
+    }
+
+    void aTagIsRenamedWhereItStands_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("becomes");
+        QTest::newRow("new name") << "rock"
+                                  << "rock";
+        QTest::newRow("blanks around") << "  rock "
+                                       << "rock";
+        QTest::newRow("taken") << "ship"
+                               << "wall";
+        QTest::newRow("nothing") << " "
+                                 << "wall";
+        QTest::newRow("the same") << "wall"
+                                  << "wall";
+    }
+    void aTagIsRenamedWhereItStands() {
+        QFETCH(QString, name);
+        QFETCH(QString, becomes);
+        Fixture test({body(1, TagMask{1})});
+        Q_EMIT test.grid("tags").chip(wallTag)->editWanted();
+        auto* line = test.grid("tags").findChild<QLineEdit*>();
+        QVERIFY(line->isVisible());
+        line->selectAll();
+        QTest::keyClicks(line, name);
+        QTest::keyClick(line, Qt::Key_Return);
+        QCOMPARE(test.document.level().tags[wallTag].name, becomes.toStdString());
+        QCOMPARE(test.grid("tags").chip(wallTag)->text(), becomes);
+        QCOMPARE(test.document.canUndo(), becomes != "wall");
+    }
+
+    void escapeKeepsTheName() {
+        Fixture test({body(1, TagMask{1})});
+        Q_EMIT test.grid("tags").chip(wallTag)->editWanted();
+        auto* line = test.grid("tags").findChild<QLineEdit*>();
+        QTest::keyClicks(line, "other");
+        QTest::keyClick(line, Qt::Key_Escape);
+        QVERIFY(line->isHidden());
+        QCOMPARE(test.document.level().tags[wallTag].name, std::string("wall"));
+    }
+
+    void aDoubleClickRenamesAndLeavesTheTagAsItWas() {
+        Fixture test({body(1, TagMask{1})});
+        TagChip* wall = test.grid("tags").chip(wallTag);
+        QTest::mouseClick(wall, Qt::LeftButton);
+        QTest::mouseDClick(wall, Qt::LeftButton);
+        QVERIFY(test.grid("tags").findChild<QLineEdit*>()->isVisible());
+        QCOMPARE(test.filter(0).tags.bits, 1U);
+    }
+
+    void aBitWithoutANameIsShownByNumberAndMayBeSwitchedOff() {
+        Fixture test({body(1, TagMask{1U | 1U << 17})});
+        TagChip* nameless = test.grid("tags").chip(17);
+        QVERIFY(nameless != nullptr);
+        QCOMPARE(nameless->text(), QString("#17"));
+        QTest::mouseClick(nameless, Qt::LeftButton);
+        QCOMPARE(test.filter(0).tags.bits, 1U);
+        QVERIFY(test.grid("tags").chip(17) == nullptr);
+    }
+
+    void noButtonIsCutOffOrHidesAnother_data() {
+        QTest::addColumn<int>("width");
+        for (const int width : {120, 200, 260, 400}) {
+            QTest::addRow("%d", width) << width;
+        }
+    }
+    void noButtonIsCutOffOrHidesAnother() {
+        QFETCH(int, width);
+        TagGrid grid(true);
+        const std::vector<TagMask> masks{TagMask{1}};
+        grid.setTags(TagTable(), masks);
+        grid.resize(width, grid.heightForWidth(width));
+        grid.show();
+        const QList<TagChip*> chips = grid.findChildren<TagChip*>();
+        for (const TagChip* a : chips) {
+            QVERIFY2(grid.rect().contains(a->geometry()), qPrintable(a->text()));
+            for (const TagChip* b : chips) {
+                QVERIFY(a == b || !a->geometry().intersects(b->geometry()));
+            }
+        }
+    }
+};
+
+SPACETOW_TEST(TagGridTest)
+#include "tag_grid_test.moc"
