@@ -44,11 +44,15 @@ bool reaches(const Aabb& box, const Vec2& middle, unsigned quadrant) {
     return x && y;
 }
 
+/// The middle of boxes that reach out of a region may lie outside it: one of the halves is empty then.
 Aabb quadrantOf(const Aabb& region, const Vec2& middle, unsigned quadrant) {
     Aabb result = region;
     for (int axis = 0; axis < 2; ++axis) {
-        const bool upper = (quadrant & (axis == 0 ? 1u : 2u)) != 0;
-        (upper ? result.min : result.max)[axis] = middle[axis];
+        if ((quadrant & (axis == 0 ? 1u : 2u)) != 0) {
+            result.min[axis] = std::max(region.min[axis], middle[axis]);
+        } else {
+            result.max[axis] = std::min(region.max[axis], middle[axis]);
+        }
     }
     return result;
 }
@@ -187,8 +191,8 @@ std::vector<Aabb> StaticQuadtree::cells() const {
             continue;
         }
         for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
-            const Aabb part = quadrantOf(region, node.middle.cwiseMin(m_bounds.max), quadrant);
-            if (reaches(m_bounds, node.middle, quadrant)) {
+            const Aabb part = quadrantOf(region, node.middle, quadrant);
+            if (!part.isEmpty()) {
                 stack.emplace_back(node.first + quadrant, part);
             }
         }
