@@ -93,7 +93,8 @@ double tanhExact(double x) {
     const double small = expMinusOneNearZero(r);
     const double power = std::ldexp(1.0, static_cast<int>(k));
     const double expMinusOne = power * small + (power - 1);
-    const double value = expMinusOne / (expMinusOne + 2);
+    // Where the result is near one, what is missing of it is computed instead: that keeps the curve monotonic.
+    const double value = k < 2 ? expMinusOne / (expMinusOne + 2) : 1 - 2 / (expMinusOne + 2);
     return std::copysign(value < largestBelowOne ? value : largestBelowOne, x);
 }
 
