@@ -1,0 +1,287 @@
+#include "core/game/replay.h"
+#include "core/level/file.h"
+#include "tests/support/random_level.h"
+#include "tests/support/test_main.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+
+#include <filesystem>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+struct Run {
+    int status = -1;
+    QString out, err;
+};
+
+Run levelc(const QStringList& arguments) {
+    QProcess process;
+    process.start(QStringLiteral(SPACETOW_BINARY_DIR "/bin/levelc"), arguments);
+    process.waitForFinished(120000);
+    const bool ended = process.state() == QProcess::NotRunning && process.exitStatus() == QProcess::NormalExit;
+    return {ended ? process.exitCode() : -1, QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+/// A box that falls and a ground to fall on.
+Level falling() {
+    Level level;
+    level.name = "Falling";
+    level.gravity = {0, -10};
+    BodyObject box;
+    box.kind = BodyKind::Dynamic;
+    box.shapes = {Circle{{0, 0}, 0.5}};
+    box.position = {0, 20};
+    box.velocity = {1, 0};
+    BodyObject ground;
+    ground.shapes = {EdgeChain{{{-50, 0}, {50, 0}}, false, noBack}};
+    level.objects.append({0xb0, "ball", box, {}});
+    level.objects.append({0xb1, "ground", ground, {}});
+    return level;
+}
+
+QJsonObject bodyNamed(const QByteArray& dump, const QString& name) {
+    for (const QJsonValue& body : QJsonDocument::fromJson(dump)["bodies"].toArray()) {
+        if (body["name"].toString() == name) {
+            return body.toObject();
+        }
+    }
+    return {};
+}
+
+QByteArray contents(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class LevelcTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init() {
+        m_folder.emplace();
+        QVERIFY(m_folder->isValid());
+    }
+
+    void badUsageIsRefusedWithTwo_data() {
+        QTest::addColumn<QStringList>("arguments");
+        const QString level = "good.json";
+        QTest::newRow("nothing") << QStringList{};
+        QTest::newRow("unknown command") << QStringList{"fly"};
+        QTest::newRow("check without a file") << QStringList{"check"};
+        QTest::newRow("unknown option") << QStringList{"check", "--loud", level};
+        QTest::newRow("file that is not there") << QStringList{"check", "missing.json"};
+        QTest::newRow("folder") << QStringList{"check", "."};
+        QTest::newRow("info of two") << QStringList{"info", level, level};
+        QTest::newRow("info of no level") << QStringList{"info", "bad.json"};
+        QTest::newRow("simulate without a number") << QStringList{"simulate", level};
+        QTest::newRow("simulate half an update") << QStringList{"simulate", level, "--updates", "0.5"};
+        QTest::newRow("simulate backwards") << QStringList{"simulate", level, "--updates", "-1"};
+        QTest::newRow("dump to nowhere") << QStringList{"simulate", level,    "--updates",
+                                                        "1",        "--dump", "nowhere/out.json"};
+        QTest::newRow("render to nothing") << QStringList{"render", level};
+        QTest::newRow("render to a text") << QStringList{"render", level, "-o", "out.txt"};
+        QTest::newRow("render nothing wide") << QStringList{"render", level, "-o", "out.png", "--size", "0x10"};
+        QTest::newRow("render too wide") << QStringList{"render", level, "-o", "out.png", "--size", "99999x10"};
+        QTest::newRow("render unknown overlay")
+            << QStringList{"render", level, "-o", "out.png", "--overlays", "aabb,soul"};
+        QTest::newRow("replay of one file") << QStringList{"replay", level};
+        QTest::newRow("replay of no replay") << QStringList{"replay", level, level};
+    }
+    void badUsageIsRefusedWithTwo() {
+        QFETCH(QStringList, arguments);
+        write("good.json", levelText(falling()));
+        write("bad.json", "{");
+        const Run run = levelc(inFolder(arguments));
+        QCOMPARE(run.status, 2);
+        QVERIFY(!run.err.isEmpty());
+    }
+
+    void helpIsNoMistake_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("of the program") << QStringList{"--help"};
+        for (const char* command : {"check", "info", "render", "simulate", "replay"}) {
+            QTest::newRow(command) << QStringList{command, "--help"};
+        }
+    }
+    void helpIsNoMistake() {
+        QFETCH(QStringList, arguments);
+        const Run run = levelc(arguments);
+        QCOMPARE(run.status, 0);
+        QVERIFY(run.out.contains("levelc", Qt::CaseInsensitive));
+    }
+
+    void checkPrintsALineAProblem() {
+        write("good.json", levelText(falling()));
+        write("warning.json", std::string(levelText(falling())).insert(1, "\n  \"glow\": 1,"));
+        write("error.json",
+              "{\n  \"schema\": 1,\n  \"objects\": [\n    {\"key\": \"00000001\", \"type\": \"boat\"}\n  ]\n}\n");
+        QCOMPARE(levelc({"check", path("good.json")}).status, 0);
+        QCOMPARE(levelc({"check", path("good.json")}).out, QString());
+
+        const Run warning = levelc({"check", path("warning.json")});
+        QCOMPARE(warning.status, 0);
+        QCOMPARE(warning.out, path("warning.json") + ":2: warning: unknown-field: The field “glow” is not known here. "
+                                                     "It is kept, but does nothing. (/glow)\n");
+
+        const Run error = levelc({"check", path("good.json"), path("error.json")});
+        QCOMPARE(error.status, 1);
+        QVERIFY(error.out.startsWith(path("error.json") + ":4: error: unknown-choice: "));
+        QVERIFY(error.out.endsWith(" (/objects/0/type)\n"));
+
+        QCOMPARE(levelc({"check", path("error.json"), path("missing.json")}).status, 2);
+    }
+
+    void checkSpeaksJsonToo() {
+        write("error.json",
+              "{\"schema\": 1, \"objects\": [{\"key\": \"00000007\", \"type\": \"ship\", \"angle\": \"up\"}]}");
+        const Run run = levelc({"check", "--json", path("error.json")});
+        QCOMPARE(run.status, 1);
+        const QJsonArray problems = QJsonDocument::fromJson(run.out.toUtf8()).array();
+        QCOMPARE(problems.size(), 1);
+        const QJsonObject problem = problems[0].toObject();
+        QCOMPARE(problem["file"].toString(), path("error.json"));
+        QCOMPARE(problem["line"].toInt(), 1);
+        QCOMPARE(problem["severity"].toString(), QString("error"));
+        QCOMPARE(problem["code"].toString(), QString("not-a-number"));
+        QCOMPARE(problem["pointer"].toString(), QString("/objects/0/angle"));
+        QCOMPARE(problem["object"].toString(), QString("00000007"));
+        QVERIFY(problem["message"].toString().contains("angle"));
+
+        write("good.json", levelText(falling()));
+        const Run none = levelc({"check", "--json", path("good.json")});
+        QCOMPARE(none.status, 0);
+        QVERIFY(QJsonDocument::fromJson(none.out.toUtf8()).isArray());
+    }
+
+    void infoSaysWhatIsInALevel() {
+        write("level.json", levelText(populatedLevel()));
+        const Run run = levelc({"info", path("level.json")});
+        QCOMPARE(run.status, 0);
+        for (const char* line :
+             {"name: Everything", "author: Nobody", "objects: 2 body, 1 ship, 1 payload, 1 finish, 1 connector",
+              "shapes: 1 edges, 1 lines, 1 polygon, 2 circle, 9 vertices", "gravity: (0.5, -2) m/s²",
+              "update: 0.01 s, 50 iterations, 4 sub-steps",
+              "rules: 5 lives, tow range 2.5 m, gravity flips on towing, background plain",
+              "tags: wall, ship, payload, finish, debris, ice"}) {
+            QVERIFY2(run.out.contains(QString(line) + '\n'), line);
+        }
+        QVERIFY(run.out.contains(QRegularExpression("bounds: \\(-?[0-9.]+, -?[0-9.]+\\) to \\(42, 43\\) m\n")));
+    }
+
+    void simulateFollowsTheParabola() {
+        write("level.json", levelText(falling()));
+        const Run run =
+            levelc({"simulate", path("level.json"), "--updates", "50", "--hash", "--dump", path("out.json")});
+        QCOMPARE(run.status, 0);
+        QVERIFY2(run.out.contains(QRegularExpression("^updates=50 time=1 bodies=2 hash=[0-9a-f]{16}\n$")),
+                 qPrintable(run.out));
+        const QJsonObject ball = bodyNamed(contents(path("out.json")), "ball");
+        QCOMPARE(ball["key"].toString(), QString("000000b0"));
+        QVERIFY(std::abs(ball["position"][0].toDouble() - 1) < 1e-3);
+        QVERIFY(std::abs(ball["position"][1].toDouble() - 15) < 1e-2);
+        QVERIFY(std::abs(ball["velocity"][1].toDouble() + 10) < 1e-2);
+        QVERIFY(ball.contains("angle") && ball.contains("angularVelocity"));
+        QCOMPARE(levelc({"simulate", path("level.json"), "--updates", "50", "--hash"}).out, run.out);
+    }
+
+    void noUpdatesLeaveEverythingWhereItWas() {
+        write("level.json", levelText(falling()));
+        QCOMPARE(levelc({"simulate", path("level.json"), "--updates", "0", "--dump", path("out.json")}).status, 0);
+        QCOMPARE(bodyNamed(contents(path("out.json")), "ball")["position"].toArray(), (QJsonArray{0, 20}));
+    }
+
+    void renderDrawsPicturesOfTheSizeAskedFor() {
+        write("level.json", levelText(falling()));
+        const Run png = levelc({"render", path("level.json"), "-o", path("out.png"), "--size", "320x200", "--overlays",
+                                "aabb,incircle,velocity,orientation,normals,quadtree"});
+        QCOMPARE(png.status, 0);
+        const QByteArray picture = contents(path("out.png"));
+        QVERIFY(picture.startsWith("\x89PNG"));
+        // Width and height stand in the header, most significant byte first.
+        QCOMPARE(picture.mid(16, 8).toHex(), QByteArray("00000140000000c8"));
+        QCOMPARE(levelc({"render", path("level.json"), "-o", path("out.svg"), "--size", "320x200"}).status, 0);
+        const QByteArray drawing = contents(path("out.svg"));
+        QVERIFY(drawing.contains("viewBox=\"0 0 320 200\"") && drawing.contains("<title>Falling</title>"));
+        QVERIFY(drawing.count("<path") + drawing.count("<polyline") + drawing.count("<circle") > 2);
+    }
+
+    void overlaysAreDrawnWhenAskedFor() {
+        write("level.json", levelText(falling()));
+        QByteArray last;
+        for (const char* overlays : {"", "velocity", "normals"}) {
+            QCOMPARE(levelc({"render", path("level.json"), "-o", path("out.png"), "--overlays", overlays}).status, 0);
+            const QByteArray picture = contents(path("out.png"));
+            QVERIFY2(picture != last, overlays);
+            last = picture;
+        }
+    }
+
+    void aFlightThatIsNotWonGivesOne() {
+        write("level.json", levelText(populatedLevel()));
+        Replay replay;
+        replay.level = "level.json";
+        replay.append({});
+        replay.append({});
+        write("flight.json", replayText(replay));
+        const Run run = levelc({"replay", path("level.json"), path("flight.json"), "--dump", path("out.json")});
+        QCOMPARE(run.status, 1);
+        QVERIFY2(run.out.contains(QRegularExpression(
+                     "^outcome=(running|lost) time=[0-9.]+ fuel=[0-9.]+ lives=5 hash=[0-9a-f]{16}\n$")),
+                 qPrintable(run.out));
+        QVERIFY(!bodyNamed(contents(path("out.json")), "ship").isEmpty());
+    }
+
+    void aRecordedFlightWinsItsLevel_data() {
+        QTest::addColumn<QString>("level");
+        QTest::addColumn<QString>("flight");
+        const QString flights = QStringLiteral(SPACETOW_SOURCE_DIR "/tests/replays/");
+        for (const QString& name : QDir(flights).entryList({"*.replay.json"})) {
+            const QString level = QString(name).replace(".replay.json", ".json");
+            QTest::newRow(qPrintable(level))
+                << QStringLiteral(SPACETOW_SOURCE_DIR "/levels/") + level << flights + name;
+        }
+        QTest::newRow("none that is not there") << QString() << QString();
+    }
+    void aRecordedFlightWinsItsLevel() {
+        QFETCH(QString, level);
+        QFETCH(QString, flight);
+        const Run run = levelc({"replay", level, flight});
+        QCOMPARE(run.status, level.isEmpty() ? 2 : 0);
+        QCOMPARE(run.out.startsWith("outcome=won "), !level.isEmpty());
+    }
+
+  private:
+    QString path(const QString& name) const { return m_folder->filePath(name); }
+    void write(const QString& name, const std::string& text) const {
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(text.data(), static_cast<qint64>(text.size())), static_cast<qint64>(text.size()));
+    }
+    /// File names among the arguments, moved to the folder of the test.
+    QStringList inFolder(QStringList arguments) const {
+        for (QString& argument : arguments) {
+            if (argument.contains('.') && argument != "0.5") {
+                argument = path(argument);
+            }
+        }
+        return arguments;
+    }
+
+    std::optional<QTemporaryDir> m_folder;
+};
+
+SPACETOW_TEST(LevelcTest)
+#include "levelc_test.moc"
