@@ -154,10 +154,10 @@ std::vector<HudText> hudLayout(const HudInput& input, const QSizeF& size, const 
         layout.addReadings(input.hud);
     }
     const Message message = messageOf(input);
-    layout.addCentred(HudText::Role::Title, message.title, 0.30, 0.14, std::clamp(0.75 * layout.unit(), 12.0, 56.0));
-    layout.addCentred(HudText::Role::Advice, message.advice, 0.45, 0.14, std::clamp(0.36 * layout.unit(), 10.0, 28.0));
+    layout.addCentred(HudText::Role::Title, message.title, 0.13, 0.13, std::clamp(0.75 * layout.unit(), 12.0, 56.0));
+    layout.addCentred(HudText::Role::Advice, message.advice, 0.27, 0.12, std::clamp(0.36 * layout.unit(), 10.0, 28.0));
     if (input.hud.gravityFlippedFor >= 0 && input.hud.gravityFlippedFor < bannerSeconds) {
-        layout.addCentred(HudText::Role::Banner, tr("Gravity is upside down!"), 0.17, 0.12,
+        layout.addCentred(HudText::Role::Banner, tr("Gravity is upside down!"), 0.70, 0.12,
                           std::clamp(0.5 * layout.unit(), 11.0, 38.0));
     }
     if (input.hud.towInRange && !input.paused) {

@@ -16,7 +16,7 @@ QString styleFor(int type) {
     return QStringLiteral("spacetow--PauseMenu { background: rgba(10, 20, 38, 235); border: 1px solid #5a6f96;"
                           " border-radius: %1px; }"
                           "QLabel { color: #ffffff; font-size: %2px; font-weight: bold; background: transparent; }"
-                          "QPushButton { color: #e2e8f2; background: #22304c; border: 1px solid #4a5f86;"
+                          "QPushButton { color: #e2e8f2; background: #22304c; border: 2px solid #4a5f86;"
                           " border-radius: %3px; padding: %3px %4px; font-size: %5px; }"
                           "QPushButton:hover { background: #2c4068; }"
                           "QPushButton:focus { border: 2px solid #54b4ff; background: #2c4068; }"
@@ -49,15 +49,16 @@ PauseMenu::PauseMenu(QWidget* parent) : QFrame(parent) {
 QPushButton* PauseMenu::addButton(const QString& text, const QString& tip) {
     auto* button = new QPushButton(text, this);
     button->setToolTip(tip);
-    button->setAutoDefault(true);
+    button->setAutoDefault(false);
+    button->setAttribute(Qt::WA_LayoutUsesWidgetRect); // styles may draw buttons larger than their place otherwise
     button->setFocusPolicy(Qt::StrongFocus);
     layout()->addWidget(button);
     return button;
 }
 
 void PauseMenu::open() {
+    show(); // first, because only then are the buttons as large as they will be
     placeIn(parentWidget()->size());
-    show();
     raise();
     m_resume->setFocus(Qt::OtherFocusReason);
 }
@@ -86,6 +87,12 @@ void PauseMenu::keyPressEvent(QKeyEvent* event) {
         break;
     case Qt::Key_R:
         Q_EMIT restarted();
+        break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {
+            button->click();
+        }
         break;
     case Qt::Key_Up:
     case Qt::Key_W:

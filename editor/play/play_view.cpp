@@ -17,6 +17,22 @@ namespace spacetow {
 namespace {
 
 const Vec2 classicView(40.0 / 3, 10); // m
+constexpr double rockSeen = 0.6;      // m, of what lies beyond the level's bounds
+constexpr double sideKept = 1.5;      // m, between the ship and the edge of the view
+
+/// The middle of the view along one axis: as little as possible beyond low … high is in sight, but `kept` always is.
+double framedAxis(double camera, double low, double high, double half, double kept) {
+    const double wanted = high - low > 2 * half ? std::clamp(camera, low + half, high - half) : (low + high) / 2;
+    const double room = std::max(0.0, half - sideKept);
+    return std::clamp(wanted, kept - room, kept + room);
+}
+
+/// Where the ship is, or else what the camera looks at.
+Vec2 leadOf(const Snapshot& snapshot) {
+    const auto ship = std::ranges::find_if(snapshot.bodies,
+                                           [](const BodyPicture& body) { return body.look->role == BodyRole::Ship; });
+    return ship != snapshot.bodies.end() ? ship->pose.position : snapshot.camera;
+}
 
 /// Blended for the time that has passed since the newer picture was taken.
 double shareOf(const Frame& frame) {
@@ -49,11 +65,13 @@ void PlayView::start(const Level& level) {
     m_background = QString::fromStdString(level.rules.background);
     m_towRange = level.rules.towRange;
     m_extent = classicView;
-    if (phase() == Phase::Sandbox) { // nothing to follow, so all of it should be in sight
-        const Aabb bounds = boundsOf(level);
-        if (!bounds.isEmpty() && isFinite(bounds.size())) {
-            m_extent = m_extent.cwiseMax(1.08 * bounds.size());
-        }
+    m_bounds = boundsOf(level);
+    if (!isFinite(m_bounds.size())) {
+        m_bounds = {};
+    }
+    if (phase() == Phase::Sandbox && !m_bounds.isEmpty()) { // nothing to follow, so all of it should be in sight
+        m_extent = m_extent.cwiseMax(1.08 * m_bounds.size());
+        m_bounds = {};
     }
     m_runner->wantQuadtree(m_overlays.quadtree);
     follow();
@@ -129,9 +147,21 @@ Viewport PlayView::viewport() const {
     if (m_lookedAt) {
         view.center = *m_lookedAt;
     } else if (m_runner) {
-        view.center = picture().camera;
+        view.center = framed(picture());
     }
     return view;
+}
+
+Vec2 PlayView::framed(const Snapshot& snapshot) const {
+    if (m_bounds.isEmpty()) {
+        return snapshot.camera;
+    }
+    const double scale = std::clamp(m_zoom * fittingScale(), Viewport::minScale, Viewport::maxScale);
+    const Aabb all = m_bounds.grown(rockSeen);
+    const Vec2 lead = leadOf(snapshot);
+    const Vec2& camera = snapshot.camera;
+    return {framedAxis(camera.x(), all.min.x(), all.max.x(), width() / scale / 2, lead.x()),
+            framedAxis(camera.y(), all.min.y(), all.max.y(), height() / scale / 2, lead.y())};
 }
 
 Phase PlayView::phase() const {
@@ -162,7 +192,7 @@ void PlayView::paintEvent(QPaintEvent*) {
 void PlayView::paintScene(QPainter& painter, const Snapshot& snapshot) {
     Viewport view = viewport();
     if (!m_lookedAt) {
-        view.center = snapshot.camera;
+        view.center = framed(snapshot);
     }
     const Stage stage{painter, view, canvasTheme()};
     paintBackdrop(stage, m_background);

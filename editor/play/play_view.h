@@ -76,6 +76,7 @@ class PlayView : public QWidget {
     void letGo();
     void follow();
     double fittingScale() const;
+    Vec2 framed(const Snapshot& snapshot) const;
 
     const Runner::Mode m_mode;
     std::unique_ptr<Runner> m_runner;
@@ -87,6 +88,7 @@ class PlayView : public QWidget {
     double m_towRange = 0;        // m
     Vec2 m_extent{13.333333, 10}; // m, seen at least
     bool m_paused = false;
+    Aabb m_bounds; // of the level; empty where nothing is to be followed
     double m_zoom = 1;
     std::optional<Vec2> m_lookedAt; // world point in the middle, when the player has moved the view
     QPointF m_dragged;

@@ -28,6 +28,7 @@ void paintTongue(const Stage& stage, const Transform& pose, double length, doubl
     path.closeSubpath();
     QLinearGradient gradient(at(root), at(tip));
     gradient.setColorAt(0, hot);
+    gradient.setColorAt(0.35, hot);
     gradient.setColorAt(1, cold);
     stage.painter.fillPath(path, gradient);
 }
@@ -44,8 +45,8 @@ void paintFlame(const Stage& stage, const Snapshot& snapshot) {
     const double flicker = random.uniform(0.8, 1.15);
     stage.painter.save();
     stage.painter.setRenderHint(QPainter::Antialiasing);
-    paintTongue(stage, ship->pose, 0.46 * flicker, 0.075, QColor(255, 150, 40, 230), QColor(255, 60, 30, 0));
-    paintTongue(stage, ship->pose, 0.26 * flicker, 0.04, QColor(255, 255, 225), QColor(255, 190, 70, 0));
+    paintTongue(stage, ship->pose, 0.62 * flicker, 0.095, QColor(255, 176, 60), QColor(255, 70, 30, 0));
+    paintTongue(stage, ship->pose, 0.36 * flicker, 0.055, QColor(255, 255, 235), QColor(255, 200, 90, 0));
     stage.painter.restore();
 }
 

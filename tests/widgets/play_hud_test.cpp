@@ -1,0 +1,122 @@
+#include "tests/support/test_main.h"
+
+#include "editor/play/hud.h"
+
+#include <QFontMetricsF>
+#include <QImage>
+#include <QPainter>
+
+using namespace spacetow;
+
+Q_DECLARE_METATYPE(spacetow::Phase)
+
+class PlayHudTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void noTextLeavesTheViewAndNoTwoOverlap_data() {
+        QTest::addColumn<QSizeF>("size");
+        QTest::addColumn<Phase>("phase");
+        const std::array<std::pair<const char*, Phase>, 6> phases{{{"ready", Phase::AwaitingInput},
+                                                                   {"flying", Phase::Flying},
+                                                                   {"towing", Phase::Towing},
+                                                                   {"won", Phase::Won},
+                                                                   {"crashed", Phase::Crashed},
+                                                                   {"over", Phase::GameOver}}};
+        for (const QSizeF size : {QSizeF(240, 180), QSizeF(320, 900), QSizeF(1600, 240), QSizeF(880, 660),
+                                  QSizeF(1600, 600), QSizeF(3840, 2160)}) {
+            for (const auto& [name, phase] : phases) {
+                QTest::addRow("%s at %g x %g", name, size.width(), size.height()) << size << phase;
+            }
+        }
+    }
+    void noTextLeavesTheViewAndNoTwoOverlap() {
+        QFETCH(QSizeF, size);
+        QFETCH(Phase, phase);
+        const bool flying = phase == Phase::Flying;
+        for (const bool paused : {false, true}) {
+            const HudInput input{phase, {3, 1234.56, 3599.9, flying, 0.5}, paused};
+            const std::vector<HudText> texts = hudLayout(input, size, QFont());
+            QVERIFY(texts.size() >= 4);
+            const QRectF view(QPointF(0, 0), size);
+            for (std::size_t i = 0; i < texts.size(); ++i) {
+                QVERIFY2(view.contains(texts[i].box), qPrintable(texts[i].text));
+                const QRectF needed =
+                    QFontMetricsF(texts[i].font)
+                        .boundingRect(texts[i].box, Qt::AlignCenter | Qt::TextWordWrap, texts[i].text);
+                QVERIFY2(texts[i].box.adjusted(-1, -1, 1, 1).contains(needed), qPrintable(texts[i].text));
+                for (std::size_t j = 0; j < i; ++j) {
+                    QVERIFY2(!texts[i].box.intersects(texts[j].box), qPrintable(texts[i].text + " | " + texts[j].text));
+                }
+            }
+        }
+    }
+    void everyPhaseSaysWhatToDo_data() {
+        QTest::addColumn<Phase>("phase");
+        QTest::addColumn<QString>("words");
+        QTest::addRow("ready") << Phase::AwaitingInput << "Press a direction to start";
+        QTest::addRow("crashed") << Phase::Crashed << "Press any key to try again";
+        QTest::addRow("won") << Phase::Won << "You made it!";
+        QTest::addRow("over") << Phase::GameOver << "Game over";
+    }
+    void everyPhaseSaysWhatToDo() {
+        QFETCH(Phase, phase);
+        QFETCH(QString, words);
+        QString all;
+        for (const HudText& text : hudLayout({phase, {2, 1.5, 61.25, false, -1}, false}, {880, 660}, QFont())) {
+            all += text.text + '\n';
+        }
+        QVERIFY2(all.contains(words), qPrintable(all));
+        QVERIFY2(all.contains("Lives 2"), qPrintable(all));
+        QVERIFY2(all.contains("1.50"), qPrintable(all));
+        QVERIFY2(all.contains("1:01.2"), qPrintable(all));
+    }
+    void theTowHintShowsInRangeOnly() {
+        const auto hints = [](bool inRange) {
+            int found = 0;
+            for (const HudText& text : hudLayout({Phase::Flying, {3, 0, 0, inRange, -1}, false}, {880, 660}, {})) {
+                found += text.role == HudText::Role::Hint ? 1 : 0;
+            }
+            return found;
+        };
+        QCOMPARE(hints(true), 1);
+        QCOMPARE(hints(false), 0);
+    }
+    void theGravityBannerStaysForOneAndAHalfSeconds() {
+        const auto banners = [](double since) {
+            int found = 0;
+            for (const HudText& text : hudLayout({Phase::Towing, {3, 0, 0, false, since}, false}, {880, 660}, {})) {
+                found += text.role == HudText::Role::Banner ? 1 : 0;
+            }
+            return found;
+        };
+        QCOMPARE(banners(-1), 0);
+        QCOMPARE(banners(0), 1);
+        QCOMPARE(banners(1.49), 1);
+        QCOMPARE(banners(1.51), 0);
+    }
+    void aSandboxShowsNoGameReadings() {
+        QVERIFY(hudLayout({Phase::Sandbox, {0, 0, 0, false, -1}, false}, {880, 660}, QFont()).empty());
+        QVERIFY(!hudLayout({Phase::Sandbox, {0, 0, 0, false, -1}, true}, {880, 660}, QFont()).empty());
+    }
+    void paintingWritesLightTextWithADarkHalo() {
+        QImage image(880, 660, QImage::Format_RGB32);
+        image.fill(QColor(128, 128, 128));
+        QPainter painter(&image);
+        paintHud(painter, hudLayout({Phase::Won, {3, 0, 0, false, -1}, false}, image.size(), QFont()));
+        painter.end();
+        int light = 0, dark = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const int grey = qGray(image.pixel(x, y));
+                light += grey > 200 ? 1 : 0;
+                dark += grey < 60 ? 1 : 0;
+            }
+        }
+        QVERIFY(light > 1000);
+        QVERIFY(dark > 1000);
+    }
+};
+
+SPACETOW_TEST(PlayHudTest)
+#include "play_hud_test.moc"
