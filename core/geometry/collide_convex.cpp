@@ -137,7 +137,7 @@ Manifold apartManifold(const ConvexPart& a, const ConvexPart& b, double margin) 
     includeCorners(b, a, false, nearest);
     Manifold manifold;
     const double distance = std::sqrt(nearest.squared);
-    if (distance > margin) {
+    if (!(distance <= margin) || !std::isfinite(distance)) { // coordinates that are no numbers have no nearest ones
         return manifold;
     }
     if (nearest.faceA >= 0) {

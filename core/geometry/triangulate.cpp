@@ -44,7 +44,8 @@ class EarClipper {
         int current = 0;
         while (m_left > 3) {
             const int ear = m_left <= fewVertices ? bestEar(current) : nextEar(current);
-            const auto [before, after] = m_ring[at(ear)];
+            const int before = m_ring[at(ear)].before;
+            const int after = m_ring[at(ear)].after;
             if (turn(ear) > 0) {
                 result.push_back({before, ear, after});
             }
