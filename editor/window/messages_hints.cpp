@@ -107,6 +107,9 @@ constexpr LabelText labels[] = {
     {"change", QT_TRANSLATE_NOOP("messages", "Change object"), QT_TRANSLATE_N_NOOP("messages", "Change %n objects")},
     {"change-level", QT_TRANSLATE_NOOP("messages", "Change level"), QT_TRANSLATE_NOOP("messages", "Change level")},
     {"change-tag", QT_TRANSLATE_NOOP("messages", "Change tag"), QT_TRANSLATE_NOOP("messages", "Change tag")},
+    {"change", QT_TRANSLATE_NOOP("messages", "Change object"), QT_TRANSLATE_N_NOOP("messages", "Change %n objects")},
+    {"change-level", QT_TRANSLATE_NOOP("messages", "Change level"), QT_TRANSLATE_NOOP("messages", "Change level")},
+    {"change-tag", QT_TRANSLATE_NOOP("messages", "Change tag"), QT_TRANSLATE_NOOP("messages", "Change tag")},
     {"paste", QT_TRANSLATE_NOOP("messages", "Paste object"), QT_TRANSLATE_N_NOOP("messages", "Paste %n objects")},
 };
 

@@ -89,6 +89,18 @@ class MessagesTest : public QObject {
         }
     }
 
+    void everyLabelOfThePanelsHasASentence() {
+        static const QRegularExpression commit(R"(commit\(\s*\{\s*"([a-z-]+)\")");
+        auto found = commit.globalMatch(sourcesIn("editor"));
+        int count = 0;
+        while (found.hasNext()) {
+            const QString code = found.next().captured(1);
+            QVERIFY2(hasLabel(code.toStdString()), qPrintable(code));
+            ++count;
+        }
+        QVERIFY(count > 0);
+    }
+
     void noCodeIsListedTwice() {
         std::set<std::string> seen;
         for (const MessageText& message : problemTexts()) {
