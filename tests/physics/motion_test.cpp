@@ -176,6 +176,22 @@ class MotionTest : public QObject {
                  qPrintable(QString("%1 %2 %3").arg(lowest).arg(start).arg(highest)));
     }
 
+    void aDampedSpringDecaysAsItsFormulaSays_data() { iterationRows(); }
+    void aDampedSpringDecaysAsItsFormulaSays() {
+        QFETCH(int, iterations);
+        const double stiffness = 100;
+        const double damping = 0.5; // N s/m; the amplitude falls by e^(−t c/2m)
+        Spring spring(withIterations(iterations), {1.2, 0}, {.length = 1, .stiffness = stiffness, .damping = damping});
+        run(spring.world, 4);
+        const BodyState state = spring.world.body(spring.weight);
+        const double rate = 0.5 * damping;
+        const double frequency = std::sqrt(stiffness - rate * rate);
+        const double x = state.pose.position.x() - 1;
+        const double y = (state.velocity.x() + rate * x) / frequency; // x and y are cosine and sine of the same swing
+        QVERIFY2(relativeError(std::hypot(x, y), 0.2 * std::hypot(1, rate / frequency) * std::exp(-4 * rate)) < 0.01,
+                 qPrintable(QString::number(std::hypot(x, y))));
+    }
+
     void aStiffSpringStaysFiniteAndGainsNoEnergy_data() {
         QTest::addColumn<int>("iterations");
         QTest::addColumn<int>("substeps");

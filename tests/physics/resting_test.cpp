@@ -124,7 +124,8 @@ class RestingTest : public QObject {
         const double start = world.energy();
         for (int i = 0; i < 400; ++i) {
             world.update();
-            QVERIFY2(world.energy() <= start * (1 + 1e-9), qPrintable(QString("update %1: %2").arg(i).arg(world.energy())));
+            QVERIFY2(world.energy() <= start * (1 + 1e-9),
+                     qPrintable(QString("update %1: %2").arg(i).arg(world.energy())));
         }
         const double settled = world.energy();
         for (int i = 0; i < 200; ++i) {

@@ -1,0 +1,136 @@
+#include "core/base/random.h"
+#include "core/geometry/polygon.h"
+#include "core/physics/queries.h"
+#include "tests/support/bodies.h"
+#include "tests/support/test_main.h"
+
+#include <cmath>
+#include <cstdlib>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+int scenes() {
+    return std::getenv("SPACETOW_FULL") != nullptr ? 10000 : 500;
+}
+
+Vec2 randomPoint(Random& random) {
+    return {random.uniform(-5, 5), random.uniform(-5, 5)};
+}
+
+/// Circles and regular polygons at random places, turned at random.
+World randomWorld(Random& random) {
+    World world;
+    for (int i = 0; i < 12; ++i) {
+        BodyDef def = ball(randomPoint(random), random.uniform(0.1, 1));
+        if (random.below(2) == 0) {
+            def.shapes = {
+                Polygon{regularPolygon(3 + static_cast<int>(random.below(8)), std::get<Circle>(def.shapes[0]).radius)}};
+        }
+        def.kind = random.below(2) == 0 ? BodyKind::Static : BodyKind::Dynamic;
+        def.angle = random.uniform(-3, 3);
+        add(world, def);
+    }
+    return world;
+}
+
+bool covers(const World& world, BodyId id, const Vec2& point) {
+    const Vec2 local = world.body(id).pose.toLocal(point);
+    const Shape& shape = world.shapes(id).front();
+    if (const auto* circle = std::get_if<Circle>(&shape)) {
+        return (local - circle->center).norm() <= circle->radius;
+    }
+    return contains(std::get<Polygon>(shape).vertices, local);
+}
+
+} // namespace
+
+class QueriesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void pointQueriesAgreeWithEveryShape() {
+        for (int seed = 1; seed <= scenes(); ++seed) {
+            Random random(static_cast<std::uint64_t>(seed));
+            const World world = randomWorld(random);
+            const Vec2 point = randomPoint(random);
+            std::vector<BodyId> expected;
+            for (const BodyId id : world.bodies()) {
+                if (covers(world, id, point)) {
+                    expected.push_back(id);
+                }
+            }
+            QVERIFY2(bodiesAt(world, point) == expected, qPrintable(QString("seed %1").arg(seed)));
+        }
+    }
+
+    void aRayStopsWhereMarchingAlongItFirstEntersABody() {
+        for (int seed = 1; seed <= scenes(); ++seed) {
+            Random random(static_cast<std::uint64_t>(seed));
+            const World world = randomWorld(random);
+            const Vec2 from = randomPoint(random);
+            const Vec2 to = randomPoint(random);
+            if (!bodiesAt(world, from).empty()) {
+                continue;
+            }
+            double entered = 2;
+            for (int i = 1; i <= 2000 && entered > 1; ++i) {
+                if (!bodiesAt(world, from + i / 2000.0 * (to - from)).empty()) {
+                    entered = i / 2000.0;
+                }
+            }
+            const std::optional<RayHit> hit = rayCast(world, from, to);
+            if (entered <= 1) {
+                QVERIFY2(hit.has_value(), qPrintable(QString("seed %1: nothing hit").arg(seed)));
+                QVERIFY2(hit->fraction <= entered + 1e-9, qPrintable(QString("seed %1: late").arg(seed)));
+            }
+            if (hit) { // nothing lies before the hit, and the hit lies on its body's outline
+                QVERIFY2(bodiesAt(world, from + (hit->fraction - 1e-6) * (to - from)).empty() || hit->fraction < 1e-6,
+                         qPrintable(QString("seed %1: something lies before").arg(seed)));
+                QVERIFY2(covers(world, hit->body, hit->point - 1e-9 * hit->normal),
+                         qPrintable(QString("seed %1: not on the outline").arg(seed)));
+                QVERIFY(hit->normal.dot(to - from) <= 0);
+            }
+        }
+    }
+
+    void aRayMeetsAnEdgeFromTheFrontOnlyAndSkipsOtherTags() {
+        World world;
+        BodyDef edge = edgeBody({-1, 0}, {1, 0});
+        edge.filter.tags = TagMask::bit(31);
+        const BodyId id = add(world, edge);
+        QVERIFY(rayCast(world, {0, 1}, {0, -1}).has_value());
+        QCOMPARE(rayCast(world, {0, 1}, {0, -1})->body, id);
+        QCOMPARE(rayCast(world, {0, 1}, {0, -1})->fraction, 0.5);
+        QVERIFY(!rayCast(world, {0, -1}, {0, 1}).has_value());
+        QVERIFY(!rayCast(world, {0, 1}, {0, -1}, TagMask::bit(0)).has_value());
+    }
+
+    void boxQueriesFindWhatOverlapsInOrderOfCreation() {
+        World world;
+        const BodyId first = add(world, ball({0, 0}, 0.5));
+        const BodyId second = add(world, ball({3, 0}, 0.5));
+        add(world, ball({9, 9}, 0.5));
+        QVERIFY(bodiesIn(world, {{-1, -1}, {4, 1}}) == (std::vector<BodyId>{first, second}));
+        QVERIFY(bodiesIn(world, {{0.5, -1}, {2.4, 1}}) == std::vector<BodyId>{first}); // borders count
+    }
+
+    void theQuadtreeCellsCoverEveryBody() {
+        World world = [] {
+            Random random(5);
+            return randomWorld(random);
+        }();
+        world.update();
+        const std::vector<Aabb> cells = quadtreeCells(world);
+        QVERIFY(!cells.empty());
+        for (const BodyId id : world.bodies()) {
+            const Vec2 at = world.body(id).massCenter;
+            QVERIFY(std::any_of(cells.begin(), cells.end(), [&](const Aabb& cell) { return cell.contains(at); }));
+        }
+    }
+};
+
+SPACETOW_TEST(QueriesTest)
+#include "queries_test.moc"
