@@ -53,7 +53,7 @@ void paintGround(const Stage& stage, std::span<const WallRun> runs) {
 
 void paintLevelShape(const Stage& stage, const LevelShape& shape, const Transform& pose, const BodyStyle& style) {
     if (const auto* edges = std::get_if<EdgeChain>(&shape)) {
-        const WallRun run = wallRun(*edges, pose);
+        const WallRun run = thinned(stage, wallRun(*edges, pose));
         if (style.kind != BodyKind::Static && style.tangible) {
             paintRims(stage, std::span(&run, 1), stage.theme.body(style.kind, Edge{}).line);
         }
@@ -178,7 +178,7 @@ void paintObjects(const Stage& stage, const Level& level, const Wanted& wanted) 
         }
         for (const LevelShape& shape : body->shapes) {
             if (const auto* edges = std::get_if<EdgeChain>(&shape)) {
-                ground.push_back(wallRun(*edges, poseOf(*body)));
+                ground.push_back(thinned(stage, wallRun(*edges, poseOf(*body))));
             }
         }
     }
@@ -196,7 +196,9 @@ void paintSnapshot(const Stage& stage, const Snapshot& snapshot, const OverlayFl
     std::vector<WallRun> ground;
     for (const BodyPicture& body : snapshot.bodies) {
         if (body.look->kind == BodyKind::Static && body.look->tangible) {
-            std::ranges::move(wallRuns(body.look->shapes, body.pose), std::back_inserter(ground));
+            for (WallRun& run : wallRuns(body.look->shapes, body.pose)) {
+                ground.push_back(thinned(stage, std::move(run)));
+            }
         }
     }
     paintGround(stage, ground);

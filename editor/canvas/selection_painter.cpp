@@ -43,6 +43,8 @@ void paintSelection(const Stage& stage, const Level& level, const Selection& sel
         return;
     }
     const Outlines outlines(level);
+    constexpr int few = 300; // more than these are seen without a glow, which takes most of the time
+    const bool glows = selection.size() <= few;
     QPainter& painter = stage.painter;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -52,10 +54,12 @@ void paintSelection(const Stage& stage, const Level& level, const Selection& sel
             continue;
         }
         const Outline outline = outlines.of(object);
-        QColor glow = stage.theme.selection;
-        glow.setAlpha(90);
-        painter.setPen(stroke(glow, 7));
-        strokeOutline(stage, outline);
+        if (glows) {
+            QColor glow = stage.theme.selection;
+            glow.setAlpha(90);
+            painter.setPen(stroke(glow, 7));
+            strokeOutline(stage, outline);
+        }
         painter.setPen(stroke(stage.theme.selection, 2));
         strokeOutline(stage, outline);
         if (std::holds_alternative<BodyObject>(object.data)) {

@@ -64,19 +64,28 @@ void addCorner(const Stage& stage, const Segment& before, const Segment& after, 
     path.closeSubpath();
 }
 
-void addRim(const Stage& stage, const WallRun& run, double depth, QPainterPath& path) {
+/// Fills the band piece by piece: one path over a whole cave would take time with the square of its length.
+void fillRim(const Stage& stage, const WallRun& run, double depth, const QColor& color) {
+    constexpr std::size_t pieceLength = 128; // segments
     const std::vector<Segment> segments = segmentsOf(run);
     const Aabb visible = stage.view.visible().grown(depth + stage.view.pixel());
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        if (!visible.overlaps(boxOf(segments[i]))) {
-            continue;
+        if (visible.overlaps(boxOf(segments[i]))) {
+            addBand(stage, segments[i], depth, path);
+            const bool joined = i + 1 < segments.size() || run.closed;
+            if (joined) {
+                addCorner(stage, segments[i], segments[(i + 1) % segments.size()], depth, path);
+            }
         }
-        addBand(stage, segments[i], depth, path);
-        const bool joined = i + 1 < segments.size() || run.closed;
-        if (joined) {
-            addCorner(stage, segments[i], segments[(i + 1) % segments.size()], depth, path);
+        if (i % pieceLength == pieceLength - 1) {
+            stage.painter.fillPath(path, color);
+            path.clear();
+            path.setFillRule(Qt::WindingFill);
         }
     }
+    stage.painter.fillPath(path, color);
 }
 
 /// Where the backs of two neighbouring walls meet.
@@ -98,17 +107,6 @@ void paintBack(const Stage& stage, const WallRun& run) {
         back.emplace_back(segments.back().b - run.depth * segments.back().free);
     }
     paintPolyline(stage, back, run.closed);
-}
-
-void fillRims(const Stage& stage, std::span<const WallRun> runs, double layer, const QColor& color) {
-    QPainterPath path;
-    path.setFillRule(Qt::WindingFill);
-    for (const WallRun& run : runs) {
-        if (std::isinf(run.depth)) {
-            addRim(stage, run, layer, path);
-        }
-    }
-    stage.painter.fillPath(path, color);
 }
 
 QColor faded(QColor color, double factor) {
@@ -172,24 +170,38 @@ QPainterPath rockBehind(const Stage& stage, std::span<const WallRun> runs) {
 }
 
 void paintRims(const Stage& stage, std::span<const WallRun> runs, const QColor& color) {
-    const int layers = stage.pixels(fadeDepth) < 4 ? 1 : fadeLayers;
-    for (int i = layers; i >= 1; --i) {
-        fillRims(stage, runs, fadeDepth * i / layers, faded(color, 0.55 / layers));
-    }
-    QPainterPath path;
-    path.setFillRule(Qt::WindingFill);
+    // Layers that cannot be told apart would only cost time.
+    const int layers = std::clamp(static_cast<int>(stage.pixels(fadeDepth) / 3), 1, fadeLayers);
     for (const WallRun& run : runs) {
         if (std::isfinite(run.depth)) {
-            addRim(stage, run, run.depth, path);
+            fillRim(stage, run, run.depth, faded(color, 0.34));
+            if (stage.pixels(run.depth) > 3) {
+                stage.painter.setPen(stroke(faded(color, 0.8), 1, Qt::DotLine));
+                paintBack(stage, run);
+            }
+            continue;
+        }
+        for (int i = layers; i >= 1; --i) {
+            fillRim(stage, run, fadeDepth * i / layers, faded(color, 0.55 / layers));
         }
     }
-    stage.painter.fillPath(path, faded(color, 0.34));
-    stage.painter.setPen(stroke(faded(color, 0.8), 1, Qt::DotLine));
-    for (const WallRun& run : runs) {
-        if (std::isfinite(run.depth) && stage.pixels(run.depth) > 3) {
-            paintBack(stage, run);
+}
+
+WallRun thinned(const Stage& stage, WallRun run) {
+    constexpr std::size_t few = 64;
+    const double finest = 0.8 * stage.view.pixel();
+    if (run.points.size() > few) {
+        Vec2 last = run.points.front();
+        std::size_t kept = 1;
+        for (std::size_t i = 1; i < run.points.size(); ++i) {
+            if (i + 1 == run.points.size() || (run.points[i] - last).cwiseAbs().maxCoeff() >= finest) {
+                last = run.points[i];
+                run.points[kept++] = last;
+            }
         }
+        run.points.resize(kept);
     }
+    return run;
 }
 
 void paintWallLine(const Stage& stage, const WallRun& run) {

@@ -24,11 +24,14 @@ WallRun wallRun(const EdgeChain& chain, const Transform& pose);
 /// Single edges strung together where one begins exactly where the one before ends.
 std::vector<WallRun> wallRuns(std::span<const Shape> shapes, const Transform& pose);
 
+/// The run without the points that lie within a pixel of the one before.
+WallRun thinned(const Stage& stage, WallRun run);
+
 /// Everything behind closed walls without a back: what lies outside anticlockwise loops and inside clockwise ones.
 /// Empty when there is no such loop.
 QPainterPath rockBehind(const Stage& stage, std::span<const WallRun> runs);
 
-/// The solid side of all runs in one colour, without darker spots where bands overlap.
+/// The solid side of each run in one colour, without darker spots at its corners.
 void paintRims(const Stage& stage, std::span<const WallRun> runs, const QColor& color);
 /// The walls themselves, with the painter's pen.
 void paintWallLine(const Stage& stage, const WallRun& run);

@@ -10,77 +10,78 @@ namespace spacetow {
 
 namespace {
 
-#define TEXT(words) QT_TRANSLATE_NOOP("Inspector", words)
+constexpr std::array kinds{QT_TRANSLATE_NOOP("Inspector", "Static"), QT_TRANSLATE_NOOP("Inspector", "Kinematic"),
+                           QT_TRANSLATE_NOOP("Inspector", "Dynamic")};
+constexpr std::array truncations{QT_TRANSLATE_NOOP("Inspector", "No tension"),
+                                 QT_TRANSLATE_NOOP("Inspector", "Unlimited"), QT_TRANSLATE_NOOP("Inspector", "Cut off"),
+                                 QT_TRANSLATE_NOOP("Inspector", "Tanh"),
+                                 QT_TRANSLATE_NOOP("Inspector", "Partial tanh")};
 
-constexpr std::array kinds{TEXT("Static"), TEXT("Kinematic"), TEXT("Dynamic")};
-constexpr std::array truncations{TEXT("No tension"), TEXT("Unlimited"), TEXT("Cut off"), TEXT("Tanh"),
-                                 TEXT("Partial tanh")};
-
-constexpr const char* object = TEXT("General");
-constexpr const char* place = TEXT("Position");
-constexpr const char* shape = TEXT("Shape");
-constexpr const char* motion = TEXT("Motion");
-constexpr const char* matter = TEXT("Matter");
-constexpr const char* connection = TEXT("Connector");
-constexpr const char* collisions = TEXT("Collisions");
-constexpr const char* level = TEXT("General");
-constexpr const char* rules = TEXT("Rules of the game");
-constexpr const char* physics = TEXT("Physics");
+constexpr const char* object = QT_TRANSLATE_NOOP("Inspector", "General");
+constexpr const char* place = QT_TRANSLATE_NOOP("Inspector", "Position");
+constexpr const char* shape = QT_TRANSLATE_NOOP("Inspector", "Shape");
+constexpr const char* motion = QT_TRANSLATE_NOOP("Inspector", "Motion");
+constexpr const char* matter = QT_TRANSLATE_NOOP("Inspector", "Matter");
+constexpr const char* connection = QT_TRANSLATE_NOOP("Inspector", "Connector");
+constexpr const char* collisions = QT_TRANSLATE_NOOP("Inspector", "Collisions");
+constexpr const char* level = QT_TRANSLATE_NOOP("Inspector", "General");
+constexpr const char* rules = QT_TRANSLATE_NOOP("Inspector", "Rules of the game");
+constexpr const char* physics = QT_TRANSLATE_NOOP("Inspector", "Physics");
 
 // clang-format off
 constexpr std::array rowsOfObjects{
-    FormRow{object, TEXT("Name"), "name", RowKind::Text},
-    FormRow{object, TEXT("Kind"), "kind", RowKind::Choice, 0, "", kinds},
-    FormRow{place, TEXT("Position"), "position.x", RowKind::Number, 0.05},
+    FormRow{object, QT_TRANSLATE_NOOP("Inspector", "Name"), "name", RowKind::Text},
+    FormRow{object, QT_TRANSLATE_NOOP("Inspector", "Kind"), "kind", RowKind::Choice, 0, "", kinds},
+    FormRow{place, QT_TRANSLATE_NOOP("Inspector", "Position"), "position.x", RowKind::Number, 0.05},
     FormRow{place, "", "position.y", RowKind::Number, 0.05},
-    FormRow{place, TEXT("Angle"), "angle", RowKind::Number, 5},
-    FormRow{place, TEXT("From"), "a.x", RowKind::Number, 0.05},
+    FormRow{place, QT_TRANSLATE_NOOP("Inspector", "Angle"), "angle", RowKind::Number, 5},
+    FormRow{place, QT_TRANSLATE_NOOP("Inspector", "From"), "a.x", RowKind::Number, 0.05},
     FormRow{place, "", "a.y", RowKind::Number, 0.05},
-    FormRow{place, TEXT("To"), "b.x", RowKind::Number, 0.05},
+    FormRow{place, QT_TRANSLATE_NOOP("Inspector", "To"), "b.x", RowKind::Number, 0.05},
     FormRow{place, "", "b.y", RowKind::Number, 0.05},
-    FormRow{shape, TEXT("Radius"), "radius", RowKind::Number, 0.05},
-    FormRow{shape, TEXT("Depth"), "depth", RowKind::Number, 0.05, TEXT("no back")},
-    FormRow{shape, TEXT("Closed: the last point joins the first"), "closed", RowKind::Switch},
-    FormRow{matter, TEXT("Mass"), "mass", RowKind::Number, 0.1, TEXT("from shape")},
-    FormRow{matter, TEXT("Density"), "density", RowKind::Number, 0.1},
-    FormRow{matter, TEXT("Restitution"), "restitution", RowKind::Number, 0.05},
-    FormRow{matter, TEXT("Friction"), "friction", RowKind::Number, 0.05},
-    FormRow{motion, TEXT("Velocity"), "velocity.x", RowKind::Number, 0.1},
+    FormRow{shape, QT_TRANSLATE_NOOP("Inspector", "Radius"), "radius", RowKind::Number, 0.05},
+    FormRow{shape, QT_TRANSLATE_NOOP("Inspector", "Depth"), "depth", RowKind::Number, 0.05, QT_TRANSLATE_NOOP("Inspector", "no back")},
+    FormRow{shape, QT_TRANSLATE_NOOP("Inspector", "Closed: the last point joins the first"), "closed", RowKind::Switch},
+    FormRow{matter, QT_TRANSLATE_NOOP("Inspector", "Mass"), "mass", RowKind::Number, 0.1, QT_TRANSLATE_NOOP("Inspector", "from shape")},
+    FormRow{matter, QT_TRANSLATE_NOOP("Inspector", "Density"), "density", RowKind::Number, 0.1},
+    FormRow{matter, QT_TRANSLATE_NOOP("Inspector", "Restitution"), "restitution", RowKind::Number, 0.05},
+    FormRow{matter, QT_TRANSLATE_NOOP("Inspector", "Friction"), "friction", RowKind::Number, 0.05},
+    FormRow{motion, QT_TRANSLATE_NOOP("Inspector", "Velocity"), "velocity.x", RowKind::Number, 0.1},
     FormRow{motion, "", "velocity.y", RowKind::Number, 0.1},
-    FormRow{motion, TEXT("Spin"), "angularVelocity", RowKind::Number, 5},
-    FormRow{motion, TEXT("Linear damping"), "linearDamping", RowKind::Number, 0.05},
-    FormRow{motion, TEXT("Angular damping"), "angularDamping", RowKind::Number, 0.05},
-    FormRow{motion, TEXT("Frozen: held in place"), "frozen", RowKind::Switch},
-    FormRow{connection, TEXT("Anchor on first"), "anchorA.x", RowKind::Number, 0.05},
+    FormRow{motion, QT_TRANSLATE_NOOP("Inspector", "Spin"), "angularVelocity", RowKind::Number, 5},
+    FormRow{motion, QT_TRANSLATE_NOOP("Inspector", "Linear damping"), "linearDamping", RowKind::Number, 0.05},
+    FormRow{motion, QT_TRANSLATE_NOOP("Inspector", "Angular damping"), "angularDamping", RowKind::Number, 0.05},
+    FormRow{motion, QT_TRANSLATE_NOOP("Inspector", "Frozen: held in place"), "frozen", RowKind::Switch},
+    FormRow{connection, QT_TRANSLATE_NOOP("Inspector", "Anchor on first"), "anchorA.x", RowKind::Number, 0.05},
     FormRow{connection, "", "anchorA.y", RowKind::Number, 0.05},
-    FormRow{connection, TEXT("Anchor on second"), "anchorB.x", RowKind::Number, 0.05},
+    FormRow{connection, QT_TRANSLATE_NOOP("Inspector", "Anchor on second"), "anchorB.x", RowKind::Number, 0.05},
     FormRow{connection, "", "anchorB.y", RowKind::Number, 0.05},
-    FormRow{connection, TEXT("Length"), "length", RowKind::Number, 0.05, TEXT("as placed")},
-    FormRow{connection, TEXT("Stiffness"), "stiffness", RowKind::Number, 10},
-    FormRow{connection, TEXT("Damping"), "damping", RowKind::Number, 0.5},
-    FormRow{connection, TEXT("Tension"), "truncation", RowKind::Choice, 0, "", truncations},
-    FormRow{connection, TEXT("Limit"), "limit", RowKind::Number, 10},
-    FormRow{connection, TEXT("Untouched part"), "proportion", RowKind::Number, 0.05},
-    FormRow{connection, TEXT("Slack: pulls only"), "slack", RowKind::Switch},
-    FormRow{connection, TEXT("Its two bodies may collide"), "bodiesCollide", RowKind::Switch},
-    FormRow{collisions, TEXT("Tangible: others bounce off it"), "tangible", RowKind::Switch},
-    FormRow{collisions, TEXT("Is"), "tags", RowKind::Tags},
-    FormRow{collisions, TEXT("Touches"), "touches", RowKind::Touches},
+    FormRow{connection, QT_TRANSLATE_NOOP("Inspector", "Length"), "length", RowKind::Number, 0.05, QT_TRANSLATE_NOOP("Inspector", "as placed")},
+    FormRow{connection, QT_TRANSLATE_NOOP("Inspector", "Stiffness"), "stiffness", RowKind::Number, 10},
+    FormRow{connection, QT_TRANSLATE_NOOP("Inspector", "Damping"), "damping", RowKind::Number, 0.5},
+    FormRow{connection, QT_TRANSLATE_NOOP("Inspector", "Tension"), "truncation", RowKind::Choice, 0, "", truncations},
+    FormRow{connection, QT_TRANSLATE_NOOP("Inspector", "Limit"), "limit", RowKind::Number, 10},
+    FormRow{connection, QT_TRANSLATE_NOOP("Inspector", "Untouched part"), "proportion", RowKind::Number, 0.05},
+    FormRow{connection, QT_TRANSLATE_NOOP("Inspector", "Slack: pulls only"), "slack", RowKind::Switch},
+    FormRow{connection, QT_TRANSLATE_NOOP("Inspector", "Its two bodies may collide"), "bodiesCollide", RowKind::Switch},
+    FormRow{collisions, QT_TRANSLATE_NOOP("Inspector", "Tangible: others bounce off it"), "tangible", RowKind::Switch},
+    FormRow{collisions, QT_TRANSLATE_NOOP("Inspector", "Is"), "tags", RowKind::Tags},
+    FormRow{collisions, QT_TRANSLATE_NOOP("Inspector", "Touches"), "touches", RowKind::Touches},
 };
 
 constexpr std::array rowsOfLevel{
-    FormRow{level, TEXT("Name"), "name", RowKind::Text},
-    FormRow{level, TEXT("Author"), "author", RowKind::Text},
-    FormRow{level, TEXT("Description"), "description", RowKind::LongText},
-    FormRow{level, TEXT("Background"), "background", RowKind::Background},
-    FormRow{rules, TEXT("Lives"), "lives", RowKind::Number, 1},
-    FormRow{rules, TEXT("Tow range"), "towRange", RowKind::Number, 0.1},
-    FormRow{rules, TEXT("Towing turns gravity round"), "flipGravityOnTow", RowKind::Switch},
-    FormRow{physics, TEXT("Gravity"), "gravity.x", RowKind::Number, 0.05},
+    FormRow{level, QT_TRANSLATE_NOOP("Inspector", "Name"), "name", RowKind::Text},
+    FormRow{level, QT_TRANSLATE_NOOP("Inspector", "Author"), "author", RowKind::Text},
+    FormRow{level, QT_TRANSLATE_NOOP("Inspector", "Description"), "description", RowKind::LongText},
+    FormRow{level, QT_TRANSLATE_NOOP("Inspector", "Background"), "background", RowKind::Background},
+    FormRow{rules, QT_TRANSLATE_NOOP("Inspector", "Lives"), "lives", RowKind::Number, 1},
+    FormRow{rules, QT_TRANSLATE_NOOP("Inspector", "Tow range"), "towRange", RowKind::Number, 0.1},
+    FormRow{rules, QT_TRANSLATE_NOOP("Inspector", "Towing turns gravity round"), "flipGravityOnTow", RowKind::Switch},
+    FormRow{physics, QT_TRANSLATE_NOOP("Inspector", "Gravity"), "gravity.x", RowKind::Number, 0.05},
     FormRow{physics, "", "gravity.y", RowKind::Number, 0.05},
-    FormRow{physics, TEXT("Update"), "updateSeconds", RowKind::Number, 0.005},
-    FormRow{physics, TEXT("Iterations"), "iterations", RowKind::Number, 1},
-    FormRow{physics, TEXT("Sub-steps"), "substeps", RowKind::Number, 1},
+    FormRow{physics, QT_TRANSLATE_NOOP("Inspector", "Update"), "updateSeconds", RowKind::Number, 0.005},
+    FormRow{physics, QT_TRANSLATE_NOOP("Inspector", "Iterations"), "iterations", RowKind::Number, 1},
+    FormRow{physics, QT_TRANSLATE_NOOP("Inspector", "Sub-steps"), "substeps", RowKind::Number, 1},
 };
 // clang-format on
 

@@ -6,23 +6,23 @@ namespace spacetow {
 
 namespace {
 
-QString tr(const char* words) {
-    return QCoreApplication::translate("Names", words);
-}
+struct Names {
+    Q_DECLARE_TR_FUNCTIONS(Names)
+};
 
 QString bodyName(const BodyObject& body) {
     if (body.shapes.size() != 1) {
-        return tr("Body");
+        return Names::tr("Body");
     }
     switch (body.shapes.front().index()) {
     case 0:
-        return tr("One-way wall");
+        return Names::tr("One-way wall");
     case 1:
-        return tr("Two-way line");
+        return Names::tr("Two-way line");
     case 2:
-        return tr("Polygon");
+        return Names::tr("Polygon");
     default:
-        return tr("Circle");
+        return Names::tr("Circle");
     }
 }
 
@@ -33,12 +33,12 @@ QString kindName(const Object& object) {
         return bodyName(*body);
     }
     if (std::holds_alternative<ShipObject>(object.data)) {
-        return tr("Ship");
+        return Names::tr("Ship");
     }
     if (std::holds_alternative<PayloadObject>(object.data)) {
-        return tr("Payload");
+        return Names::tr("Payload");
     }
-    return std::holds_alternative<FinishObject>(object.data) ? tr("Finish") : tr("Connector");
+    return std::holds_alternative<FinishObject>(object.data) ? Names::tr("Finish") : Names::tr("Connector");
 }
 
 QString displayName(const Object& object) {

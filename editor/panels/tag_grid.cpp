@@ -32,7 +32,7 @@ TagGrid::TagGrid(bool everything, QWidget* parent) : QWidget(parent), m_add(this
     setSizePolicy(policy);
     if (everything) {
         m_everything = std::make_unique<TagChip>(this);
-        m_everything->setTag(tr("everything"), QColor(0x9a, 0xa4, 0xb2));
+        m_everything->setTag(tr("everything"), QColor(0xd2, 0xd6, 0xe0));
         m_everything->setToolTip(tr("Touches whatever has a tag, also tags that are made later"));
         connect(m_everything.get(), &TagChip::clicked, this,
                 [this] { Q_EMIT everythingSwitched(m_everything->state() != TagChip::State::On); });

@@ -1,5 +1,6 @@
 #include "editor/window/files.h"
 
+#include "core/level/lint.h"
 #include "editor/window/messages.h"
 
 #include <QCoreApplication>
@@ -10,33 +11,36 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <algorithm>
+#include <iterator>
+
 namespace spacetow {
 
 namespace {
 
 constexpr int fewProblems = 4; // as many as the bar lists
 
-QString tr(const char* words) {
-    return QCoreApplication::translate("Files", words);
-}
+struct FileWords {
+    Q_DECLARE_TR_FUNCTIONS(Files)
+};
 
 std::filesystem::path toPath(const QString& path) {
     return {path.toStdU16String()};
 }
 
 QString filter() {
-    return tr("SpaceTow levels (*.json);;All files (*)");
+    return FileWords::tr("SpaceTow levels (*.json);;All files (*)");
 }
 
 Unsaved askAboutChanges(QWidget* parent, const QString& name) {
     QMessageBox box(parent);
     box.setIcon(QMessageBox::Warning);
-    box.setWindowTitle(tr("Unsaved changes"));
-    box.setText(tr("Save the changes to “%1”?").arg(name));
-    box.setInformativeText(tr("If you discard them, they are lost."));
-    const QAbstractButton* save = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
-    const QAbstractButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
-    QPushButton* cancel = box.addButton(tr("&Cancel"), QMessageBox::RejectRole);
+    box.setWindowTitle(FileWords::tr("Unsaved changes"));
+    box.setText(FileWords::tr("Save the changes to “%1”?").arg(name));
+    box.setInformativeText(FileWords::tr("If you discard them, they are lost."));
+    const QAbstractButton* save = box.addButton(FileWords::tr("&Save"), QMessageBox::AcceptRole);
+    const QAbstractButton* discard = box.addButton(FileWords::tr("&Discard"), QMessageBox::DestructiveRole);
+    QPushButton* cancel = box.addButton(FileWords::tr("&Cancel"), QMessageBox::RejectRole);
     box.setEscapeButton(cancel);
     box.exec();
     return box.clickedButton() == save      ? Unsaved::Save
@@ -51,23 +55,36 @@ QString listed(const std::vector<Problem>& problems) {
     for (const Problem& problem : problems) {
         if (++count <= fewProblems) {
             text += QLatin1Char('\n');
-            text += problem.line > 0 ? tr("Line %1: %2").arg(problem.line).arg(sentence(problem)) : sentence(problem);
+            text += problem.line > 0 ? FileWords::tr("Line %1: %2").arg(problem.line).arg(sentence(problem))
+                                     : sentence(problem);
         }
     }
     if (count > fewProblems) {
-        text += QLatin1Char('\n') + tr("… and %1 more").arg(count - fewProblems);
+        text += QLatin1Char('\n') + FileWords::tr("… and %1 more").arg(count - fewProblems);
     }
     return text;
+}
+
+/// Without what lint says of the level, which stands in the panel of problems as long as it is true.
+std::vector<Problem> ofFileOnly(const LevelFile& file) {
+    const std::vector<Problem> known = lint(*file.level);
+    std::vector<Problem> others;
+    std::ranges::copy_if(file.problems, std::back_inserter(others), [&known](const Problem& problem) {
+        return std::ranges::none_of(known, [&problem](const Problem& other) {
+            return other.code == problem.code && other.object == problem.object && other.arguments == problem.arguments;
+        });
+    });
+    return others;
 }
 
 } // namespace
 
 FileQuestions dialogQuestions(QWidget* parent) {
     return {[parent](const QString& folder) {
-                return QFileDialog::getOpenFileName(parent, tr("Open level"), folder, filter());
+                return QFileDialog::getOpenFileName(parent, FileWords::tr("Open level"), folder, filter());
             },
             [parent](const QString& suggestion) {
-                QFileDialog dialog(parent, tr("Save level as"), suggestion, filter());
+                QFileDialog dialog(parent, FileWords::tr("Save level as"), suggestion, filter());
                 dialog.setAcceptMode(QFileDialog::AcceptSave);
                 dialog.setDefaultSuffix(QStringLiteral("json"));
                 dialog.selectFile(suggestion);
@@ -83,14 +100,14 @@ QString Files::name() const {
     if (!m_path.isEmpty()) {
         return QFileInfo(m_path).fileName();
     }
-    return m_untitled.isEmpty() ? tr("Untitled") : m_untitled;
+    return m_untitled.isEmpty() ? FileWords::tr("Untitled") : m_untitled;
 }
 
 QString Files::suggestion() const {
     if (!m_path.isEmpty()) {
         return m_path;
     }
-    const QString file = m_untitled.isEmpty() ? tr("level") + QStringLiteral(".json") : m_untitled;
+    const QString file = m_untitled.isEmpty() ? FileWords::tr("level") + QStringLiteral(".json") : m_untitled;
     const QStringList recent = preferences.recentFiles();
     return QDir(recent.isEmpty() ? QDir::homePath() : QFileInfo(recent.front()).path()).filePath(file);
 }
@@ -101,7 +118,6 @@ bool Files::startNew() {
     }
     m_path.clear();
     m_untitled.clear();
-    m_problems.clear();
     m_document.reset(Level());
     changed.emit();
     return true;
@@ -138,9 +154,9 @@ bool Files::openExample(const QString& resource) {
 }
 
 bool Files::adopt(const LevelFile& file, const QString& path) {
-    const QString shownName = path.isEmpty() ? tr("The example") : QFileInfo(path).fileName();
+    const QString shownName = path.isEmpty() ? FileWords::tr("The example") : QFileInfo(path).fileName();
     if (!file.level) {
-        m_tell(MessageBar::Tone::Error, tr("%1 cannot be opened.").arg(shownName) + listed(file.problems));
+        m_tell(MessageBar::Tone::Error, FileWords::tr("%1 cannot be opened.").arg(shownName) + listed(file.problems));
         return false;
     }
     if (!mayLeave()) {
@@ -148,10 +164,10 @@ bool Files::adopt(const LevelFile& file, const QString& path) {
     }
     m_path = path;
     m_untitled.clear();
-    m_problems = file.problems;
     m_document.reset(*file.level);
-    if (!file.problems.empty()) {
-        m_tell(MessageBar::Tone::Warning, tr("%1 was opened, but:").arg(shownName) + listed(file.problems));
+    const std::vector<Problem> problems = ofFileOnly(file);
+    if (!problems.empty()) {
+        m_tell(MessageBar::Tone::Warning, FileWords::tr("%1 was opened, but:").arg(shownName) + listed(problems));
     }
     changed.emit();
     return true;
@@ -160,8 +176,9 @@ bool Files::adopt(const LevelFile& file, const QString& path) {
 bool Files::writeTo(const QString& path) {
     const std::optional<Error> error = writeLevel(toPath(path), *m_document.current().level);
     if (error) {
-        m_tell(MessageBar::Tone::Error, sentence(*error) + QLatin1Char('\n') +
-                                            tr("Nothing is lost: your work is still here. Save it elsewhere?"));
+        m_tell(MessageBar::Tone::Error,
+               sentence(*error) + QLatin1Char('\n') +
+                   FileWords::tr("Nothing is lost: your work is still here. Save it elsewhere?"));
         return false;
     }
     m_path = path;

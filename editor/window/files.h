@@ -47,8 +47,6 @@ class Files {
     const QString& path() const { return m_path; }
     /// For the title: the file's name, or that of the level.
     QString name() const;
-    /// What the file that was opened had to say, lint included.
-    const std::vector<Problem>& fileProblems() const { return m_problems; }
 
     Signal<> changed; // path or name
     Preferences preferences;
@@ -62,7 +60,6 @@ class Files {
     Tell m_tell;
     QString m_path;
     QString m_untitled; // suggested file name while there is no path
-    std::vector<Problem> m_problems;
 };
 
 } // namespace spacetow

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
+#include <QKeyEvent>
 #include <QMessageBox>
 #include <QMimeData>
 
@@ -160,6 +161,14 @@ void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     if (!event->spontaneous()) {
         m_canvas.fitLevel();
+    }
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && !isPlaying()) {
+        m_canvas.setFocus(); // out of the panels
+    } else {
+        QMainWindow::keyPressEvent(event);
     }
 }
 

@@ -14,7 +14,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr double step = std::numbers::pi / 12; // 15°
+constexpr double turn = std::numbers::pi / 12; // 15°
 constexpr double quarter = std::numbers::pi / 2;
 constexpr double zoomStep = 1.25;
 
@@ -33,6 +33,7 @@ constexpr std::array switches{
 void MainWindow::listen() {
     m_document.changed.connect([this](const Change& change) {
         updateSelection();
+        updateTool();
         if (change.before.selection.empty() != change.after.selection.empty()) {
             m_actions.setSituation(isPlaying(), !m_document.selection().empty());
             updateHistory();
@@ -97,8 +98,8 @@ void MainWindow::connectEdits() {
     m_actions.on(Act::SelectAll, [this] { m_document.select(selectAll(m_document.level())); });
     m_actions.on(Act::SelectNone, [this] { m_document.select(Selection()); });
     m_actions.on(Act::InvertSelection, [this] { m_document.select(invertedSelection(m_document.shown())); });
-    m_actions.on(Act::RotateLeft, [this] { finish(rotateSelected(m_toolbox.context(), step)); });
-    m_actions.on(Act::RotateRight, [this] { finish(rotateSelected(m_toolbox.context(), -step)); });
+    m_actions.on(Act::RotateLeft, [this] { finish(rotateSelected(m_toolbox.context(), turn)); });
+    m_actions.on(Act::RotateRight, [this] { finish(rotateSelected(m_toolbox.context(), -turn)); });
     m_actions.on(Act::QuarterLeft, [this] { finish(rotateSelected(m_toolbox.context(), quarter)); });
     m_actions.on(Act::QuarterRight, [this] { finish(rotateSelected(m_toolbox.context(), -quarter)); });
     m_actions.on(Act::Reverse, [this] { finish(reverseSelected(m_toolbox.context())); });
@@ -141,7 +142,12 @@ void MainWindow::connectView() {
     m_actions.on(Act::Center, [this] { m_canvas.centerSelection(); });
     m_actions.on(Act::Frame, [this] { m_canvas.frameSelection(); });
     connect(&m_status, &StatusLine::zoomClicked, &m_actions[Act::ZoomReset], &QAction::trigger);
-    connect(&m_status, &StatusLine::snapClicked, &m_actions[Act::Snap], &QAction::trigger);
+    connect(&m_status, &StatusLine::stepChosen, this, [this](double step) {
+        m_toolbox.snap.step = step;
+        m_files.preferences.setSnap(m_toolbox.snap);
+        m_status.setSnap(m_toolbox.snap);
+        m_canvas.update();
+    });
     m_actions.onToggled(Act::Grid, [this](bool on) {
         m_canvas.setGridVisible(on);
         m_files.preferences.setGrid(on);

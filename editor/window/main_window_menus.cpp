@@ -53,6 +53,8 @@ void MainWindow::makeMenus() {
         menu->addAction(&m_actions[row.act]);
         if (row.act == Act::Open) {
             menu->addMenu(&m_recent);
+        } else if (row.act == Act::Snap) {
+            menu->addMenu(&m_status.stepMenu());
         }
     }
     QMenu* const panels = menus[MenuId::View]->addMenu(tr("&Panels"));

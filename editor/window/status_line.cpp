@@ -5,11 +5,14 @@
 #include <QEvent>
 #include <QLocale>
 
+#include <array>
 #include <cmath>
 
 namespace spacetow {
 
 namespace {
+
+constexpr std::array steps{0.01, 0.05, 0.1, 0.25, 0.5, 1.0}; // m
 
 QString metres(double value) {
     QLocale locale;
@@ -19,7 +22,7 @@ QString metres(double value) {
 
 } // namespace
 
-StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
+StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_steps(tr("Grid S&tep")), m_stepGroup(nullptr) {
     m_hintLabel.setTextFormat(Qt::PlainText);
     m_hintLabel.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hintLabel.setContentsMargins(6, 0, 6, 0);
@@ -33,10 +36,12 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     for (QToolButton* button : {&m_snap, &m_zoom, &m_problems}) {
         dressButton(*button);
     }
-    m_snap.setToolTip(tr("Snap to grid (Shift+G)"));
+    m_snap.setToolTip(tr("Distance at which points snap; Shift+G switches snapping off and on"));
+    m_snap.setMenu(&m_steps);
+    m_snap.setPopupMode(QToolButton::InstantPopup);
+    fillSteps();
     m_zoom.setToolTip(tr("Zoom to original size (Ctrl+0)"));
     m_problems.setToolTip(tr("Next problem (F4)"));
-    connect(&m_snap, &QToolButton::clicked, this, &StatusLine::snapClicked);
     connect(&m_zoom, &QToolButton::clicked, this, &StatusLine::zoomClicked);
     connect(&m_problems, &QToolButton::clicked, this, &StatusLine::problemsClicked);
     setProblems(0, 0);
@@ -44,6 +49,18 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
 
 StatusLine::~StatusLine() {
     m_hintLabel.removeEventFilter(this);
+}
+
+void StatusLine::fillSteps() {
+    for (const double step : steps) {
+        auto action = std::make_unique<QAction>(tr("%1 m").arg(QLocale().toString(step)));
+        action->setCheckable(true);
+        action->setData(step);
+        connect(action.get(), &QAction::triggered, this, [this, step] { Q_EMIT stepChosen(step); });
+        m_stepGroup.addAction(action.get());
+        m_steps.addAction(action.get());
+        m_stepActions.push_back(std::move(action));
+    }
 }
 
 void StatusLine::dressButton(QToolButton& button) {
@@ -92,6 +109,9 @@ void StatusLine::setSelection(int count, const Aabb& box) {
 }
 
 void StatusLine::setSnap(const SnapSettings& snap) {
+    for (const std::unique_ptr<QAction>& action : m_stepActions) {
+        action->setChecked(action->data().toDouble() == snap.step);
+    }
     m_snap.setText(snap.grid ? tr("Snap %1 m").arg(QLocale().toString(snap.step)) : tr("Snap off"));
 }
 

@@ -5,9 +5,14 @@
 #include "core/math/aabb.h"
 #include "editor/editing/snap.h"
 
+#include <QActionGroup>
 #include <QLabel>
+#include <QMenu>
 #include <QStatusBar>
 #include <QToolButton>
+
+#include <memory>
+#include <vector>
 
 namespace spacetow {
 
@@ -28,9 +33,11 @@ class StatusLine : public QStatusBar {
     void setProblems(int errors, int warnings);
 
     QString hint() const { return m_hint; }
+    /// The distances at which points may snap; the menu of the button that shows the current one.
+    QMenu& stepMenu() { return m_steps; }
 
   Q_SIGNALS:
-    void snapClicked();
+    void stepChosen(double metres);
     void zoomClicked();
     void problemsClicked();
 
@@ -41,11 +48,15 @@ class StatusLine : public QStatusBar {
   private:
     void elide();
     void dressButton(QToolButton& button);
+    void fillSteps();
 
     QString m_hint;
     QLabel m_hintLabel;
     QLabel m_pointer;
     QLabel m_selection;
+    QMenu m_steps;
+    QActionGroup m_stepGroup;
+    std::vector<std::unique_ptr<QAction>> m_stepActions;
     QToolButton m_snap;
     QToolButton m_zoom;
     QToolButton m_problems;
