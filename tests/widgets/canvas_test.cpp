@@ -1,0 +1,206 @@
+#include "editor/canvas/canvas.h"
+
+#include "core/level/bounds.h"
+
+#include "editor/window/preferences.h"
+#include "tests/support/test_main.h"
+#include "tests/support/window.h"
+
+#include <QSignalSpy>
+#include <QWheelEvent>
+
+using namespace spacetow;
+using spacetow::test::TestWindow;
+
+namespace {
+
+Vec2 worldAt(const Canvas& canvas, const QPoint& at) {
+    return canvas.view().toWorld(Vec2(at.x(), at.y()));
+}
+
+void wheel(Canvas& canvas, const QPoint& at, int notches, Qt::KeyboardModifiers modifiers) {
+    QWheelEvent event(at, canvas.mapToGlobal(at), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&canvas, &event);
+}
+
+void dragWith(Canvas& canvas, Qt::MouseButton button, const QPoint& from, const QPoint& to) {
+    QTest::mousePress(&canvas, button, {}, from);
+    for (int i = 1; i <= 4; ++i) {
+        const QPoint at = from + (to - from) * i / 4;
+        QMouseEvent move(QEvent::MouseMove, at, canvas.mapToGlobal(at), Qt::NoButton, button, {});
+        QApplication::sendEvent(&canvas, &move);
+    }
+    QTest::mouseRelease(&canvas, button, {}, to);
+}
+
+} // namespace
+
+class CanvasTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theWheelZoomsAboutThePointer_data() {
+        QTest::addColumn<int>("notches");
+        QTest::addColumn<int>("modifiers");
+        QTest::newRow("in") << 1 << 0;
+        QTest::newRow("out") << -3 << 0;
+        QTest::newRow("with ctrl") << 2 << static_cast<int>(Qt::ControlModifier);
+    }
+    void theWheelZoomsAboutThePointer() {
+        QFETCH(int, notches);
+        QFETCH(int, modifiers);
+        TestWindow test;
+        const QPoint at(200, 150);
+        const Vec2 before = worldAt(test.canvas(), at);
+        const double scale = test.canvas().view().scale;
+        wheel(test.canvas(), at, notches, Qt::KeyboardModifiers(modifiers));
+        QVERIFY((worldAt(test.canvas(), at) - before).norm() < 1e-9);
+        QVERIFY(notches > 0 ? test.canvas().view().scale > scale : test.canvas().view().scale < scale);
+    }
+
+    void zoomingStaysWithinItsLimits() {
+        TestWindow test;
+        for (int i = 0; i < 100; ++i) {
+            wheel(test.canvas(), QPoint(10, 10), 10, {});
+        }
+        QCOMPARE(test.canvas().view().scale, Viewport::maxScale);
+        for (int i = 0; i < 100; ++i) {
+            wheel(test.canvas(), QPoint(10, 10), -10, {});
+        }
+        QCOMPARE(test.canvas().view().scale, Viewport::minScale);
+    }
+
+    void draggingMovesTheView_data() {
+        QTest::addColumn<Qt::MouseButton>("button");
+        QTest::addColumn<bool>("space");
+        QTest::newRow("middle button") << Qt::MiddleButton << false;
+        QTest::newRow("right button") << Qt::RightButton << false;
+        QTest::newRow("space and left button") << Qt::LeftButton << true;
+    }
+    void draggingMovesTheView() {
+        QFETCH(Qt::MouseButton, button);
+        QFETCH(bool, space);
+        TestWindow test;
+        test.drawWalls();
+        const Level before = test.level();
+        QSignalSpy menu(&test.canvas(), &Canvas::menuWanted);
+        const QPoint from(100, 100);
+        const QPoint to(180, 60);
+        const Vec2 grabbed = worldAt(test.canvas(), from);
+        if (space) {
+            QTest::keyPress(&test.canvas(), Qt::Key_Space);
+        }
+        dragWith(test.canvas(), button, from, to);
+        QVERIFY((worldAt(test.canvas(), to) - grabbed).norm() < 1e-9);
+        QVERIFY(test.level() == before);
+        QCOMPARE(menu.count(), 0);
+    }
+
+    void aRightClickAsksForTheMenuUnlessAShapeIsBeingDrawn() {
+        TestWindow test;
+        test.canvas().disconnect(test.window.get()); // the menu itself would wait for an answer
+        QSignalSpy menu(&test.canvas(), &Canvas::menuWanted);
+        QTest::mouseClick(&test.canvas(), Qt::RightButton, {}, QPoint(50, 50));
+        QCOMPARE(menu.count(), 1);
+        test.trigger(Act::ToolEdge);
+        test.click(0, 0);
+        test.click(1, 0);
+        QTest::mouseClick(&test.canvas(), Qt::RightButton, {}, test.at(1, 0));
+        QCOMPARE(menu.count(), 1);
+        QCOMPARE(test.level().objects.size(), 1);
+    }
+
+    void arrowKeysMoveTheSelectionOrTheView_data() {
+        QTest::addColumn<int>("modifiers");
+        QTest::addColumn<double>("metres");
+        QTest::newRow("a little") << 0 << 0.05;
+        QTest::newRow("a grid step") << static_cast<int>(Qt::ShiftModifier) << 0.25;
+    }
+    void arrowKeysMoveTheSelectionOrTheView() {
+        QFETCH(int, modifiers);
+        QFETCH(double, metres);
+        TestWindow test;
+        test.drawWalls();
+        test.trigger(Act::SelectAll);
+        const auto position = [&test] { return std::get<BodyObject>(test.level().objects[0].data).position; };
+        const Vec2 before = position();
+        const Viewport view = test.canvas().view();
+        for (int i = 0; i < 4; ++i) {
+            QTest::keyClick(&test.canvas(), Qt::Key_Right, Qt::KeyboardModifiers(modifiers));
+        }
+        QVERIFY((position() - before - Vec2(4 * metres, 0)).norm() < 1e-9);
+        QVERIFY((test.canvas().view().center - view.center).norm() < 1e-12);
+        test.trigger(Act::Undo);
+        QVERIFY((position() - before).norm() < 1e-9);
+        test.trigger(Act::SelectNone);
+        QTest::keyClick(&test.canvas(), Qt::Key_Right);
+        QVERIFY((position() - before).norm() < 1e-9);
+        QVERIFY(test.canvas().view().center.x() > view.center.x());
+    }
+
+    void backspaceTakesBackAPointAndElseDeletes() {
+        TestWindow test;
+        test.drawWalls();
+        test.trigger(Act::SelectAll);
+        QTest::keyClick(&test.canvas(), Qt::Key_Backspace);
+        QCOMPARE(test.level().objects.size(), 0);
+        test.trigger(Act::ToolLine);
+        for (const double x : {0.0, 1.0, 2.0}) {
+            test.click(x, 0);
+        }
+        QTest::keyClick(&test.canvas(), Qt::Key_Backspace);
+        QTest::keyClick(&test.canvas(), Qt::Key_Return);
+        QCOMPARE(test.level().objects.size(), 1);
+        const auto& body = std::get<BodyObject>(test.level().objects[0].data);
+        QCOMPARE(std::get<LineChain>(body.shapes[0]).vertices.size(), std::size_t{2});
+    }
+
+    void theViewShowsWhatItIsAskedFor() {
+        TestWindow test;
+        test.drawWalls();
+        test.canvas().zoomTo(1000);
+        test.canvas().fitLevel();
+        const Aabb visible = test.canvas().view().visible();
+        QVERIFY(visible.contains(boundsOf(test.level())));
+        QVERIFY((visible.center() - boundsOf(test.level()).center()).norm() < 1e-9);
+        test.trigger(Act::SelectAll);
+        const double scale = test.canvas().view().scale;
+        test.canvas().zoomTo(scale / 7);
+        test.canvas().centerSelection();
+        QVERIFY((test.canvas().view().center - visible.center()).norm() < 1e-9);
+        QVERIFY(std::abs(test.canvas().view().scale - scale / 7) < 1e-9);
+    }
+
+    void thePointerIsReportedInMetres() {
+        TestWindow test;
+        QSignalSpy moved(&test.canvas(), &Canvas::pointerMoved);
+        QTest::mouseMove(&test.canvas(), QPoint(120, 80));
+        QVERIFY(moved.count() > 0);
+        const Vec2 expected = worldAt(test.canvas(), QPoint(120, 80));
+        QCOMPARE(moved.back()[0].toDouble(), expected.x());
+        QCOMPARE(moved.back()[1].toDouble(), expected.y());
+        QVERIFY((test.canvas().pointerPosition() - expected).norm() < 1e-12);
+    }
+
+    void switchesAreRememberedFromOneRunToTheNext() {
+        TestWindow test;
+        Preferences& preferences = test.window->files().preferences;
+        test.trigger(Act::OverlayNormals);
+        test.trigger(Act::Grid);
+        test.trigger(Act::Snap);
+        QVERIFY(preferences.overlays() == OverlayFlags{.normals = true});
+        QVERIFY(!preferences.grid());
+        const bool snaps = preferences.snap().grid;
+        test.trigger(Act::Snap);
+        QCOMPARE(preferences.snap().grid, !snaps);
+        MainWindow next;
+        QVERIFY(next.actions()[Act::OverlayNormals].isChecked());
+        QVERIFY(!next.actions()[Act::Grid].isChecked());
+        test.trigger(Act::OverlaysOff);
+        QVERIFY(preferences.overlays() == OverlayFlags());
+    }
+};
+
+SPACETOW_TEST(CanvasTest)
+#include "canvas_test.moc"
