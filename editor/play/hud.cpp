@@ -15,9 +15,9 @@ namespace {
 constexpr double bannerSeconds = 1.5;
 constexpr double smallest = 5; // pixels; below that a window shows nothing anybody could read
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("Hud", text);
-}
+struct HudWords {
+    Q_DECLARE_TR_FUNCTIONS(Hud)
+};
 
 struct Message {
     QString title, advice;
@@ -25,17 +25,17 @@ struct Message {
 
 Message messageOf(const HudInput& input) {
     if (input.paused) {
-        return {tr("Paused"), tr("P: go on · O: one step · Esc: menu")};
+        return {HudWords::tr("Paused"), HudWords::tr("P: go on · O: one step · Esc: menu")};
     }
     switch (input.phase) {
     case Phase::AwaitingInput:
-        return {tr("Ready"), tr("Press a direction to start")};
+        return {HudWords::tr("Ready"), HudWords::tr("Press a direction to start")};
     case Phase::Crashed:
-        return {tr("Crashed"), tr("Press any key to try again")};
+        return {HudWords::tr("Crashed"), HudWords::tr("Press any key to try again")};
     case Phase::GameOver:
-        return {tr("Game over"), tr("No life is left. Press any key to start the level over")};
+        return {HudWords::tr("Game over"), HudWords::tr("No life is left. Press any key to start the level over")};
     case Phase::Won:
-        return {tr("You made it!"), tr("The payload is home. Space: fly again · Esc: menu")};
+        return {HudWords::tr("You made it!"), HudWords::tr("The payload is home. Space: fly again · Esc: menu")};
     case Phase::Sandbox:
     case Phase::Flying:
     case Phase::Towing:
@@ -87,9 +87,9 @@ class Layout {
         const double height = 0.55 * m_unit;
         const double width = (m_size.width() - 4 * margin) / 3;
         const std::array<std::pair<HudText::Role, QString>, 3> readings{
-            std::pair(HudText::Role::Lives, tr("Lives %1").arg(hud.lives)),
-            std::pair(HudText::Role::Time, tr("Time %1").arg(minutes(hud.time))),
-            std::pair(HudText::Role::Fuel, tr("Fuel used %1 s").arg(hud.fuel, 0, 'f', 2))};
+            std::pair(HudText::Role::Lives, HudWords::tr("Lives %1").arg(hud.lives)),
+            std::pair(HudText::Role::Time, HudWords::tr("Time %1").arg(minutes(hud.time))),
+            std::pair(HudText::Role::Fuel, HudWords::tr("Fuel used %1 s").arg(hud.fuel, 0, 'f', 2))};
         double x = margin;
         for (const auto& [role, text] : readings) {
             const QSizeF room(width, height);
@@ -157,11 +157,11 @@ std::vector<HudText> hudLayout(const HudInput& input, const QSizeF& size, const 
     layout.addCentred(HudText::Role::Title, message.title, 0.13, 0.13, std::clamp(0.75 * layout.unit(), 12.0, 56.0));
     layout.addCentred(HudText::Role::Advice, message.advice, 0.27, 0.12, std::clamp(0.36 * layout.unit(), 10.0, 28.0));
     if (input.hud.gravityFlippedFor >= 0 && input.hud.gravityFlippedFor < bannerSeconds) {
-        layout.addCentred(HudText::Role::Banner, tr("Gravity is upside down!"), 0.70, 0.12,
+        layout.addCentred(HudText::Role::Banner, HudWords::tr("Gravity is upside down!"), 0.70, 0.12,
                           std::clamp(0.5 * layout.unit(), 11.0, 38.0));
     }
     if (input.hud.towInRange && !input.paused) {
-        layout.addCentred(HudText::Role::Hint, tr("In range. Space: tow"), 0.84, 0.12,
+        layout.addCentred(HudText::Role::Hint, HudWords::tr("In range. Space: tow"), 0.84, 0.12,
                           std::clamp(0.4 * layout.unit(), 10.0, 30.0));
     }
     return layout.take();

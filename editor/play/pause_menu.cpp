@@ -50,7 +50,6 @@ QPushButton* PauseMenu::addButton(const QString& text, const QString& tip) {
     auto* button = new QPushButton(text, this);
     button->setToolTip(tip);
     button->setAutoDefault(false);
-    button->setAttribute(Qt::WA_LayoutUsesWidgetRect); // styles may draw buttons larger than their place otherwise
     button->setFocusPolicy(Qt::StrongFocus);
     layout()->addWidget(button);
     return button;
@@ -70,13 +69,26 @@ void PauseMenu::placeIn(const QSize& room) {
         layout()->setSpacing(type / 2);
         ensurePolished();
         layout()->invalidate();
-        const QSize wanted = layout()->sizeHint();
+        const QSize wanted = sizeHint(); // of the layout, with the frame
         if (type == smallestType || (wanted.width() <= room.width() - 8 && wanted.height() <= room.height() - 8)) {
             resize(wanted);
             break;
         }
     }
     move((room.width() - width()) / 2, (room.height() - height()) / 2);
+}
+
+bool PauseMenu::event(QEvent* event) {
+    // Plain keys are the menu's, even where the window has a shortcut on the same letter.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
+        if (plain && (key->key() < Qt::Key_F1 || key->key() > Qt::Key_F35)) {
+            event->accept();
+            return true;
+        }
+    }
+    return QFrame::event(event);
 }
 
 void PauseMenu::keyPressEvent(QKeyEvent* event) {

@@ -24,6 +24,7 @@ class PauseMenu : public QFrame {
     void left();
 
   protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
   private:

@@ -141,22 +141,21 @@ double PlayView::fittingScale() const {
 }
 
 Viewport PlayView::viewport() const {
+    return m_runner ? viewport(picture()) : Viewport();
+}
+
+Viewport PlayView::viewport(const Snapshot& snapshot) const {
     Viewport view;
     view.size = Vec2(std::max(1, width()), std::max(1, height()));
     view.scale = std::clamp(m_zoom * fittingScale(), Viewport::minScale, Viewport::maxScale);
-    if (m_lookedAt) {
-        view.center = *m_lookedAt;
-    } else if (m_runner) {
-        view.center = framed(picture());
-    }
+    view.center = m_lookedAt ? *m_lookedAt : framed(snapshot, view.scale);
     return view;
 }
 
-Vec2 PlayView::framed(const Snapshot& snapshot) const {
+Vec2 PlayView::framed(const Snapshot& snapshot, double scale) const {
     if (m_bounds.isEmpty()) {
         return snapshot.camera;
     }
-    const double scale = std::clamp(m_zoom * fittingScale(), Viewport::minScale, Viewport::maxScale);
     const Aabb all = m_bounds.grown(rockSeen);
     const Vec2 lead = leadOf(snapshot);
     const Vec2& camera = snapshot.camera;
@@ -190,10 +189,7 @@ void PlayView::paintEvent(QPaintEvent*) {
 }
 
 void PlayView::paintScene(QPainter& painter, const Snapshot& snapshot) {
-    Viewport view = viewport();
-    if (!m_lookedAt) {
-        view.center = framed(snapshot);
-    }
+    const Viewport view = viewport(snapshot);
     const Stage stage{painter, view, canvasTheme()};
     paintBackdrop(stage, m_background);
     paintFlame(stage, snapshot);
@@ -204,6 +200,13 @@ void PlayView::paintScene(QPainter& painter, const Snapshot& snapshot) {
 void PlayView::follow() {
     m_lookedAt.reset();
     m_zoom = 1;
+}
+
+void PlayView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (m_runner && !m_menu->isVisible()) {
+        setFocus(Qt::OtherFocusReason); // a hidden widget could not take it when the game was started
+    }
 }
 
 void PlayView::resizeEvent(QResizeEvent*) {

@@ -60,6 +60,7 @@ class PlayView : public QWidget {
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -76,7 +77,8 @@ class PlayView : public QWidget {
     void letGo();
     void follow();
     double fittingScale() const;
-    Vec2 framed(const Snapshot& snapshot) const;
+    Viewport viewport(const Snapshot& snapshot) const;
+    Vec2 framed(const Snapshot& snapshot, double scale) const;
 
     const Runner::Mode m_mode;
     std::unique_ptr<Runner> m_runner;

@@ -423,6 +423,8 @@ class SessionTest : public QObject {
         QTest::addRow("a finish without length") << 6;
         QTest::addRow("a payload without radius") << 7;
         QTest::addRow("a ship nowhere") << 8;
+        QTest::addRow("numbers out of range") << 9;
+        QTest::addRow("numbers that are none") << 10;
     }
     void unfinishedLevelsCanBePlayed() {
         QFETCH(int, missing);
@@ -445,6 +447,20 @@ class SessionTest : public QObject {
         if (missing == 8) {
             const double nowhere = std::numeric_limits<double>::quiet_NaN();
             level.objects.replace(0, {shipKey, "", ShipObject{Vec2(nowhere, 0)}, {}});
+        }
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        if (missing == 9) {
+            level.iterations = -3;
+            level.substeps = 0;
+            level.updateSeconds = 0;
+            level.rules.towRange = -1;
+        }
+        if (missing == 10) {
+            level.gravity = Vec2(none, 0);
+            level.updateSeconds = none;
+            level.rules.towRange = none;
+            level.objects.replace(1, {payloadKey, "", PayloadObject{Vec2(0, none), none, none}, {}});
+            level.objects.replace(2, {finishKey, "", FinishObject{Vec2(none, 0), Vec2(0, 0)}, {}});
         }
         Session session(level);
         press(session, thrust);
