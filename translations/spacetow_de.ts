@@ -1,0 +1,1983 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Start an empty level</source>
+        <translation>Ein leeres Level beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a level file</source>
+        <translation>Eine Leveldatei öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Write the level to its file</source>
+        <translation>Das Level in seine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Write the level to another file</source>
+        <translation>Das Level in eine andere Datei schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Leave the program</source>
+        <translation>Das Programm verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Die letzte Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Make the change again</source>
+        <translation>Die zurückgenommene Änderung erneut ausführen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Move the selection to the clipboard</source>
+        <translation>Die Auswahl in die Zwischenablage verschieben</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selection to the clipboard as text</source>
+        <translation>Die Auswahl als Text in die Zwischenablage kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Insert what is on the clipboard at the pointer</source>
+        <translation>Den Inhalt der Zwischenablage am Mauszeiger einfügen</translation>
+    </message>
+    <message>
+        <source>Paste &amp;in Place</source>
+        <translation>An &amp;Originalposition einfügen</translation>
+    </message>
+    <message>
+        <source>Insert what is on the clipboard where it was copied</source>
+        <translation>Den Inhalt der Zwischenablage dort einfügen, wo er kopiert wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Copy the selection one grid step away</source>
+        <translation>Die Auswahl um einen Rasterschritt versetzt kopieren</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Remove the selection</source>
+        <translation>Die Auswahl entfernen</translation>
+    </message>
+    <message>
+        <source>Select &amp;All</source>
+        <translation>Alles au&amp;swählen</translation>
+    </message>
+    <message>
+        <source>Select every object</source>
+        <translation>Alle Objekte auswählen</translation>
+    </message>
+    <message>
+        <source>Select &amp;None</source>
+        <translation>&amp;Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>Die Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>In&amp;vert Selection</source>
+        <translation>A&amp;uswahl umkehren</translation>
+    </message>
+    <message>
+        <source>Select what is not selected</source>
+        <translation>Auswählen, was nicht ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Show less of the level, larger</source>
+        <translation>Weniger vom Level zeigen, dafür größer</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Show more of the level, smaller</source>
+        <translation>Mehr vom Level zeigen, dafür kleiner</translation>
+    </message>
+    <message>
+        <source>&amp;Original Size</source>
+        <translation>&amp;Originalgröße</translation>
+    </message>
+    <message>
+        <source>Show the level as large as in the game</source>
+        <translation>Das Level so groß zeigen wie im Spiel</translation>
+    </message>
+    <message>
+        <source>&amp;Fit Level</source>
+        <translation>Level &amp;einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole level</source>
+        <translation>Das ganze Level zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Center Selection</source>
+        <translation>Auswahl &amp;zentrieren</translation>
+    </message>
+    <message>
+        <source>Bring the selection to the middle of the view</source>
+        <translation>Die Auswahl in die Mitte der Ansicht holen</translation>
+    </message>
+    <message>
+        <source>F&amp;rame Selection</source>
+        <translation>Auswahl ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Show the selection as large as fits</source>
+        <translation>Die Auswahl so groß wie möglich zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Show the grid</source>
+        <translation>Das Raster anzeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Grid</source>
+        <translation>Am Raster ei&amp;nrasten</translation>
+    </message>
+    <message>
+        <source>Let points land on the grid; Ctrl inverts it while drawing</source>
+        <translation>Punkte am Raster einrasten lassen; Strg kehrt das beim Zeichnen um</translation>
+    </message>
+    <message>
+        <source>&amp;Bounding Boxes</source>
+        <translation>&amp;Hüllrechtecke</translation>
+    </message>
+    <message>
+        <source>Show the bounding box of every body</source>
+        <translation>Das Hüllrechteck jedes Körpers anzeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Incircles</source>
+        <translation>&amp;Inkreise</translation>
+    </message>
+    <message>
+        <source>Show the incircle of every polygon</source>
+        <translation>Den Inkreis jedes Polygons anzeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Velocities</source>
+        <translation>&amp;Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Show where every body would be in a second</source>
+        <translation>Anzeigen, wo jeder Körper in einer Sekunde wäre</translation>
+    </message>
+    <message>
+        <source>&amp;Orientations</source>
+        <translation>&amp;Ausrichtungen</translation>
+    </message>
+    <message>
+        <source>Show which way up every body is</source>
+        <translation>Anzeigen, wo bei jedem Körper oben ist</translation>
+    </message>
+    <message>
+        <source>&amp;Normals</source>
+        <translation>&amp;Normalen</translation>
+    </message>
+    <message>
+        <source>Show the free side of every wall</source>
+        <translation>Die freie Seite jeder Wand anzeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Quadtree</source>
+        <translation>&amp;Quadtree</translation>
+    </message>
+    <message>
+        <source>Show the cells in which collisions are looked for</source>
+        <translation>Die Zellen anzeigen, in denen nach Kollisionen gesucht wird</translation>
+    </message>
+    <message>
+        <source>&amp;All Off</source>
+        <translation>Alle a&amp;us</translation>
+    </message>
+    <message>
+        <source>Hide all overlays</source>
+        <translation>Alle Einblendungen ausblenden</translation>
+    </message>
+    <message>
+        <source>F&amp;ull Screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Den ganzen Bildschirm nutzen</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>Aus&amp;wählen</translation>
+    </message>
+    <message>
+        <source>Select and move objects</source>
+        <translation>Objekte auswählen und verschieben</translation>
+    </message>
+    <message>
+        <source>One-Way &amp;Wall</source>
+        <translation>Einseitige &amp;Kante</translation>
+    </message>
+    <message>
+        <source>Draw walls that are solid from one side</source>
+        <translation>Wände zeichnen, die von einer Seite undurchdringlich sind</translation>
+    </message>
+    <message>
+        <source>Two-Way &amp;Line</source>
+        <translation>Zweiseitige &amp;Linie</translation>
+    </message>
+    <message>
+        <source>Draw walls that are solid from both sides</source>
+        <translation>Wände zeichnen, die von beiden Seiten undurchdringlich sind</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>&amp;Polygon</translation>
+    </message>
+    <message>
+        <source>Draw a solid polygon</source>
+        <translation>Ein massives Polygon zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Circle</source>
+        <translation>K&amp;reis</translation>
+    </message>
+    <message>
+        <source>Draw a circle from its center</source>
+        <translation>Einen Kreis von seinem Mittelpunkt aus zeichnen</translation>
+    </message>
+    <message>
+        <source>S&amp;hip</source>
+        <translation>&amp;Schiff</translation>
+    </message>
+    <message>
+        <source>Place the ship; drag to turn it</source>
+        <translation>Das Schiff platzieren; Ziehen dreht es</translation>
+    </message>
+    <message>
+        <source>Pay&amp;load</source>
+        <translation>&amp;Fracht</translation>
+    </message>
+    <message>
+        <source>Place the payload</source>
+        <translation>Die Fracht platzieren</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>&amp;Ziellinie</translation>
+    </message>
+    <message>
+        <source>Draw the line that the payload has to cross</source>
+        <translation>Die Linie zeichnen, die die Fracht überqueren muss</translation>
+    </message>
+    <message>
+        <source>Place S&amp;hip, Payload, Finish</source>
+        <translation>S&amp;chiff, Fracht, Ziellinie platzieren</translation>
+    </message>
+    <message>
+        <source>Place ship, payload or finish; again for the next of them</source>
+        <translation>Schiff, Fracht oder Ziellinie platzieren; erneut für das jeweils nächste</translation>
+    </message>
+    <message>
+        <source>Rotate &amp;Left 15°</source>
+        <translation>Um 15° nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selection anticlockwise</source>
+        <translation>Die Auswahl gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Rotate &amp;Right 15°</source>
+        <translation>Um 15° nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selection clockwise</source>
+        <translation>Die Auswahl im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Rotate Left &amp;90°</source>
+        <translation>Um &amp;90° nach links drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selection a quarter anticlockwise</source>
+        <translation>Die Auswahl um eine Vierteldrehung gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Rotate Right 9&amp;0°</source>
+        <translation>Um 9&amp;0° nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selection a quarter clockwise</source>
+        <translation>Die Auswahl um eine Vierteldrehung im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Re&amp;verse Direction</source>
+        <translation>Richtung &amp;umkehren</translation>
+    </message>
+    <message>
+        <source>Make one-way walls solid from the other side</source>
+        <translation>Einseitige Kanten von der anderen Seite undurchdringlich machen</translation>
+    </message>
+    <message>
+        <source>&amp;Next Problem</source>
+        <translation>&amp;Nächstes Problem</translation>
+    </message>
+    <message>
+        <source>Go to the next problem of the level</source>
+        <translation>Zum nächsten Problem des Levels gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Problem</source>
+        <translation>&amp;Vorheriges Problem</translation>
+    </message>
+    <message>
+        <source>Go to the problem before</source>
+        <translation>Zum vorherigen Problem gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Spielen</translation>
+    </message>
+    <message>
+        <source>Play a copy of the level, here and now</source>
+        <translation>Sofort eine Kopie des Levels spielen</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>Spiel &amp;beenden</translation>
+    </message>
+    <message>
+        <source>Go back to the level as it was</source>
+        <translation>Zum Level zurückkehren, wie es war</translation>
+    </message>
+    <message>
+        <source>Pa&amp;use</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Hold the game</source>
+        <translation>Das Spiel anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Next Frame</source>
+        <translation>&amp;Einzelbild weiter</translation>
+    </message>
+    <message>
+        <source>Hold the game and advance it by one update</source>
+        <translation>Das Spiel anhalten und um einen Zeitschritt weiterrücken</translation>
+    </message>
+    <message>
+        <source>&amp;Restart</source>
+        <translation>&amp;Neu starten</translation>
+    </message>
+    <message>
+        <source>Play the level from its beginning</source>
+        <translation>Das Level von Anfang an spielen</translation>
+    </message>
+    <message>
+        <source>&amp;Keys…</source>
+        <translation>&amp;Tasten…</translation>
+    </message>
+    <message>
+        <source>Show what the keys do</source>
+        <translation>Zeigen, was die Tasten bewirken</translation>
+    </message>
+    <message>
+        <source>&amp;About SpaceTow Studio…</source>
+        <translation>Ü&amp;ber SpaceTow Studio…</translation>
+    </message>
+    <message>
+        <source>Show version and license</source>
+        <translation>Version und Lizenz anzeigen</translation>
+    </message>
+</context>
+<context>
+    <name>Files</name>
+    <message>
+        <source>SpaceTow levels (*.json);;All files (*)</source>
+        <translation>SpaceTow-Level (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Änderungen an „%1“ speichern?</translation>
+    </message>
+    <message>
+        <source>If you discard them, they are lost.</source>
+        <translation>Wenn Sie sie verwerfen, gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Open level</source>
+        <translation>Level öffnen</translation>
+    </message>
+    <message>
+        <source>Save level as</source>
+        <translation>Level speichern unter</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>level</translation>
+    </message>
+    <message>
+        <source>The example</source>
+        <translation>Das Beispiel</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened.</source>
+        <translation>%1 lässt sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 was opened, but:</source>
+        <translation>%1 wurde geöffnet, aber:</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: your work is still here. Save it elsewhere?</source>
+        <translation>Nichts ist verloren: Ihre Arbeit ist noch da. An anderer Stelle speichern?</translation>
+    </message>
+</context>
+<context>
+    <name>Hud</name>
+    <message>
+        <source>Paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>P: go on · O: one step · Esc: menu</source>
+        <translation>P: weiter · O: Einzelschritt · Esc: Menü</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Press a direction to start</source>
+        <translation>Zum Starten eine Richtung drücken</translation>
+    </message>
+    <message>
+        <source>Crashed</source>
+        <translation>Abgestürzt</translation>
+    </message>
+    <message>
+        <source>Press any key to try again</source>
+        <translation>Beliebige Taste: noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Game over</source>
+        <translation>Game over</translation>
+    </message>
+    <message>
+        <source>No life is left. Press any key to start the level over</source>
+        <translation>Kein Leben mehr übrig. Beliebige Taste: Level neu beginnen</translation>
+    </message>
+    <message>
+        <source>You made it!</source>
+        <translation>Geschafft!</translation>
+    </message>
+    <message>
+        <source>The payload is home. Space: fly again · Esc: menu</source>
+        <translation>Die Fracht ist zu Hause. Leertaste: noch einmal fliegen · Esc: Menü</translation>
+    </message>
+    <message>
+        <source>Lives %1</source>
+        <translation>Leben %1</translation>
+    </message>
+    <message>
+        <source>Time %1</source>
+        <translation>Zeit %1</translation>
+    </message>
+    <message>
+        <source>Fuel used %1 s</source>
+        <translation>Treibstoff %1 s</translation>
+    </message>
+    <message>
+        <source>Gravity is upside down!</source>
+        <translation>Die Schwerkraft steht kopf!</translation>
+    </message>
+    <message>
+        <source>In range. Space: tow</source>
+        <translation>In Reichweite. Leertaste: schleppen</translation>
+    </message>
+</context>
+<context>
+    <name>Inspector</name>
+    <message>
+        <source>Static</source>
+        <translation>Statisch</translation>
+    </message>
+    <message>
+        <source>Kinematic</source>
+        <translation>Kinematisch</translation>
+    </message>
+    <message>
+        <source>Dynamic</source>
+        <translation>Dynamisch</translation>
+    </message>
+    <message>
+        <source>No tension</source>
+        <translation>Keine Spannung</translation>
+    </message>
+    <message>
+        <source>Unlimited</source>
+        <translation>Unbegrenzt</translation>
+    </message>
+    <message>
+        <source>Cut off</source>
+        <translation>Gekappt</translation>
+    </message>
+    <message>
+        <source>Tanh</source>
+        <translation>Tanh</translation>
+    </message>
+    <message>
+        <source>Partial tanh</source>
+        <translation>Teilweise Tanh</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Matter</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Connector</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>Kollisionen</translation>
+    </message>
+    <message>
+        <source>Rules of the game</source>
+        <translation>Spielregeln</translation>
+    </message>
+    <message>
+        <source>Physics</source>
+        <translation>Physik</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>no back</source>
+        <translation>keine Rückseite</translation>
+    </message>
+    <message>
+        <source>Closed: the last point joins the first</source>
+        <translation>Geschlossen: Ende trifft Anfang</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>from shape</source>
+        <translation>aus der Form</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Restitution</source>
+        <translation>Stoßzahl</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>Linear damping</source>
+        <translation>Lineare Dämpfung</translation>
+    </message>
+    <message>
+        <source>Angular damping</source>
+        <translation>Drehdämpfung</translation>
+    </message>
+    <message>
+        <source>Frozen: held in place</source>
+        <translation>Eingefroren: bleibt am Ort</translation>
+    </message>
+    <message>
+        <source>Anchor on first</source>
+        <translation>Anker am ersten</translation>
+    </message>
+    <message>
+        <source>Anchor on second</source>
+        <translation>Anker am zweiten</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>as placed</source>
+        <translation>wie platziert</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Untouched part</source>
+        <translation>Freier Anteil</translation>
+    </message>
+    <message>
+        <source>Slack: pulls only</source>
+        <translation>Schlaff: zieht nur</translation>
+    </message>
+    <message>
+        <source>Its two bodies may collide</source>
+        <translation>Beide Körper dürfen kollidieren</translation>
+    </message>
+    <message>
+        <source>Tangible: others bounce off it</source>
+        <translation>Greifbar: anderes prallt ab</translation>
+    </message>
+    <message>
+        <source>Is</source>
+        <translation>Ist</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>Berührt</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Lives</source>
+        <translation>Leben</translation>
+    </message>
+    <message>
+        <source>Tow range</source>
+        <translation>Schleppweite</translation>
+    </message>
+    <message>
+        <source>Towing turns gravity round</source>
+        <translation>Schleppen kehrt Schwerkraft um</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iterationen</translation>
+    </message>
+    <message>
+        <source>Sub-steps</source>
+        <translation>Teilschritte</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>verschieden</translation>
+    </message>
+</context>
+<context>
+    <name>Keys</name>
+    <message>
+        <source>Click · Shift or Ctrl + click</source>
+        <translation>Klick · Umschalt oder Strg + Klick</translation>
+    </message>
+    <message>
+        <source>Select · add to the selection or take from it</source>
+        <translation>Auswählen · zur Auswahl hinzufügen oder daraus entfernen</translation>
+    </message>
+    <message>
+        <source>Drag on empty space</source>
+        <translation>Ziehen auf leerer Fläche</translation>
+    </message>
+    <message>
+        <source>Select with a rubber band; Alt: only what lies wholly inside</source>
+        <translation>Mit Gummiband auswählen; Alt: nur was ganz darin liegt</translation>
+    </message>
+    <message>
+        <source>Alt + click</source>
+        <translation>Alt + Klick</translation>
+    </message>
+    <message>
+        <source>Select the next object underneath</source>
+        <translation>Das nächste darunterliegende Objekt auswählen</translation>
+    </message>
+    <message>
+        <source>Shift while dragging</source>
+        <translation>Umschalt beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Keep to an axis, or to steps of 15°</source>
+        <translation>An einer Achse oder in Schritten von 15° bleiben</translation>
+    </message>
+    <message>
+        <source>Ctrl while dragging</source>
+        <translation>Strg beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Switch snapping off or on for the moment</source>
+        <translation>Einrasten vorübergehend aus- oder einschalten</translation>
+    </message>
+    <message>
+        <source>Enter or right click</source>
+        <translation>Eingabe oder Rechtsklick</translation>
+    </message>
+    <message>
+        <source>End the shape that is being drawn</source>
+        <translation>Die begonnene Form abschließen</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Take back the last point</source>
+        <translation>Den letzten Punkt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Cancel: gesture, shape, selection, tool</source>
+        <translation>Abbrechen: Geste, Form, Auswahl, Werkzeug</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Move the selection a little; Shift: a grid step; Alt: a pixel</source>
+        <translation>Die Auswahl ein wenig verschieben; Umschalt: ein Rasterschritt; Alt: ein Pixel</translation>
+    </message>
+    <message>
+        <source>Wheel · pinch</source>
+        <translation>Mausrad · Zweifingergeste</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>Am Mauszeiger zoomen</translation>
+    </message>
+    <message>
+        <source>Middle or right drag · Space + drag · two fingers</source>
+        <translation>Ziehen mit mittlerer oder rechter Taste · Leertaste + Ziehen · zwei Finger</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Die Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>W or Up</source>
+        <translation>W oder Pfeil hoch</translation>
+    </message>
+    <message>
+        <source>Thrust</source>
+        <translation>Schub</translation>
+    </message>
+    <message>
+        <source>A or Left · D or Right</source>
+        <translation>A oder Pfeil links · D oder Pfeil rechts</translation>
+    </message>
+    <message>
+        <source>Turn left · turn right</source>
+        <translation>Nach links drehen · nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Tow the payload when it is near</source>
+        <translation>Die Fracht ins Schlepptau nehmen, wenn sie nah ist</translation>
+    </message>
+    <message>
+        <source>Hold the game and show the menu</source>
+        <translation>Das Spiel anhalten und das Menü zeigen</translation>
+    </message>
+    <message>
+        <source>R · P · O</source>
+        <translation>R · P · O</translation>
+    </message>
+    <message>
+        <source>Restart · hold · next frame</source>
+        <translation>Neu starten · anhalten · Einzelbild weiter</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Overlays, also while playing</source>
+        <translation>Einblendungen, auch beim Spielen</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>On the drawing board</source>
+        <translation>Auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>In the game</source>
+        <translation>Im Spiel</translation>
+    </message>
+</context>
+<context>
+    <name>Names</name>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>One-way wall</source>
+        <translation>Einseitige Kante</translation>
+    </message>
+    <message>
+        <source>Two-way line</source>
+        <translation>Zweiseitige Linie</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polygon</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Ship</source>
+        <translation>Schiff</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Fracht</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Ziellinie</translation>
+    </message>
+    <message>
+        <source>Connector</source>
+        <translation>Verbindung</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Draw levels and fly them: a level editor and physics sandbox.</source>
+        <translation>Level zeichnen und fliegen: ein Leveleditor und Physik-Sandkasten.</translation>
+    </message>
+    <message>
+        <source>Level file to open; without it, an example.</source>
+        <translation>Die zu öffnende Leveldatei; ohne sie ein Beispiel.</translation>
+    </message>
+</context>
+<context>
+    <name>messages</name>
+    <message>
+        <source>Click: select · drag: rubber band · Shift or Ctrl + click: add or remove · Alt + click: next object underneath</source>
+        <translation>Klick: auswählen · Ziehen: Gummiband · Umschalt oder Strg + Klick: hinzufügen oder entfernen · Alt + Klick: nächstes Objekt darunter</translation>
+    </message>
+    <message>
+        <source>Click: select · drag: select and move · Shift or Ctrl + click: add or remove · Shift + drag: rubber band</source>
+        <translation>Klick: auswählen · Ziehen: auswählen und verschieben · Umschalt oder Strg + Klick: hinzufügen oder entfernen · Umschalt + Ziehen: Gummiband</translation>
+    </message>
+    <message>
+        <source>%1 selected · drag: move · Alt + drag: move from anywhere · Shift or Ctrl + click: add or remove · Delete: remove · Escape: select nothing</source>
+        <translation>%1 ausgewählt · Ziehen: verschieben · Alt + Ziehen: von überall verschieben · Umschalt oder Strg + Klick: hinzufügen oder entfernen · Entf: löschen · Esc: nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Moving by %1 m, %2 m · Shift: along one axis · Ctrl: snap off/on · Escape: cancel</source>
+        <translation>Verschieben um %1 m, %2 m · Umschalt: entlang einer Achse · Strg: Einrasten aus/ein · Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 selected · Alt: only what lies wholly inside · Escape: cancel</source>
+        <translation>%1 ausgewählt · Alt: nur was ganz darin liegt · Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>One-way wall · click: first point · drag: first segment · Ctrl: snap off/on · what comes from the left of the drawing direction is stopped</source>
+        <translation>Einseitige Kante · Klick: erster Punkt · Ziehen: erstes Stück · Strg: Einrasten aus/ein · was von links der Zeichenrichtung kommt, wird aufgehalten</translation>
+    </message>
+    <message>
+        <source>%1 points · click: add · click the first point: close · Enter or right click: end · Backspace: undo point · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°</source>
+        <translation>%1 Punkte · Klick: hinzufügen · Klick auf den ersten Punkt: schließen · Eingabe oder Rechtsklick: beenden · Rücktaste: Punkt zurücknehmen · Umschalt: 15° · Strg: Einrasten aus/ein · Länge %2 m, Winkel %3°</translation>
+    </message>
+    <message>
+        <source>%1 points · click: close the chain · Enter or right click: end it open · Escape: cancel</source>
+        <translation>%1 Punkte · Klick: Wandzug schließen · Eingabe oder Rechtsklick: offen beenden · Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>A chain of walls needs two points: click to add another, or Escape to cancel</source>
+        <translation>Ein Wandzug braucht zwei Punkte: mit einem Klick einen weiteren setzen oder mit Esc abbrechen</translation>
+    </message>
+    <message>
+        <source>This is where the last point is already: move on before you click</source>
+        <translation>Hier liegt schon der letzte Punkt: vor dem Klick weiterbewegen</translation>
+    </message>
+    <message>
+        <source>Two-sided wall · click: first point · drag: first segment · Ctrl: snap off/on</source>
+        <translation>Zweiseitige Linie · Klick: erster Punkt · Ziehen: erstes Stück · Strg: Einrasten aus/ein</translation>
+    </message>
+    <message>
+        <source>Polygon · click: first corner · drag: first side · Ctrl: snap off/on</source>
+        <translation>Polygon · Klick: erste Ecke · Ziehen: erste Seite · Strg: Einrasten aus/ein</translation>
+    </message>
+    <message>
+        <source>%1 corners · click: add · click the first corner, Enter or right click: close · Backspace: undo corner · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°</source>
+        <translation>%1 Ecken · Klick: hinzufügen · Klick auf die erste Ecke, Eingabe oder Rechtsklick: schließen · Rücktaste: Ecke zurücknehmen · Umschalt: 15° · Strg: Einrasten aus/ein · Länge %2 m, Winkel %3°</translation>
+    </message>
+    <message>
+        <source>%1 corners · click: close the polygon · Escape: cancel</source>
+        <translation>%1 Ecken · Klick: Polygon schließen · Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>A polygon needs three corners: click to add another, or Escape to cancel</source>
+        <translation>Ein Polygon braucht drei Ecken: mit einem Klick eine weitere setzen oder mit Esc abbrechen</translation>
+    </message>
+    <message>
+        <source>This is where the last corner is already: move on before you click</source>
+        <translation>Hier liegt schon die letzte Ecke: vor dem Klick weiterbewegen</translation>
+    </message>
+    <message>
+        <source>Closing it here would make the polygon cross itself · Backspace: undo corner · click: go on</source>
+        <translation>Hier geschlossen würde sich das Polygon selbst kreuzen · Rücktaste: Ecke zurücknehmen · Klick: weiterzeichnen</translation>
+    </message>
+    <message>
+        <source>All corners lie on one line: a polygon needs an inside · click: add a corner · Backspace: undo corner</source>
+        <translation>Alle Ecken liegen auf einer Geraden: ein Polygon braucht ein Inneres · Klick: Ecke hinzufügen · Rücktaste: Ecke zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Circle · drag from the centre, or click the centre · Ctrl: snap off/on</source>
+        <translation>Kreis · vom Mittelpunkt aus ziehen oder den Mittelpunkt anklicken · Strg: Einrasten aus/ein</translation>
+    </message>
+    <message>
+        <source>Radius %1 m · click or release: done · Ctrl: snap off/on · Escape: cancel</source>
+        <translation>Radius %1 m · Klick oder Loslassen: fertig · Strg: Einrasten aus/ein · Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>A circle needs a radius: move away from the centre before you click</source>
+        <translation>Ein Kreis braucht einen Radius: vor dem Klick vom Mittelpunkt wegbewegen</translation>
+    </message>
+    <message>
+        <source>Ship · click: put it here · drag: turn its nose · Ctrl: snap off/on · choose the tool again for the payload</source>
+        <translation>Schiff · Klick: hier platzieren · Ziehen: Bug drehen · Strg: Einrasten aus/ein · Werkzeug erneut wählen: Fracht</translation>
+    </message>
+    <message>
+        <source>Nose at %1° · Shift: 15° · release: done · Escape: cancel</source>
+        <translation>Bug bei %1° · Umschalt: 15° · Loslassen: fertig · Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>Payload · click: put it here · drag: move it into place · Ctrl: snap off/on · choose the tool again for the finish</source>
+        <translation>Fracht · Klick: hier platzieren · Ziehen: an ihren Platz schieben · Strg: Einrasten aus/ein · Werkzeug erneut wählen: Ziellinie</translation>
+    </message>
+    <message>
+        <source>Payload at %1 m, %2 m · Ctrl: snap off/on · release: done · Escape: cancel</source>
+        <translation>Fracht bei %1 m, %2 m · Strg: Einrasten aus/ein · Loslassen: fertig · Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>Finish line · drag it, or click one end · Ctrl: snap off/on · choose the tool again for the ship</source>
+        <translation>Ziellinie · aufziehen oder ein Ende anklicken · Strg: Einrasten aus/ein · Werkzeug erneut wählen: Schiff</translation>
+    </message>
+    <message>
+        <source>Finish line · click or release at the other end · Shift: 15° · Ctrl: snap off/on · length %1 m, angle %2° · Escape: cancel</source>
+        <translation>Ziellinie · am anderen Ende klicken oder loslassen · Umschalt: 15° · Strg: Einrasten aus/ein · Länge %1 m, Winkel %2° · Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>The finish needs two ends: move away from the first before you click</source>
+        <translation>Die Ziellinie braucht zwei Enden: vor dem Klick vom ersten wegbewegen</translation>
+    </message>
+    <message>
+        <source>Draw one-way walls</source>
+        <translation>Einseitige Kanten zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw two-sided walls</source>
+        <translation>Zweiseitige Linien zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw polygon</source>
+        <translation>Polygon zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw circle</source>
+        <translation>Kreis zeichnen</translation>
+    </message>
+    <message>
+        <source>Place ship</source>
+        <translation>Schiff platzieren</translation>
+    </message>
+    <message>
+        <source>Place payload</source>
+        <translation>Fracht platzieren</translation>
+    </message>
+    <message>
+        <source>Place finish</source>
+        <translation>Ziellinie platzieren</translation>
+    </message>
+    <message>
+        <source>Move object</source>
+        <translation>Objekt verschieben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n objects</source>
+        <translation>
+            <numerusform>%n Objekt verschieben</numerusform>
+            <numerusform>%n Objekte verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rotate object</source>
+        <translation>Objekt drehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rotate %n objects</source>
+        <translation>
+            <numerusform>%n Objekt drehen</numerusform>
+            <numerusform>%n Objekte drehen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reverse object</source>
+        <translation>Objekt umkehren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Reverse %n objects</source>
+        <translation>
+            <numerusform>%n Objekt umkehren</numerusform>
+            <numerusform>%n Objekte umkehren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete object</source>
+        <translation>Objekt löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n objects</source>
+        <translation>
+            <numerusform>%n Objekt löschen</numerusform>
+            <numerusform>%n Objekte löschen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Duplicate object</source>
+        <translation>Objekt duplizieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n objects</source>
+        <translation>
+            <numerusform>%n Objekt duplizieren</numerusform>
+            <numerusform>%n Objekte duplizieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut object</source>
+        <translation>Objekt ausschneiden</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n objects</source>
+        <translation>
+            <numerusform>%n Objekt ausschneiden</numerusform>
+            <numerusform>%n Objekte ausschneiden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change object</source>
+        <translation>Objekt ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change %n objects</source>
+        <translation>
+            <numerusform>%n Objekt ändern</numerusform>
+            <numerusform>%n Objekte ändern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change level</source>
+        <translation>Level ändern</translation>
+    </message>
+    <message>
+        <source>Change tag</source>
+        <translation>Merkmal ändern</translation>
+    </message>
+    <message>
+        <source>Paste object</source>
+        <translation>Objekt einfügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n objects</source>
+        <translation>
+            <numerusform>%n Objekt einfügen</numerusform>
+            <numerusform>%n Objekte einfügen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file “%1” cannot be read: %2.</source>
+        <translation>Die Datei „%1“ lässt sich nicht lesen: %2.</translation>
+    </message>
+    <message>
+        <source>The file “%1” cannot be written: %2. What was there before is still there.</source>
+        <translation>Die Datei „%1“ lässt sich nicht schreiben: %2. Was vorher dort war, ist noch da.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a finite number, and a file cannot hold it.</source>
+        <translation>„%1“ ist keine endliche Zahl; eine Datei kann sie nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it must lie between %3 and %4.</source>
+        <translation>„%1“ ist %2; der Wert muss zwischen %3 und %4 liegen.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it must be more than zero.</source>
+        <translation>„%1“ ist %2; der Wert muss größer als null sein.</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>Die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>The file is not text in UTF-8 from here on.</source>
+        <translation>Ab hier ist die Datei kein Text in UTF-8.</translation>
+    </message>
+    <message>
+        <source>There is a zero byte here, which text cannot hold.</source>
+        <translation>Hier steht ein Nullbyte, das in Text nicht vorkommen darf.</translation>
+    </message>
+    <message>
+        <source>The file starts with a byte order mark, which saving will leave out.</source>
+        <translation>Die Datei beginnt mit einer Byte-Reihenfolge-Markierung (BOM), die beim Speichern entfällt.</translation>
+    </message>
+    <message>
+        <source>“%1” is not expected here: something is wrong at this place or just before it.</source>
+        <translation>„%1“ wird hier nicht erwartet: An dieser Stelle oder kurz davor stimmt etwas nicht.</translation>
+    </message>
+    <message>
+        <source>The file ends too early: a bracket, a brace or a quotation mark is not closed.</source>
+        <translation>Die Datei endet zu früh: Eine eckige oder geschweifte Klammer oder ein Anführungszeichen ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>A text is not closed with a quotation mark before its line ends.</source>
+        <translation>Ein Text wird vor dem Ende seiner Zeile nicht mit einem Anführungszeichen geschlossen.</translation>
+    </message>
+    <message>
+        <source>The control character %1 cannot stand here as it is.</source>
+        <translation>Das Steuerzeichen %1 darf hier nicht unverändert stehen.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number that a file can hold; write a finite one.</source>
+        <translation>„%1“ ist keine Zahl, die eine Datei enthalten kann; sie muss endlich sein.</translation>
+    </message>
+    <message>
+        <source>There is a comma before “%1” that nothing follows; leave it out.</source>
+        <translation>Vor „%1“ steht ein Komma, auf das nichts folgt; es muss entfallen.</translation>
+    </message>
+    <message>
+        <source>The number %1 is larger than any that can be computed with.</source>
+        <translation>Die Zahl %1 ist größer als jede, mit der sich rechnen lässt.</translation>
+    </message>
+    <message>
+        <source>Lists and objects lie more than %1 deep in one another.</source>
+        <translation>Listen und Objekte sind mehr als %1-fach ineinander verschachtelt.</translation>
+    </message>
+    <message>
+        <source>The file holds more than %1 values.</source>
+        <translation>Die Datei enthält mehr als %1 Werte.</translation>
+    </message>
+    <message>
+        <source>The file holds more than %1 vertices.</source>
+        <translation>Die Datei enthält mehr als %1 Eckpunkte.</translation>
+    </message>
+    <message>
+        <source>The field “%1” is given twice.</source>
+        <translation>Das Feld „%1“ ist zweimal angegeben.</translation>
+    </message>
+    <message>
+        <source>This is not a level: it should be an object in braces, but is %1.</source>
+        <translation>Das ist kein Level: Erwartet wird ein Objekt in geschweiften Klammern, gefunden wurde %1.</translation>
+    </message>
+    <message>
+        <source>This is not a level: the field “schema” is missing (it should be %1).</source>
+        <translation>Das ist kein Level: Das Feld „schema“ fehlt (es sollte %1 sein).</translation>
+    </message>
+    <message>
+        <source>The level was made with a newer version (schema %1; this one reads up to %2). Please update the program.</source>
+        <translation>Das Level stammt aus einer neueren Version (Schema %1; diese liest bis %2). Bitte aktualisieren Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>The schema %1 is not known; this version reads %2.</source>
+        <translation>Das Schema %1 ist unbekannt; diese Version liest %2.</translation>
+    </message>
+    <message>
+        <source>The field “%1” is missing.</source>
+        <translation>Das Feld „%1“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The field “%1” is not known here. It is kept, but does nothing.</source>
+        <translation>Das Feld „%1“ ist hier unbekannt. Es bleibt erhalten, bewirkt aber nichts.</translation>
+    </message>
+    <message>
+        <source>“%1” must be a number, not %2.</source>
+        <translation>„%1“ muss eine Zahl sein, nicht %2.</translation>
+    </message>
+    <message>
+        <source>“%1” must be a whole number, not %2.</source>
+        <translation>„%1“ muss eine ganze Zahl sein, nicht %2.</translation>
+    </message>
+    <message>
+        <source>“%1” must be a number, or null for a wall without a back, not %2.</source>
+        <translation>„%1“ muss eine Zahl sein oder null für eine Wand ohne Rückseite, nicht %2.</translation>
+    </message>
+    <message>
+        <source>“%1” must be true or false, not %2.</source>
+        <translation>„%1“ muss true oder false sein, nicht %2.</translation>
+    </message>
+    <message>
+        <source>“%1” must be a text, not %2.</source>
+        <translation>„%1“ muss ein Text sein, nicht %2.</translation>
+    </message>
+    <message>
+        <source>“%1” must be two numbers [x, y], not %2.</source>
+        <translation>„%1“ muss aus zwei Zahlen [x, y] bestehen, nicht aus %2.</translation>
+    </message>
+    <message>
+        <source>“%1” must be a list in brackets, not %2.</source>
+        <translation>„%1“ muss eine Liste in eckigen Klammern sein, nicht %2.</translation>
+    </message>
+    <message>
+        <source>“%1” must hold objects in braces, not %2.</source>
+        <translation>„%1“ muss Objekte in geschweiften Klammern enthalten, nicht %2.</translation>
+    </message>
+    <message>
+        <source>“%1” must be “all” or a list of tags, not %2.</source>
+        <translation>„%1“ muss „all“ oder eine Liste von Merkmalen sein, nicht %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it must be one of: %3.</source>
+        <translation>„%1“ ist %2; erlaubt sind: %3.</translation>
+    </message>
+    <message>
+        <source>There is no tag named “%1” in this level.</source>
+        <translation>In diesem Level gibt es kein Merkmal namens „%1“.</translation>
+    </message>
+    <message>
+        <source>“%1” must be eight hexadecimal digits that are not all zero, not %2.</source>
+        <translation>„%1“ muss aus acht Hexadezimalziffern bestehen, die nicht alle null sind, nicht aus %2.</translation>
+    </message>
+    <message>
+        <source>The key %1 is taken by the object in line %2.</source>
+        <translation>Der Schlüssel %1 gehört schon dem Objekt in Zeile %2.</translation>
+    </message>
+    <message>
+        <source>The key %1 is taken by another object.</source>
+        <translation>Der Schlüssel %1 gehört schon einem anderen Objekt.</translation>
+    </message>
+    <message>
+        <source>There are two tags named “%1”.</source>
+        <translation>Es gibt zwei Merkmale namens „%1“.</translation>
+    </message>
+    <message>
+        <source>There are two tags with the index %1.</source>
+        <translation>Es gibt zwei Merkmale mit dem Index %1.</translation>
+    </message>
+    <message>
+        <source>“%1” must be a whole number from 0 to 31, not %2.</source>
+        <translation>„%1“ muss eine ganze Zahl von 0 bis 31 sein, nicht %2.</translation>
+    </message>
+    <message>
+        <source>A tag cannot be named “%1”: that is how a tag without a name is written.</source>
+        <translation>Ein Merkmal kann nicht „%1“ heißen: So wird ein Merkmal ohne Namen geschrieben.</translation>
+    </message>
+    <message>
+        <source>“%1” must be a colour such as &quot;#4cc9f0&quot;, not %2.</source>
+        <translation>„%1“ muss eine Farbe wie &quot;#4cc9f0&quot; sein, nicht %2.</translation>
+    </message>
+    <message>
+        <source>There are %1 more problems, which are not listed.</source>
+        <translation>Es gibt %1 weitere Probleme, die nicht aufgeführt sind.</translation>
+    </message>
+    <message>
+        <source>The level has no ship. Place one, or remove payload and finish to make it a sandbox.</source>
+        <translation>Das Level hat kein Schiff. Platzieren Sie eines, oder entfernen Sie Fracht und Ziellinie, um einen Sandkasten daraus zu machen.</translation>
+    </message>
+    <message>
+        <source>The level has no payload. Place one, or remove ship and finish to make it a sandbox.</source>
+        <translation>Das Level hat keine Fracht. Platzieren Sie eine, oder entfernen Sie Schiff und Ziellinie, um einen Sandkasten daraus zu machen.</translation>
+    </message>
+    <message>
+        <source>The level has no finish. Place one, or remove ship and payload to make it a sandbox.</source>
+        <translation>Das Level hat keine Ziellinie. Platzieren Sie eine, oder entfernen Sie Schiff und Fracht, um einen Sandkasten daraus zu machen.</translation>
+    </message>
+    <message>
+        <source>There is more than one ship; only the first flies.</source>
+        <translation>Es gibt mehr als ein Schiff; nur das erste fliegt.</translation>
+    </message>
+    <message>
+        <source>There is more than one payload; only the first counts.</source>
+        <translation>Es gibt mehr als eine Fracht; nur die erste zählt.</translation>
+    </message>
+    <message>
+        <source>There is more than one finish; only the first counts.</source>
+        <translation>Es gibt mehr als eine Ziellinie; nur die erste zählt.</translation>
+    </message>
+    <message>
+        <source>The ship starts in touch with the object “%1” and would crash at once.</source>
+        <translation>Das Schiff berührt beim Start das Objekt „%1“ und würde sofort abstürzen.</translation>
+    </message>
+    <message>
+        <source>The payload starts in touch with the object “%1”.</source>
+        <translation>Die Fracht berührt beim Start das Objekt „%1“.</translation>
+    </message>
+    <message>
+        <source>The body has no shape.</source>
+        <translation>Der Körper hat keine Form.</translation>
+    </message>
+    <message>
+        <source>A chain of walls needs at least two vertices; this one has %1.</source>
+        <translation>Ein Wandzug braucht mindestens zwei Eckpunkte; dieser hat %1.</translation>
+    </message>
+    <message>
+        <source>All vertices of this chain of walls lie at the same point.</source>
+        <translation>Alle Eckpunkte dieses Wandzugs liegen am selben Punkt.</translation>
+    </message>
+    <message>
+        <source>Vertices %1 and %2 lie at the same point: the wall between them has no length.</source>
+        <translation>Die Eckpunkte %1 und %2 liegen am selben Punkt: Die Wand dazwischen hat keine Länge.</translation>
+    </message>
+    <message>
+        <source>Vertices %1 and %2 of the polygon lie at the same point.</source>
+        <translation>Die Eckpunkte %1 und %2 des Polygons liegen am selben Punkt.</translation>
+    </message>
+    <message>
+        <source>A polygon of %1 vertices is too large; %2 are allowed.</source>
+        <translation>Ein Polygon mit %1 Eckpunkten ist zu groß; erlaubt sind %2.</translation>
+    </message>
+    <message>
+        <source>A polygon needs at least three different vertices; this one has %1.</source>
+        <translation>Ein Polygon braucht mindestens drei verschiedene Eckpunkte; dieses hat %1.</translation>
+    </message>
+    <message>
+        <source>The polygon crosses itself: the sides from vertex %1 and from vertex %2 meet.</source>
+        <translation>Das Polygon kreuzt sich selbst: Die Seiten ab Eckpunkt %1 und ab Eckpunkt %2 treffen sich.</translation>
+    </message>
+    <message>
+        <source>The polygon crosses itself.</source>
+        <translation>Das Polygon kreuzt sich selbst.</translation>
+    </message>
+    <message>
+        <source>All vertices of the polygon lie on one line: it encloses nothing.</source>
+        <translation>Alle Eckpunkte des Polygons liegen auf einer Geraden: Es umschließt nichts.</translation>
+    </message>
+    <message>
+        <source>The vertices of the polygon run clockwise; they are taken the other way round.</source>
+        <translation>Die Eckpunkte des Polygons laufen im Uhrzeigersinn; sie werden andersherum gelesen.</translation>
+    </message>
+    <message>
+        <source>The end “%1” of the connector is the object %2, which does not exist.</source>
+        <translation>Das Ende „%1“ der Verbindung ist das Objekt %2, das es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>The end “%1” of the connector is the object %2, which is not a body.</source>
+        <translation>Das Ende „%1“ der Verbindung ist das Objekt %2, das kein Körper ist.</translation>
+    </message>
+    <message>
+        <source>Both ends of the connector are on the same object.</source>
+        <translation>Beide Enden der Verbindung sitzen am selben Objekt.</translation>
+    </message>
+    <message>
+        <source>Neither end of the connector can move.</source>
+        <translation>Keines der beiden Enden der Verbindung ist beweglich.</translation>
+    </message>
+    <message>
+        <source>A stiffness of %1 N/m is too much for the sub-steps: the spring may shake. About %2 sub-steps would do.</source>
+        <translation>Eine Steifigkeit von %1 N/m ist zu viel für die Teilschritte: Die Feder kann zittern. Etwa %2 Teilschritte würden genügen.</translation>
+    </message>
+    <message>
+        <source>A damping of %1 N s/m is too much for the sub-steps: the spring may shake. About %2 sub-steps would do.</source>
+        <translation>Eine Dämpfung von %1 N s/m ist zu viel für die Teilschritte: Die Feder kann zittern. Etwa %2 Teilschritte würden genügen.</translation>
+    </message>
+    <message>
+        <source>The tags of this body are such that nothing can touch it.</source>
+        <translation>Die Merkmale dieses Körpers lassen keine Berührung mit anderen zu.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a mass that a body can have.</source>
+        <translation>„%1“ ist keine Masse, die ein Körper haben kann.</translation>
+    </message>
+    <message>
+        <source>The body has a shape that cannot be simulated.</source>
+        <translation>Die Form des Körpers lässt sich nicht simulieren.</translation>
+    </message>
+    <message>
+        <source>The end “%1” of the connector is not in the world.</source>
+        <translation>Das Ende „%1“ der Verbindung ist nicht in der Welt.</translation>
+    </message>
+    <message>
+        <source>Both ends of the connector are on the same body.</source>
+        <translation>Beide Enden der Verbindung sitzen am selben Körper.</translation>
+    </message>
+    <message>
+        <source>The replay cannot be understood at “%1”.</source>
+        <translation>Die Flugaufzeichnung ist bei „%1“ unverständlich.</translation>
+    </message>
+    <message>
+        <source>The replay was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
+        <translation>Die Flugaufzeichnung stammt aus einer neueren Version (%1; diese liest bis %2). Bitte aktualisieren Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>The replay is longer than %1 updates.</source>
+        <translation>Die Flugaufzeichnung ist länger als %1 Zeitschritte.</translation>
+    </message>
+    <message>
+        <source>The replay is not JSON: line %1 is wrong.</source>
+        <translation>Die Flugaufzeichnung ist kein JSON: Zeile %1 ist fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>The file “%1” is too large: at most %2 bytes are read.</source>
+        <translation>Die Datei „%1“ ist zu groß: Gelesen werden höchstens %2 Byte.</translation>
+    </message>
+    <message>
+        <source>This is too large: at most %1 bytes are read.</source>
+        <translation>Das ist zu groß: Gelesen werden höchstens %1 Byte.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::Canvas</name>
+    <message>
+        <source>Drawing board</source>
+        <translation>Zeichenfläche</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::Form</name>
+    <message>
+        <source>Stars</source>
+        <translation>Sterne</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Einfarbig</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>verschieden</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::Inspector</name>
+    <message>
+        <source>Level</source>
+        <translation>Level</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects</source>
+        <translation>
+            <numerusform>%n Objekt</numerusform>
+            <numerusform>%n Objekte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::KeysDialog</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::MainWindow</name>
+    <message>
+        <source>Inspector</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>The level has %n errors and may not play as it should; see Problems.</source>
+        <translation>
+            <numerusform>Das Level hat %n Fehler und spielt sich womöglich nicht wie gedacht; siehe Probleme.</numerusform>
+            <numerusform>Das Level hat %n Fehler und spielt sich womöglich nicht wie gedacht; siehe Probleme.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>About SpaceTow Studio</source>
+        <translation>Über SpaceTow Studio</translation>
+    </message>
+    <message>
+        <source>SpaceTow Studio %1</source>
+        <translation>SpaceTow Studio %1</translation>
+    </message>
+    <message>
+        <source>Draw levels and fly them: a level editor and physics sandbox.
+
+Free software under the MIT license. Made with Qt %1 and Eigen.</source>
+        <translation>Level zeichnen und fliegen: ein Leveleditor und Physik-Sandkasten.
+
+Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>%1[*] - SpaceTow Studio</source>
+        <translation>%1[*] - SpaceTow Studio</translation>
+    </message>
+    <message>
+        <source>Playing a copy of the level · F8: back to the editor · Esc: menu</source>
+        <translation>Gespielt wird eine Kopie des Levels · F8: zurück zum Editor · Esc: Menü</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>There is nothing on the clipboard that can be pasted here.</source>
+        <translation>Die Zwischenablage enthält nichts, was sich hier einfügen lässt.</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Insert</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Object</source>
+        <translation>&amp;Objekt</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Spiel</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>O&amp;verlays</source>
+        <translation>Einb&amp;lendungen</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Bedienfelder</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Hauptleiste</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>No files yet</source>
+        <translation>Noch keine Dateien</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Select &amp;Under Pointer</source>
+        <translation>Unter dem &amp;Zeiger auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::NumberField</name>
+    <message>
+        <source>mixed</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>A whole number</source>
+        <translation>Eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>A number</source>
+        <translation>Eine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 above %2 and up to %3</source>
+        <translation>%1 über %2 und bis %3</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1, or nothing</source>
+        <translation>%1 oder nichts</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::PauseMenu</name>
+    <message>
+        <source>Paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Go on playing (Esc)</source>
+        <translation>Weiterspielen (Esc)</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neu starten</translation>
+    </message>
+    <message>
+        <source>Start the level over (R)</source>
+        <translation>Das Level neu beginnen (R)</translation>
+    </message>
+    <message>
+        <source>Back to the editor</source>
+        <translation>Zurück zum Editor</translation>
+    </message>
+    <message>
+        <source>Stop playing (F8)</source>
+        <translation>Spiel beenden (F8)</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::PlayView</name>
+    <message>
+        <source>Running game</source>
+        <translation>Laufendes Spiel</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ProblemsPanel</name>
+    <message>
+        <source>Problems of the level</source>
+        <translation>Probleme des Levels</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing to complain about.</source>
+        <translation>Nichts zu beanstanden.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::StatusLine</name>
+    <message>
+        <source>Grid S&amp;tep</source>
+        <translation>Raster&amp;schritt</translation>
+    </message>
+    <message>
+        <source>Distance at which points snap; Shift+G switches snapping off and on</source>
+        <translation>Abstand, in dem Punkte einrasten; Umschalt+G schaltet das Einrasten aus und ein</translation>
+    </message>
+    <message>
+        <source>Zoom to original size (Ctrl+0)</source>
+        <translation>Auf Originalgröße zoomen (Strg+0)</translation>
+    </message>
+    <message>
+        <source>Next problem (F4)</source>
+        <translation>Nächstes Problem (F4)</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>x %1  y %2 m</source>
+        <translation>x %1  y %2 m</translation>
+    </message>
+    <message>
+        <source>, %1 × %2 m</source>
+        <translation>, %1 × %2 m</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>%n ausgewählt</numerusform>
+            <numerusform>%n ausgewählt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Snap %1 m</source>
+        <translation>Einrasten %1 m</translation>
+    </message>
+    <message>
+        <source>Snap off</source>
+        <translation>Einrasten aus</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n errors</source>
+        <translation>
+            <numerusform>%n Fehler</numerusform>
+            <numerusform>%n Fehler</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warnings</source>
+        <translation>
+            <numerusform>%n Warnung</numerusform>
+            <numerusform>%n Warnungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No problems</source>
+        <translation>Keine Probleme</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TagGrid</name>
+    <message>
+        <source>everything</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>Touches whatever has a tag, also tags that are made later</source>
+        <translation>Berührt alles, was ein Merkmal hat, auch solche, die später entstehen</translation>
+    </message>
+    <message>
+        <source>New tag</source>
+        <translation>Neues Merkmal</translation>
+    </message>
+    <message>
+        <source>Name another of the 32 tags</source>
+        <translation>Ein weiteres der 32 Merkmale benennen</translation>
+    </message>
+    <message>
+        <source>%1 – double-click or F2 to rename, right-click for more</source>
+        <translation>%1 – Doppelklick oder F2: umbenennen, Rechtsklick: mehr</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Color…</source>
+        <translation>&amp;Farbe…</translation>
+    </message>
+    <message>
+        <source>Color of “%1”</source>
+        <translation>Farbe von „%1“</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>There is a tag of this name already.</source>
+        <translation>Es gibt schon ein Merkmal mit diesem Namen.</translation>
+    </message>
+</context>
+</TS>
