@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <string_view>
 
 namespace spacetow {
 
@@ -67,8 +68,10 @@ QString sentence(const Label& label) {
     if (text == nullptr) {
         return spokenCode(label.code);
     }
+    // A text without a number has no plural to be looked up by.
+    const bool counts = std::string_view(text->many).find("%n") != std::string_view::npos;
     return label.count == 1 ? QCoreApplication::translate("messages", text->one)
-                            : QCoreApplication::translate("messages", text->many, nullptr, label.count);
+                            : QCoreApplication::translate("messages", text->many, nullptr, counts ? label.count : -1);
 }
 
 bool hasSentence(const std::string& code) {

@@ -4,7 +4,9 @@
 
 #include "editor/window/main_window.h"
 
+#include <QAbstractButton>
 #include <QApplication>
+#include <QLabel>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -79,5 +81,27 @@ class TestWindow {
   private:
     QTemporaryDir m_folder;
 };
+
+/// What the visible labels and buttons of the window say of which a part is cut off.
+inline QStringList cutOffTexts(const QWidget& window) {
+    QStringList texts;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        const auto* label = qobject_cast<const QLabel*>(widget);
+        const auto* button = qobject_cast<const QAbstractButton*>(widget);
+        // The hint is shortened on purpose and says all of itself in its tooltip.
+        if (!widget->isVisible() || (label == nullptr && button == nullptr) || !widget->toolTip().isEmpty()) {
+            continue;
+        }
+        const QString text = label != nullptr ? label->text() : button->text();
+        const bool wraps = label != nullptr && label->wordWrap();
+        const QSize wanted = widget->minimumSizeHint();
+        const int height = wraps ? label->heightForWidth(label->width()) : wanted.height();
+        // What says nothing is an icon, sized by the style.
+        if (!text.isEmpty() && (widget->height() < height || (!wraps && widget->width() < wanted.width()))) {
+            texts << text;
+        }
+    }
+    return texts;
+}
 
 } // namespace spacetow::test

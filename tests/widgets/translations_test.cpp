@@ -1,0 +1,252 @@
+#include "editor/panels/form_rows.h"
+#include "editor/window/messages.h"
+#include "editor/window/messages_table.h"
+#include "tests/support/test_main.h"
+#include "tests/support/window.h"
+
+#include <QDir>
+#include <QFile>
+#include <QLibraryInfo>
+#include <QMenuBar>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+using namespace spacetow;
+using spacetow::test::cutOffTexts;
+using spacetow::test::TestWindow;
+
+namespace {
+
+struct Entry {
+    QString context, source;
+    QString state; // "unfinished", "vanished", "obsolete" or, when all is well, nothing
+    QStringList forms;
+};
+
+/// The entries of a .ts file; an unreadable one gives none.
+std::vector<Entry> entriesOf(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    std::vector<Entry> entries;
+    QString context;
+    bool counts = false;
+    QXmlStreamReader xml(&file);
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (!xml.isStartElement()) {
+            continue;
+        }
+        if (xml.name() == u"name") {
+            context = xml.readElementText();
+        } else if (xml.name() == u"message") {
+            counts = xml.attributes().value("numerus") == u"yes";
+        } else if (xml.name() == u"source") {
+            entries.push_back({context, xml.readElementText(), {}, {}});
+        } else if (xml.name() == u"translation") {
+            entries.back().state = xml.attributes().value("type").toString();
+            if (!counts) {
+                entries.back().forms << xml.readElementText();
+            }
+        } else if (xml.name() == u"numerusform") {
+            entries.back().forms << xml.readElementText();
+        }
+    }
+    return xml.hasError() ? std::vector<Entry>() : entries;
+}
+
+/// What has to be the same in every language: %1, %n, the mark of a changed file, the patterns of a file dialog.
+QStringList fixedParts(const QString& text) {
+    static const QRegularExpression fixed(R"(%[1-9n]|\[\*\]|\(\*[^)]*\)|…$)");
+    QStringList parts;
+    auto found = fixed.globalMatch(text);
+    while (found.hasNext()) {
+        parts << found.next().captured();
+    }
+    parts.sort();
+    return parts;
+}
+
+QChar mnemonicOf(const QString& text) {
+    static const QRegularExpression marked("&([^&])");
+    const QRegularExpressionMatch found = marked.match(text);
+    return found.hasMatch() ? found.captured(1)[0].toLower() : QChar();
+}
+
+QSet<QString> textsOf(const std::vector<Entry>& entries) {
+    QSet<QString> texts;
+    for (const Entry& entry : entries) {
+        texts << entry.context + ": " + entry.source;
+    }
+    return texts;
+}
+
+/// German, as the program speaks it, for as long as this lives.
+class German {
+  public:
+    German() {
+        loaded = translator.load(QLocale(QStringLiteral("de_AT")), QStringLiteral("spacetow"), QStringLiteral("_"),
+                                 QStringLiteral(":/translations"));
+        QCoreApplication::installTranslator(&translator);
+    }
+    ~German() { QCoreApplication::removeTranslator(&translator); }
+    German(const German&) = delete;
+    German& operator=(const German&) = delete;
+
+    bool loaded = false;
+    QTranslator translator;
+};
+
+void addLanguages() {
+    QTest::addColumn<QString>("path");
+    const QDir folder(QStringLiteral(SPACETOW_SOURCE_DIR "/translations"));
+    for (const QString& name : folder.entryList({"*.ts"}, QDir::Files)) {
+        QTest::newRow(qPrintable(name)) << folder.filePath(name);
+    }
+}
+
+} // namespace
+
+class TranslationsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void everyTextIsTranslated_data() { addLanguages(); }
+    void everyTextIsTranslated() {
+        QFETCH(QString, path);
+        const std::vector<Entry> entries = entriesOf(path);
+        QVERIFY(entries.size() > 400);
+        for (const Entry& entry : entries) {
+            QVERIFY2(entry.state.isEmpty(), qPrintable(entry.state + ": " + entry.source));
+            QVERIFY2(!entry.forms.isEmpty() && !entry.forms.contains(QString()), qPrintable(entry.source));
+        }
+    }
+
+    void placeholdersAndMnemonicsAreKept_data() { addLanguages(); }
+    void placeholdersAndMnemonicsAreKept() {
+        QFETCH(QString, path);
+        for (const Entry& entry : entriesOf(path)) {
+            for (const QString& form : entry.forms) {
+                QVERIFY2(fixedParts(form) == fixedParts(entry.source), qPrintable(form));
+                QVERIFY2(mnemonicOf(form).isNull() == mnemonicOf(entry.source).isNull(), qPrintable(form));
+            }
+        }
+    }
+
+    void theTextsAreThoseOfTheSources_data() { addLanguages(); }
+    void theTextsAreThoseOfTheSources() {
+        QFETCH(QString, path);
+        const QTemporaryDir folder;
+        const QString copy = folder.filePath(QFileInfo(path).fileName());
+        QVERIFY(QFile::copy(path, copy));
+        QProcess lupdate;
+        lupdate.setWorkingDirectory(QStringLiteral(SPACETOW_SOURCE_DIR));
+        lupdate.start(QLibraryInfo::path(QLibraryInfo::BinariesPath) + "/lupdate",
+                      {"-silent", "-I", ".", "-no-obsolete", "app", "editor", "-ts", copy});
+        QVERIFY2(lupdate.waitForFinished() && lupdate.exitCode() == 0, qPrintable(lupdate.errorString()));
+        const QSet<QString> ours = textsOf(entriesOf(path));
+        const QSet<QString> wanted = textsOf(entriesOf(copy));
+        QVERIFY(!wanted.isEmpty());
+        // Build the target update_translations and translate what is new.
+        QCOMPARE((wanted - ours).values(), QStringList());
+        QCOMPARE((ours - wanted).values(), QStringList());
+    }
+
+    void theTablesAreFoundWhenTheProgramRuns() {
+        const German german;
+        QVERIFY(german.loaded);
+        const auto verify = [&](const char* context, const char* text) {
+            return *text == '\0' || !german.translator.translate(context, text).isEmpty();
+        };
+        for (const auto texts : {problemTexts(), hintTexts()}) {
+            for (const MessageText& message : texts) {
+                QVERIFY2(verify("messages", message.text), message.code);
+            }
+        }
+        for (const LabelText& label : labelTexts()) {
+            for (const int count : {0, 1, 2}) {
+                const QString english =
+                    QString(count == 1 ? label.one : label.many).replace("%n", QString::number(count));
+                QVERIFY2(sentence(Label{label.code, count}) != english, label.code);
+            }
+        }
+        for (const ActionRow& row : actionRows()) {
+            QVERIFY2(verify("Actions", row.text) && verify("Actions", row.tip), row.text);
+        }
+        for (const auto rows : {objectRows(), levelRows()}) {
+            for (const FormRow& row : rows) {
+                QVERIFY2(verify("Inspector", row.section) && verify("Inspector", row.label), row.label);
+            }
+        }
+    }
+
+    void theWindowSpeaksGerman() {
+        const German german;
+        TestWindow test;
+        QCOMPARE(test.window->actions()[Act::Save].text(), QString("&Speichern"));
+        QCOMPARE(test.window->actions()[Act::ToolEdge].text(), QString("Einseitige &Kante"));
+        QCOMPARE(test.window->menuBar()->actions().front()->text(), QString("&Datei"));
+        test.drawWalls();
+        QCOMPARE(test.window->actions()[Act::Undo].text(), QString("&Rückgängig: Einseitige Kanten zeichnen"));
+        QCOMPARE(sentence(Label{"move", 3}), QString("3 Objekte verschieben"));
+        QCOMPARE(sentence(Problem{.code = "out-of-range", .arguments = {"depth", "-1", "0", "9"}}),
+                 QString("„depth“ ist -1; der Wert muss zwischen 0 und 9 liegen."));
+    }
+
+    void anotherLanguageIsNotTakenForGerman() {
+        QTranslator translator;
+        QVERIFY(!translator.load(QLocale(QStringLiteral("ja_JP")), QStringLiteral("spacetow"), QStringLiteral("_"),
+                                 QStringLiteral(":/translations")));
+    }
+
+    void noLetterStandsForTwoEntriesOfAMenu() {
+        const German german;
+        TestWindow test;
+        QList<QList<QAction*>> menus{test.window->menuBar()->actions()};
+        for (const QMenu* menu : test.window->menuBar()->findChildren<QMenu*>()) {
+            menus << menu->actions();
+        }
+        QVERIFY(menus.size() > 5);
+        for (const QList<QAction*>& menu : menus) {
+            QSet<QChar> letters;
+            for (const QAction* action : menu) {
+                const QChar letter = mnemonicOf(action->text());
+                QVERIFY2(letter.isNull() || !letters.contains(letter), qPrintable(action->text()));
+                letters << letter;
+            }
+        }
+    }
+
+    void nothingIsCutOffInASmallWindow_data() {
+        QTest::addColumn<QList<Act>>("acts");
+        QTest::newRow("level") << QList<Act>{};
+        QTest::newRow("wall") << QList<Act>{Act::SelectAll};
+        QTest::newRow("two objects") << QList<Act>{Act::Duplicate, Act::SelectAll};
+        QTest::newRow("game") << QList<Act>{Act::Play};
+        QTest::newRow("game with its menu") << QList<Act>{Act::Play, Act::Pause};
+    }
+    void nothingIsCutOffInASmallWindow() {
+        QFETCH(QList<Act>, acts);
+        const German german;
+        TestWindow test;
+        test.drawWalls();
+        test.trigger(Act::SelectAll);
+        for (const Act act : acts) {
+            test.trigger(act);
+        }
+        if (acts.isEmpty()) {
+            test.trigger(Act::SelectNone);
+        }
+        test.window->resize(1024, 640);
+        QApplication::processEvents();
+        QCOMPARE(test.window->size(), QSize(1024, 640));
+        QCOMPARE(cutOffTexts(*test.window), QStringList());
+    }
+};
+
+SPACETOW_TEST(TranslationsTest)
+#include "translations_test.moc"
