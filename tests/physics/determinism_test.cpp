@@ -1,0 +1,49 @@
+// The same hashes on every compiler, at every optimisation and under sanitizers. A change of the physics changes them:
+// record them anew, and say in the commit what changed.
+
+#include "tests/support/scenes.h"
+#include "tests/support/test_main.h"
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+class DeterminismTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aSceneEndsWithItsGoldenHash_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<int>("n");
+        QTest::addColumn<int>("updates");
+        QTest::addColumn<QString>("hash");
+        QTest::newRow("balls") << "balls" << 300 << 200 << "9bc7a85462082648";
+        QTest::newRow("pyramid") << "pyramid" << 12 << 200 << "350f51eb3ea4d96f";
+        QTest::newRow("tumbler") << "tumbler" << 200 << 100 << "6815fa55e71512c6";
+        QTest::newRow("tow") << "tow" << 1 << 100 << "9363b32a71cea9c5";
+        QTest::newRow("mesh") << "mesh" << 10 << 60 << "86f7d018e07af073";
+    }
+    void aSceneEndsWithItsGoldenHash() {
+        QFETCH(QString, name);
+        QFETCH(int, n);
+        QFETCH(int, updates);
+        QFETCH(QString, hash);
+        World world = worldOf(*makeScene(name.toStdString(), n));
+        for (int i = 0; i < updates; ++i) {
+            world.update();
+        }
+        QCOMPARE(QString::number(world.hash(), 16).rightJustified(16, '0'), hash);
+    }
+
+    void runningASceneTwiceGivesTheSameHashAfterEveryUpdate() {
+        World first = worldOf(*makeScene("tumbler", 60));
+        World second = worldOf(*makeScene("tumbler", 60));
+        for (int i = 0; i < 100; ++i) {
+            first.update();
+            second.update();
+            QCOMPARE(first.hash(), second.hash());
+        }
+    }
+};
+
+SPACETOW_TEST(DeterminismTest)
+#include "determinism_test.moc"
