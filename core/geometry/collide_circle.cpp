@@ -25,22 +25,41 @@ Manifold named(Manifold manifold, std::uint32_t feature) {
     return manifold;
 }
 
+/// The wall's face stops the circle, wherever its surface is.
+Manifold faceAgainstCircle(const WallSide& side, const Circle& circle, double margin) {
+    Manifold manifold;
+    const double above = side.above(circle.center);
+    if (above - circle.radius <= margin) {
+        manifold.normal = side.normal;
+        const double toMiddle = 0.5 * (above + circle.radius);
+        addPoint(manifold, circle.center - toMiddle * side.normal, above - circle.radius,
+                 featureId(wallFace, side.turned ? 1 : 0, 0));
+    }
+    return manifold;
+}
+
+/// Whether the point lies over the wall, which makes its joints unimportant.
+bool isOver(const WallPart& wall, const Vec2& p) {
+    const Vec2 along = wall.b - wall.a;
+    return along.dot(p - wall.a) >= 0 && along.dot(p - wall.b) <= 0;
+}
+
 } // namespace
 
 Manifold wallAgainstCircle(const WallPart& wall, const Circle& circle, double margin) {
-    const WallSide side = sideFacing(wall, circle.center);
     const Vec2& center = circle.center;
-    const double above = side.above(center);
-    const int turned = side.turned ? 1 : 0;
-    Manifold manifold;
-    if (side.holds(center)) {
-        if (above - circle.radius <= margin) {
-            manifold.normal = side.normal;
-            const double toMiddle = 0.5 * (above + circle.radius);
-            addPoint(manifold, center - toMiddle * side.normal, above - circle.radius, featureId(wallFace, turned, 0));
+    if (isOver(wall, center)) {
+        const WallSide face = faceOf(wall, !wall.oneWay && cross(wall.b - wall.a, center - wall.a) < 0);
+        if (face.above(center) >= -face.depth - onTheFace) {
+            return faceAgainstCircle(face, circle, margin);
         }
-        return manifold;
     }
+    const WallSide side = sideFacing(wall, center);
+    const int turned = side.turned ? 1 : 0;
+    if (side.holds(center)) {
+        return faceAgainstCircle(side, circle, margin);
+    }
+    Manifold manifold;
     const double t = side.along(center);
     if (t > side.length && side.end.kind == WallEnd::Kind::Convex) {
         const Vec2 outward = center - side.end.point;

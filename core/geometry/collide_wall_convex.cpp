@@ -306,12 +306,64 @@ Manifold endManifold(const Pair& pair, const WallEnd& end) {
     return choice.face >= 0 && !othersTurn ? pointUnderFace(pair, end, choice.face) : Manifold{};
 }
 
+/// How far the wall is overlooked by the polygon, along the wall: of its corners.
+struct Extent {
+    double from = std::numeric_limits<double>::infinity(); // m from the start of the wall
+    double to = -std::numeric_limits<double>::infinity();
+};
+
+Extent extentAlong(const WallSide& side, const ConvexPart& convex) {
+    Extent extent;
+    for (int i = 0; i < convex.count; ++i) {
+        const double t = side.along(cornerOf(convex, i));
+        extent.from = std::min(extent.from, t);
+        extent.to = std::max(extent.to, t);
+    }
+    return extent;
+}
+
+/// Whether what of the polygon is over the line lies mostly to its right.
+bool leansRight(const WallPart& line, const ConvexPart& convex) {
+    const WallSide side = faceOf(line, false);
+    double sum = 0;
+    for (int i = 0; i < convex.count; ++i) {
+        const auto clipped = clipToFace(side.start.point, side.direction, side.length,
+                                        {cornerOf(convex, i), cornerOf(convex, cornerAfter(convex, i))});
+        for (int k = 0; k < clipped.count; ++k) {
+            sum += side.above(clipped.points[static_cast<std::size_t>(k)].point);
+        }
+    }
+    return sum < 0;
+}
+
+/// On which side of a line a polygon is that its centre is not over: the line and the one that continues it, both
+/// prolonged to the centre, may disagree; then what of the polygon is over the line decides.
+bool isMostlyOnRight(const WallPart& line, const ConvexPart& convex) {
+    const bool right = cross(line.b - line.a, convex.center - line.a) < 0;
+    return right == isOnRight(line, convex.center) ? right : leansRight(line, convex);
+}
+
 } // namespace
 
 Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, double margin) {
-    const Pair pair{sideFacing(wall, convex.center), convex, margin};
-    const double above = pair.side.above(convex.center);
-    if (above >= -onTheFace) {
+    const bool right = !wall.oneWay && isMostlyOnRight(wall, convex);
+    Pair pair{faceOf(wall, right), convex, margin};
+    const bool inFront =
+        pair.side.above(convex.center) >= -onTheFace || (!wall.oneWay && isOnRight(wall, convex.center) == right);
+    if (inFront) {
+        if (pair.side.above(cornerOf(convex, deepestCorner(convex, pair.side.normal))) > margin) {
+            return {};
+        }
+        const Extent extent = extentAlong(pair.side, convex);
+        if (extent.from > pair.side.length + margin || extent.to < -margin) {
+            return {};
+        }
+        if (extent.from >= 0 && extent.to <= pair.side.length) {
+            return faceManifold(pair);
+        }
+    }
+    pair.side = sideOf(wall, right);
+    if (inFront) {
         return frontManifold(pair);
     }
     if (pair.side.holds(convex.center)) {

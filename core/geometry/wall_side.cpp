@@ -20,42 +20,10 @@ WallEnd::Kind jointKind(double turn, double cosine) {
     return convex ? WallEnd::Kind::Convex : WallEnd::Kind::Smooth;
 }
 
-WallEnd wallEnd(const Vec2& point, bool joined, const Vec2& next, const Vec2& nextDirection) {
-    WallEnd end;
-    end.point = point;
-    if (joined) {
-        end.next = next;
-        end.nextDirection = nextDirection;
-        end.nextNormal = leftOf(nextDirection);
-        end.kind = WallEnd::Kind::Smooth;
-    }
-    return end;
-}
-
-/// On which side of a line a point is. Beyond a joint the neighbour knows better; and where both walls end, the side is
-/// that of the corner's outside.
-bool isOnLeft(const WallPart& line, const Vec2& p) {
-    const Vec2 along = line.b - line.a;
-    if (line.joinedAtB && along.dot(p - line.b) > 0) {
-        const Vec2 next = line.afterB - line.b;
-        return next.dot(p - line.b) < 0 ? cross(along, next) <= 0 : cross(next, p - line.b) >= 0;
-    }
-    if (line.joinedAtA && along.dot(p - line.a) < 0) {
-        const Vec2 previous = line.a - line.beforeA;
-        return previous.dot(p - line.a) > 0 ? cross(previous, along) <= 0 : cross(previous, p - line.a) >= 0;
-    }
-    return cross(along, p - line.a) >= 0;
-}
-
-WallPart reversed(const WallPart& wall) {
-    WallPart result = wall;
-    result.a = wall.b;
-    result.b = wall.a;
-    result.joinedAtA = wall.joinedAtB;
-    result.joinedAtB = wall.joinedAtA;
-    result.beforeA = wall.afterB;
-    result.afterB = wall.beforeA;
-    return result;
+void join(WallEnd& end, const Vec2& next, const Vec2& direction) {
+    end.next = next;
+    end.nextDirection = direction;
+    end.nextNormal = leftOf(direction);
 }
 
 } // namespace
@@ -73,27 +41,47 @@ bool WallSide::spans(const Vec2& p) const {
     return true;
 }
 
-WallSide sideFacing(const WallPart& wall, const Vec2& reference) {
-    const bool turned = !wall.oneWay && !isOnLeft(wall, reference);
-    const WallPart& seen = turned ? reversed(wall) : wall;
+WallSide faceOf(const WallPart& wall, bool right) {
     WallSide side;
-    const Vec2 along = seen.b - seen.a;
+    side.start.point = right ? wall.b : wall.a;
+    side.end.point = right ? wall.a : wall.b;
+    const Vec2 along = side.end.point - side.start.point;
     side.length = along.norm();
-    side.direction = unitOr(along, Vec2(1, 0));
+    side.direction = side.length > 0 ? Vec2(along / side.length) : Vec2(1, 0);
     side.normal = leftOf(side.direction);
-    side.depth = seen.oneWay ? seen.depth : 0;
-    side.turned = turned;
-    side.start = wallEnd(seen.a, seen.joinedAtA, seen.beforeA, unitOr(seen.a - seen.beforeA, side.direction));
-    side.end = wallEnd(seen.b, seen.joinedAtB, seen.afterB, unitOr(seen.afterB - seen.b, side.direction));
-    if (seen.joinedAtA) {
-        side.start.kind =
-            jointKind(cross(side.start.nextDirection, side.direction), side.start.nextDirection.dot(side.direction));
+    side.depth = wall.oneWay ? wall.depth : 0;
+    side.turned = right;
+    return side;
+}
+
+WallSide sideOf(const WallPart& wall, bool right) {
+    WallSide side = faceOf(wall, right);
+    if (right ? wall.joinedAtB : wall.joinedAtA) {
+        const Vec2& previous = right ? wall.afterB : wall.beforeA;
+        join(side.start, previous, unitOr(side.start.point - previous, side.direction));
+        const Vec2& incoming = side.start.nextDirection;
+        side.start.kind = jointKind(cross(incoming, side.direction), incoming.dot(side.direction));
     }
-    if (seen.joinedAtB) {
-        side.end.kind =
-            jointKind(cross(side.direction, side.end.nextDirection), side.direction.dot(side.end.nextDirection));
+    if (right ? wall.joinedAtA : wall.joinedAtB) {
+        const Vec2& next = right ? wall.beforeA : wall.afterB;
+        join(side.end, next, unitOr(next - side.end.point, side.direction));
+        const Vec2& outgoing = side.end.nextDirection;
+        side.end.kind = jointKind(cross(side.direction, outgoing), side.direction.dot(outgoing));
     }
     return side;
+}
+
+bool isOnRight(const WallPart& line, const Vec2& p) {
+    const Vec2 along = line.b - line.a;
+    if (line.joinedAtB && along.dot(p - line.b) > 0) {
+        const Vec2 next = line.afterB - line.b;
+        return next.dot(p - line.b) < 0 ? cross(along, next) > 0 : cross(next, p - line.b) < 0;
+    }
+    if (line.joinedAtA && along.dot(p - line.a) < 0) {
+        const Vec2 previous = line.a - line.beforeA;
+        return previous.dot(p - line.a) > 0 ? cross(previous, along) > 0 : cross(previous, p - line.a) < 0;
+    }
+    return cross(along, p - line.a) < 0;
 }
 
 bool cornerAllows(const WallSide& wall, const WallEnd& corner, const Vec2& u) {

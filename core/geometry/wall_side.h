@@ -37,9 +37,20 @@ struct WallSide {
     bool holds(const Vec2& p) const { return above(p) >= -depth - onTheFace && spans(p); }
 };
 
-/// The side of the wall that meets what has its reference point at `reference`. A wall without length has an arbitrary
+/// One side of the wall; the right one is that of the wall turned round. A wall without length has an arbitrary
 /// direction.
-WallSide sideFacing(const WallPart& wall, const Vec2& reference);
+WallSide sideOf(const WallPart& wall, bool right);
+/// The same without what continues the wall: all that something needs that lies over the wall altogether.
+WallSide faceOf(const WallPart& wall, bool right);
+
+/// On which side of a line a point is. Beyond a joint the neighbour knows better; and where both walls end, the side is
+/// that of the corner's outside.
+bool isOnRight(const WallPart& line, const Vec2& p);
+
+/// The side of the wall that meets what has its reference point at `reference`.
+inline WallSide sideFacing(const WallPart& wall, const Vec2& reference) {
+    return sideOf(wall, !wall.oneWay && isOnRight(wall, reference));
+}
 
 /// Whether a corner contact at a convex joint may have the unit normal `u`. `corner` is the end of `wall`.
 bool cornerAllows(const WallSide& wall, const WallEnd& corner, const Vec2& u);
