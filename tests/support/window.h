@@ -89,7 +89,8 @@ inline QStringList cutOffTexts(const QWidget& window) {
         const auto* label = qobject_cast<const QLabel*>(widget);
         const auto* button = qobject_cast<const QAbstractButton*>(widget);
         // The hint is shortened on purpose and says all of itself in its tooltip.
-        if (!widget->isVisible() || (label == nullptr && button == nullptr) || !widget->toolTip().isEmpty()) {
+        const bool shortened = label != nullptr && !label->toolTip().isEmpty();
+        if (!widget->isVisible() || (label == nullptr && button == nullptr) || shortened) {
             continue;
         }
         const QString text = label != nullptr ? label->text() : button->text();

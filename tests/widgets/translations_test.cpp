@@ -227,7 +227,7 @@ class TranslationsTest : public QObject {
         QTest::newRow("wall") << QList<Act>{Act::SelectAll};
         QTest::newRow("two objects") << QList<Act>{Act::Duplicate, Act::SelectAll};
         QTest::newRow("game") << QList<Act>{Act::Play};
-        QTest::newRow("game with its menu") << QList<Act>{Act::Play, Act::Pause};
+        QTest::newRow("held game") << QList<Act>{Act::Play, Act::Pause};
     }
     void nothingIsCutOffInASmallWindow() {
         QFETCH(QList<Act>, acts);
@@ -245,6 +245,12 @@ class TranslationsTest : public QObject {
         QApplication::processEvents();
         QCOMPARE(test.window->size(), QSize(1024, 640));
         QCOMPARE(cutOffTexts(*test.window), QStringList());
+        if (test.window->isPlaying()) {
+            QTest::keyClick(&test.window->playView(), Qt::Key_Escape);
+            QApplication::processEvents();
+            QVERIFY(test.window->playView().findChild<QWidget*>("pauseMenu")->isVisible());
+            QCOMPARE(cutOffTexts(*test.window), QStringList());
+        }
     }
 };
 
