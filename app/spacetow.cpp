@@ -13,14 +13,17 @@ namespace {
 
 void installTranslations(QApplication& application, QTranslator& own, QTranslator& toolkit) {
     const QLocale locale;
-    if (own.load(locale, QStringLiteral("spacetow"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
-        application.installTranslator(&own);
+    const QString resources = QStringLiteral(":/translations");
+    if (own.load(locale, QStringLiteral("spacetow"), QStringLiteral("_"), resources)) {
         // Only with our own, so that two languages never mix in one window.
         const QString folder = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
         if (toolkit.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), folder)) {
             application.installTranslator(&toolkit);
         }
+    } else if (!own.load(QStringLiteral("spacetow_en"), resources)) {
+        return;
     }
+    application.installTranslator(&own);
 }
 
 } // namespace

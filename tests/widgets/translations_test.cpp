@@ -59,6 +59,11 @@ std::vector<Entry> entriesOf(const QString& path) {
     return xml.hasError() ? std::vector<Entry>() : entries;
 }
 
+/// English is the language of the sources; its file holds plurals alone.
+bool isEnglish(const QString& path) {
+    return path.endsWith(QStringLiteral("_en.ts"));
+}
+
 /// What has to be the same in every language: %1, %n, the mark of a changed file, the patterns of a file dialog.
 QStringList fixedParts(const QString& text) {
     static const QRegularExpression fixed(R"(%[1-9n]|\[\*\]|\(\*[^)]*\)|…$)");
@@ -119,7 +124,7 @@ class TranslationsTest : public QObject {
     void everyTextIsTranslated() {
         QFETCH(QString, path);
         const std::vector<Entry> entries = entriesOf(path);
-        QVERIFY(entries.size() > 400);
+        QVERIFY(entries.size() > (isEnglish(path) ? 10 : 400));
         for (const Entry& entry : entries) {
             QVERIFY2(entry.state.isEmpty(), qPrintable(entry.state + ": " + entry.source));
             QVERIFY2(!entry.forms.isEmpty() && !entry.forms.contains(QString()), qPrintable(entry.source));
@@ -143,10 +148,11 @@ class TranslationsTest : public QObject {
         const QTemporaryDir folder;
         const QString copy = folder.filePath(QFileInfo(path).fileName());
         QVERIFY(QFile::copy(path, copy));
+        QStringList arguments{"-silent", "-I", ".", "-no-obsolete", "app", "editor"};
+        arguments << (isEnglish(path) ? QStringList{"-pluralonly", "-ts", copy} : QStringList{"-ts", copy});
         QProcess lupdate;
         lupdate.setWorkingDirectory(QStringLiteral(SPACETOW_SOURCE_DIR));
-        lupdate.start(QLibraryInfo::path(QLibraryInfo::BinariesPath) + "/lupdate",
-                      {"-silent", "-I", ".", "-no-obsolete", "app", "editor", "-ts", copy});
+        lupdate.start(QLibraryInfo::path(QLibraryInfo::BinariesPath) + "/lupdate", arguments);
         QVERIFY2(lupdate.waitForFinished() && lupdate.exitCode() == 0, qPrintable(lupdate.errorString()));
         const QSet<QString> ours = textsOf(entriesOf(path));
         const QSet<QString> wanted = textsOf(entriesOf(copy));
@@ -195,6 +201,22 @@ class TranslationsTest : public QObject {
         QCOMPARE(sentence(Label{"move", 3}), QString("3 Objekte verschieben"));
         QCOMPARE(sentence(Problem{.code = "out-of-range", .arguments = {"depth", "-1", "0", "9"}}),
                  QString("„depth“ ist -1; der Wert muss zwischen 0 und 9 liegen."));
+    }
+
+    void englishKnowsOneFromMany_data() {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("none") << 0 << "0 errors";
+        QTest::newRow("one") << 1 << "1 error";
+        QTest::newRow("many") << 2 << "2 errors";
+    }
+    void englishKnowsOneFromMany() {
+        QFETCH(int, count);
+        QFETCH(QString, text);
+        QTranslator english;
+        QVERIFY(english.load(QStringLiteral("spacetow_en"), QStringLiteral(":/translations")));
+        QCoreApplication::installTranslator(&english);
+        QCOMPARE(QCoreApplication::translate("spacetow::StatusLine", "%n errors", nullptr, count), text);
     }
 
     void anotherLanguageIsNotTakenForGerman() {
