@@ -39,6 +39,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_steps(tr("Grid S
     m_snap.setToolTip(tr("Distance at which points snap; Shift+G switches snapping off and on"));
     m_snap.setMenu(&m_steps);
     m_snap.setPopupMode(QToolButton::InstantPopup);
+    m_snap.setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }")); // it would lie on the text
     fillSteps();
     m_zoom.setToolTip(tr("Zoom to original size (Ctrl+0)"));
     m_problems.setToolTip(tr("Next problem (F4)"));
