@@ -41,7 +41,7 @@ LevelFile parseLevel(std::string_view text) {
         file.problems.push_back({Severity::Warning, "byte-order-mark", {}, "", 1, 0});
     }
     if (text.size() > maxLevelBytes) {
-        file.problems.push_back({Severity::Error, "file-too-large", {"", std::to_string(text.size())}, "", 1, 0});
+        file.problems.push_back({Severity::Error, "text-too-large", {std::to_string(maxLevelBytes)}, "", 1, 0});
         return file;
     }
     const auto parsed = JsonTree::parsed(text);
@@ -86,7 +86,7 @@ std::string objectsText(const Level& level, std::span<const Key> keys) {
 
 std::vector<Object> parseObjects(std::string_view text, const TagTable& tags, std::vector<Problem>& problems) {
     if (text.size() > maxLevelBytes) {
-        problems.push_back({Severity::Error, "file-too-large", {"", std::to_string(text.size())}, "", 1, 0});
+        problems.push_back({Severity::Error, "text-too-large", {std::to_string(maxLevelBytes)}, "", 1, 0});
         return {};
     }
     const auto parsed = JsonTree::parsed(text);

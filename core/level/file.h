@@ -26,7 +26,7 @@ LevelFile parseLevel(std::string_view text);
 /// The text of the file, newline at the end. Shortest round-trip numbers, keys in fixed order.
 std::string levelText(const Level& level);
 
-/// Codes: "cannot-read" (path, reason), "file-too-large" (path, bytes).
+/// Codes: "cannot-read" (path, reason), "file-too-large" (path, bytes allowed).
 Result<LevelFile> readLevel(const std::filesystem::path& path);
 /// Writes beside the file, flushes and renames, so that the old file stays whole when anything fails.
 /// Links are followed and the mode of the old file is kept. Codes: "cannot-write" (path, reason), "not-finite" (field).

@@ -25,6 +25,10 @@ Error cannot(const char* what, const fs::path& path, int code) {
     return {what, {path.string(), reason(code)}};
 }
 
+Error notAFile(const char* what, const fs::path& path, const struct stat& info) {
+    return S_ISDIR(info.st_mode) ? cannot(what, path, EISDIR) : Error{what, {path.string(), "not a regular file"}};
+}
+
 /// A file descriptor that closes itself.
 class Descriptor {
   public:
@@ -117,10 +121,10 @@ Result<LevelFile> readLevel(const fs::path& path) {
         return cannot("cannot-read", path, errno);
     }
     if (!S_ISREG(info.st_mode)) {
-        return cannot("cannot-read", path, S_ISDIR(info.st_mode) ? EISDIR : EINVAL);
+        return notAFile("cannot-read", path, info);
     }
     if (static_cast<std::uint64_t>(info.st_size) > maxLevelBytes) {
-        return Error{"file-too-large", {path.string(), std::to_string(info.st_size)}};
+        return Error{"file-too-large", {path.string(), std::to_string(maxLevelBytes)}};
     }
     std::string text(static_cast<std::size_t>(info.st_size), '\0');
     std::size_t size = 0;
@@ -152,7 +156,7 @@ std::optional<Error> writeLevel(const fs::path& path, const Level& level) {
         return cannot("cannot-write", path, errno);
     }
     if (exists && !S_ISREG(info.st_mode)) {
-        return cannot("cannot-write", path, S_ISDIR(info.st_mode) ? EISDIR : EINVAL);
+        return notAFile("cannot-write", path, info);
     }
     // Renaming over a file needs no right to write it; a file that its owner protected stays as it is.
     if (exists && ::access(file.c_str(), W_OK) != 0) {

@@ -159,7 +159,7 @@ class BadFilesTest : public QObject {
             "too-many-vertices");
         row("many small values", "{\"schema\":1,\"a\":[" + repeated("0,", 20000000) + "0]}", "too-many-values");
         row("many texts", "{\"schema\":1,\"a\":[" + repeated("\"\",", 15000000) + "0]}", "too-many-values");
-        row("longer than allowed", std::string(maxLevelBytes + 1, ' '), "file-too-large");
+        row("longer than allowed", std::string(maxLevelBytes + 1, ' '), "text-too-large");
     }
     void whatCouldFillTheMemoryIsRefusedQuickly() {
         QFETCH(QByteArray, text);
