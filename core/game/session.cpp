@@ -55,7 +55,7 @@ void Session::buildStart() {
 
 void Session::beginLevel() {
     m_lives = std::max(1, m_level->rules.lives);
-    m_fuel = 0;
+    m_thrusted = 0;
     m_debris.clear();
     beginAttempt();
 }
@@ -74,7 +74,7 @@ void Session::beginAttempt() {
     m_debris.clear();
     m_ship = m_payload = {};
     m_rope = {};
-    m_time = 0;
+    m_flown = 0;
     m_flippedFor = -1;
     m_phase = Phase::Sandbox;
     m_payloadState = PayloadState::Absent;
@@ -104,12 +104,12 @@ void Session::step(const Controls& controls) {
     m_controls = controls;
     if (isPlaying()) {
         steer(m_world, m_ship, controls);
-        m_time += updateSeconds();
+        ++m_flown;
     }
     m_world.update();
     judge();
     if (isPlaying() && controls.thrust) {
-        m_fuel += updateSeconds();
+        ++m_thrusted;
         hear(Sound::Thruster);
     }
     if (m_flippedFor >= 0) {

@@ -28,9 +28,11 @@ class Session {
 
     Phase phase() const { return m_phase; }
     Hud hud() const;
-    double time() const { return m_time; } // s since the first press of this attempt; stands still when it is over
-    double fuel() const { return m_fuel; } // s of thrust since the level began, all attempts together
-    int lives() const { return m_lives; }  // attempts left, this one included
+    /// s since the first press of this attempt; stands still when it is over.
+    double time() const { return static_cast<double>(m_flown) * updateSeconds(); }
+    /// s of thrust since the level began, all attempts together.
+    double fuel() const { return static_cast<double>(m_thrusted) * updateSeconds(); }
+    int lives() const { return m_lives; } // attempts left, this one included
     std::int64_t updates() const { return m_update; }
     /// Simulated by one step, s.
     double updateSeconds() const { return m_world.parameters().seconds; }
@@ -96,9 +98,9 @@ class Session {
     ConnectorId m_rope;
     Controls m_controls;
     int m_lives = 0;
-    double m_fuel = 0;
-    double m_time = 0;
-    double m_flippedFor = -1; // s
+    std::int64_t m_flown = 0;    // updates of this attempt
+    std::int64_t m_thrusted = 0; // updates of the level
+    double m_flippedFor = -1;    // s
     std::int64_t m_update = 0;
     std::uint32_t m_sounds = 0;
     Camera m_camera;

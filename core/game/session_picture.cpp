@@ -7,7 +7,7 @@
 namespace spacetow {
 
 Hud Session::hud() const {
-    return {m_lives, m_fuel, m_time, payloadInRange(), m_flippedFor};
+    return {m_lives, fuel(), time(), payloadInRange(), m_flippedFor};
 }
 
 std::optional<BodyState> Session::ship() const {
@@ -56,8 +56,8 @@ std::uint64_t Session::hash() const {
     hash.add(static_cast<std::uint64_t>(m_payloadState));
     hash.add(static_cast<std::uint64_t>(m_lives));
     hash.add(std::uint64_t{toBits(m_controls)});
-    hash.add(m_fuel);
-    hash.add(m_time);
+    hash.add(static_cast<std::uint64_t>(m_thrusted));
+    hash.add(static_cast<std::uint64_t>(m_flown));
     hash.add(m_flippedFor);
     for (const FlyingDebris& one : m_debris) {
         hash.add(one.piece.life);
