@@ -24,30 +24,39 @@ struct Axis {
     int allowedFace = -1;
 };
 
-/// Separations along the face normals of `reference`.
+/// Separations along the face normals of `reference`; the rest of them is skipped once one exceeds the margin.
 Axis bestAxis(const ConvexPart& reference, const ConvexPart& other, double margin) {
     Axis axis;
+    const bool cut = isCut(reference) || isCut(other);
     for (int i = 0; i < reference.count; ++i) {
         const Vec2& normal = normalOf(reference, i);
-        const int corner = deepestCorner(other, normal);
-        const double separation = normal.dot(cornerOf(other, corner) - cornerOf(reference, i));
+        double least = normal.dot(other.corners[0]);
+        for (int k = 1; k < other.count; ++k) {
+            least = std::min(least, normal.dot(cornerOf(other, k)));
+        }
+        const double separation = least - normal.dot(cornerOf(reference, i));
         if (separation > axis.separation) {
             axis.separation = separation;
             axis.face = i;
+            if (separation > margin) {
+                return axis;
+            }
         }
-        if (separation > axis.allowed && isOuterFace(reference, i) && cornerAllows(other, corner, -normal)) {
+        if (cut && separation > axis.allowed && isOuterFace(reference, i) &&
+            cornerAllows(other, deepestCorner(other, normal), -normal)) {
             axis.allowed = separation;
             axis.allowedFace = i;
         }
-        if (separation > margin) {
-            break;
-        }
+    }
+    if (!cut) {
+        axis.allowed = axis.separation;
+        axis.allowedFace = axis.face;
     }
     return axis;
 }
 
 double faceLength(const ConvexPart& part, int face) {
-    return (cornerOf(part, cornerAfter(part, face)) - cornerOf(part, face)).norm();
+    return leftOf(normalOf(part, face)).dot(cornerOf(part, cornerAfter(part, face)) - cornerOf(part, face));
 }
 
 /// Contact with the normal of a face of `reference`. A point is named after the corner that ends the stretch on which
@@ -131,6 +140,14 @@ void includeCorners(const ConvexPart& reference, const ConvexPart& part, bool re
     }
 }
 
+/// Whether the corner of `other` that is nearest to the face lies over it, and their distance is that of the parts.
+bool isOverFace(const ConvexPart& reference, int face, const ConvexPart& other) {
+    const Vec2& normal = normalOf(reference, face);
+    const Vec2& corner = cornerOf(other, deepestCorner(other, normal));
+    const double t = leftOf(normal).dot(corner - cornerOf(reference, face));
+    return 0 <= t && t <= faceLength(reference, face);
+}
+
 Manifold apartManifold(const ConvexPart& a, const ConvexPart& b, double margin) {
     Nearest nearest;
     includeCorners(a, b, true, nearest);
@@ -172,6 +189,14 @@ Manifold convexAgainstConvex(const ConvexPart& a, const ConvexPart& b, double ma
         return {};
     }
     if (std::max(ofA.separation, ofB.separation) > tie) {
+        if (!isCut(a) && !isCut(b)) {
+            if (ofA.separation >= ofB.separation && isOverFace(a, ofA.face, b)) {
+                return faceManifold(a, ofA.face, b, margin, false);
+            }
+            if (ofB.separation >= ofA.separation && isOverFace(b, ofB.face, a)) {
+                return faceManifold(b, ofB.face, a, margin, true);
+            }
+        }
         return apartManifold(a, b, margin);
     }
     const double depth = -std::max(ofA.separation, ofB.separation);

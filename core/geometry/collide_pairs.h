@@ -28,13 +28,17 @@ inline bool isOuterFace(const ConvexPart& part, int i) {
     return (part.outerFaces >> i & 1) != 0;
 }
 
+/// Whether some faces of the part are inside the polygon that it was cut from.
+inline bool isCut(const ConvexPart& part) {
+    return part.outerFaces != (1u << part.count) - 1;
+}
+
 /// Whether something may touch the corner with the unit normal `u` (outward): it has to lie between the normals of
 /// the two faces of the outline that meet there, which need not be faces of this part. Of the parts that share a
 /// corner the one whose outer face starts there answers.
 inline bool cornerAllows(const ConvexPart& part, int i, const Vec2& u) {
     constexpr double slack = 1e-9;
-    const unsigned whole = (1u << part.count) - 1;
-    if (part.outerFaces == whole) {
+    if (!isCut(part)) {
         return true; // all neighbours are its own: what is nearest to the corner lies between their normals
     }
     const Vec2& before = part.normalsBefore[static_cast<std::size_t>(i)];

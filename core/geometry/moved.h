@@ -32,7 +32,11 @@ inline ConvexPart moved(const ConvexPart& part, const Transform& pose) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
         result.corners[i] = pose.toWorld(part.corners[i]);
         result.normals[i] = pose.rotation * part.normals[i];
-        result.normalsBefore[i] = pose.rotation * part.normalsBefore[i];
+    }
+    if (part.outerFaces != (1u << part.count) - 1) { // read for parts with cuts only
+        for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
+            result.normalsBefore[i] = pose.rotation * part.normalsBefore[i];
+        }
     }
     return result;
 }

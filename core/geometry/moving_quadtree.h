@@ -15,7 +15,8 @@ class MovingQuadtree {
     /// border. Keeps its memory: no allocation when it was as large before.
     void reset(const Aabb& bounds, std::uint32_t count);
 
-    /// Appends the numbers of the boxes inserted before that overlap `box`, borders included, each once; then inserts it.
+    /// Appends the numbers of the boxes inserted before that overlap `box`, borders included, each once; then inserts
+    /// it.
     void insertAndQuery(std::uint32_t number, const Aabb& box, std::vector<std::uint32_t>& out);
 
     int depth() const { return m_depth; }
@@ -36,7 +37,7 @@ class MovingQuadtree {
     Aabb m_bounds;
     Vec2 m_perMeter{0, 0}; // leaves a metre
     int m_depth = 0;
-    std::uint32_t m_side = 1; // leaves along each axis
+    std::uint32_t m_side = 1;            // leaves along each axis
     std::vector<std::uint32_t> m_leaves; // first entry of each
     std::vector<Entry> m_entries;
 };

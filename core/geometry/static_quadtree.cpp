@@ -63,7 +63,9 @@ bool holds(const Aabb& region, const Vec2& p) { // half open, so that every poin
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Aabb everywhere() { return {Vec2(-infinity, -infinity), Vec2(infinity, infinity)}; }
+Aabb everywhere() {
+    return {Vec2(-infinity, -infinity), Vec2(infinity, infinity)};
+}
 
 } // namespace
 
@@ -124,8 +126,8 @@ struct StaticQuadtree::Builder {
         tree.m_nodes[node] = {middle, first, 0, false};
         tree.m_nodes.resize(first + 4);
         for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
-            const bool isPoor = static_cast<double>(parts[quadrant].size()) >
-                                poorShare * static_cast<double>(items.size());
+            const bool isPoor =
+                static_cast<double>(parts[quadrant].size()) > poorShare * static_cast<double>(items.size());
             build(first + quadrant, parts[quadrant], depth + 1, isPoor ? poor + 1 : 0);
             parts[quadrant] = {};
         }

@@ -1,6 +1,7 @@
 #pragma once
 // A quadtree over boxes that do not move. Its split points come from the boxes themselves, a box is held by every
-// quadrant it straddles, and a branch ends where three levels brought no fewer boxes. The same boxes give the same tree.
+// quadrant it straddles, and a branch ends where three levels brought no fewer boxes. The same boxes give the same
+// tree.
 
 #include "core/math/aabb.h"
 

@@ -79,7 +79,9 @@ class CollideTest : public QObject {
     void theNotchOfTheShipIsHollow();
     void nothingRestsOnACut();
     void cornersOnACutGiveNormalsOfTheOutlineOnly();
+    void cutsNeverThrowAnythingOutTheLongWay();
     void overlapsIsWhatTouchesOrCrosses();
+    void coordinatesThatAreNoNumbersDoNoHarm();
 };
 
 void CollideTest::swappingThePartsTurnsTheNormalRound() {
@@ -367,6 +369,55 @@ void CollideTest::overlapsIsWhatTouchesOrCrosses() {
             closestPoints(p.a, p.poseA, p.b, p.poseB).distance <= 0 || collide(p.a, p.poseA, p.b, p.poseB, 0).count > 0;
         QVERIFY2(overlaps(p.a, p.poseA, p.b, p.poseB) == expected, seedText(seed));
         QVERIFY2(overlaps(p.b, p.poseB, p.a, p.poseA) == expected, seedText(seed));
+    }
+}
+
+/// Random concave polygons touched from a random side: however thin the parts beside a cut, the depth told is that of
+/// the touch and not that of the polygon.
+void CollideTest::cutsNeverThrowAnythingOutTheLongWay() {
+    for (unsigned seed = 0; seed < 3000; ++seed) {
+        Random random(seed);
+        Polygon star;
+        const int count = 5 + static_cast<int>(random.below(12));
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2 * std::numbers::pi * (i + random.uniform(0, 0.8)) / count;
+            star.vertices.push_back(random.uniform(0.4, 2) * Vec2(std::cos(angle), std::sin(angle)));
+        }
+        const std::vector<Part> parts = partsOf(star);
+        const std::array<Part, 4> bodies{Part(Circle{Vec2(0, 0), random.uniform(0.05, 0.5)}), randomConvex(random),
+                                         box(0.3, 0.2), line(Vec2(-0.7, 0), Vec2(0.6, 0.1))};
+        const Part& body = bodies[random.below(4)];
+        const Rot rotation = Rot::fromAngle(random.uniform(-4, 4));
+        const Vec2 way = Rot::fromAngle(random.uniform(-4, 4)).right();
+        double along = 6;
+        for (double distance = 1; distance > 1e-7; along -= distance) { // never farther than what is free
+            distance = std::numeric_limits<double>::infinity();
+            for (const Part& part : parts) {
+                const ClosestPoints closest = closestPoints(part, {}, body, {along * way, rotation});
+                distance = std::min(distance, closest.distance);
+            }
+        }
+        const double sunk = random.uniform(0.0005, 0.006);
+        double deepest = 0;
+        for (const Part& part : parts) {
+            const Manifold manifold = collide(part, {}, body, {(along - sunk) * way, rotation}, 0);
+            deepest = std::max(deepest, manifold.count > 0 ? -leastSeparation(manifold) : 0.0);
+        }
+        QVERIFY2(deepest > 0 && deepest < 1.5 * sunk + 0.003, seedText(seed) + " " + QByteArray::number(deepest));
+    }
+}
+
+void CollideTest::coordinatesThatAreNoNumbersDoNoHarm() {
+    const std::array<double, 6> odd{0, 1e-300, 1e300, std::numeric_limits<double>::infinity(), std::nan(""), -1};
+    for (unsigned seed = 0; seed < 3000; ++seed) {
+        Random random(seed);
+        const Pair p = randomPair(random, 1);
+        Transform pose = p.poseA;
+        pose.position.x() = odd[random.below(6)];
+        pose.rotation.c = random.below(2) == 0 ? odd[random.below(6)] : pose.rotation.c;
+        const Manifold manifold = collide(p.a, pose, p.b, p.poseB, odd[random.below(4)]);
+        QVERIFY2(manifold.count >= 0 && manifold.count <= 2, seedText(seed));
+        overlaps(p.a, pose, p.b, p.poseB);
     }
 }
 
