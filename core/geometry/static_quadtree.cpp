@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr std::size_t leafCapacity = 4;
+constexpr std::size_t leafCapacity = 16; // with fewer, trees take longer to build and to ask
 constexpr int maxDepth = 40;
 // A level that keeps more than this share of its boxes in one quadrant has not divided them.
 constexpr double poorShare = 0.75;
