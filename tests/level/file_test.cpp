@@ -5,8 +5,6 @@
 #include "tests/support/random_level.h"
 #include "tests/support/test_main.h"
 
-#include <QElapsedTimer>
-
 #include <bit>
 #include <cmath>
 
