@@ -76,10 +76,6 @@ class CollideTest : public QObject {
     void featuresStayWhileABoxSlidesAndSinks();
     void aCircleMeetsFacesAndCornersOfABox_data();
     void aCircleMeetsFacesAndCornersOfABox();
-    void theNotchOfTheShipIsHollow();
-    void nothingRestsOnACut();
-    void cornersOnACutGiveNormalsOfTheOutlineOnly();
-    void cutsNeverThrowAnythingOutTheLongWay();
     void overlapsIsWhatTouchesOrCrosses();
     void coordinatesThatAreNoNumbersDoNoHarm();
 };
@@ -282,75 +278,6 @@ void CollideTest::aCircleMeetsFacesAndCornersOfABox() {
     QVERIFY(isNear(manifold.points[0].separation, separation));
 }
 
-void CollideTest::theNotchOfTheShipIsHollow() {
-    Polygon ship;
-    ship.vertices = {Vec2(0, 0.7 / 3), Vec2(-0.2, -0.5 / 3), Vec2(0, -0.2 / 3), Vec2(0.2, -0.5 / 3)};
-    const std::vector<Part> parts = partsOf(ship);
-    // A small circle up in the notch lies inside the convex hull and touches the two faces of the notch alone.
-    const double radius = 0.02;
-    const Vec2 face = Vec2(0.2, -0.1).normalized();
-    const Vec2 down(-face.y() < 0 ? face.y() : -face.y(), -face.x());
-    const double below = radius / std::fabs(face.x());
-    const Part ball = Circle{Vec2(0, -0.2 / 3 - below - 1e-4), radius};
-    int contacts = 0;
-    for (const Part& part : parts) {
-        const Manifold manifold = collide(part, {}, ball, {}, 0.001);
-        contacts += manifold.count;
-        if (manifold.count > 0) {
-            QVERIFY(isNear(std::fabs(manifold.normal.x()), std::fabs(down.x()), 1e-6));
-            QVERIFY(isNear(manifold.normal.y(), down.y(), 1e-6));
-            QVERIFY(isNear(manifold.points[0].separation, 1e-4 * std::fabs(face.x()), 1e-9));
-        }
-    }
-    QCOMPARE(contacts, 2);
-    for (const Part& part : parts) {
-        QCOMPARE(collide(part, {}, Circle{Vec2(0, -0.2), 0.02}, {}, 0.001).count, 0);
-    }
-}
-
-void CollideTest::nothingRestsOnACut() {
-    // An L: whatever the cut, a box on its foot is carried by the top of the foot, not by anything inside.
-    Polygon shape;
-    shape.vertices = {Vec2(0, 0), Vec2(3, 0), Vec2(3, 1), Vec2(1, 1), Vec2(1, 3), Vec2(0, 3)};
-    const std::vector<Part> parts = partsOf(shape);
-    for (int i = 0; i <= 100; ++i) {
-        const double x = 1.5 + 0.01 * i;
-        for (const Part& body : {box(0.4, 0.4), Part(Circle{Vec2(0, 0), 0.4})}) {
-            bool carried = false;
-            for (const Part& part : parts) {
-                const Manifold manifold = collide(part, {}, body, {Vec2(x, 1.395), {}}, 0.001);
-                if (manifold.count > 0) {
-                    carried = true;
-                    QVERIFY(isNear(manifold.normal, Vec2(0, 1)));
-                    QVERIFY(isNear(leastSeparation(manifold), -0.005));
-                }
-            }
-            QVERIFY(carried);
-        }
-    }
-}
-
-void CollideTest::cornersOnACutGiveNormalsOfTheOutlineOnly() {
-    // A wheel of 24 corners has to be cut. A ball rolling round it sees the normals of a wheel without cuts.
-    Polygon wheel;
-    wheel.vertices = regularPolygon(24, 1);
-    const std::vector<Part> parts = partsOf(wheel);
-    QVERIFY(parts.size() > 1);
-    for (int i = 0; i < 1440; ++i) {
-        const Vec2 out = Rot::fromAngle(i * std::numbers::pi / 720).right();
-        const Vec2 center = 1.19 * out;
-        int contacts = 0;
-        for (const Part& part : parts) {
-            const Manifold manifold = collide(part, {}, Circle{center, 0.2}, {}, 0.01);
-            if (manifold.count > 0) {
-                ++contacts;
-                QVERIFY2(manifold.normal.dot(out) > std::cos(std::numbers::pi / 24), QByteArray::number(i));
-            }
-        }
-        QVERIFY(contacts >= 1);
-    }
-}
-
 void CollideTest::overlapsIsWhatTouchesOrCrosses() {
     const Part wall = edge(Vec2(0, 0), Vec2(2, 0), 0);
     QVERIFY(overlaps(wall, {}, line(Vec2(1, -1), Vec2(1, 1)), {}));
@@ -374,39 +301,6 @@ void CollideTest::overlapsIsWhatTouchesOrCrosses() {
 
 /// Random concave polygons touched from a random side: however thin the parts beside a cut, the depth told is that of
 /// the touch and not that of the polygon.
-void CollideTest::cutsNeverThrowAnythingOutTheLongWay() {
-    for (unsigned seed = 0; seed < 3000; ++seed) {
-        Random random(seed);
-        Polygon star;
-        const int count = 5 + static_cast<int>(random.below(12));
-        for (int i = 0; i < count; ++i) {
-            const double angle = 2 * std::numbers::pi * (i + random.uniform(0, 0.8)) / count;
-            star.vertices.push_back(random.uniform(0.4, 2) * Vec2(std::cos(angle), std::sin(angle)));
-        }
-        const std::vector<Part> parts = partsOf(star);
-        const std::array<Part, 4> bodies{Part(Circle{Vec2(0, 0), random.uniform(0.05, 0.5)}), randomConvex(random),
-                                         box(0.3, 0.2), line(Vec2(-0.7, 0), Vec2(0.6, 0.1))};
-        const Part& body = bodies[random.below(4)];
-        const Rot rotation = Rot::fromAngle(random.uniform(-4, 4));
-        const Vec2 way = Rot::fromAngle(random.uniform(-4, 4)).right();
-        double along = 6;
-        for (double distance = 1; distance > 1e-7; along -= distance) { // never farther than what is free
-            distance = std::numeric_limits<double>::infinity();
-            for (const Part& part : parts) {
-                const ClosestPoints closest = closestPoints(part, {}, body, {along * way, rotation});
-                distance = std::min(distance, closest.distance);
-            }
-        }
-        const double sunk = random.uniform(0.0005, 0.006);
-        double deepest = 0;
-        for (const Part& part : parts) {
-            const Manifold manifold = collide(part, {}, body, {(along - sunk) * way, rotation}, 0);
-            deepest = std::max(deepest, manifold.count > 0 ? -leastSeparation(manifold) : 0.0);
-        }
-        QVERIFY2(deepest > 0 && deepest < 1.5 * sunk + 0.003, seedText(seed) + " " + QByteArray::number(deepest));
-    }
-}
-
 void CollideTest::coordinatesThatAreNoNumbersDoNoHarm() {
     const std::array<double, 6> odd{0, 1e-300, 1e300, std::numeric_limits<double>::infinity(), std::nan(""), -1};
     for (unsigned seed = 0; seed < 3000; ++seed) {
