@@ -68,6 +68,7 @@ Canvas::~Canvas() {
 void Canvas::setView(const Viewport& view) {
     m_view = view;
     m_view.size = Vec2(std::max(1, width()), std::max(1, height()));
+    m_fitted = false;
     update();
     Q_EMIT viewChanged();
 }
@@ -91,7 +92,10 @@ void Canvas::zoomTo(double scale) {
 }
 
 void Canvas::fitLevel() {
-    setView(m_view.showing(boundsOf(m_document.level())));
+    Viewport view = m_view;
+    view.size = Vec2(std::max(1, width()), std::max(1, height()));
+    setView(view.showing(boundsOf(m_document.level())));
+    m_fitted = true;
 }
 
 void Canvas::centerSelection() {
@@ -166,7 +170,11 @@ void Canvas::paintEvent(QPaintEvent*) {
 }
 
 void Canvas::resizeEvent(QResizeEvent*) {
-    setView(m_view);
+    if (m_fitted) {
+        fitLevel();
+    } else {
+        setView(m_view);
+    }
 }
 
 void Canvas::panBy(const QPointF& pixels) {

@@ -34,6 +34,7 @@ class Canvas : public QWidget {
     /// About the middle of the view.
     void zoom(double factor);
     void zoomTo(double scale); // pixels a metre
+    /// The whole level in view, and again whenever the canvas changes its size, until the view is moved.
     void fitLevel();
     void centerSelection();
     void frameSelection();
@@ -82,6 +83,7 @@ class Canvas : public QWidget {
     LayerCache m_layer;
     OverlayFlags m_overlays;
     bool m_grid = true;
+    bool m_fitted = false; // since the last fitLevel() nobody has moved the view
 
     Drag m_drag = Drag::None;
     bool m_spaceHeld = false;

@@ -1,6 +1,7 @@
 #include "editor/canvas/canvas.h"
 
 #include "core/level/bounds.h"
+#include "core/level/edits.h"
 
 #include "editor/window/preferences.h"
 #include "tests/support/test_main.h"
@@ -34,6 +35,13 @@ void dragWith(Canvas& canvas, Qt::MouseButton button, const QPoint& from, const 
     QTest::mouseRelease(&canvas, button, {}, to);
 }
 
+Level levelWithABall() {
+    Object ball;
+    ball.key = 1;
+    ball.data = BodyObject{.shapes = {Circle{{0, 0}, 1}}, .position = {3, 2}};
+    return added(Level{}, ball);
+}
+
 } // namespace
 
 class CanvasTest : public QObject {
@@ -57,6 +65,23 @@ class CanvasTest : public QObject {
         wheel(test.canvas(), at, notches, Qt::KeyboardModifiers(modifiers));
         QVERIFY((worldAt(test.canvas(), at) - before).norm() < 1e-9);
         QVERIFY(notches > 0 ? test.canvas().view().scale > scale : test.canvas().view().scale < scale);
+    }
+
+    void aFittedLevelStaysFittedUntilTheViewIsMoved() {
+        Document document(levelWithABall());
+        Toolbox toolbox(document);
+        Canvas canvas(document, toolbox);
+        canvas.resize(800, 600);
+        canvas.show();
+        canvas.fitLevel();
+        const double fitted = canvas.view().scale;
+        canvas.resize(400, 300);
+        QVERIFY(canvas.view().scale < 0.6 * fitted);
+        QVERIFY(canvas.view().visible().contains(boundsOf(document.level())));
+        wheel(canvas, QPoint(100, 100), 1, {});
+        const double zoomed = canvas.view().scale;
+        canvas.resize(800, 600);
+        QCOMPARE(canvas.view().scale, zoomed);
     }
 
     void zoomingStaysWithinItsLimits() {
