@@ -124,7 +124,7 @@ void VerbsTest::fullTurnComesBackWithoutDrift() {
         QVERIFY(editor.run(rotateSelected(editor.toolbox.context(), std::numbers::pi / 12)));
     }
     for (const Key key : {1u, 4u}) {
-        const auto& before = std::get<BodyObject>(everything().objects.find(key)->data);
+        const BodyObject before = std::get<BodyObject>(everything().objects.find(key)->data);
         QVERIFY((editor.body(key).position - before.position).norm() < 1e-9);
         QVERIFY(std::abs(std::remainder(editor.body(key).angle - before.angle, 2 * std::numbers::pi)) < 1e-9);
     }
