@@ -19,7 +19,7 @@ struct Rot {
     }
 
     /// In (−π, π].
-    double angle() const { return std::atan2(s, c); }
+    double angle() const { return arcTangent(s, c); }
     Vec2 right() const { return {c, s}; }
     Vec2 up() const { return {-s, c}; }
     Rot inverse() const { return {c, -s}; }

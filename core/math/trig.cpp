@@ -47,6 +47,30 @@ double cosNearZero(double x) {
     return one + (((1 - one) - half) + z * z * sum); // what 1 − z/2 lost is put back
 }
 
+constexpr double pi = 0x1.921fb54442d18p+1;
+constexpr double halfPi = 0x1.921fb54442d18p+0;
+
+/// For 0 ≤ t ≤ 1: atan t = atan k/8 + atan (t − k/8)/(1 + t k/8), the rest by its Taylor series.
+double arcTangentOfShare(double t) {
+    constexpr double eighths[] = {0.0,
+                                  0.12435499454676144,
+                                  0.24497866312686414,
+                                  0.35877067027057225,
+                                  0.4636476090008061,
+                                  0.5585993153435624,
+                                  0.6435011087932844,
+                                  0.7188299996216245,
+                                  0.7853981633974483};
+    const double k = std::nearbyint(8 * t);
+    const double r = (t - k / 8) / (1 + t * (k / 8));
+    const double z = r * r;
+    double sum = 1.0 / 17;
+    for (const double odd : {15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0}) {
+        sum = 1.0 / odd - sum * z;
+    }
+    return eighths[static_cast<int>(k)] + (r - r * z * sum);
+}
+
 /// e^r − 1 for |r| ≤ ln 2 / 2, Taylor series.
 double expMinusOneNearZero(double r) {
     double sum = 1.0 / 87178291200;
@@ -79,6 +103,21 @@ SinCos sinCos(double x) {
     default:
         return {-c, s};
     }
+}
+
+double arcTangent(double s, double c) {
+    const double x = std::fabs(c);
+    const double y = std::fabs(s);
+    const bool steep = y > x;
+    const double t = x == 0 && y == 0 ? 0 : (steep ? x / y : y / x);
+    double angle = arcTangentOfShare(t);
+    if (steep) {
+        angle = halfPi - angle;
+    }
+    if (c < 0) {
+        angle = pi - angle;
+    }
+    return s < 0 ? -angle : angle;
 }
 
 double tanhExact(double x) {

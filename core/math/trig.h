@@ -1,6 +1,6 @@
 #pragma once
-// Sine, cosine, exponential and hyperbolic tangent from + − × ÷ and exact IEEE operations alone, so that every compiler
-// and processor computes the same bits. Angles in radians.
+// Sine, cosine, arctangent, exponential and hyperbolic tangent from + − × ÷ and exact IEEE operations alone, so that
+// every compiler and processor computes the same bits. Angles in radians.
 
 #include <cmath>
 
@@ -15,6 +15,8 @@ struct SinCos {
 SinCos sinCos(double x);
 /// Odd, within 1e-15, and strictly between −1 and 1 for every number.
 double tanhExact(double x);
+/// The angle of the point (c, s) in (−π, π], within 1e-15; 0 for the origin.
+double arcTangent(double s, double c);
 /// eˣ, within 2 units in the last place for −700 ≤ x ≤ 700; 0 below and infinite above.
 double expExact(double x);
 

@@ -61,24 +61,30 @@ void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravi
     for (const Slot slot : data.moving) {
         BodyRecord& record = data.records[slot];
         BodyStep& s = data.steps[slot];
-        const double h = record.connected ? step.substep : step.dt;
         s.acceleration = record.force / record.mass;
         s.angularAcceleration = record.inertia > 0 ? record.torque / record.inertia : 0;
         if (record.kind == BodyKind::Dynamic) {
             s.acceleration += gravity;
         }
-        s.linear = freeMotion(record.linearDamping, h);
-        s.angular = freeMotion(record.angularDamping, h);
         if (record.positionFrozen) {
             s.acceleration.setZero();
-            s.linear = {0, 0, 0};
         }
         if (record.rotationFrozen) {
             s.angularAcceleration = 0;
-            s.angular = {0, 0, 0};
         }
         record.force.setZero();
         record.torque = 0;
+    }
+    prepareSteps(data, step);
+}
+
+void prepareSteps(WorldData& data, const IterationStep& step) {
+    for (const Slot slot : data.moving) {
+        const BodyRecord& record = data.records[slot];
+        const double h = record.connected ? step.substep : step.dt;
+        BodyStep& s = data.steps[slot];
+        s.linear = record.positionFrozen ? FreeMotion{0, 0, 0} : freeMotion(record.linearDamping, h);
+        s.angular = record.rotationFrozen ? FreeMotion{0, 0, 0} : freeMotion(record.angularDamping, h);
     }
 }
 
@@ -112,6 +118,7 @@ void advance(WorldData& data, const IterationStep&) {
         m.center += s.fraction * s.shift;
         if (s.turn != 0) {
             m.rotation = turned(m.rotation, s.fraction * s.turn);
+            data.records[slot].turnLeft -= std::abs(s.fraction * s.turn);
         }
     }
 }

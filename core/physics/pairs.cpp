@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace spacetow {
 
@@ -75,16 +76,17 @@ void planRoom(BodyRecord& record, const BodyMotion& m, const BodyStep& s, double
     } else {
         record.centerBox = record.centerBox.grown(pad + way);
     }
-    record.turnLeft = 1.5 * std::abs(m.angularVelocity) * seconds + 0.05;
+    const double turn = 1.5 * std::abs(m.angularVelocity) * seconds + 0.05;
+    record.turnLeft = turn < 1 ? turn : std::numeric_limits<double>::infinity(); // its disc has room for every turn
 }
 
 Aabb roomyBox(const BodyRecord& record, const BodyMotion& m, const Part& part) {
     Aabb box = boundsOf(part, Transform{m.center, m.rotation});
-    // The farthest point of the part sweeps an arc; a full turn covers the disc around the centre of mass.
+    // The farthest point of the part sweeps an arc; great turns cover the disc around the centre of mass.
     const auto* circle = std::get_if<Circle>(&part);
     const bool round = circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
     if (!round) {
-        if (record.turnLeft >= 1) {
+        if (std::isinf(record.turnLeft)) {
             const Vec2 r(record.outerRadius, record.outerRadius);
             box = {m.center - r, m.center + r};
         } else {
@@ -155,6 +157,7 @@ void carryOver(const std::vector<Pair>& old, std::vector<Pair>& pairs) {
             pair.count = from->count;
             pair.points = from->points;
             pair.touching = from->touching;
+            pair.sweep = from->sweep;
         }
     }
 }

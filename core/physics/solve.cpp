@@ -114,6 +114,11 @@ void warmStart(WorldData& data) {
     }
 }
 
+void turn(WorldData& data, Slot slot, double angle) {
+    data.motions[slot].rotation = turned(data.motions[slot].rotation, angle);
+    data.records[slot].turnLeft -= std::abs(angle);
+}
+
 void markPushed(WorldData& data, double dt) {
     for (const Constraint& c : data.constraints) {
         for (int i = 0; i < c.count; ++i) {
@@ -169,8 +174,8 @@ void pushOut(WorldData& data, const IterationStep& step) {
             const double push = std::min(share * excess, pushOutSpeed * step.dt) * p.normalMass;
             on.a.center -= push * on.a.inverseMass * c.normal;
             on.b.center += push * on.b.inverseMass * c.normal;
-            on.a.rotation = turned(on.a.rotation, -push * on.a.inverseInertia * cross(p.armA, c.normal));
-            on.b.rotation = turned(on.b.rotation, push * on.b.inverseInertia * cross(p.armB, c.normal));
+            turn(data, c.a, -push * on.a.inverseInertia * cross(p.armA, c.normal));
+            turn(data, c.b, push * on.b.inverseInertia * cross(p.armB, c.normal));
         }
     }
 }

@@ -82,6 +82,7 @@ void World::update(const UpdateParameters& parameters) {
         step.remaining -= step.dt;
         if (applyPending(data, step.index)) {
             prepareStructure(data);
+            prepareSteps(data, step);
             findPairs(data, step);
         }
     }

@@ -87,7 +87,8 @@ class World {
 
     /// Kinetic energy plus potential energy in the gravity of `parameters()` plus that of untruncated connectors, J.
     double energy() const;
-    /// Over everything that decides the future: equal hashes, equal futures.
+    /// Over everything that decides the future but the shapes and a connector's own function: worlds made of the same
+    /// definitions and with equal hashes have equal futures.
     std::uint64_t hash() const;
 
     /// The arrays themselves, for the stages of the update and the queries.

@@ -21,14 +21,32 @@ void addBodyState(StateHash& hash, const BodyMotion& m, const BodyRecord& r) {
     hash.add(m.rotation.s);
     add(hash, m.velocity);
     hash.add(m.angularVelocity);
-    hash.add(m.inverseMass);
-    hash.add(m.inverseInertia);
+    for (const double x : {r.mass, r.inertia, r.restitution, r.friction, r.linearDamping, r.angularDamping}) {
+        hash.add(x);
+    }
     add(hash, r.force);
     hash.add(r.torque);
     const std::uint64_t flags = std::uint64_t{r.used} | std::uint64_t{r.active} << 1 | std::uint64_t{r.tangible} << 2 |
                                 std::uint64_t{r.positionFrozen} << 3 | std::uint64_t{r.rotationFrozen} << 4;
     hash.add(flags | std::uint64_t{r.generation} << 32);
     hash.add(r.filter.tags.bits | std::uint64_t{r.filter.touches.bits} << 32);
+}
+
+void addConnectorState(StateHash& hash, const ConnectorRecord& c) {
+    hash.add(std::uint64_t{c.a} << 32 | c.b);
+    add(hash, c.anchorA);
+    add(hash, c.anchorB);
+    for (const double x : {c.length, c.stiffness, c.damping, c.truncation.limit, c.truncation.proportion}) {
+        hash.add(x);
+    }
+    hash.add(std::uint64_t{c.used} | std::uint64_t{c.slack} << 1 | std::uint64_t{c.bodiesCollide} << 2 |
+             static_cast<std::uint64_t>(c.truncation.rule) << 3);
+}
+
+void addParameters(StateHash& hash, const UpdateParameters& p) {
+    add(hash, p.gravity);
+    hash.add(p.seconds);
+    hash.add(static_cast<std::uint64_t>(p.iterations) << 32 | static_cast<std::uint64_t>(p.substeps));
 }
 
 } // namespace
@@ -58,15 +76,17 @@ double World::energy() const {
 std::uint64_t World::hash() const {
     const WorldData& data = *m_data;
     StateHash hash;
+    addParameters(hash, data.parameters);
     for (Slot slot = 0; slot < data.records.size(); ++slot) {
         addBodyState(hash, data.motions[slot], data.records[slot]);
     }
     for (const ConnectorRecord& c : data.connectors) {
-        hash.add(std::uint64_t{c.a} << 32 | c.b);
-        hash.add(std::uint64_t{c.used});
-        hash.add(c.length);
-        hash.add(c.stiffness);
-        hash.add(c.damping);
+        addConnectorState(hash, c);
+    }
+    for (const PendingChange& change : data.pending) {
+        hash.add(std::uint64_t{change.body.index} << 32 | change.body.generation);
+        hash.add(static_cast<std::uint64_t>(change.kind) | std::uint64_t{change.first} << 8 |
+                 std::uint64_t{change.second} << 9);
     }
     for (const Pair& pair : data.pairs) {
         if (!pair.touching && pair.count == 0) {

@@ -20,6 +20,8 @@ class TrigTest : public QObject {
     void hugeAnglesStayBounded();
     void tanhIsThatOfTheLibrary();
     void tanhIsOddAndMonotonicAndInsideItsLimits();
+    void theArctangentIsThatOfTheLibraryInEveryDirection();
+    void theExponentialIsThatOfTheLibrary();
 };
 
 void TrigTest::sineAndCosineAreThoseOfTheLibrary() {
@@ -106,6 +108,33 @@ void TrigTest::tanhIsOddAndMonotonicAndInsideItsLimits() {
         QVERIFY(tanhExact(x) < 1 && tanhExact(x) > 0.999999);
         QVERIFY(tanhExact(-x) > -1);
     }
+}
+
+void TrigTest::theArctangentIsThatOfTheLibraryInEveryDirection() {
+    Random random(3);
+    for (int i = 0; i < 200000; ++i) {
+        const double y = random.uniform(-1, 1);
+        const double x = random.uniform(-1, 1);
+        QVERIFY2(std::fabs(arcTangent(y, x) - std::atan2(y, x)) <= 1e-15, QByteArray::number(std::atan2(y, x)));
+    }
+    QCOMPARE(arcTangent(0, 1), 0.0);
+    QCOMPARE(arcTangent(0, 0), 0.0);
+    QCOMPARE(arcTangent(1, 0), std::numbers::pi / 2);
+    QCOMPARE(arcTangent(-1, 0), -std::numbers::pi / 2);
+    QCOMPARE(arcTangent(0, -1), std::numbers::pi);
+    QCOMPARE(arcTangent(-0.0, -1), std::numbers::pi);
+}
+
+void TrigTest::theExponentialIsThatOfTheLibrary() {
+    Random random(4);
+    for (int i = 0; i < 200000; ++i) {
+        const double x = random.uniform(-700, 700);
+        QVERIFY2(std::fabs(expExact(x) / std::exp(x) - 1) <= 1e-15, QByteArray::number(x));
+    }
+    QCOMPARE(expExact(0), 1.0);
+    QCOMPARE(expExact(-1000), 0.0);
+    QVERIFY(std::isinf(expExact(1000)));
+    QVERIFY(std::isnan(expExact(std::numeric_limits<double>::quiet_NaN())));
 }
 
 SPACETOW_TEST(TrigTest)
