@@ -87,7 +87,7 @@ Controls Autopilot::fly(const Session& session, const std::vector<Waypoint>& rou
     Controls controls;
     const Vec2 nose = ship.pose.rotation.up();
     const double ahead = force.dot(nose);
-    const double error = std::atan2(cross(nose, force), ahead); // rad, to turn left by
+    const double error = arcTangent(cross(nose, force), ahead); // rad, to turn left by
     const double turn =
         (m_habits.attitudeGain * error - m_habits.attitudeDamping * ship.angularVelocity) / ship::steering;
     // Keys are on or off; what a whole update of a key is too much for is saved up.

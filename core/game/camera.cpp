@@ -1,5 +1,7 @@
 #include "core/game/camera.h"
 
+#include "core/math/trig.h"
+
 namespace spacetow {
 
 void Camera::snapTo(const Vec2& target) {
@@ -14,7 +16,7 @@ void Camera::follow(const Vec2& target, double seconds) {
     if (!std::isfinite(distance) || distance <= freeRadius) {
         return;
     }
-    const double left = freeRadius + (distance - freeRadius) * std::exp(-rate * seconds);
+    const double left = freeRadius + (distance - freeRadius) * expExact(-rate * seconds);
     m_position = target - gap * (left / distance);
 }
 
