@@ -48,6 +48,10 @@ Unsaved askAboutChanges(QWidget* parent, const QString& name) {
                                             : Unsaved::Cancel;
 }
 
+QString exampleName() {
+    return FileWords::tr("The example");
+}
+
 /// One problem a line, the first few of them.
 QString listed(const std::vector<Problem>& problems) {
     QString text;
@@ -119,6 +123,7 @@ bool Files::startNew() {
     m_path.clear();
     m_untitled.clear();
     m_document.reset(Level());
+    opened.emit();
     changed.emit();
     return true;
 }
@@ -130,47 +135,65 @@ bool Files::chooseAndOpen() {
 
 bool Files::open(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    const Result<LevelFile> file = readLevel(toPath(absolute));
+    std::optional<LevelFile> file = readable(absolute);
+    const bool modified = m_document.isModified();
+    if (!file || !mayLeave()) {
+        return false;
+    }
+    if (modified) {
+        file = readable(absolute); // what was just saved may be this very file
+    }
     if (!file) {
-        preferences.removeRecent(absolute);
-        m_tell(MessageBar::Tone::Error, sentence(file.error()));
         return false;
     }
-    if (!adopt(file.value(), absolute)) {
-        return false;
-    }
+    adopt(*file, absolute);
     preferences.addRecent(absolute);
     return true;
 }
 
 bool Files::openExample(const QString& resource) {
     QFile file(resource);
-    if (!file.open(QIODevice::ReadOnly) || !adopt(parseLevel(file.readAll().toStdString()), QString())) {
+    if (!file.open(QIODevice::ReadOnly)) {
         return false;
     }
+    const LevelFile example = parseLevel(file.readAll().toStdString());
+    if (!holdsLevel(example, exampleName()) || !mayLeave()) {
+        return false;
+    }
+    adopt(example, QString());
     m_untitled = QFileInfo(resource).fileName();
     changed.emit();
     return true;
 }
 
-bool Files::adopt(const LevelFile& file, const QString& path) {
-    const QString shownName = path.isEmpty() ? FileWords::tr("The example") : QFileInfo(path).fileName();
+std::optional<LevelFile> Files::readable(const QString& path) {
+    Result<LevelFile> file = readLevel(toPath(path));
+    if (!file) {
+        preferences.removeRecent(path);
+        m_tell(MessageBar::Tone::Error, sentence(file.error()));
+        return {};
+    }
+    return holdsLevel(file.value(), QFileInfo(path).fileName()) ? std::optional(std::move(file.value())) : std::nullopt;
+}
+
+bool Files::holdsLevel(const LevelFile& file, const QString& shownName) {
     if (!file.level) {
         m_tell(MessageBar::Tone::Error, FileWords::tr("%1 cannot be opened.").arg(shownName) + listed(file.problems));
-        return false;
     }
-    if (!mayLeave()) {
-        return false;
-    }
+    return file.level.has_value();
+}
+
+void Files::adopt(const LevelFile& file, const QString& path) {
     m_path = path;
     m_untitled.clear();
     m_document.reset(*file.level);
     const std::vector<Problem> problems = ofFileOnly(file);
     if (!problems.empty()) {
+        const QString shownName = path.isEmpty() ? exampleName() : QFileInfo(path).fileName();
         m_tell(MessageBar::Tone::Warning, FileWords::tr("%1 was opened, but:").arg(shownName) + listed(problems));
     }
+    opened.emit();
     changed.emit();
-    return true;
 }
 
 bool Files::writeTo(const QString& path) {

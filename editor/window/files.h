@@ -49,10 +49,15 @@ class Files {
     QString name() const;
 
     Signal<> changed; // path or name
+    Signal<> opened;  // the document holds another level
     Preferences preferences;
 
   private:
-    bool adopt(const LevelFile& file, const QString& path);
+    /// What the file holds; tells why when that is no level.
+    std::optional<LevelFile> readable(const QString& path);
+    bool holdsLevel(const LevelFile& file, const QString& shownName);
+    /// The file must hold a level. The path is empty for an example.
+    void adopt(const LevelFile& file, const QString& path);
     bool writeTo(const QString& path);
     QString suggestion() const;
 

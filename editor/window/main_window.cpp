@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 
 namespace spacetow {
 
@@ -70,6 +71,7 @@ void MainWindow::layOut() {
 
 bool MainWindow::open(const QString& path) {
     stopPlaying();
+    enterTyping();
     m_message.dismiss();
     return m_files.open(path);
 }
@@ -86,6 +88,7 @@ void MainWindow::play() {
     if (isPlaying()) {
         return;
     }
+    enterTyping();
     m_toolbox.cancel();
     m_problems.check();
     if (m_problems.errors() > 0) {
@@ -114,6 +117,16 @@ void MainWindow::finish(const std::optional<FinishedEdit>& finished) {
     m_toolbox.finish(finished);
 }
 
+void MainWindow::enterTyping() {
+    const QPointer<QWidget> typing = focusWidget();
+    if (typing && (m_inspectorDock.isAncestorOf(typing) || m_problemsDock.isAncestorOf(typing))) {
+        typing->clearFocus(); // fields enter their text when they lose the focus
+        if (typing && typing->isVisible()) {
+            typing->setFocus();
+        }
+    }
+}
+
 void MainWindow::showObject(Key key) {
     if (m_document.level().objects.find(key) != nullptr) {
         m_document.select(Selection({key}));
@@ -124,6 +137,7 @@ void MainWindow::showObject(Key key) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    enterTyping();
     m_toolbox.cancel();
     if (!m_files.mayLeave()) {
         event->ignore();

@@ -70,6 +70,8 @@ class MainWindow : public QMainWindow {
     void listen();
 
     void finish(const std::optional<FinishedEdit>& finished);
+    /// Enters what is still being typed in a panel, so that no save, question or game misses it.
+    void enterTyping();
     void copyToClipboard();
     void pasteFromClipboard(bool inPlace);
     void setOverlays();

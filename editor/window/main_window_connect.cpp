@@ -44,6 +44,9 @@ void MainWindow::listen() {
     m_files.changed.connect([this] {
         updateTitle();
         updateHistory();
+    });
+    m_files.opened.connect([this] {
+        m_toolbox.cancel();
         m_canvas.fitLevel();
     });
     connect(&m_canvas, &Canvas::pointerMoved, &m_status, &StatusLine::setPointer);
@@ -59,21 +62,24 @@ void MainWindow::listen() {
 
 void MainWindow::connectFiles() {
     m_actions.on(Act::New, [this] {
+        enterTyping();
         m_message.dismiss();
         m_files.startNew();
     });
     m_actions.on(Act::Open, [this] {
+        enterTyping();
         m_message.dismiss();
         m_files.chooseAndOpen();
     });
-    const auto saved = [this](bool done) {
-        if (done) {
+    const auto saved = [this](bool (Files::*save)()) {
+        enterTyping();
+        if ((m_files.*save)()) {
             m_message.dismiss();
             m_status.showMessage(tr("Saved %1").arg(m_files.path()), 4000);
         }
     };
-    m_actions.on(Act::Save, [this, saved] { saved(m_files.save()); });
-    m_actions.on(Act::SaveAs, [this, saved] { saved(m_files.saveAs()); });
+    m_actions.on(Act::Save, [this, saved] { saved(&Files::save); });
+    m_actions.on(Act::SaveAs, [this, saved] { saved(&Files::saveAs); });
     m_actions.on(Act::Quit, [this] { close(); });
 }
 

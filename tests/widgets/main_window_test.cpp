@@ -13,6 +13,7 @@ using namespace spacetow;
 using spacetow::test::TestWindow;
 
 Q_DECLARE_METATYPE(spacetow::Unsaved)
+Q_DECLARE_METATYPE(spacetow::Act)
 
 class MainWindowTest : public QObject {
     Q_OBJECT
@@ -127,6 +128,84 @@ class MainWindowTest : public QObject {
         QCOMPARE(test.window->close(), closes);
         QCOMPARE(test.asked, 1);
         QCOMPARE(QFile::exists(test.toSave), writes);
+    }
+
+    void reopeningAfterSavingShowsWhatWasSaved() {
+        TestWindow test;
+        const QString path = test.file("level.json");
+        QVERIFY(!writeLevel(path.toStdString(), Level()));
+        QVERIFY(test.window->open(path));
+        test.drawWalls();
+        const Level drawn = test.level();
+        test.unsaved = Unsaved::Save;
+        QVERIFY(test.window->open(path));
+        QCOMPARE(test.asked, 1);
+        QVERIFY(test.level() == drawn);
+        QVERIFY(!test.window->isWindowModified());
+    }
+
+    void savingLeavesTheViewAsItIs() {
+        TestWindow test;
+        test.window->openExample();
+        test.trigger(Act::ZoomIn);
+        const double scale = test.canvas().view().scale;
+        const Vec2 centre = test.canvas().view().toWorld(Vec2(0, 0));
+        test.toSave = test.file("level.json");
+        test.trigger(Act::Save);
+        test.trigger(Act::SaveAs);
+        QCOMPARE(test.canvas().view().scale, scale);
+        QCOMPARE(test.canvas().view().toWorld(Vec2(0, 0)), centre);
+        QVERIFY(test.window->open(test.toSave));
+        QVERIFY(test.canvas().view().scale != scale);
+    }
+
+    void aHalfDrawnShapeStaysBehindWhenAnotherLevelIsOpened_data() {
+        QTest::addColumn<bool>("file");
+        QTest::newRow("new") << false;
+        QTest::newRow("open") << true;
+    }
+    void aHalfDrawnShapeStaysBehindWhenAnotherLevelIsOpened() {
+        QFETCH(bool, file);
+        TestWindow test;
+        test.toOpen = test.file("level.json");
+        QVERIFY(!writeLevel(test.toOpen.toStdString(), Level()));
+        test.trigger(Act::ToolEdge);
+        test.click(-2, -2);
+        test.click(2, -2);
+        QVERIFY(test.window->toolbox().isBusy());
+        test.trigger(file ? Act::Open : Act::New);
+        QVERIFY(!test.window->toolbox().isBusy());
+    }
+
+    void whatIsStillBeingTypedIsNotLost_data() {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<Act>("act");
+        for (const char* id : {"gravity.x", "name", "description"}) {
+            for (const Act act : {Act::Save, Act::SaveAs, Act::New, Act::Open, Act::Play, Act::Quit}) {
+                QTest::addRow("%s %d", id, static_cast<int>(act)) << QString(id) << act;
+            }
+        }
+    }
+    void whatIsStillBeingTypedIsNotLost() {
+        QFETCH(QString, id);
+        QFETCH(Act, act);
+        TestWindow test;
+        test.toSave = test.file("level.json");
+        test.toOpen = test.toSave;
+        QVERIFY(!writeLevel(test.toSave.toStdString(), Level()));
+        test.unsaved = Unsaved::Save;
+        QWidget* field = test.window->inspector().form().editor(id.toUtf8().constData());
+        field->setFocus();
+        QTest::keyClicks(field, "7");
+        QVERIFY(test.level() == Level());
+        test.trigger(act);
+        if (act == Act::Play) {
+            QVERIFY(!(test.level() == Level()));
+            return;
+        }
+        const Result<LevelFile> saved = readLevel(test.toSave.toStdString());
+        QVERIFY(bool(saved) && saved.value().level);
+        QVERIFY(!(*saved.value().level == Level()));
     }
 
     void closingAsksNothingWhenNothingChanged() {
