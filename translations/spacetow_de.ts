@@ -1979,5 +1979,9 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <source>There is a tag of this name already.</source>
         <translation>Es gibt schon ein Merkmal mit diesem Namen.</translation>
     </message>
+    <message>
+        <source>That is how a tag without a name is written.</source>
+        <translation>So wird ein Merkmal ohne Namen geschrieben.</translation>
+    </message>
 </context>
 </TS>

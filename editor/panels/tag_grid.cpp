@@ -1,5 +1,7 @@
 #include "editor/panels/tag_grid.h"
 
+#include "core/level/key_text.h"
+
 #include <QColorDialog>
 #include <QKeyEvent>
 #include <QMenu>
@@ -192,15 +194,22 @@ void TagGrid::edit(int index) {
     m_name.selectAll();
 }
 
+QString TagGrid::objectionTo(const QString& name, int index) const {
+    const std::optional<int> taken = m_table.indexOf(name.toStdString());
+    if (taken && *taken != index) {
+        return tr("There is a tag of this name already.");
+    }
+    return unnamedTag(name.toStdString()) < 0 ? QString() : tr("That is how a tag without a name is written.");
+}
+
 void TagGrid::endEdit(bool keep) {
     if (!m_edited) {
         return;
     }
     const int index = *m_edited;
     const QString name = m_name.text().trimmed();
-    const std::optional<int> taken = m_table.indexOf(name.toStdString());
-    if (keep && taken && *taken != index) {
-        QToolTip::showText(m_name.mapToGlobal(QPoint(0, m_name.height())), tr("There is a tag of this name already."));
+    if (const QString objection = keep ? objectionTo(name, index) : QString(); !objection.isEmpty()) {
+        QToolTip::showText(m_name.mapToGlobal(QPoint(0, m_name.height())), objection);
         return;
     }
     m_edited.reset();

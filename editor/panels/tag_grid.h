@@ -54,6 +54,8 @@ class TagGrid : public QWidget {
     void rebuild(TagMask shown);
     void openMenu(int index, const QPoint& global);
     void edit(int index);
+    /// Why the tag cannot have this name; empty when it can.
+    QString objectionTo(const QString& name, int index) const;
     void endEdit(bool keep);
     void recolour(int index);
     std::optional<int> freeIndex() const;

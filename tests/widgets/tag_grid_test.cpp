@@ -97,6 +97,8 @@ class TagGridTest : public QObject {
                                        << "rock";
         QTest::newRow("taken") << "ship"
                                << "wall";
+        QTest::newRow("spelling of a tag without a name") << "#3"
+                                                          << "wall";
         QTest::newRow("nothing") << " "
                                  << "wall";
         QTest::newRow("the same") << "wall"
