@@ -1,6 +1,6 @@
 #pragma once
 // Level files: JSON as laid down in levels/README.md. Reading reports every problem with its line and JSON pointer;
-// writing is atomic. A file that was read and written unchanged is the same to the byte.
+// writing is atomic. A file that the program wrote, read and saved unchanged, is the same to the byte.
 
 #include "core/base/result.h"
 #include "core/level/problem.h"
@@ -29,10 +29,12 @@ std::string levelText(const Level& level);
 /// Codes: "cannot-read" (path, reason), "file-too-large" (path, bytes allowed).
 Result<LevelFile> readLevel(const std::filesystem::path& path);
 /// Writes beside the file, flushes and renames, so that the old file stays whole when anything fails.
-/// Links are followed and the mode of the old file is kept. Codes: "cannot-write" (path, reason), "not-finite" (field).
+/// Links are followed and the mode of the old file is kept. Codes: "cannot-write" (path, reason), "file-too-large"
+/// (path, bytes allowed) and those of notWritable.
 std::optional<Error> writeLevel(const std::filesystem::path& path, const Level& level);
 
-/// Why JSON cannot hold the level: a number that is not finite. Code: "not-finite" (field).
+/// Why a file of the level could not be read again. Codes: "not-finite" (field), "bad-tag-name" (name),
+/// "duplicate-tag" (name), "too-many-vertices" (number allowed).
 std::optional<Error> notWritable(const Level& level);
 
 /// Objects as text and back, for the clipboard. Parsing gives the objects and a list of problems: one with an error is

@@ -149,6 +149,10 @@ std::optional<Error> writeLevel(const fs::path& path, const Level& level) {
     if (std::optional<Error> error = notWritable(level)) {
         return error;
     }
+    const std::string text = levelText(level);
+    if (text.size() > maxLevelBytes) {
+        return Error{"file-too-large", {path.string(), std::to_string(maxLevelBytes)}};
+    }
     const fs::path file = target(path);
     struct stat info {};
     const bool exists = ::stat(file.c_str(), &info) == 0;
@@ -163,7 +167,7 @@ std::optional<Error> writeLevel(const fs::path& path, const Level& level) {
         return cannot("cannot-write", path, errno);
     }
     const fs::path temporary = temporaryBeside(file);
-    int error = writeTemporary(temporary, levelText(level), exists ? &info : nullptr);
+    int error = writeTemporary(temporary, text, exists ? &info : nullptr);
     if (error == 0 && std::rename(temporary.c_str(), file.c_str()) != 0) {
         error = errno;
     }

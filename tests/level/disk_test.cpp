@@ -118,6 +118,37 @@ class DiskTest : public QObject {
         QCOMPARE(read.value().problems.at(0).code, std::string("empty-file"));
     }
 
+    void whatCouldNotBeReadAgainIsNotSaved_data() {
+        QTest::addColumn<QString>("code");
+        for (const char* code :
+             {"file-too-large", "too-many-vertices", "bad-tag-name", "duplicate-tag", "not-finite"}) {
+            QTest::newRow(code) << code;
+        }
+    }
+    void whatCouldNotBeReadAgainIsNotSaved() {
+        QFETCH(QString, code);
+        Level level;
+        if (code == "file-too-large") {
+            level.description.assign(maxLevelBytes, 'x');
+        } else if (code == "too-many-vertices") {
+            BodyObject body;
+            body.shapes = {EdgeChain{std::vector<Vec2>(500'000, Vec2(0, 0))},
+                           LineChain{std::vector<Vec2>(500'001, Vec2(0, 0))}};
+            level.objects.append({1, {}, body, {}});
+        } else if (code == "bad-tag-name") {
+            level.tags.set(7, {"#3", 0});
+        } else if (code == "duplicate-tag") {
+            level.tags.set(7, level.tags[wallTag]);
+        } else {
+            level.gravity.x() = NAN;
+        }
+        const QString path = m_folder->filePath("level.json");
+        const std::optional<Error> error = writeLevel(native(path), level);
+        QVERIFY(error);
+        QCOMPARE(QString::fromStdString(error->code), code);
+        QVERIFY(!QFile::exists(path));
+    }
+
     void savingKeepsTheModeOfTheFile() {
         const QString path = m_folder->filePath("level.json");
         QCOMPARE(writeLevel(native(path), Level()), std::nullopt);
