@@ -21,7 +21,7 @@ struct Command {
 constexpr Command commands[] = {
     {"check", checkCommand, "check FILE… [--json]"},
     {"info", infoCommand, "info FILE"},
-    {"render", renderCommand, "render FILE -o OUT.png|OUT.svg [--size WxH] [--overlays LIST]"},
+    {"render", renderCommand, "render FILE -o OUT.png|OUT.svg [--size WxH] [--overlays LIST] [--replay REPLAY]"},
     {"simulate", simulateCommand, "simulate FILE --updates N [--dump OUT.json] [--hash]"},
     {"replay", replayCommand, "replay FILE REPLAY [--dump OUT.json]"},
 };
