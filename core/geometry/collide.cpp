@@ -9,6 +9,10 @@ namespace {
 
 Manifold flipped(Manifold manifold) {
     manifold.normal = -manifold.normal;
+    if (manifold.normalOf != NormalOf::Corners) {
+        const bool first = manifold.normalOf == NormalOf::FirstFace;
+        manifold.normalOf = first ? NormalOf::SecondFace : NormalOf::FirstFace;
+    }
     return manifold;
 }
 
@@ -28,6 +32,7 @@ Manifold circleAgainstCircle(const Circle& a, const Circle& b, double margin) {
     const double distance = apart.norm();
     const double separation = distance - (a.radius + b.radius);
     if (!(separation <= margin)) {
+        manifold.apart = separation;
         return manifold;
     }
     manifold.normal = distance > 0 ? Vec2(apart / distance) : Vec2(0, 1);
@@ -69,7 +74,34 @@ struct PairCollider {
     Manifold operator()(const ConvexPart& a, const WallPart& b) const { return flipped(reversed()(b, a)); }
 };
 
+/// How far a circle is at least from what is solid of a wall; 0 when that is not known.
+double clearance(const WallPart& wall, const Circle& circle) {
+    const Vec2 along = wall.b - wall.a;
+    const double length = along.norm();
+    const double t = along.dot(circle.center - wall.a) / length;
+    const double beyond = std::max({t - length, -t, 0.0});
+    const double above = cross(along, circle.center - wall.a) / length;
+    const double beside = wall.oneWay ? std::max(above, 0.0) : above;
+    return std::max(std::sqrt(beyond * beyond + beside * beside) - circle.radius, 0.0);
+}
+
+struct CircleCollider {
+    const Circle& circle;
+    double margin;
+
+    Manifold operator()(const Circle& part) const { return circleAgainstCircle(part, circle, margin); }
+    Manifold operator()(const ConvexPart& part) const { return convexAgainstCircle(part, circle, margin); }
+    Manifold operator()(const WallPart& part) const {
+        const Manifold manifold = wallAgainstCircle(part, circle, margin);
+        return manifold.count > 0 ? manifold : noContact(clearance(part, circle));
+    }
+};
+
 } // namespace
+
+Manifold collideCircle(const Part& part, const Circle& circle, double margin) {
+    return std::visit(CircleCollider{circle, margin}, part);
+}
 
 Manifold collide(const Part& a, const Transform& poseA, const Part& b, const Transform& poseB, double margin) {
     return std::visit(PairCollider{poseA, poseB, margin}, a, b);

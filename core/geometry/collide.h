@@ -15,12 +15,20 @@ struct ManifoldPoint {
     std::uint32_t feature = 0; // the same while the same corners and faces meet
 };
 
+/// Whose face a normal belongs to, and so with whom it turns; that between two corners turns with neither.
+enum class NormalOf : std::uint8_t { Corners, FirstFace, SecondFace };
+
 /// At most two points that share one normal; no point when the parts are further apart than the margin.
 struct Manifold {
     Vec2 normal{0, 1}; // unit, from the first part to the second
     std::array<ManifoldPoint, 2> points;
     int count = 0;
+    NormalOf normalOf = NormalOf::Corners;
+    double apart = 0; // m: without a point, the parts are at least this far from each other
 };
+
+/// Contact of a part with a circle, both in the same coordinates; the normal points from the part to the circle.
+Manifold collideCircle(const Part& part, const Circle& circle, double margin);
 
 /// Contact of two parts no further apart than `margin` metres (≥ 0). Swapping the arguments swaps the normal and
 /// changes nothing else. Two walls never touch each other.

@@ -90,7 +90,7 @@ Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, dou
     for (int i = 0; i < convex.count; ++i) {
         const double s = normalOf(convex, i).dot(circle.center - cornerOf(convex, i));
         if (s - circle.radius > margin) {
-            return manifold;
+            return noContact(s - circle.radius);
         }
         if (s > separation) {
             separation = s;

@@ -71,6 +71,7 @@ Manifold faceManifold(const ConvexPart& reference, int face, const ConvexPart& o
                                     {cornerOf(other, corners[0]), cornerOf(other, corners[1])});
     Manifold manifold;
     manifold.normal = swapped ? Vec2(-normal) : normal;
+    manifold.normalOf = swapped ? NormalOf::SecondFace : NormalOf::FirstFace;
     for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
         const ClippedPoint& clip = clipped.points[i];
         const double separation = normal.dot(clip.point - from);
@@ -182,11 +183,11 @@ Manifold apartManifold(const ConvexPart& a, const ConvexPart& b, double margin) 
 Manifold convexAgainstConvex(const ConvexPart& a, const ConvexPart& b, double margin) {
     const Axis ofA = bestAxis(a, b, margin);
     if (ofA.separation > margin) {
-        return {};
+        return noContact(ofA.separation);
     }
     const Axis ofB = bestAxis(b, a, margin);
     if (ofB.separation > margin) {
-        return {};
+        return noContact(ofB.separation);
     }
     if (std::max(ofA.separation, ofB.separation) > tie) {
         if (!isCut(a) && !isCut(b)) {

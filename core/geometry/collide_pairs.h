@@ -80,6 +80,12 @@ inline std::uint32_t featureId(unsigned kind, int first, int second) {
     return kind << 16 | static_cast<unsigned>(first) << 8 | static_cast<unsigned>(second);
 }
 
+inline Manifold noContact(double apart) {
+    Manifold manifold;
+    manifold.apart = apart;
+    return manifold;
+}
+
 inline void addPoint(Manifold& manifold, const Vec2& point, double separation, std::uint32_t feature) {
     manifold.points[static_cast<std::size_t>(manifold.count++)] = {point, separation, feature};
 }

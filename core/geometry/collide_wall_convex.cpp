@@ -42,6 +42,7 @@ Manifold faceManifold(const Pair& pair, int face) {
                                     {cornerOf(convex, corners[0]), cornerOf(convex, corners[1])});
     Manifold manifold;
     manifold.normal = side.normal;
+    manifold.normalOf = NormalOf::FirstFace;
     for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
         const ClippedPoint& clip = clipped.points[i];
         const double separation = side.above(clip.point);
@@ -87,6 +88,7 @@ Manifold heldManifold(const Pair& pair) {
 Manifold pointUnderFace(const Pair& pair, const WallEnd& end, int face) {
     Manifold manifold;
     manifold.normal = -normalOf(pair.convex, face);
+    manifold.normalOf = NormalOf::SecondFace;
     const double separation = normalOf(pair.convex, face).dot(end.point - cornerOf(pair.convex, face));
     addPoint(manifold, end.point + 0.5 * separation * manifold.normal, separation,
              pair.id(underFace, face, &end == &pair.side.end ? 1 : 0));
@@ -101,6 +103,7 @@ Manifold wallUnderFace(const Pair& pair, const WallEnd& end, int face) {
     const auto clipped = clipToFace(from, leftOf(normal), length, {pair.side.start.point, pair.side.end.point});
     Manifold manifold;
     manifold.normal = -normal;
+    manifold.normalOf = NormalOf::SecondFace;
     for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
         const ClippedPoint& clip = clipped.points[i];
         const WallEnd& own = i == 0 ? pair.side.start : pair.side.end;
@@ -264,7 +267,7 @@ Manifold frontManifold(const Pair& pair) {
     const double above = side.above(cornerOf(pair.convex, deepestCorner(pair.convex, side.normal)));
     const FaceChoice choice = chooseFace(pair, nullptr);
     if (std::max(above, choice.deepest) > pair.margin) {
-        return {};
+        return noContact(std::max(above, choice.deepest));
     }
     if (std::max(above, choice.deepest) > tie) {
         return apartManifold(pair);
@@ -351,12 +354,14 @@ Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, doubl
     const bool inFront =
         pair.side.above(convex.center) >= -onTheFace || (!wall.oneWay && isOnRight(wall, convex.center) == right);
     if (inFront) {
-        if (pair.side.above(cornerOf(convex, deepestCorner(convex, pair.side.normal))) > margin) {
-            return {};
+        const double above = pair.side.above(cornerOf(convex, deepestCorner(convex, pair.side.normal)));
+        if (above > margin) {
+            return noContact(above);
         }
         const Extent extent = extentAlong(pair.side, convex);
-        if (extent.from > pair.side.length + margin || extent.to < -margin) {
-            return {};
+        const double beyond = std::max(extent.from - pair.side.length, -extent.to);
+        if (beyond > margin) {
+            return noContact(beyond);
         }
         if (extent.from >= 0 && extent.to <= pair.side.length) {
             return faceManifold(pair);

@@ -30,6 +30,19 @@ std::uint32_t MovingQuadtree::cellAlong(int axis, double coordinate) const {
     return static_cast<std::uint32_t>(std::clamp(cell, 0.0, m_side - 1.0));
 }
 
+void MovingQuadtree::insert(std::uint32_t number, const Aabb& box) {
+    const std::uint32_t left = column(box.min.x());
+    const std::uint32_t right = column(box.max.x());
+    const std::uint32_t top = row(box.max.y());
+    for (std::uint32_t y = row(box.min.y()); y <= top; ++y) {
+        for (std::uint32_t x = left; x <= right; ++x) {
+            std::uint32_t& leaf = m_leaves[std::size_t{y} * m_side + x];
+            m_entries.push_back({number, leaf, box});
+            leaf = static_cast<std::uint32_t>(m_entries.size() - 1);
+        }
+    }
+}
+
 void MovingQuadtree::insertAndQuery(std::uint32_t number, const Aabb& box, std::vector<std::uint32_t>& out) {
     const std::uint32_t left = column(box.min.x());
     const std::uint32_t right = column(box.max.x());

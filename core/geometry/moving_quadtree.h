@@ -15,6 +15,8 @@ class MovingQuadtree {
     /// border. Keeps its memory: no allocation when it was as large before.
     void reset(const Aabb& bounds, std::uint32_t count);
 
+    void insert(std::uint32_t number, const Aabb& box);
+
     /// Appends the numbers of the boxes inserted before that overlap `box`, borders included, each once; then inserts
     /// it.
     void insertAndQuery(std::uint32_t number, const Aabb& box, std::vector<std::uint32_t>& out);

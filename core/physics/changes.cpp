@@ -1,28 +1,12 @@
 #include "core/physics/changes.h"
 
+#include "core/physics/touches.h"
+
 #include <algorithm>
 
 namespace spacetow {
 
 namespace {
-
-void endTouches(WorldData& data, Slot slot, int iteration) {
-    for (const SlotPair& pair : data.touching) {
-        if (pair.first != slot && pair.second != slot) {
-            continue;
-        }
-        Slot a = pair.first;
-        Slot b = pair.second;
-        if (data.records[b].serial < data.records[a].serial) {
-            std::swap(a, b);
-        }
-        const bool solid = data.records[a].tangible && data.records[b].tangible;
-        data.events.ended.push_back({iteration, data.idOf(a), data.idOf(b), solid});
-    }
-    std::erase_if(data.touching, [slot](const SlotPair& p) { return p.first == slot || p.second == slot; });
-    std::erase_if(data.pairs, [slot](const Pair& p) { return p.bodyA == slot || p.bodyB == slot; });
-    data.records[slot].touchedTags = {};
-}
 
 void removeNow(WorldData& data, Slot slot, int iteration) {
     endTouches(data, slot, iteration);
@@ -95,6 +79,7 @@ bool applyPending(WorldData& data, int iteration) {
         }
     }
     data.pending.clear();
+    data.bodiesChanged = true;
     refreshConnections(data);
     return true;
 }
@@ -108,6 +93,7 @@ void refreshInverseMass(WorldData& data, Slot slot) {
 }
 
 void refreshConnections(WorldData& data) {
+    data.pairsStale = true;
     data.notColliding.clear();
     for (BodyRecord& record : data.records) {
         record.connected = false;

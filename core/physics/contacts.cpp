@@ -2,265 +2,160 @@
 
 #include "core/geometry/collide.h"
 #include "core/geometry/overlaps.h"
-
-#include <algorithm>
-#include <cmath>
+#include "core/physics/contact_pool.h"
+#include "core/physics/contact_rules.h"
+#include "core/physics/general_contacts.h"
 
 namespace spacetow {
 
 namespace {
 
-// Slower impacts come to rest, m/s.
-constexpr double bounceThreshold = 0.005;
-
 Transform poseOfB(const WorldData& data, const Pair& pair) {
     return pair.staticB ? Transform{} : data.pose(pair.bodyB);
 }
 
-/// Bodies that are out of each other's reach need no manifold.
-bool farApart(const WorldData& data, const Pair& pair, double margin) {
-    if (pair.staticB) {
-        return false;
-    }
-    const double r = data.records[pair.bodyA].outerRadius + data.records[pair.bodyB].outerRadius + margin;
-    return (data.motions[pair.bodyA].center - data.motions[pair.bodyB].center).squaredNorm() > r * r;
+bool isMovable(const BodyMotion& m) {
+    return m.inverseMass > 0 || m.inverseInertia > 0;
 }
 
-/// Anticipation is limited to half the inner radius: beyond it the sweep of fast bodies takes over, whose normal is
-/// that of the impact and not that of the start.
-double anticipation(const WorldData& data, Slot slot) {
-    return std::min(data.steps[slot].reach, 0.5 * data.records[slot].innerRadius);
+Lane roundLane(WorldData& data, const Pair& pair) {
+    static const RoundBatch empty;
+    return openLane(data.batches.roundPlan, data.batches.round, empty, pair.bodyA, isMovable(data.motions[pair.bodyA]),
+                    pair.bodyB, !pair.staticB && isMovable(data.motions[pair.bodyB]));
 }
 
-Vec2 pointVelocity(const BodyMotion& m, const Vec2& arm) {
-    return m.velocity + cross(m.angularVelocity, arm);
-}
-
-struct Approach {
-    double before; // m/s along the normal at the beginning of the iteration, positive when closing
-    double after;  // with this iteration's forces
+/// A round contact's surfaces.
+struct Touch {
+    Vec2 normal; // from a to b
+    double separation;
+    double radiusA, radiusB; // from the centres of mass to the surfaces along the normal; of static bodies 0
+    std::uint32_t feature;
 };
 
-Approach approachAt(const WorldData& data, const Constraint& c, const ConstraintPoint& p) {
-    const BodyStep& sa = data.steps[c.a];
-    const BodyStep& sb = data.steps[c.b];
-    const Vec2 before = sb.startVelocity + cross(sb.startAngularVelocity, p.armB) - sa.startVelocity -
-                        cross(sa.startAngularVelocity, p.armA);
-    const Vec2 after = pointVelocity(data.motions[c.b], p.armB) - pointVelocity(data.motions[c.a], p.armA);
-    return {-before.dot(c.normal), -after.dot(c.normal)};
+/// Without a look at them until they may have met.
+void letGo(WorldData& data, std::uint32_t index, double separation) {
+    Pair& pair = data.table.pairs[index];
+    forgetContact(data, pair);
+    data.table.gates[index].apartUntil =
+        data.steps[pair.bodyA].travelled + data.steps[pair.bodyB].travelled + separation;
 }
 
-enum class Contact : std::uint8_t { Rests, Bounces, WillBounce };
+Approach approach(const WorldData& data, const Pair& pair, const Vec2& normal) {
+    const Vec2 before = data.steps[pair.bodyB].startVelocity - data.steps[pair.bodyA].startVelocity;
+    const Vec2 after = data.motions[pair.bodyB].velocity - data.motions[pair.bodyA].velocity;
+    return {-before.dot(normal), -after.dot(normal)};
+}
 
-/// Sets what the normal velocity is to be. Surfaces that touch bounce at once, and fall back under this iteration's
-/// forces; those still apart are to be stopped where they meet.
-Contact setTarget(const WorldData& data, const Constraint& c, ConstraintPoint& p, double dt) {
-    p.target = p.separation > 0 ? -p.separation / dt : 0;
-    p.bounces = false;
-    if (c.restitution == 0) {
-        return Contact::Rests;
+void addRoundContact(WorldData& data, std::uint32_t index, const Touch& touch, double perSecond) {
+    Pair& pair = data.table.pairs[index];
+    Contact& kept = contactOf(data, pair);
+    if (kept.count == 0 || kept.points[0].feature != touch.feature) {
+        kept.count = 1;
+        kept.points[0] = {touch.feature, true, 0};
+        kept.tangentImpulse = 0;
     }
-    const Approach approach = approachAt(data, c, p);
-    if (p.separation > linearSlop) {
-        const bool meets = std::max(approach.before, approach.after) * dt > p.separation - linearSlop;
-        return meets && approach.after > bounceThreshold ? Contact::WillBounce : Contact::Rests;
+    Target target;
+    target.velocity = touch.separation > 0 ? -touch.separation * perSecond : 0;
+    if (kept.restitution > 0) {
+        target = targetOf(approach(data, pair, touch.normal), touch.separation, kept.restitution, perSecond);
+        if (target.meeting == Meeting::WillBounce) {
+            pair.sweep = true;
+            data.anySweep = true;
+            return;
+        }
     }
-    const double rebound = c.restitution * approach.before - (approach.after - approach.before);
-    if (approach.before > bounceThreshold && rebound > 0) {
-        p.target = rebound;
-        p.bounces = true;
-        return Contact::Bounces;
-    }
-    return Contact::Rests;
+    const BodyMotion& a = data.motions[pair.bodyA];
+    const BodyMotion& b = data.motions[pair.bodyB];
+    const Lane lane = roundLane(data, pair);
+    data.roundContacts.push_back(
+        {pair.bodyA, pair.bodyB, index, pair.contact, lane, target.meeting == Meeting::Bounces, touch.separation});
+    const double leverA = touch.radiusA + 0.5 * touch.separation;
+    const double leverB = -touch.radiusB - 0.5 * touch.separation;
+    const double inverseMass = a.inverseMass + b.inverseMass;
+    RoundBatch& batch = data.batches.round[lane.batch];
+    const std::uint32_t i = lane.lane;
+    batch.normalX[i] = touch.normal.x();
+    batch.normalY[i] = touch.normal.y();
+    batch.massA[i] = a.inverseMass;
+    batch.massB[i] = b.inverseMass;
+    batch.inertiaA[i] = a.inverseInertia;
+    batch.inertiaB[i] = b.inverseInertia;
+    batch.leverA[i] = leverA;
+    batch.leverB[i] = leverB;
+    batch.normalMass[i] = inverseMass > 0 ? 1 / inverseMass : 0;
+    batch.tangentMass[i] = 1 / (inverseMass + a.inverseInertia * leverA * leverA + b.inverseInertia * leverB * leverB);
+    batch.friction[i] = kept.friction;
+    batch.target[i] = target.velocity;
+    batch.normalImpulse[i] = kept.points[0].normalImpulse;
+    batch.tangentImpulse[i] = kept.tangentImpulse;
 }
 
-/// A body that may only turn cannot yield to a push through its centre.
-double inverseOrZero(double x) {
-    return x > 0 ? 1 / x : 0;
-}
-
-double massAlong(const Vec2& direction, const ConstraintPoint& p, const BodyMotion& a, const BodyMotion& b) {
-    const double leverA = cross(p.armA, direction);
-    const double leverB = cross(p.armB, direction);
-    return inverseOrZero(a.inverseMass + b.inverseMass + a.inverseInertia * leverA * leverA +
-                         b.inverseInertia * leverB * leverB);
-}
-
-/// Two points with nearly the same effect make the system singular; they are then solved one after the other.
-void prepareBlock(const BodyMotion& a, const BodyMotion& b, Constraint& c) {
-    c.block = false;
-    const ConstraintPoint& p1 = c.points[0];
-    const ConstraintPoint& p2 = c.points[1];
-    if (p1.normalMass == 0 || p2.normalMass == 0) {
+void meetRound(WorldData& data, std::uint32_t index, double perSecond) {
+    const Pair& pair = data.table.pairs[index];
+    const double radiusA = data.steps[pair.bodyA].outerRadius;
+    const double radiusB = data.steps[pair.bodyB].outerRadius;
+    const Vec2 apart = data.motions[pair.bodyB].center - data.motions[pair.bodyA].center;
+    const double margin = contactMargin(data.steps[pair.bodyA], data.steps[pair.bodyB]);
+    const double reach = radiusA + radiusB + margin;
+    const double squared = apart.squaredNorm();
+    const double distance = std::sqrt(squared);
+    if (squared > reach * reach) {
+        letGo(data, index, distance - radiusA - radiusB);
         return;
     }
-    const double k11 = 1 / p1.normalMass;
-    const double k22 = 1 / p2.normalMass;
-    c.coupling = a.inverseMass + b.inverseMass +
-                 a.inverseInertia * cross(p1.armA, c.normal) * cross(p2.armA, c.normal) +
-                 b.inverseInertia * cross(p1.armB, c.normal) * cross(p2.armB, c.normal);
-    c.determinant = k11 * k22 - c.coupling * c.coupling;
-    c.block = std::max(k11, k22) * std::max(k11, k22) < 1000 * c.determinant;
+    const Vec2 normal = distance > 0 ? Vec2(apart / distance) : Vec2(0, 1);
+    addRoundContact(data, index, {normal, distance - radiusA - radiusB, radiusA, radiusB, 0}, perSecond);
 }
 
-void prepareMasses(const WorldData& data, Constraint& c) {
-    const BodyMotion& a = data.motions[c.a];
-    const BodyMotion& b = data.motions[c.b];
-    for (int i = 0; i < c.count; ++i) {
-        ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
-        p.normalMass = massAlong(c.normal, p, a, b);
-        p.tangentMass = massAlong(leftOf(c.normal), p, a, b);
+void meetStatic(WorldData& data, std::uint32_t index, double perSecond) {
+    Pair& pair = data.table.pairs[index];
+    const BodyStep& s = data.steps[pair.bodyA];
+    const Circle circle{data.motions[pair.bodyA].center, std::get<Circle>(*pair.shapeA).radius};
+    const Manifold manifold = collideCircle(*pair.shapeB, circle, contactMargin(s));
+    if (manifold.count == 0) {
+        letGo(data, index, manifold.apart);
+        return;
     }
-    if (c.count == 2) {
-        prepareBlock(a, b, c);
-    }
-}
-
-void addConstraint(WorldData& data, std::uint32_t index, const Manifold& manifold, const IterationStep& step) {
-    Pair& pair = data.pairs[index];
-    const BodyRecord& ra = data.records[pair.bodyA];
-    const BodyRecord& rb = data.records[pair.bodyB];
-    Constraint c;
-    c.a = pair.bodyA;
-    c.b = pair.bodyB;
-    c.normal = manifold.normal;
-    c.friction = std::sqrt(ra.friction * rb.friction);
-    c.restitution = std::clamp(0.5 * (ra.restitution + rb.restitution), 0.0, 1.0);
-    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(manifold.count); ++i) {
-        ConstraintPoint& p = c.points[static_cast<std::size_t>(c.count)];
-        p.armA = manifold.points[i].point - data.motions[pair.bodyA].center;
-        p.armB = manifold.points[i].point - data.motions[pair.bodyB].center;
-        p.separation = manifold.points[i].separation;
-        p.normalImpulse = pair.points[i].normalImpulse;
-        p.tangentImpulse = pair.points[i].tangentImpulse;
-        p.pair = index;
-        p.index = i;
-        if (setTarget(data, c, p, step.dt) == Contact::WillBounce) {
-            pair.sweep = true;
-        } else {
-            ++c.count;
-        }
-    }
-    if (c.count > 0) {
-        data.constraints.push_back(c);
-    }
-}
-
-bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) {
-    const bool sameBodies =
-        c.b == d.b || (data.records[c.b].kind == BodyKind::Static && data.records[d.b].kind == BodyKind::Static);
-    if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution ||
-        c.normal.dot(d.normal) < 1 - 1e-9) {
-        return false;
-    }
-    // Points lie half way between the surfaces; half the separation further on is the surface of b.
-    const double planeC = c.points[0].armA.dot(c.normal) + 0.5 * c.points[0].separation;
-    const double planeD = d.points[0].armA.dot(c.normal) + 0.5 * d.points[0].separation;
-    return std::abs(planeC - planeD) < 1e-6;
-}
-
-/// Keeps the outermost two of the points of both.
-void absorb(WorldData& data, Constraint& c, Constraint& d) {
-    const Vec2 tangent = leftOf(c.normal);
-    std::array<ConstraintPoint, 4> all;
-    std::size_t count = 0;
-    for (const Constraint* from : {&c, &d}) {
-        for (int i = 0; i < from->count; ++i) {
-            all[count++] = from->points[static_cast<std::size_t>(i)];
-        }
-    }
-    std::size_t least = 0;
-    std::size_t most = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        ConstraintPoint& p = all[i];
-        p.armB = p.armA + data.motions[c.a].center - data.motions[c.b].center;
-        data.pairs[p.pair].touching |= p.separation <= linearSlop;
-        const double t = p.armA.dot(tangent);
-        least = t < all[least].armA.dot(tangent) ? i : least;
-        most = t > all[most].armA.dot(tangent) ? i : most;
-    }
-    c.points[0] = all[least];
-    c.points[1] = all[most];
-    c.count = least == most ? 1 : 2;
-    d.count = 0;
-}
-
-/// A flat face on several walls of one plane, or several parts of a body on one wall, is one contact: the solver then
-/// finds its impulses at once, whatever the order of the walls and parts.
-void mergePlanes(WorldData& data) {
-    std::vector<Constraint>& all = data.constraints;
-    bool merged = false;
-    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
-        for (end = first + 1; end < all.size() && all[end].a == all[first].a; ++end) {
-            for (std::size_t i = first; i < end; ++i) {
-                if (all[i].count > 0 && samePlane(data, all[i], all[end])) {
-                    absorb(data, all[i], all[end]);
-                    merged = true;
-                    break;
-                }
-            }
-        }
-    }
-    if (merged) {
-        std::erase_if(all, [](const Constraint& c) { return c.count == 0; });
-    }
-}
-
-/// Points of the last iteration hand their impulses to those that bring the same corners and faces together.
-void matchPoints(Pair& pair, const Manifold& manifold) {
-    const std::array<ContactPoint, 2> old = pair.points;
-    const int oldCount = pair.count;
-    pair.count = manifold.count;
-    for (int i = 0; i < manifold.count; ++i) {
-        ContactPoint& point = pair.points[static_cast<std::size_t>(i)];
-        point = {manifold.points[static_cast<std::size_t>(i)].feature, 0, 0, true};
-        for (int k = 0; k < oldCount; ++k) {
-            if (old[static_cast<std::size_t>(k)].feature == point.feature) {
-                point = old[static_cast<std::size_t>(k)];
-            }
-        }
-    }
-}
-
-bool movable(const BodyMotion& a, const BodyMotion& b) {
-    return a.inverseMass + b.inverseMass + a.inverseInertia + b.inverseInertia > 0;
+    const ManifoldPoint& point = manifold.points[0];
+    addRoundContact(data, index, {-manifold.normal, point.separation, circle.radius, 0, point.feature}, perSecond);
 }
 
 } // namespace
 
 void findContacts(WorldData& data, const IterationStep& step) {
+    data.roundContacts.clear();
     data.constraints.clear();
-    for (std::uint32_t i = 0; i < data.pairs.size(); ++i) {
-        Pair& pair = data.pairs[i];
-        if (!pair.solid || !movable(data.motions[pair.bodyA], data.motions[pair.bodyB])) {
+    data.batches.round.clear();
+    data.batches.roundPlan.reset(data.motions.size());
+    data.anySweep = false;
+    const double perSecond = 1 / step.dt;
+    const auto count = static_cast<std::uint32_t>(data.table.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const PairGate& gate = data.table.gates[i];
+        if (data.travelled[gate.moverA] + data.travelled[gate.moverB] + linearSlop < gate.apartUntil) {
             continue;
         }
-        pair.touching = false;
+        Pair& pair = data.table.pairs[i];
+        if (pair.kind == PairKind::Felt) {
+            continue;
+        }
+        data.table.marks[i].now = false;
         pair.sweep = false;
-        const double ahead = anticipation(data, pair.bodyA) + (pair.staticB ? 0 : anticipation(data, pair.bodyB));
-        const double margin = linearSlop + ahead;
-        if (farApart(data, pair, margin)) {
-            pair.count = 0;
-            continue;
-        }
-        const Manifold manifold =
-            collide(*pair.shapeA, data.pose(pair.bodyA), *pair.shapeB, poseOfB(data, pair), margin);
-        matchPoints(pair, manifold);
-        if (manifold.count > 0) {
-            addConstraint(data, i, manifold, step);
+        if (pair.kind == PairKind::RoundRound) {
+            meetRound(data, i, perSecond);
+        } else if (pair.kind == PairKind::RoundStatic) {
+            meetStatic(data, i, perSecond);
+        } else {
+            meetGeneral(data, i, perSecond);
         }
     }
-    mergePlanes(data);
-    for (Constraint& c : data.constraints) {
-        prepareMasses(data, c);
-    }
+    finishGeneral(data);
 }
 
 void findOverlaps(WorldData& data) {
-    for (Pair& pair : data.pairs) {
-        if (!pair.solid || !movable(data.motions[pair.bodyA], data.motions[pair.bodyB])) {
-            pair.touching = overlaps(*pair.shapeA, data.pose(pair.bodyA), *pair.shapeB, poseOfB(data, pair));
-        }
+    for (const std::uint32_t i : data.felt) {
+        const Pair& pair = data.table.pairs[i];
+        data.table.marks[i].now = overlaps(*pair.shapeA, data.pose(pair.bodyA), *pair.shapeB, poseOfB(data, pair));
     }
 }
 

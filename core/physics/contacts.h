@@ -1,13 +1,13 @@
 #pragma once
-// The narrow phase over the pairs: constraints for solid pairs, overlaps for intangible ones.
+// The narrow phase over the pairs: contacts for solid pairs, overlaps for intangible ones.
 
 #include "core/physics/world_data.h"
 
 namespace spacetow {
 
-/// Fills `constraints` and clears the contact marks of solid pairs, from the poses at the beginning of the iteration.
-/// Surfaces that could close their gap within the iteration count as in contact already; the solver lets them close it
-/// and no more. Those that will bounce are marked to be swept instead.
+/// Fills `roundContacts` and `constraints`, and clears the marks of solid pairs, from the poses at the beginning of the
+/// iteration. Surfaces that could close their gap within the iteration count as in contact already; the solver lets
+/// them close it and no more. Those that will bounce are marked to be swept instead.
 void findContacts(WorldData& data, const IterationStep& step);
 
 /// Marks the pairs that touch without force at the end of the iteration: intangible bodies, and such as nothing moves.

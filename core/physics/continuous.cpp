@@ -16,9 +16,7 @@ constexpr double gap = 0.5 * linearSlop;
 
 /// Whether anticipation does not cover the motion; see contacts.
 bool isFast(const WorldData& data, Slot slot) {
-    const BodyStep& s = data.steps[slot];
-    const double reach = std::sqrt(s.shift.squaredNorm()) + std::abs(s.turn) * data.records[slot].outerRadius;
-    return reach > 0.5 * data.records[slot].innerRadius && reach > linearSlop;
+    return travelsFar(data.steps[slot]);
 }
 
 Motion plannedMotion(const WorldData& data, Slot slot) {
@@ -31,6 +29,10 @@ bool shorten(BodyStep& s, double fraction) {
     const bool changed = shortened < s.fraction;
     s.fraction = std::min(s.fraction, shortened);
     return changed;
+}
+
+bool hasContact(const WorldData& data, const Pair& pair) {
+    return pair.contact != Pair::none && data.contacts[pair.contact].count > 0;
 }
 
 /// True when the motion of either body was cut short.
@@ -52,57 +54,14 @@ bool sweepPair(WorldData& data, const Pair& pair, bool stopA, bool stopB) {
     return changed;
 }
 
-/// Where the solver has not converged, bodies in contact would still go into each other: they go as far as the slop.
-bool limitClosing(WorldData& data, double dt) {
-    bool limited = false;
-    for (const Constraint& c : data.constraints) {
-        const BodyMotion& a = data.motions[c.a];
-        const BodyMotion& b = data.motions[c.b];
-        for (int i = 0; i < c.count; ++i) {
-            const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
-            const Vec2 velocity =
-                b.velocity + cross(b.angularVelocity, p.armB) - a.velocity - cross(a.angularVelocity, p.armA);
-            const double closing = -velocity.dot(c.normal) * dt;
-            const double room = std::max(p.separation, 0.0) + linearSlop;
-            if (closing > room) {
-                for (const Slot slot : {c.a, c.b}) {
-                    if (data.motions[slot].inverseMass > 0) {
-                        data.steps[slot].fraction = std::min(data.steps[slot].fraction, room / closing);
-                        limited = true;
-                    }
-                }
-            }
-        }
-    }
-    return limited;
-}
-
-/// What was not travelled was not accelerated either, so that a fall from rest arrives with the speed of the height.
-void takeBackAcceleration(WorldData& data, double dt) {
-    for (const Slot slot : data.moving) {
-        const BodyStep& s = data.steps[slot];
-        if (s.fraction < 1 && !s.pushed) {
-            const double lost = (1 - s.fraction) * dt;
-            data.motions[slot].velocity -= lost * s.acceleration;
-            data.motions[slot].angularVelocity -= lost * s.angularAcceleration;
-        }
-    }
-}
-
 } // namespace
 
-void stopAtImpacts(WorldData& data, const IterationStep& step) {
-    const bool limited = limitClosing(data, step.dt);
-    const bool any = limited ||
-                     std::any_of(data.moving.begin(), data.moving.end(), [&](Slot s) { return isFast(data, s); }) ||
-                     std::any_of(data.pairs.begin(), data.pairs.end(), [](const Pair& p) { return p.sweep; });
-    if (!any) {
-        return;
-    }
+void stopAtImpacts(WorldData& data) {
     for (int round = 0; round < maxRounds; ++round) {
         bool changed = false;
-        for (const Pair& pair : data.pairs) {
-            if (!pair.solid || (pair.count > 0 && !pair.sweep)) { // the solver keeps those from closing their gap
+        for (const Pair& pair : data.table.pairs) {
+            // The solver keeps those that have a contact from closing their gap.
+            if (pair.kind == PairKind::Felt || (hasContact(data, pair) && !pair.sweep)) {
                 continue;
             }
             const bool stopA = data.motions[pair.bodyA].inverseMass > 0 && (pair.sweep || isFast(data, pair.bodyA));
@@ -116,7 +75,6 @@ void stopAtImpacts(WorldData& data, const IterationStep& step) {
             break;
         }
     }
-    takeBackAcceleration(data, step.dt);
 }
 
 } // namespace spacetow

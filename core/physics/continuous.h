@@ -6,7 +6,7 @@
 
 namespace spacetow {
 
-/// Shortens the motion (BodyStep::fraction) of swept bodies, and takes back the acceleration of the time they lose.
-void stopAtImpacts(WorldData& data, const IterationStep& step);
+/// Shortens the motion (BodyStep::fraction) of swept bodies.
+void stopAtImpacts(WorldData& data);
 
 } // namespace spacetow

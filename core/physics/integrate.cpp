@@ -97,6 +97,8 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         s.shift.setZero();
         s.turn = 0;
         s.fraction = 1;
+        s.push.setZero();
+        s.pushTurn = 0;
         s.pushed = s.bounced = false;
         if (!data.records[slot].connected) {
             const Change change = integrated(m, s);
@@ -105,21 +107,25 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         }
     }
     integrateConnected(data, step);
-    for (const Slot slot : data.moving) {
-        BodyStep& s = data.steps[slot];
-        s.reach = std::sqrt(s.shift.squaredNorm()) + std::abs(s.turn) * data.records[slot].outerRadius;
-    }
 }
 
-void advance(WorldData& data, const IterationStep&) {
+void advance(WorldData& data, double dt) {
     for (const Slot slot : data.moving) {
         BodyMotion& m = data.motions[slot];
-        const BodyStep& s = data.steps[slot];
-        m.center += s.fraction * s.shift;
-        if (s.turn != 0) {
-            m.rotation = turned(m.rotation, s.fraction * s.turn);
-            data.records[slot].turnLeft -= std::abs(s.fraction * s.turn);
+        BodyStep& s = data.steps[slot];
+        if (s.fraction < 1 && !s.pushed) { // a fall from rest arrives with the speed of the height
+            const double lost = (1 - s.fraction) * dt;
+            m.velocity -= lost * s.acceleration;
+            m.angularVelocity -= lost * s.angularAcceleration;
         }
+        s.shift = s.fraction * s.shift + s.push;
+        s.turn = s.fraction * s.turn + s.pushTurn;
+        m.center += s.shift;
+        if (s.turn != 0) {
+            m.rotation = turned(m.rotation, s.turn);
+            s.room.turnLeft -= std::abs(s.turn);
+        }
+        s.travelled += s.reach();
     }
 }
 
@@ -136,7 +142,6 @@ void isolateFaults(WorldData& data, int iteration) {
         m.angularVelocity = 0;
         s.shift.setZero();
         s.turn = 0;
-        s.reach = 0;
         if (data.records[slot].active) {
             data.events.faults.push_back({iteration, data.idOf(slot)});
             data.pending.push_back({PendingChange::Kind::Active, data.idOf(slot), false, false});

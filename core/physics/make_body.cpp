@@ -133,6 +133,17 @@ void setParts(BodyRecord& record, const BodyDef& def) {
     record.parts = std::move(parts);
 }
 
+BodyStep stepOf(const BodyRecord& record) {
+    BodyStep step;
+    step.innerRadius = record.innerRadius;
+    step.outerRadius = record.outerRadius;
+    if (record.parts->size() == 1) {
+        const auto* circle = std::get_if<Circle>(&record.parts->front());
+        step.round = circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
+    }
+    return step;
+}
+
 } // namespace
 
 Result<MadeBody> makeBody(const BodyDef& def) {
@@ -155,6 +166,7 @@ Result<MadeBody> makeBody(const BodyDef& def) {
         setMass(r, def);
     }
     setParts(r, def);
+    made.step = stepOf(r);
     r.restitution = def.restitution;
     r.friction = def.friction;
     r.linearDamping = def.linearDamping;

@@ -8,6 +8,7 @@ namespace spacetow {
 struct MadeBody {
     BodyRecord record;
     BodyMotion motion; // inverse masses not yet set
+    BodyStep step;
 };
 
 /// Codes as World::addBody.

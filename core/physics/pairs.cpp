@@ -1,8 +1,8 @@
 #include "core/physics/pairs.h"
 
 #include "core/geometry/bounds.h"
-#include "core/geometry/convex_parts.h"
-#include "core/geometry/moved.h"
+#include "core/physics/contact_pool.h"
+#include "core/physics/statics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,89 +12,40 @@ namespace spacetow {
 
 namespace {
 
-Part partInWorld(const Part& part, const Transform& pose) {
-    return std::visit([&pose](const auto& p) -> Part { return moved(p, pose); }, part);
+bool isRound(const Part& part) {
+    const auto* circle = std::get_if<Circle>(&part);
+    return circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
 }
 
-Aabb staticBox(const Part& part) {
-    const Aabb box = boundsOf(part, Transform{});
-    return std::holds_alternative<WallPart>(part) ? enlargedEdgeBounds(box) : box;
-}
-
-/// Static bodies that continue one another are as smooth as one body.
-void join(StaticGeometry& geometry) {
-    std::vector<WallPart*> walls;
-    std::vector<ConvexPart*> convexParts;
-    for (StaticGeometry::Collider& collider : geometry.colliders) {
-        if (auto* wall = std::get_if<WallPart>(&collider.shape)) {
-            walls.push_back(wall);
-        } else if (auto* convex = std::get_if<ConvexPart>(&collider.shape)) {
-            convexParts.push_back(convex);
-        }
-    }
-    joinWalls(walls);
-    joinConvexParts(convexParts);
-}
-
-void buildStatics(WorldData& data) {
-    auto geometry = std::make_shared<StaticGeometry>();
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        BodyRecord& record = data.records[slot];
-        if (!record.used || record.kind != BodyKind::Static || !record.active || !record.parts) {
-            continue;
-        }
-        record.firstStatic = static_cast<std::uint32_t>(geometry->colliders.size());
-        for (std::uint32_t i = 0; i < record.parts->size(); ++i) {
-            geometry->colliders.push_back({slot, i, partInWorld((*record.parts)[i], data.pose(slot))});
-        }
-    }
-    join(*geometry);
-    std::vector<Aabb> boxes;
-    for (BodyRecord& record : data.records) {
-        record.bounds = record.kind == BodyKind::Static ? Aabb{} : record.bounds;
-    }
-    for (const StaticGeometry::Collider& collider : geometry->colliders) {
-        boxes.push_back(staticBox(collider.shape));
-        data.records[collider.body].bounds.include(boxes.back());
-    }
-    geometry->tree = StaticQuadtree(std::move(boxes));
-    data.statics = std::move(geometry);
-    data.staticsChanged = false;
-}
-
-/// How far the centre may stray from where it is now, and how far the body may turn, before the pairs must be found
-/// again. Slow bodies get room in every direction, because a bounce may send them anywhere.
-void planRoom(BodyRecord& record, const BodyMotion& m, const BodyStep& s, double seconds) {
+/// Ahead for the way that the body goes, and some in every direction.
+Room roomAround(const BodyMotion& m, const BodyStep& s, double seconds) {
     const double speed = std::sqrt(m.velocity.squaredNorm());
     const double pull = std::sqrt(s.acceleration.squaredNorm());
     const double way = speed * seconds;
-    const double pad = 0.05 * record.outerRadius + 0.005 + 0.5 * pull * seconds * seconds;
-    record.centerBox = {m.center, m.center};
-    if (way > record.outerRadius) {
-        record.centerBox.include(m.center + seconds * m.velocity);
-        record.centerBox = record.centerBox.grown(pad);
-    } else {
-        record.centerBox = record.centerBox.grown(pad + way);
-    }
+    const double pad = 0.05 * s.outerRadius + 0.02 + 0.1 * way + 0.5 * pull * seconds * seconds;
+    Room room;
+    room.centers = {m.center, m.center};
+    room.centers.include(m.center + seconds * m.velocity);
+    room.centers = room.centers.grown(pad);
     const double turn = 1.5 * std::abs(m.angularVelocity) * seconds + 0.05;
-    record.turnLeft = turn < 1 ? turn : std::numeric_limits<double>::infinity(); // its disc has room for every turn
+    const bool anyTurn = s.round || turn >= 1; // its disc has room for every turn
+    room.turnLeft = anyTurn ? std::numeric_limits<double>::infinity() : turn;
+    return room;
 }
 
-Aabb roomyBox(const BodyRecord& record, const BodyMotion& m, const Part& part) {
+Aabb roomyBox(const BodyStep& s, const BodyMotion& m, const Part& part) {
     Aabb box = boundsOf(part, Transform{m.center, m.rotation});
     // The farthest point of the part sweeps an arc; great turns cover the disc around the centre of mass.
-    const auto* circle = std::get_if<Circle>(&part);
-    const bool round = circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
-    if (!round) {
-        if (std::isinf(record.turnLeft)) {
-            const Vec2 r(record.outerRadius, record.outerRadius);
+    if (!isRound(part)) {
+        if (std::isinf(s.room.turnLeft)) {
+            const Vec2 r(s.outerRadius, s.outerRadius);
             box = {m.center - r, m.center + r};
         } else {
-            box = box.grown(record.turnLeft * record.outerRadius);
+            box = box.grown(s.room.turnLeft * s.outerRadius);
         }
     }
-    box.min += record.centerBox.min - m.center;
-    box.max += record.centerBox.max - m.center;
+    box.min += s.room.centers.min - m.center;
+    box.max += s.room.centers.max - m.center;
     return box.grown(linearSlop);
 }
 
@@ -111,6 +62,24 @@ bool mayMeet(const WorldData& data, Slot a, Slot b) {
     return a != b && (oneMoves || oneFeels) && mayTouch(ra.filter, rb.filter) && !connectedApart(data, a, b);
 }
 
+bool canYield(const BodyMotion& m) {
+    return m.inverseMass > 0 || m.inverseInertia > 0;
+}
+
+PairKind kindOf(const WorldData& data, const Pair& pair) {
+    const bool tangible = data.records[pair.bodyA].tangible && data.records[pair.bodyB].tangible;
+    if (!tangible || (!canYield(data.motions[pair.bodyA]) && !canYield(data.motions[pair.bodyB]))) {
+        return PairKind::Felt;
+    }
+    if (isRound(*pair.shapeA)) {
+        if (pair.staticB) {
+            return PairKind::RoundStatic;
+        }
+        return isRound(*pair.shapeB) ? PairKind::RoundRound : PairKind::General;
+    }
+    return PairKind::General;
+}
+
 Pair makePair(const WorldData& data, Slot a, std::uint32_t partA, Slot b, std::uint32_t partB) {
     const BodyRecord& ra = data.records[a];
     const BodyRecord& rb = data.records[b];
@@ -125,48 +94,158 @@ Pair makePair(const WorldData& data, Slot a, std::uint32_t partA, Slot b, std::u
     pair.partB = partB;
     pair.shapeA = &(*ra.parts)[partA];
     pair.shapeB = pair.staticB ? &data.statics->colliders[rb.firstStatic + partB].shape : &(*rb.parts)[partB];
-    pair.solid = ra.tangible && rb.tangible && (ra.kind == BodyKind::Dynamic || rb.kind == BodyKind::Dynamic);
+    pair.kind = kindOf(data, pair);
+    pair.alone = !pair.staticB && ra.parts->size() == 1 && rb.parts->size() == 1;
     return pair;
 }
 
-void collectMoving(WorldData& data, double seconds) {
+void listColliders(WorldData& data) {
     data.colliders.clear();
     for (const Slot slot : data.moving) {
-        BodyRecord& record = data.records[slot];
-        planRoom(record, data.motions[slot], data.steps[slot], seconds);
-        record.bounds = Aabb{};
-        for (std::uint32_t i = 0; i < record.parts->size(); ++i) {
-            const Aabb box = roomyBox(record, data.motions[slot], (*record.parts)[i]);
-            data.colliders.push_back({slot, i, box});
-            record.bounds.include(box);
+        data.steps[slot].escaped = true;
+        for (std::uint32_t i = 0; i < data.records[slot].parts->size(); ++i) {
+            data.colliders.push_back({slot, i, {}});
         }
     }
 }
 
-/// Both lists are sorted: what stays keeps its impulses.
-void carryOver(const std::vector<Pair>& old, std::vector<Pair>& pairs) {
-    auto from = old.begin();
-    for (Pair& pair : pairs) {
-        while (from != old.end() && *from < pair) {
-            ++from;
+void giveRoom(WorldData& data, double seconds) {
+    for (const Slot slot : data.moving) {
+        BodyStep& s = data.steps[slot];
+        if (s.escaped) {
+            s.room = roomAround(data.motions[slot], s, seconds);
+            data.records[slot].bounds = Aabb{};
         }
-        if (from == old.end()) {
-            break;
+    }
+    for (MovingCollider& collider : data.colliders) {
+        const BodyStep& s = data.steps[collider.body];
+        if (s.escaped) {
+            BodyRecord& record = data.records[collider.body];
+            collider.box = roomyBox(s, data.motions[collider.body], (*record.parts)[collider.part]);
+            record.bounds.include(collider.box);
         }
-        if (!(pair < *from)) {
-            pair.count = from->count;
-            pair.points = from->points;
-            pair.touching = from->touching;
-            pair.sweep = from->sweep;
+    }
+}
+
+void addPairsOf(WorldData& data, const MovingCollider& collider, std::uint32_t index) {
+    data.found.clear();
+    data.tree.insertAndQuery(index, collider.box, data.found);
+    for (const std::uint32_t other : data.found) {
+        const MovingCollider& o = data.colliders[other];
+        if (mayMeet(data, collider.body, o.body)) {
+            data.newPairs.push_back(makePair(data, collider.body, collider.part, o.body, o.part));
+        }
+    }
+    data.found.clear();
+    data.statics->tree.query(collider.box, data.found);
+    for (const std::uint32_t other : data.found) {
+        const StaticGeometry::Collider& o = data.statics->colliders[other];
+        if (o.bounds.overlaps(collider.box) && mayMeet(data, collider.body, o.body)) {
+            data.newPairs.push_back(makePair(data, collider.body, collider.part, o.body, o.part));
+        }
+    }
+}
+
+/// Those that stay where they are go into the tree first, so that each of the others meets all of them.
+void collectPairs(WorldData& data) {
+    Aabb world;
+    for (const MovingCollider& collider : data.colliders) {
+        world.include(collider.box);
+    }
+    data.newPairs.clear();
+    data.tree.reset(world, static_cast<std::uint32_t>(data.colliders.size()));
+    const auto count = static_cast<std::uint32_t>(data.colliders.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (!data.steps[data.colliders[i].body].escaped) {
+            data.tree.insert(i, data.colliders[i].box);
+        }
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (data.steps[data.colliders[i].body].escaped) {
+            addPairsOf(data, data.colliders[i], i);
+        }
+    }
+    std::sort(data.newPairs.begin(), data.newPairs.end());
+}
+
+/// A pair that was not found anew remains when its bodies have stayed in their rooms.
+void keepOrDrop(WorldData& data, std::size_t index) {
+    const Pair& pair = data.table.pairs[index];
+    const bool escaped =
+        data.steps[pair.bodyA].escaped || (!pair.staticB && data.steps[pair.bodyB].escaped) || data.pairsStale;
+    if (!escaped) {
+        data.newTable.addFrom(data.table, index);
+        return;
+    }
+    if (data.table.marks[index].reported) {
+        data.droppedTouches.push_back(pair.bodies());
+    }
+    forgetContact(data, data.table.pairs[index]);
+}
+
+/// Both lists are sorted. Old pairs of bodies that stayed in their rooms remain; the others must be found again.
+void mergePairs(WorldData& data) {
+    const PairTable& old = data.table;
+    PairTable& merged = data.newTable;
+    merged.clear();
+    std::size_t i = 0;
+    for (const Pair& found : data.newPairs) {
+        for (; i < old.size() && old.pairs[i] < found; ++i) {
+            keepOrDrop(data, i);
+        }
+        if (i == old.size() || found < old.pairs[i]) {
+            merged.add(found);
+        } else if (data.pairsStale) {
+            merged.add(found);
+            if (found.kind == old.pairs[i].kind) {
+                merged.pairs.back().contact = old.pairs[i].contact;
+            } else {
+                forgetContact(data, data.table.pairs[i]);
+            }
+            merged.marks.back() = old.marks[i++];
+        } else {
+            merged.addFrom(old, i++);
+        }
+    }
+    for (; i < old.size(); ++i) {
+        keepOrDrop(data, i);
+    }
+    std::swap(data.table, data.newTable);
+}
+
+void listFelt(WorldData& data) {
+    data.felt.clear();
+    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
+        if (data.table.pairs[i].kind == PairKind::Felt) {
+            data.felt.push_back(i);
         }
     }
 }
 
 } // namespace
 
+void PairTable::clear() {
+    gates.clear();
+    marks.clear();
+    pairs.clear();
+}
+
+void PairTable::add(const Pair& pair) {
+    gates.push_back({pair.bodyA + 1, pair.staticB ? 0 : pair.bodyB + 1, 0});
+    marks.emplace_back();
+    pairs.push_back(pair);
+}
+
+void PairTable::addFrom(const PairTable& other, std::size_t index) {
+    gates.push_back(other.gates[index]);
+    marks.push_back(other.marks[index]);
+    pairs.push_back(other.pairs[index]);
+}
+
 void prepareStructure(WorldData& data) {
-    if (data.staticsChanged || !data.statics) {
-        buildStatics(data);
+    refreshStatics(data);
+    if (!data.bodiesChanged) {
+        return;
     }
     data.moving.clear();
     for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
@@ -177,51 +256,49 @@ void prepareStructure(WorldData& data) {
             }
         }
     }
+    data.reporters.clear();
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        if (data.records[slot].used && data.records[slot].reportsTouches) {
+            data.reporters.push_back(slot);
+        }
+    }
+    data.travelled.assign(data.records.size() + 1, 0);
+    data.touchedTags.resize(data.records.size());
+    data.bodiesChanged = false;
+    data.pairsStale = true;
+}
+
+void measureMotion(WorldData& data, double ahead) {
+    data.anyEscaped = data.pairsStale;
+    data.anyFault = data.anyFast = false;
+    for (const Slot slot : data.moving) {
+        BodyStep& s = data.steps[slot];
+        const BodyMotion& m = data.motions[slot];
+        const double reach = s.reach();
+        data.anyFault |= !std::isfinite(reach + m.center.x() + m.center.y());
+        data.travelled[slot + 1] = s.travelled + reach;
+        data.anyFast |= isFar(s, reach);
+        s.escaped = !s.room.centers.contains(m.center) ||
+                    !s.room.centers.contains(Vec2(m.center + s.shift + ahead * m.velocity)) ||
+                    std::abs(s.turn + ahead * m.angularVelocity) > s.room.turnLeft;
+        data.anyEscaped |= s.escaped;
+    }
 }
 
 void findPairs(WorldData& data, const IterationStep& step) {
-    collectMoving(data, step.remaining);
-    Aabb world;
-    for (const MovingCollider& collider : data.colliders) {
-        world.include(collider.box);
-    }
-    data.newPairs.clear();
-    data.tree.reset(world, static_cast<std::uint32_t>(data.colliders.size()));
-    for (std::uint32_t i = 0; i < data.colliders.size(); ++i) {
-        const MovingCollider& collider = data.colliders[i];
-        data.found.clear();
-        data.tree.insertAndQuery(i, collider.box, data.found);
-        for (const std::uint32_t other : data.found) {
-            const MovingCollider& o = data.colliders[other];
-            if (mayMeet(data, collider.body, o.body)) {
-                data.newPairs.push_back(makePair(data, collider.body, collider.part, o.body, o.part));
-            }
-        }
-        data.found.clear();
-        data.statics->tree.query(collider.box, data.found);
-        for (const std::uint32_t other : data.found) {
-            const StaticGeometry::Collider& o = data.statics->colliders[other];
-            if (mayMeet(data, collider.body, o.body)) {
-                data.newPairs.push_back(makePair(data, collider.body, collider.part, o.body, o.part));
-            }
+    if (data.pairsStale) {
+        listColliders(data);
+        for (KeptManifold& manifold : data.manifolds) {
+            manifold.room = -1;
+            manifold.holdsUntil = 0;
         }
     }
-    std::sort(data.newPairs.begin(), data.newPairs.end());
-    carryOver(data.pairs, data.newPairs);
-    data.pairs.swap(data.newPairs);
-}
-
-bool pairsCover(const WorldData& data) {
-    for (const Slot slot : data.moving) {
-        const BodyRecord& record = data.records[slot];
-        const BodyStep& s = data.steps[slot];
-        const Vec2& center = data.motions[slot].center;
-        if (!record.centerBox.contains(center) || !record.centerBox.contains(Vec2(center + s.shift)) ||
-            std::abs(s.turn) > record.turnLeft) {
-            return false;
-        }
-    }
-    return true;
+    giveRoom(data, step.remaining);
+    collectPairs(data);
+    mergePairs(data);
+    listFelt(data);
+    data.pairsStale = false;
+    data.anyEscaped = false;
 }
 
 } // namespace spacetow

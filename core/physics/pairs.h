@@ -1,6 +1,6 @@
 #pragma once
-// The broad phase: which parts may meet. Boxes cover the motion of the whole rest of the update, so that the trees are
-// refilled only when a body leaves its box.
+// The broad phase: which parts may meet. A moving body has room around it, larger than its motion in the update; its
+// pairs are found again only when it leaves that.
 
 #include "core/physics/world_data.h"
 
@@ -9,10 +9,12 @@ namespace spacetow {
 /// Lists the moving bodies and, when static bodies have changed, builds their tree anew.
 void prepareStructure(WorldData& data);
 
-/// Fills the trees and replaces `pairs`, sorted and unique; impulses of pairs that stay are kept.
-void findPairs(WorldData& data, const IterationStep& step);
+/// How far each moving body would go in this iteration: notes what travels far, and what would leave its room now or,
+/// as it is going, within `ahead` seconds more.
+void measureMotion(WorldData& data, double ahead);
 
-/// Whether the motion planned for this iteration stays within the boxes.
-bool pairsCover(const WorldData& data);
+/// Finds the pairs of the bodies that have left their rooms, or all pairs when they are stale. The table stays sorted
+/// and unique; pairs that remain keep their impulses.
+void findPairs(WorldData& data, const IterationStep& step);
 
 } // namespace spacetow

@@ -12,128 +12,181 @@ constexpr double pushOutRate = 40;
 constexpr double pushOutShare = 0.2;
 constexpr double pushOutSpeed = 25;
 
-struct Bodies {
-    BodyMotion& a;
-    BodyMotion& b;
-};
+// What no velocity falls short of.
+constexpr double noTarget = -1e30;
 
-Bodies bodiesOf(WorldData& data, const Constraint& c) {
-    return {data.motions[c.a], data.motions[c.b]};
+bool isMovable(const BodyMotion& m) {
+    return m.inverseMass > 0 || m.inverseInertia > 0;
 }
 
-void applyImpulse(const Bodies& on, const ConstraintPoint& p, const Vec2& impulse) {
-    on.a.velocity -= on.a.inverseMass * impulse;
-    on.a.angularVelocity -= on.a.inverseInertia * cross(p.armA, impulse);
-    on.b.velocity += on.b.inverseMass * impulse;
-    on.b.angularVelocity += on.b.inverseInertia * cross(p.armB, impulse);
-}
-
-Vec2 relativeVelocity(const Bodies& of, const ConstraintPoint& p) {
-    return of.b.velocity + cross(of.b.angularVelocity, p.armB) - of.a.velocity - cross(of.a.angularVelocity, p.armA);
-}
-
-/// Both points at once, from the same velocities, so that their order does not matter; on one plane they have nearly
-/// the same effect, hence half of the change each.
-void solveTangents(const Bodies& on, Constraint& c) {
-    const Vec2 tangent = leftOf(c.normal);
-    std::array<double, 2> change{};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-        const ConstraintPoint& p = c.points[i];
-        const double limit = c.friction * p.normalImpulse;
-        const double step = p.tangentMass * relativeVelocity(on, p).dot(tangent) / c.count;
-        change[i] = std::clamp(p.tangentImpulse - step, -limit, limit) - p.tangentImpulse;
-    }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-        applyImpulse(on, c.points[i], change[i] * tangent);
-        c.points[i].tangentImpulse += change[i];
+void loadPaces(WorldData& data) {
+    data.batches.paces.resize(data.motions.size() + 1);
+    for (const Slot slot : data.moving) {
+        const BodyMotion& m = data.motions[slot];
+        data.batches.paces[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
     }
 }
 
-void solvePoint(const Bodies& on, const Constraint& c, ConstraintPoint& p, double target) {
-    const double excess = relativeVelocity(on, p).dot(c.normal) - target;
-    const double impulse = std::max(p.normalImpulse - p.normalMass * excess, 0.0);
-    applyImpulse(on, p, (impulse - p.normalImpulse) * c.normal);
-    p.normalImpulse = impulse;
+/// Two points with nearly the same effect make the system singular: the one that overlaps more acts for both. A point
+/// at which no push can move anything does not act at all.
+void packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i) {
+    const ConstraintPoint& p = c.points[0];
+    const ConstraintPoint& q = c.points[1];
+    const bool acts1 = p.normalMass > 0;
+    const bool acts2 = c.count == 2 && q.normalMass > 0;
+    const double mass1 = acts1 ? p.normalMass : 1;
+    const double mass2 = acts2 ? q.normalMass : 1;
+    const double k11 = 1 / mass1;
+    const double k22 = 1 / mass2;
+    double coupling = acts1 && acts2 ? c.coupling : 0;
+    double determinant = k11 * k22 - coupling * coupling;
+    batch.target1[i] = acts1 ? p.target : noTarget;
+    batch.target2[i] = acts2 ? q.target : noTarget;
+    batch.impulse1[i] = p.normalImpulse;
+    batch.impulse2[i] = q.normalImpulse;
+    const double largest = std::max(k11, k22);
+    if (largest * largest >= 1000 * determinant) {
+        const bool first = p.separation <= q.separation;
+        (first ? batch.target2 : batch.target1)[i] = noTarget;
+        (first ? batch.impulse1 : batch.impulse2)[i] = p.normalImpulse + q.normalImpulse;
+        (first ? batch.impulse2 : batch.impulse1)[i] = 0;
+        coupling = 0;
+        determinant = k11 * k22;
+    }
+    batch.leverA1[i] = p.leverA;
+    batch.leverB1[i] = p.leverB;
+    batch.leverA2[i] = q.leverA;
+    batch.leverB2[i] = q.leverB;
+    batch.k11[i] = k11;
+    batch.k22[i] = k22;
+    batch.mass1[i] = mass1;
+    batch.mass2[i] = mass2;
+    batch.coupling[i] = coupling;
+    batch.inverseDeterminant[i] = 1 / determinant;
 }
 
-/// The impulses x ≥ 0 with K x + b ≥ 0 and x·(K x + b) = 0, found by trying which of them act. The order of the
-/// points does not matter, so that mirrored scenes stay mirrored.
-std::array<double, 2> complementary(const Constraint& c, double b1, double b2) {
-    const double k11 = 1 / c.points[0].normalMass;
-    const double k22 = 1 / c.points[1].normalMass;
-    const double x1 = (c.coupling * b2 - k22 * b1) / c.determinant;
-    const double x2 = (c.coupling * b1 - k11 * b2) / c.determinant;
-    if (x1 >= 0 && x2 >= 0) {
-        return {x1, x2};
+void packGeneral(WorldData& data) {
+    static const ConstraintBatch empty;
+    std::vector<ConstraintBatch>& batches = data.batches.general;
+    batches.clear();
+    data.batches.generalPlan.reset(data.motions.size());
+    for (Constraint& c : data.constraints) {
+        const BodyMotion& a = data.motions[c.a];
+        const BodyMotion& b = data.motions[c.b];
+        c.lane = openLane(data.batches.generalPlan, batches, empty, c.a, isMovable(a), c.b, isMovable(b));
+        ConstraintBatch& batch = batches[c.lane.batch];
+        const std::uint32_t i = c.lane.lane;
+        batch.normalX[i] = c.normal.x();
+        batch.normalY[i] = c.normal.y();
+        batch.massA[i] = a.inverseMass;
+        batch.massB[i] = b.inverseMass;
+        batch.inertiaA[i] = a.inverseInertia;
+        batch.inertiaB[i] = b.inverseInertia;
+        batch.tangentLeverA[i] = c.tangentLeverA;
+        batch.tangentLeverB[i] = c.tangentLeverB;
+        batch.tangentMass[i] = c.tangentMass;
+        batch.friction[i] = c.friction;
+        batch.tangentImpulse[i] = c.tangentImpulse;
+        packBlock(c, batch, i);
     }
-    const double only1 = -b1 / k11;
-    if (only1 >= 0 && c.coupling * only1 + b2 >= 0) {
-        return {only1, 0};
-    }
-    const double only2 = -b2 / k22;
-    if (only2 >= 0 && c.coupling * only2 + b1 >= 0) {
-        return {0, only2};
-    }
-    return {0, 0};
 }
 
-void solveBlock(const Bodies& on, Constraint& c, double target1, double target2) {
-    ConstraintPoint& p1 = c.points[0];
-    ConstraintPoint& p2 = c.points[1];
-    const double k11 = 1 / p1.normalMass;
-    const double k22 = 1 / p2.normalMass;
-    const double b1 =
-        relativeVelocity(on, p1).dot(c.normal) - target1 - k11 * p1.normalImpulse - c.coupling * p2.normalImpulse;
-    const double b2 =
-        relativeVelocity(on, p2).dot(c.normal) - target2 - c.coupling * p1.normalImpulse - k22 * p2.normalImpulse;
-    const std::array<double, 2> x = complementary(c, b1, b2);
-    applyImpulse(on, p1, (x[0] - p1.normalImpulse) * c.normal);
-    applyImpulse(on, p2, (x[1] - p2.normalImpulse) * c.normal);
-    p1.normalImpulse = x[0];
-    p2.normalImpulse = x[1];
-}
-
-void solveNormals(const Bodies& on, Constraint& c, double target1, double target2) {
-    if (c.block) {
-        solveBlock(on, c, target1, target2);
+/// Where the solver has not converged, bodies in contact would still go into each other: they go as far as the slop.
+void limitClosing(WorldData& data, Slot a, Slot b, double velocity, double separation, double dt) {
+    const double closing = -velocity * dt;
+    const double room = std::max(separation, 0.0) + linearSlop;
+    if (closing <= room) {
         return;
     }
-    solvePoint(on, c, c.points[0], target1);
-    if (c.count == 2) {
-        solvePoint(on, c, c.points[1], target2);
-    }
-}
-
-void warmStart(WorldData& data) {
-    for (Constraint& c : data.constraints) {
-        const Bodies on = bodiesOf(data, c);
-        for (int i = 0; i < c.count; ++i) {
-            const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
-            applyImpulse(on, p, p.normalImpulse * c.normal + p.tangentImpulse * leftOf(c.normal));
+    for (const Slot slot : {a, b}) {
+        if (data.motions[slot].inverseMass > 0) {
+            data.steps[slot].fraction = std::min(data.steps[slot].fraction, room / closing);
         }
     }
 }
 
-void turn(WorldData& data, Slot slot, double angle) {
-    data.motions[slot].rotation = turned(data.motions[slot].rotation, angle);
-    data.records[slot].turnLeft -= std::abs(angle);
+/// The way that the surfaces at a point are pushed apart in this iteration, as an impulse, kg m.
+double wayOut(double separation, double velocity, double normalMass, double dt) {
+    const double excess = -linearSlop - separation - dt * std::max(velocity, 0.0);
+    return excess > 0 ? std::min(std::min(pushOutShare, pushOutRate * dt) * excess, pushOutSpeed * dt) * normalMass : 0;
 }
 
-void markPushed(WorldData& data, double dt) {
-    for (const Constraint& c : data.constraints) {
-        for (int i = 0; i < c.count; ++i) {
-            const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
-            for (BodyStep* s : {&data.steps[c.a], &data.steps[c.b]}) {
-                s->pushed |= p.normalImpulse > 0;
-                s->bounced |= p.normalImpulse > 0 && p.bounces;
-            }
-        }
+void keepImpulse(ContactPoint& kept, double normalImpulse, bool bounces) {
+    const bool impact = kept.fresh || bounces;
+    kept.normalImpulse = impact ? 0 : normalImpulse;
+    kept.fresh = normalImpulse == 0 || bounces;
+}
+
+void pushApart(WorldData& data, const RoundContact& c, const RoundBatch& batch, double way) {
+    const std::uint32_t i = c.lane.lane;
+    const Vec2 push = way * Vec2(batch.normalX[i], batch.normalY[i]);
+    data.steps[c.a].push -= batch.massA[i] * push;
+    data.steps[c.b].push += batch.massB[i] * push;
+}
+
+void finish(WorldData& data, const RoundContact& c, double dt) {
+    const RoundBatch& batch = data.batches.round[c.lane.batch];
+    const std::uint32_t i = c.lane.lane;
+    const double impulse = batch.normalImpulse[i];
+    limitClosing(data, c.a, c.b, batch.velocity[i], c.separation, dt);
+    if (c.separation < -linearSlop) {
+        pushApart(data, c, batch, wayOut(c.separation, batch.velocity[i], batch.normalMass[i], dt));
     }
+    if (c.bounces && impulse > 0) {
+        data.steps[c.a].bounced = data.steps[c.b].bounced = true;
+    }
+    Contact& kept = data.contacts[c.contact];
+    const bool impact = kept.points[0].fresh || c.bounces;
+    kept.tangentImpulse = impact ? 0 : batch.tangentImpulse[i];
+    keepImpulse(kept.points[0], impulse, c.bounces);
+    data.table.marks[c.pair].now = impulse > 0 || c.separation <= 0;
+}
+
+void pushApart(WorldData& data, const Constraint& c, const ConstraintPoint& p, double push) {
+    const BodyMotion& a = data.motions[c.a];
+    const BodyMotion& b = data.motions[c.b];
+    data.steps[c.a].push -= push * a.inverseMass * c.normal;
+    data.steps[c.b].push += push * b.inverseMass * c.normal;
+    data.steps[c.a].pushTurn -= push * a.inverseInertia * p.leverA;
+    data.steps[c.b].pushTurn += push * b.inverseInertia * p.leverB;
+}
+
+void finish(WorldData& data, const Constraint& c, double dt) {
+    const ConstraintBatch& batch = data.batches.general[c.lane.batch];
+    const std::uint32_t lane = c.lane.lane;
+    const std::array<double, 2> impulses{batch.impulse1[lane], batch.impulse2[lane]};
+    const std::array<double, 2> velocities{batch.velocity1[lane], batch.velocity2[lane]};
+    bool impact = false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
+        const ConstraintPoint& p = c.points[i];
+        limitClosing(data, c.a, c.b, velocities[i], p.separation, dt);
+        if (p.separation < -linearSlop) {
+            pushApart(data, c, p, wayOut(p.separation, velocities[i], p.normalMass, dt));
+        }
+        if (p.bounces && impulses[i] > 0) {
+            data.steps[c.a].bounced = data.steps[c.b].bounced = true;
+        }
+        ContactPoint& kept = data.contacts[p.contact].points[p.index];
+        impact |= p.bounces || (kept.fresh && impulses[i] > 0);
+        keepImpulse(kept, impulses[i], p.bounces);
+        data.table.marks[p.pair].now |= impulses[i] > 0 || p.separation <= 0;
+    }
+    data.contacts[c.points[0].contact].tangentImpulse = impact ? 0 : batch.tangentImpulse[lane];
+}
+
+/// Bodies that the contacts pushed go where their new velocity takes them.
+void takePaces(WorldData& data, double dt) {
     for (const Slot slot : data.moving) {
+        BodyMotion& m = data.motions[slot];
         BodyStep& s = data.steps[slot];
+        const Pace& pace = data.batches.paces[slot];
+        s.pushed = pace.x != m.velocity.x() || pace.y != m.velocity.y() || pace.turn != m.angularVelocity;
         if (s.pushed) {
-            s.shift = dt * data.motions[slot].velocity;
-            s.turn = dt * data.motions[slot].angularVelocity;
+            m.velocity = {pace.x, pace.y};
+            m.angularVelocity = pace.turn;
+            s.shift = dt * m.velocity;
+            s.turn = dt * m.angularVelocity;
+            data.anyFast |= travelsFar(s);
         }
         if (s.bounced) { // flies freely from here on: the velocity is that at the end, the way is that of the mean
             s.shift -= 0.5 * dt * dt * s.acceleration;
@@ -144,54 +197,21 @@ void markPushed(WorldData& data, double dt) {
 } // namespace
 
 void solveVelocities(WorldData& data, const IterationStep& step) {
-    warmStart(data);
+    loadPaces(data);
+    packGeneral(data);
+    warmStart(data.batches);
     for (int pass = 0; pass < step.passes; ++pass) {
-        for (Constraint& c : data.constraints) {
-            const Bodies on = bodiesOf(data, c);
-            if (c.friction > 0) {
-                solveTangents(on, c);
-            }
-            solveNormals(on, c, c.points[0].target, c.points[1].target);
-        }
+        // Every other pass goes backwards, so that support travels up a pile as fast as weight travels down.
+        solvePass(data.batches, step.passes > 1 && (step.index + pass) % 2 != 0);
     }
-    markPushed(data, step.dt);
-}
-
-void pushOut(WorldData& data, const IterationStep& step) {
-    const double share = std::min(pushOutShare, pushOutRate * step.dt);
+    measureVelocities(data.batches);
+    for (const RoundContact& c : data.roundContacts) {
+        finish(data, c, step.dt);
+    }
     for (const Constraint& c : data.constraints) {
-        for (int i = 0; i < c.count; ++i) {
-            const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
-            if (p.separation >= -linearSlop) {
-                continue;
-            }
-            const Bodies on = bodiesOf(data, c);
-            const double opened = step.dt * std::max(relativeVelocity(on, p).dot(c.normal), 0.0);
-            const double excess = -linearSlop - p.separation - opened;
-            if (excess <= 0) {
-                continue;
-            }
-            const double push = std::min(share * excess, pushOutSpeed * step.dt) * p.normalMass;
-            on.a.center -= push * on.a.inverseMass * c.normal;
-            on.b.center += push * on.b.inverseMass * c.normal;
-            turn(data, c.a, -push * on.a.inverseInertia * cross(p.armA, c.normal));
-            turn(data, c.b, push * on.b.inverseInertia * cross(p.armB, c.normal));
-        }
+        finish(data, c, step.dt);
     }
-}
-
-void storeImpulses(WorldData& data) {
-    for (const Constraint& c : data.constraints) {
-        for (int i = 0; i < c.count; ++i) {
-            const ConstraintPoint& p = c.points[static_cast<std::size_t>(i)];
-            ContactPoint& kept = data.pairs[p.pair].points[p.index];
-            const bool impact = kept.fresh || p.bounces;
-            kept.normalImpulse = impact ? 0 : p.normalImpulse;
-            kept.tangentImpulse = impact ? 0 : p.tangentImpulse;
-            kept.fresh = p.normalImpulse == 0 || p.bounces;
-            data.pairs[p.pair].touching |= p.normalImpulse > 0 || p.separation <= 0;
-        }
-    }
+    takePaces(data, step.dt);
 }
 
 } // namespace spacetow

@@ -7,13 +7,9 @@
 
 namespace spacetow {
 
-/// Impulses so that nothing closes more than its gap within the iteration; sets shift and turn of pushed bodies.
+/// Impulses so that nothing closes more than its gap within the iteration. Keeps them for the next one, marks the pairs
+/// in contact, and sets the motion of the pushed bodies: shift and turn by their new velocities, not further than
+/// the surfaces allow where the impulses have not converged, and a part of the way out of overlaps.
 void solveVelocities(WorldData& data, const IterationStep& step);
-
-/// Keeps the impulses for the next iteration and marks the pairs in contact.
-void storeImpulses(WorldData& data);
-
-/// Moves apart what overlaps by more than the slop, a part of it an iteration.
-void pushOut(WorldData& data, const IterationStep& step);
 
 } // namespace spacetow

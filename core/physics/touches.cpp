@@ -1,62 +1,72 @@
 #include "core/physics/touches.h"
 
+#include "core/physics/contact_pool.h"
+
 #include <algorithm>
 
 namespace spacetow {
 
 namespace {
 
-TouchEvent touchEvent(const WorldData& data, const SlotPair& pair, int iteration) {
-    Slot a = pair.first;
-    Slot b = pair.second;
+TouchEvent touchEvent(const WorldData& data, std::uint64_t bodies, int iteration) {
+    auto a = static_cast<Slot>(bodies >> 32);
+    auto b = static_cast<Slot>(bodies & 0xffffffffu);
     if (data.records[b].serial < data.records[a].serial) {
         std::swap(a, b);
     }
     return {iteration, data.idOf(a), data.idOf(b), data.records[a].tangible && data.records[b].tangible};
 }
 
-void collectTouching(WorldData& data) {
-    data.touchingNow.clear();
-    for (const Pair& pair : data.pairs) {
-        if (pair.touching) {
-            data.touchingNow.push_back(std::minmax(pair.bodyA, pair.bodyB));
-        }
+/// All pairs of the same two bodies.
+struct Group {
+    std::size_t first = 0, end = 0;
+};
+
+Group groupAround(const WorldData& data, std::size_t index) {
+    const std::vector<Pair>& pairs = data.table.pairs;
+    const std::uint64_t bodies = pairs[index].bodies();
+    Group group{index, index + 1};
+    while (group.first > 0 && pairs[group.first - 1].bodies() == bodies) {
+        --group.first;
     }
-    std::sort(data.touchingNow.begin(), data.touchingNow.end());
-    data.touchingNow.erase(std::unique(data.touchingNow.begin(), data.touchingNow.end()), data.touchingNow.end());
+    while (group.end < pairs.size() && pairs[group.end].bodies() == bodies) {
+        ++group.end;
+    }
+    return group;
 }
 
-void mergeEvents(WorldData& data, int iteration) {
-    auto before = data.touching.begin();
-    auto now = data.touchingNow.begin();
-    while (before != data.touching.end() || now != data.touchingNow.end()) {
-        if (now == data.touchingNow.end() || (before != data.touching.end() && *before < *now)) {
-            data.events.ended.push_back(touchEvent(data, *before++, iteration));
-        } else if (before == data.touching.end() || *now < *before) {
-            data.events.began.push_back(touchEvent(data, *now++, iteration));
-        } else {
-            ++before;
-            ++now;
-        }
+void report(WorldData& data, const Group& group, std::uint64_t bodies, bool before, int iteration) {
+    bool now = false;
+    for (std::size_t i = group.first; i < group.end; ++i) {
+        TouchMarks& marks = data.table.marks[i];
+        now |= marks.now;
+        before |= marks.reported;
+        marks.reported = marks.now;
+    }
+    if (now != before) {
+        (now ? data.events.began : data.events.ended).push_back(touchEvent(data, bodies, iteration));
     }
 }
 
-void collectTags(WorldData& data, int iteration) {
-    for (const SlotPair& pair : data.touching) {
-        data.records[pair.first].touchedTags = {};
-        data.records[pair.second].touchedTags = {};
+/// Pairs whose boxes have parted are no longer in the table; others of the same bodies may still touch.
+void reportDropped(WorldData& data, int iteration) {
+    for (const std::uint64_t bodies : data.droppedTouches) {
+        const auto found = std::lower_bound(data.table.pairs.begin(), data.table.pairs.end(), bodies,
+                                            [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });
+        Group group;
+        if (found != data.table.pairs.end() && found->bodies() == bodies) {
+            group = groupAround(data, static_cast<std::size_t>(found - data.table.pairs.begin()));
+        }
+        report(data, group, bodies, true, iteration);
     }
-    for (const auto& [a, b] : data.touchingNow) {
-        data.records[a].touchedTags = data.records[a].touchedTags | data.records[b].filter.tags;
-        data.records[b].touchedTags = data.records[b].touchedTags | data.records[a].filter.tags;
-    }
-    for (const auto& pair : data.touchingNow) {
-        for (const Slot slot : {pair.first, pair.second}) {
-            BodyRecord& record = data.records[slot];
-            if (record.reportsTouches && record.lastReport != data.iterationCount && record.touchedTags.bits != 0) {
-                record.lastReport = data.iterationCount;
-                data.events.tagsTouched.push_back({iteration, data.idOf(slot), record.touchedTags});
-            }
+    data.droppedTouches.clear();
+}
+
+void reportChanged(WorldData& data, int iteration) {
+    for (std::size_t i = 0; i < data.table.size(); ++i) {
+        const TouchMarks& marks = data.table.marks[i];
+        if (marks.now != marks.reported) {
+            report(data, groupAround(data, i), data.table.pairs[i].bodies(), false, iteration);
         }
     }
 }
@@ -64,11 +74,44 @@ void collectTags(WorldData& data, int iteration) {
 } // namespace
 
 void reportTouches(WorldData& data, int iteration) {
-    collectTouching(data);
-    mergeEvents(data, iteration);
-    collectTags(data, iteration);
-    data.touching.swap(data.touchingNow);
-    ++data.iterationCount;
+    reportDropped(data, iteration);
+    reportChanged(data, iteration);
+    if (data.reporters.empty()) {
+        return;
+    }
+    collectTouchedTags(data);
+    for (const Slot slot : data.reporters) {
+        if (data.touchedTags[slot].bits != 0) {
+            data.events.tagsTouched.push_back({iteration, data.idOf(slot), data.touchedTags[slot]});
+        }
+    }
+}
+
+void collectTouchedTags(WorldData& data) {
+    std::fill(data.touchedTags.begin(), data.touchedTags.end(), TagMask{});
+    for (std::size_t i = 0; i < data.table.size(); ++i) {
+        if (data.table.marks[i].now) {
+            const Pair& pair = data.table.pairs[i];
+            TagMask& ofA = data.touchedTags[pair.bodyA];
+            TagMask& ofB = data.touchedTags[pair.bodyB];
+            ofA = ofA | data.records[pair.bodyB].filter.tags;
+            ofB = ofB | data.records[pair.bodyA].filter.tags;
+        }
+    }
+}
+
+void endTouches(WorldData& data, Slot slot, int iteration) {
+    for (std::size_t i = 0; i < data.table.size(); ++i) {
+        const Pair& pair = data.table.pairs[i];
+        if (pair.bodyA == slot || pair.bodyB == slot) {
+            for (const Group group = groupAround(data, i); i < group.end; ++i) {
+                data.table.marks[i].now = false;
+                forgetContact(data, data.table.pairs[i]);
+            }
+            --i;
+            report(data, groupAround(data, i), pair.bodies(), false, iteration);
+        }
+    }
 }
 
 } // namespace spacetow

@@ -5,7 +5,14 @@
 
 namespace spacetow {
 
-/// Merges the sorted body pairs of this iteration with those of the last one.
+/// Events of the pairs whose marks have changed since they were last reported, in the order of the table, and the tags
+/// that the bodies which ask for them touched in this iteration.
 void reportTouches(WorldData& data, int iteration);
+
+/// The tags that every body touched in the last iteration.
+void collectTouchedTags(WorldData& data);
+
+/// Ends all touches of a body that is about to leave or to be switched off.
+void endTouches(WorldData& data, Slot slot, int iteration);
 
 } // namespace spacetow

@@ -30,20 +30,26 @@ IterationStep iterationStep(const UpdateParameters& p) {
 }
 
 void iterate(WorldData& data, const IterationStep& step) {
+    const double ahead = step.index == 0 ? step.remaining - step.dt : 0; // rooms for a whole update, if they will do
     integrateVelocities(data, step);
-    isolateFaults(data, step.index);
-    if (!pairsCover(data)) {
+    measureMotion(data, ahead);
+    if (data.anyFault) {
+        isolateFaults(data, step.index);
+        measureMotion(data, ahead);
+    }
+    if (data.anyEscaped) {
         findPairs(data, step);
     }
     findContacts(data, step);
     solveVelocities(data, step);
-    storeImpulses(data);
-    if (!pairsCover(data)) {
-        findPairs(data, step);
+    if (data.anyFast || data.anySweep) {
+        measureMotion(data, 0);
+        if (data.anyEscaped) {
+            findPairs(data, step);
+        }
+        stopAtImpacts(data);
     }
-    stopAtImpacts(data, step);
-    advance(data, step);
-    pushOut(data, step);
+    advance(data, step.dt);
     findOverlaps(data);
     reportTouches(data, step.index);
 }
@@ -76,16 +82,15 @@ void World::update(const UpdateParameters& parameters) {
     IterationStep step = iterationStep(parameters);
     prepareStructure(data);
     prepareMotion(data, step, parameters.gravity);
-    findPairs(data, step);
     for (step.index = 0; step.index < parameters.iterations; ++step.index) {
         iterate(data, step);
         step.remaining -= step.dt;
         if (applyPending(data, step.index)) {
             prepareStructure(data);
             prepareSteps(data, step);
-            findPairs(data, step);
         }
     }
+    collectTouchedTags(data);
 }
 
 Result<BodyId> World::addBody(const BodyDef& def) {
@@ -109,9 +114,10 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     data.records[slot].used = true;
     data.records[slot].serial = data.nextSerial++;
     data.motions[slot] = made.value().motion;
-    data.steps[slot] = BodyStep{};
+    data.steps[slot] = made.value().step;
     refreshInverseMass(data, slot);
     data.staticsChanged |= def.kind == BodyKind::Static;
+    data.bodiesChanged = true;
     return data.idOf(slot);
 }
 
@@ -141,6 +147,7 @@ void World::setPose(BodyId body, const Vec2& position, double angle) {
     const BodyRecord& record = m_data->records[body.index];
     m.rotation = Rot::fromAngle(angle);
     m.center = position + m.rotation * record.localCenter;
+    m_data->pairsStale = true;
     m_data->staticsChanged |= record.kind == BodyKind::Static;
 }
 
@@ -158,6 +165,7 @@ void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocit
 void World::setFilter(BodyId body, const Filter& filter) {
     EXPECTS(contains(body));
     m_data->records[body.index].filter = filter;
+    m_data->pairsStale = true;
 }
 
 const UpdateParameters& World::parameters() const {
@@ -193,7 +201,7 @@ BodyState World::body(BodyId body) const {
             .mass = dynamic ? r.mass : infinite,
             .inertia = dynamic ? r.inertia : infinite,
             .filter = r.filter,
-            .touchedTags = r.touchedTags,
+            .touchedTags = body.index < m_data->touchedTags.size() ? m_data->touchedTags[body.index] : TagMask{},
             .tangible = r.tangible,
             .active = r.active,
             .positionFrozen = r.positionFrozen,

@@ -6,9 +6,12 @@
 #include "core/geometry/part.h"
 #include "core/geometry/static_quadtree.h"
 #include "core/math/aabb.h"
+#include "core/physics/contact_batches.h"
 #include "core/physics/world.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -17,7 +20,8 @@
 
 namespace spacetow {
 
-using Slot = std::uint32_t;
+/// Penetration that is left alone so that resting contacts persist, m.
+constexpr double linearSlop = 0.0005;
 
 /// What moves. The solver reads and writes little else.
 struct BodyMotion {
@@ -37,20 +41,46 @@ struct FreeMotion {
     double lag = 0;  // s²
 };
 
-/// What one iteration needs to know of a body beside its motion.
-struct BodyStep {
+/// Where a body may go before the pairs found for it cease to be all there are.
+struct Room {
+    Aabb centers;        // of its centre
+    double turnLeft = 0; // rad
+};
+
+/// What one iteration needs to know of a body beside its motion; first what contacts ask for.
+struct alignas(64) BodyStep {
+    Vec2 shift{0, 0};       // of the centre in this iteration, m
+    double turn = 0;        // rad
+    double innerRadius = 0; // m, see BodyRecord; of all bodies here and there the same
+    double outerRadius = 0;
+    double travelled = 0;     // m: no point of the body has gone further since it was added
+    bool round = false;       // one circle about the centre of mass: turning changes nothing
+    bool escaped = false;     // from its room
+    bool pushed = false;      // by a contact in this iteration
+    bool bounced = false;     // off one
+    double fraction = 1;      // of shift and turn that is carried out
+    Vec2 push{0, 0};          // out of overlaps, m
+    double pushTurn = 0;      // likewise, rad
+    Vec2 startVelocity{0, 0}; // at the beginning of the iteration
+    double startAngularVelocity = 0;
     Vec2 acceleration{0, 0}; // m/s², gravity and forces, constant during an update
     double angularAcceleration = 0;
     FreeMotion linear, angular;
-    Vec2 startVelocity{0, 0}; // at the beginning of the iteration
-    double startAngularVelocity = 0;
-    Vec2 shift{0, 0};     // of the centre in this iteration, m
-    double turn = 0;      // rad
-    double reach = 0;     // no point of the body moves further in this iteration, m
-    double fraction = 1;  // of shift and turn that is carried out
-    bool pushed = false;  // by a contact in this iteration
-    bool bounced = false; // off one
+    Room room;
+
+    /// No point of the body goes further in this iteration, m; turning moves no point by more than the diameter.
+    double reach() const {
+        return std::sqrt(shift.squaredNorm()) + (round ? 0 : std::min(std::abs(turn), 2.0) * outerRadius);
+    }
 };
+
+/// Whether the way in this iteration is more than anticipation covers; see contact_rules.h.
+inline bool isFar(const BodyStep& s, double reach) {
+    return reach > 0.5 * s.innerRadius && reach > linearSlop;
+}
+inline bool travelsFar(const BodyStep& s) {
+    return isFar(s, s.reach());
+}
 
 /// Everything else about a body.
 struct BodyRecord {
@@ -79,12 +109,8 @@ struct BodyRecord {
     std::uint64_t user = 0;
     Vec2 force{0, 0}; // N, for the next update
     double torque = 0;
-    TagMask touchedTags;
-    std::uint64_t lastReport = ~std::uint64_t{0}; // iteration count of the last tags-touched event
-    Aabb bounds;                                  // of the last broad phase
-    Aabb centerBox;                               // while the centre stays in here the pairs found are all there are
-    double turnLeft = 0;                          // rad the body may still turn before that ceases to be true
-    std::uint32_t firstStatic = 0;                // of its parts in StaticGeometry
+    Aabb bounds;                   // of the last broad phase
+    std::uint32_t firstStatic = 0; // of its parts in StaticGeometry
 };
 
 /// The parts of all static bodies in world coordinates; immutable, shared between copies of a world.
@@ -93,6 +119,7 @@ struct StaticGeometry {
         Slot body;
         std::uint32_t part;
         Part shape;
+        Aabb bounds; // of what is solid; the tree's boxes of edges are larger
     };
     std::vector<Collider> colliders;
     StaticQuadtree tree;
@@ -100,27 +127,81 @@ struct StaticGeometry {
 
 struct ContactPoint {
     std::uint32_t feature = 0;
+    bool fresh = true;        // touched for the first time: what stopped an impact is not carried on
     double normalImpulse = 0; // N s, of the last iteration
-    double tangentImpulse = 0;
-    bool fresh = true; // touched for the first time: what stopped an impact is not carried on
 };
+
+/// By what the parts of a pair are, how their contact is found: `Round` circles stand about their centre of mass.
+enum class PairKind : std::uint8_t { Felt, RoundRound, RoundStatic, General };
 
 /// Two parts that may meet during this update. `bodyA` moves; it has the lower slot when both do.
 struct Pair {
+    static constexpr std::uint32_t none = 0xffffffffu;
+
     Slot bodyA = 0, bodyB = 0;
     std::uint32_t partA = 0, partB = 0;
     const Part* shapeA = nullptr; // about the centre of mass
     const Part* shapeB = nullptr; // likewise, or in world coordinates for a static body
+    PairKind kind = PairKind::General;
     bool staticB = false;
-    bool solid = true; // false: felt, without force
-    bool touching = false;
-    bool sweep = false; // the parts are to be stopped where they meet, to bounce from there
-    int count = 0;
-    std::array<ContactPoint, 2> points;
+    bool alone = false;           // no other part of the same body, nor another static body, can share a plane with it
+    bool sweep = false;           // the parts are to be stopped where they meet, to bounce from there
+    std::uint32_t contact = none; // index of what is known of their contact
 
     std::uint64_t bodies() const { return std::uint64_t{bodyA} << 32 | bodyB; }
     std::uint64_t parts() const { return std::uint64_t{partA} << 32 | partB; }
     bool operator<(const Pair& o) const { return bodies() != o.bodies() ? bodies() < o.bodies() : parts() < o.parts(); }
+};
+
+/// Tells without a look at the pair that it cannot be in contact yet: not before its bodies have travelled this far
+/// together.
+struct PairGate {
+    std::uint32_t moverA = 0, moverB = 0; // indices into WorldData::travelled
+    double apartUntil = 0;                // m
+};
+
+struct TouchMarks {
+    bool now = false;
+    bool reported = false; // as events
+};
+
+/// A manifold that is kept while its parts move little against each other, in their own coordinates.
+struct KeptManifold {
+    double holdsUntil = 0; // m that the bodies may have travelled together before it is looked at again
+    double room = -1;      // m that the parts may come closer before it is out of date; negative: nothing is known
+    Transform relative;    // of A in the coordinates of B when it was made
+    bool normalOfA = false;
+    Vec2 normal{0, 1}; // in the coordinates of A or B
+    struct Point {
+        Vec2 onA{0, 0}, onB{0, 0}; // in the coordinates of A and B
+        double leverA = 0, leverB = 0;
+        double tangentLeverA = 0, tangentLeverB = 0;
+        double normalMass = 0;
+    };
+    std::array<Point, 2> points;
+    double coupling = 0; // of the two points: the off-diagonal element of their inverse mass matrix
+};
+
+/// What the last iteration left of a pair's contact.
+struct Contact {
+    std::int32_t count = 0;               // of points
+    std::uint32_t manifold = 0xffffffffu; // index of the kept one, of general pairs
+    double friction = 0;
+    double restitution = 0;
+    double tangentImpulse = 0; // N s, of the last iteration
+    std::array<ContactPoint, 2> points;
+};
+
+/// The pairs and what belongs to each, by the same index; sorted by bodies and parts.
+struct PairTable {
+    std::vector<PairGate> gates;
+    std::vector<TouchMarks> marks;
+    std::vector<Pair> pairs;
+
+    std::size_t size() const { return pairs.size(); }
+    void clear();
+    void add(const Pair& pair);
+    void addFrom(const PairTable& other, std::size_t index);
 };
 
 /// A part of a moving body with the box it cannot leave unnoticed.
@@ -130,30 +211,48 @@ struct MovingCollider {
     Aabb box;
 };
 
-struct ConstraintPoint {
-    Vec2 armA{0, 0}, armB{0, 0}; // from the centres of mass to the contact point
-    double separation = 0;
-    double normalMass = 0;
-    double tangentMass = 0;
-    double normalImpulse = 0;
-    double tangentImpulse = 0;
-    double target = 0; // m/s: the normal velocity is to be at least this
+/// A contact of one point in line with the centres of mass, so that its normal impulse turns nothing. The rest of it is
+/// in a batch.
+struct RoundContact {
+    Slot a = 0, b = 0;
+    std::uint32_t pair = 0, contact = 0;
+    Lane lane;
     bool bounces = false;
-    std::uint32_t pair = 0; // where its impulses are kept
-    std::uint32_t index = 0;
+    double separation = 0;
 };
 
-/// A contact as the solver sees it, for one iteration.
+struct ConstraintPoint {
+    double leverA, leverB; // cross products of the arms with the normal, m
+    double normalMass;     // 0 when no push along the normal can move anything
+    double separation;
+    double target; // m/s: the normal velocity is to be at least this
+    double normalImpulse;
+    Vec2 armA; // from the centre of mass to the contact point
+    double tangentLeverA, tangentLeverB;
+    std::uint32_t pair, contact, index; // where its impulse is kept
+    bool bounces;
+};
+
+/// Any other contact, for one iteration. Friction acts once for both points, as the velocity along a plane is the same
+/// at all of its points. Made by the thousand, it starts out with a second point that does nothing and nothing else.
 struct Constraint {
-    Slot a = 0, b = 0;
+    Slot a, b;
     int count = 0;
-    bool block = false; // the two points are solved together
-    Vec2 normal{0, 1};  // from a to b
-    double friction = 0;
-    double restitution = 0;
-    double coupling = 0; // off-diagonal element of the two points' mass matrix
-    double determinant = 0;
+    bool alone;
+    Lane lane;   // of its batch
+    Vec2 normal; // from a to b
+    double friction;
+    double restitution;
+    double tangentLeverA, tangentLeverB;
+    double tangentMass;
+    double tangentImpulse;
+    double coupling; // off-diagonal element of the two points' inverse mass matrix
     std::array<ConstraintPoint, 2> points;
+
+    Constraint() {
+        ConstraintPoint& second = points[1];
+        second.leverA = second.leverB = second.normalMass = second.normalImpulse = second.separation = 0;
+    }
 };
 
 struct ConnectorRecord {
@@ -196,21 +295,38 @@ struct WorldData {
     std::vector<PendingChange> pending;
     std::shared_ptr<const StaticGeometry> statics;
     bool staticsChanged = true;
+    bool bodiesChanged = true; // so that lists and pairs are to be made anew
+    bool pairsStale = true;    // so that nothing that is known of the pairs' distances holds
 
-    std::vector<Pair> pairs;        // sorted
-    std::vector<SlotPair> touching; // body pairs in contact after the last iteration, sorted
+    PairTable table;
+    std::vector<Contact> contacts; // of the pairs that have come near each other
+    std::vector<std::uint32_t> freeContacts;
+    std::vector<KeptManifold> manifolds; // of the general ones
+    std::vector<std::uint32_t> freeManifolds;
+    std::vector<TagMask> touchedTags; // by slot, of the last iteration
     Events events;
     std::vector<RemovedEvent> removedBefore; // since the last update
 
-    // Working memory, kept so that a steady update allocates nothing.
     MovingQuadtree tree;
     std::vector<Slot> moving;              // active, kinematic bodies first
+    std::vector<Slot> reporters;           // of touched tags
     std::vector<MovingCollider> colliders; // of `moving`
+    std::vector<double> travelled;         // m, at most, at the end of the iteration: 0, then by slot
+
+    // Working memory, kept so that a steady update allocates nothing.
+    PairTable newTable;
     std::vector<Pair> newPairs;
     std::vector<std::uint32_t> found;
+    std::vector<std::uint32_t> felt; // indices of felt pairs
+    std::vector<RoundContact> roundContacts;
     std::vector<Constraint> constraints;
-    std::vector<SlotPair> touchingNow;
-    std::vector<Transform> trial; // poses during sub-steps, by slot
+    ContactBatches batches;
+    std::vector<std::uint64_t> droppedTouches; // body pairs whose boxes parted while they touched
+    std::vector<Transform> trial;              // poses during sub-steps, by slot
+    bool anyFault = false;                     // something is not finite
+    bool anyEscaped = false;
+    bool anyFast = false; // something moves further than anticipation covers
+    bool anySweep = false;
 
     BodyId idOf(Slot slot) const { return {slot, records[slot].generation}; }
     Transform pose(Slot slot) const { return {motions[slot].center, motions[slot].rotation}; }
@@ -225,8 +341,5 @@ struct IterationStep {
     int index;
     int passes; // of the velocity solver
 };
-
-/// Penetration that is left alone so that resting contacts persist, m.
-constexpr double linearSlop = 0.0005;
 
 } // namespace spacetow

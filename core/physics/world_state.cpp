@@ -43,6 +43,32 @@ void addConnectorState(StateHash& hash, const ConnectorRecord& c) {
              static_cast<std::uint64_t>(c.truncation.rule) << 3);
 }
 
+/// Of the pairs that count: what they touch with, and what is known of their manifold.
+void addPairState(StateHash& hash, const WorldData& data, std::size_t index) {
+    const Pair& pair = data.table.pairs[index];
+    if (data.table.marks[index].reported) {
+        hash.add(pair.bodies());
+    }
+    if (pair.contact == Pair::none) {
+        return;
+    }
+    const Contact& contact = data.contacts[pair.contact];
+    hash.add(pair.bodies());
+    hash.add(pair.parts());
+    hash.add(contact.tangentImpulse);
+    for (int i = 0; i < contact.count; ++i) {
+        const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
+        hash.add(std::uint64_t{point.feature} | std::uint64_t{point.fresh} << 32);
+        hash.add(point.normalImpulse);
+    }
+    if (contact.manifold != Pair::none) {
+        const KeptManifold& kept = data.manifolds[contact.manifold];
+        hash.add(kept.room);
+        add(hash, kept.relative.position);
+        hash.add(kept.relative.rotation.s);
+    }
+}
+
 void addParameters(StateHash& hash, const UpdateParameters& p) {
     add(hash, p.gravity);
     hash.add(p.seconds);
@@ -88,18 +114,8 @@ std::uint64_t World::hash() const {
         hash.add(static_cast<std::uint64_t>(change.kind) | std::uint64_t{change.first} << 8 |
                  std::uint64_t{change.second} << 9);
     }
-    for (const Pair& pair : data.pairs) {
-        if (!pair.touching && pair.count == 0) {
-            continue;
-        }
-        hash.add(pair.bodies());
-        hash.add(pair.parts());
-        for (int i = 0; i < pair.count; ++i) {
-            const ContactPoint& point = pair.points[static_cast<std::size_t>(i)];
-            hash.add(std::uint64_t{point.feature} | std::uint64_t{point.fresh} << 32);
-            hash.add(point.normalImpulse);
-            hash.add(point.tangentImpulse);
-        }
+    for (std::size_t i = 0; i < data.table.size(); ++i) {
+        addPairState(hash, data, i);
     }
     return hash.value();
 }

@@ -1,0 +1,261 @@
+#include "core/physics/contact_batches.h"
+
+#include <algorithm>
+#include <cstring>
+
+// Everything in this file is inlined into functions for processors with and without wide registers. Both compute the
+// same bits: the operations are the same, and none is fused.
+#define SPACETOW_INLINE inline __attribute__((always_inline))
+
+namespace spacetow {
+
+namespace {
+
+SPACETOW_INLINE Wide greater(Wide a, Wide b) {
+    return a > b ? a : b;
+}
+
+SPACETOW_INLINE Wide lesser(Wide a, Wide b) {
+    return a < b ? a : b;
+}
+
+struct WidePace {
+    Wide x, y, turn, unused;
+};
+
+/// Rows to columns and back.
+SPACETOW_INLINE WidePace transposed(Wide r0, Wide r1, Wide r2, Wide r3) {
+    const Wide low02 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
+    const Wide low13 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
+    const Wide high02 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6);
+    const Wide high13 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
+    return {__builtin_shufflevector(low02, high02, 0, 1, 4, 5), __builtin_shufflevector(low13, high13, 0, 1, 4, 5),
+            __builtin_shufflevector(low02, high02, 2, 3, 6, 7), __builtin_shufflevector(low13, high13, 2, 3, 6, 7)};
+}
+
+SPACETOW_INLINE Wide row(const Pace& pace) {
+    Wide result;
+    std::memcpy(&result, &pace, sizeof result);
+    return result;
+}
+
+SPACETOW_INLINE WidePace load(const Pace* paces, const std::array<Slot, 4>& slots) {
+    return transposed(row(paces[slots[0]]), row(paces[slots[1]]), row(paces[slots[2]]), row(paces[slots[3]]));
+}
+
+SPACETOW_INLINE void store(Pace* paces, const std::array<Slot, 4>& slots, const WidePace& pace) {
+    const WidePace rows = transposed(pace.x, pace.y, pace.turn, pace.unused);
+    std::memcpy(static_cast<void*>(&paces[slots[0]]), &rows.x, sizeof(Wide));
+    std::memcpy(static_cast<void*>(&paces[slots[1]]), &rows.y, sizeof(Wide));
+    std::memcpy(static_cast<void*>(&paces[slots[2]]), &rows.turn, sizeof(Wide));
+    std::memcpy(static_cast<void*>(&paces[slots[3]]), &rows.unused, sizeof(Wide));
+}
+
+/// The bodies of a batch's contacts.
+struct Ends {
+    WidePace a, b;
+
+    SPACETOW_INLINE Wide along(Wide x, Wide y) const { return (b.x - a.x) * x + (b.y - a.y) * y; }
+    SPACETOW_INLINE Wide turning(Wide leverA, Wide leverB) const { return b.turn * leverB - a.turn * leverA; }
+    /// An impulse (x, y) on b and its opposite on a, which twist them by these angular impulses.
+    template <class Batch>
+    SPACETOW_INLINE void apply(const Batch& c, Wide x, Wide y, Wide twistA, Wide twistB) {
+        push(c, x, y);
+        a.turn -= c.inertiaA * twistA;
+        b.turn += c.inertiaB * twistB;
+    }
+    template <class Batch>
+    SPACETOW_INLINE void push(const Batch& c, Wide x, Wide y) {
+        a.x -= c.massA * x;
+        a.y -= c.massA * y;
+        b.x += c.massB * x;
+        b.y += c.massB * y;
+    }
+};
+
+SPACETOW_INLINE void warm(Ends& ends, const RoundBatch& c) {
+    const Wide x = c.normalImpulse * c.normalX - c.tangentImpulse * c.normalY;
+    const Wide y = c.normalImpulse * c.normalY + c.tangentImpulse * c.normalX;
+    ends.apply(c, x, y, c.tangentImpulse * c.leverA, c.tangentImpulse * c.leverB);
+}
+
+SPACETOW_INLINE void warm(Ends& ends, const ConstraintBatch& c) {
+    const Wide normal = c.impulse1 + c.impulse2;
+    const Wide x = normal * c.normalX - c.tangentImpulse * c.normalY;
+    const Wide y = normal * c.normalY + c.tangentImpulse * c.normalX;
+    ends.apply(c, x, y, c.impulse1 * c.leverA1 + c.impulse2 * c.leverA2 + c.tangentImpulse * c.tangentLeverA,
+               c.impulse1 * c.leverB1 + c.impulse2 * c.leverB2 + c.tangentImpulse * c.tangentLeverB);
+}
+
+/// Friction: stops the sliding along the tangent (−y, x) of the normal as far as `limit` reaches.
+template <class Batch>
+SPACETOW_INLINE void rub(Ends& ends, Batch& c, Wide leverA, Wide leverB, Wide limit) {
+    const Wide sliding = ends.along(-c.normalY, c.normalX) + ends.turning(leverA, leverB);
+    const Wide impulse = lesser(greater(c.tangentImpulse - c.tangentMass * sliding, -limit), limit);
+    const Wide change = impulse - c.tangentImpulse;
+    c.tangentImpulse = impulse;
+    ends.apply(c, -change * c.normalY, change * c.normalX, change * leverA, change * leverB);
+}
+
+SPACETOW_INLINE void solve(Ends& ends, RoundBatch& c) {
+    rub(ends, c, c.leverA, c.leverB, c.friction * c.normalImpulse);
+    const Wide excess = ends.along(c.normalX, c.normalY) - c.target;
+    const Wide impulse = greater(c.normalImpulse - c.normalMass * excess, Wide{});
+    const Wide change = impulse - c.normalImpulse;
+    c.normalImpulse = impulse;
+    ends.push(c, change * c.normalX, change * c.normalY);
+}
+
+/// The impulses x ≥ 0 with K x + b ≥ 0 and x·(K x + b) = 0, found by trying which of them act. The order of the
+/// points does not matter, so that mirrored scenes stay mirrored.
+SPACETOW_INLINE void complementary(const ConstraintBatch& c, Wide b1, Wide b2, Wide& x1, Wide& x2) {
+    const Wide none{};
+    x1 = (c.coupling * b2 - c.k22 * b1) * c.inverseDeterminant;
+    x2 = (c.coupling * b1 - c.k11 * b2) * c.inverseDeterminant;
+    const auto both = (x1 >= none) & (x2 >= none);
+    const Wide only1 = -b1 * c.mass1;
+    const auto first = (only1 >= none) & (c.coupling * only1 + b2 >= none);
+    const Wide only2 = -b2 * c.mass2;
+    const auto second = (only2 >= none) & (c.coupling * only2 + b1 >= none);
+    x1 = both ? x1 : (first ? only1 : none);
+    x2 = both ? x2 : (first ? none : (second ? only2 : none));
+}
+
+SPACETOW_INLINE void solve(Ends& ends, ConstraintBatch& c) {
+    rub(ends, c, c.tangentLeverA, c.tangentLeverB, c.friction * (c.impulse1 + c.impulse2));
+    const Wide closing = ends.along(c.normalX, c.normalY);
+    const Wide b1 =
+        closing + ends.turning(c.leverA1, c.leverB1) - c.target1 - (c.k11 * c.impulse1 + c.coupling * c.impulse2);
+    const Wide b2 =
+        closing + ends.turning(c.leverA2, c.leverB2) - c.target2 - (c.coupling * c.impulse1 + c.k22 * c.impulse2);
+    Wide x1;
+    Wide x2;
+    complementary(c, b1, b2, x1, x2);
+    const Wide d1 = x1 - c.impulse1;
+    const Wide d2 = x2 - c.impulse2;
+    c.impulse1 = x1;
+    c.impulse2 = x2;
+    const Wide change = d1 + d2;
+    ends.apply(c, change * c.normalX, change * c.normalY, d1 * c.leverA1 + d2 * c.leverA2,
+               d1 * c.leverB1 + d2 * c.leverB2);
+}
+
+template <class Batch>
+SPACETOW_INLINE void warmAll(Pace* paces, const Batch* first, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        Ends ends{load(paces, first[i].a), load(paces, first[i].b)};
+        warm(ends, first[i]);
+        store(paces, first[i].a, ends.a);
+        store(paces, first[i].b, ends.b);
+    }
+}
+
+template <class Batch>
+SPACETOW_INLINE void solveAll(Pace* paces, Batch* first, std::size_t count, bool backwards) {
+    for (std::size_t i = 0; i < count; ++i) {
+        Batch& batch = first[backwards ? count - 1 - i : i];
+        Ends ends{load(paces, batch.a), load(paces, batch.b)};
+        solve(ends, batch);
+        store(paces, batch.a, ends.a);
+        store(paces, batch.b, ends.b);
+    }
+}
+
+SPACETOW_INLINE void measure(const Ends& ends, RoundBatch& c) {
+    c.velocity = ends.along(c.normalX, c.normalY);
+}
+
+SPACETOW_INLINE void measure(const Ends& ends, ConstraintBatch& c) {
+    const Wide linear = ends.along(c.normalX, c.normalY);
+    c.velocity1 = linear + ends.turning(c.leverA1, c.leverB1);
+    c.velocity2 = linear + ends.turning(c.leverA2, c.leverB2);
+}
+
+template <class Batch>
+SPACETOW_INLINE void measureAll(const Pace* paces, std::vector<Batch>& batches) {
+    for (Batch& batch : batches) {
+        measure(Ends{load(paces, batch.a), load(paces, batch.b)}, batch);
+    }
+}
+
+enum class Task { WarmStart, Forwards, Backwards, Measure };
+
+SPACETOW_INLINE void carryOut(ContactBatches& batches, Task task) {
+    Pace* paces = batches.paces.data();
+    if (task == Task::WarmStart) {
+        warmAll(paces, batches.round.data(), batches.round.size());
+        warmAll(paces, batches.general.data(), batches.general.size());
+    } else if (task == Task::Measure) {
+        measureAll(paces, batches.round);
+        measureAll(paces, batches.general);
+    } else {
+        solveAll(paces, batches.round.data(), batches.round.size(), task == Task::Backwards);
+        solveAll(paces, batches.general.data(), batches.general.size(), task == Task::Backwards);
+    }
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) void carryOutWide(ContactBatches& batches, Task task) {
+    carryOut(batches, task);
+}
+#endif
+
+void start(ContactBatches& batches, Task task) {
+#if defined(__x86_64__)
+    static const bool wide = __builtin_cpu_supports("avx2") != 0;
+    if (wide) {
+        carryOutWide(batches, task);
+        return;
+    }
+#endif
+    carryOut(batches, task);
+}
+
+} // namespace
+
+void BatchPlan::reset(std::size_t bodies) {
+    m_free.assign(bodies, 0);
+    m_next.clear();
+    m_filled.clear();
+}
+
+std::uint32_t BatchPlan::firstWithRoom(std::uint32_t from) {
+    while (from < m_next.size() && m_next[from] != from) {
+        const std::uint32_t next = m_next[from];
+        if (next < m_next.size()) {
+            m_next[from] = m_next[next];
+        }
+        from = next;
+    }
+    return from;
+}
+
+Lane BatchPlan::place(Slot a, bool movableA, Slot b, bool movableB) {
+    const std::uint32_t earliest = std::max(movableA ? m_free[a] : 0, movableB ? m_free[b] : 0);
+    const std::uint32_t batch = firstWithRoom(earliest);
+    if (batch == m_filled.size()) {
+        m_filled.push_back(0);
+        m_next.push_back(batch);
+    }
+    const std::uint32_t lane = m_filled[batch]++;
+    if (m_filled[batch] == 4) {
+        m_next[batch] = batch + 1;
+    }
+    m_free[a] = batch + 1;
+    m_free[b] = batch + 1;
+    return {batch, lane};
+}
+
+void warmStart(ContactBatches& batches) {
+    start(batches, Task::WarmStart);
+}
+
+void solvePass(ContactBatches& batches, bool backwards) {
+    start(batches, backwards ? Task::Backwards : Task::Forwards);
+}
+
+void measureVelocities(ContactBatches& batches) {
+    start(batches, Task::Measure);
+}
+
+} // namespace spacetow

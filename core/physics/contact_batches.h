@@ -1,0 +1,105 @@
+#pragma once
+// Contacts in fours that have no moving body in common, laid out so that one instruction serves all four. Each body
+// meets its contacts in the order in which they were given, so the result is, to the bit, that of one after the other.
+// Reading material: E. Catto, "SIMD Matters" (2024), whose graph colouring gives up that order.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace spacetow {
+
+using Slot = std::uint32_t;
+
+/// Four doubles; the compiler uses what registers the processor has.
+using Wide = double __attribute__((vector_size(32), aligned(32)));
+
+/// A body while contacts are solved: what four of them are loaded as.
+struct alignas(32) Pace {
+    double x = 0, y = 0; // velocity, m/s
+    double turn = 0;     // rad/s
+    double unused = 0;
+};
+
+/// Quantities as in RoundContact; masses and inertias are inverse.
+struct alignas(32) RoundBatch {
+    std::array<Slot, 4> a{}, b{};
+    Wide normalX{}, normalY{};
+    Wide massA{}, massB{}, inertiaA{}, inertiaB{};
+    Wide leverA{}, leverB{};
+    Wide normalMass{}, tangentMass{};
+    Wide friction{}, target{};
+    Wide normalImpulse{}, tangentImpulse{};
+    Wide velocity{}; // m/s along the normal, after the last pass
+};
+
+/// Quantities as in Constraint. A missing second point has a target that every velocity exceeds.
+struct alignas(32) ConstraintBatch {
+    std::array<Slot, 4> a{}, b{};
+    Wide normalX{}, normalY{};
+    Wide massA{}, massB{}, inertiaA{}, inertiaB{};
+    Wide tangentLeverA{}, tangentLeverB{};
+    Wide tangentMass{}, friction{}, tangentImpulse{};
+    Wide leverA1{}, leverB1{}, target1{}, impulse1{};
+    Wide leverA2{}, leverB2{}, target2{}, impulse2{};
+    Wide k11{}, k22{}, coupling{}, inverseDeterminant{}; // of the inverse mass matrix
+    Wide mass1{}, mass2{};                               // 1/k11, 1/k22
+    Wide velocity1{}, velocity2{};
+};
+
+/// Where a contact's lane is.
+struct Lane {
+    std::uint32_t batch = 0, lane = 0;
+};
+
+/// Assigns contacts to batches: each to the first with room after those of its bodies' earlier contacts.
+class BatchPlan {
+  public:
+    /// `bodies` slots are in use.
+    void reset(std::size_t bodies);
+    /// A body that contacts cannot move may be in several lanes of a batch.
+    Lane place(Slot a, bool movableA, Slot b, bool movableB);
+    /// The slot for lanes without a contact: one more than those of bodies.
+    Slot nobody() const { return static_cast<Slot>(m_free.size()); }
+
+  private:
+    std::uint32_t firstWithRoom(std::uint32_t from);
+
+    std::vector<std::uint32_t> m_free;  // by slot: the first batch that the body is not yet in
+    std::vector<std::uint32_t> m_next;  // by batch: itself, or one nearer to the first with room
+    std::vector<std::uint8_t> m_filled; // lanes, by batch
+};
+
+/// Working memory of the solver.
+struct ContactBatches {
+    std::vector<Pace> paces; // by slot, and one more for lanes without a contact
+    BatchPlan roundPlan, generalPlan;
+    std::vector<RoundBatch> round;
+    std::vector<ConstraintBatch> general;
+};
+
+/// A lane for the contact of two bodies, in a batch that is `empty` but for such lanes.
+template <class Batch>
+Lane openLane(BatchPlan& plan, std::vector<Batch>& batches, const Batch& empty, Slot a, bool movableA, Slot b,
+              bool movableB) {
+    const Lane lane = plan.place(a, movableA, b, movableB);
+    if (lane.batch == batches.size()) {
+        batches.push_back(empty);
+        batches.back().a.fill(plan.nobody());
+        batches.back().b.fill(plan.nobody());
+    }
+    batches[lane.batch].a[lane.lane] = a;
+    batches[lane.batch].b[lane.lane] = b;
+    return lane;
+}
+
+/// Applies the impulses that the contacts begin with.
+void warmStart(ContactBatches& batches);
+
+/// One pass over all contacts, the other way round if `backwards`.
+void solvePass(ContactBatches& batches, bool backwards);
+
+/// The normal velocities that are left.
+void measureVelocities(ContactBatches& batches);
+
+} // namespace spacetow

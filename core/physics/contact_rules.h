@@ -1,0 +1,56 @@
+#pragma once
+// What every contact has in common: how near the surfaces have to be, and which velocity they are to part with.
+
+#include "core/physics/world_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spacetow {
+
+// Slower impacts come to rest, m/s.
+constexpr double bounceThreshold = 0.005;
+
+/// Surfaces no further apart than this may meet in this iteration. Anticipation is limited to half the inner radii:
+/// beyond that the sweep of fast bodies takes over, whose normal is that of the impact and not that of the start.
+inline double contactMargin(const BodyStep& a, const BodyStep& b) {
+    const Vec2 apart = a.shift - b.shift;
+    double way = std::sqrt(apart.squaredNorm());
+    way += a.round ? 0 : std::abs(a.turn) * a.outerRadius;
+    way += b.round ? 0 : std::abs(b.turn) * b.outerRadius;
+    return linearSlop + std::min(way, 0.5 * (a.innerRadius + b.innerRadius));
+}
+
+/// The same against a static body.
+inline double contactMargin(const BodyStep& a) {
+    return linearSlop + std::min(a.reach(), 0.5 * a.innerRadius);
+}
+
+struct Approach {
+    double before; // m/s along the normal at the beginning of the iteration, positive when closing
+    double after;  // with this iteration's forces
+};
+
+enum class Meeting : std::uint8_t { Rests, Bounces, WillBounce };
+
+struct Target {
+    Meeting meeting = Meeting::Rests;
+    double velocity = 0; // m/s: the normal velocity is to be at least this
+};
+
+/// What the normal velocity is to be. Surfaces that touch bounce at once, and fall back under this iteration's forces;
+/// those still apart are to be stopped where they meet. `perSecond` is the number of iterations in a second.
+inline Target targetOf(const Approach& approach, double separation, double restitution, double perSecond) {
+    const double closing = separation > 0 ? -separation * perSecond : 0;
+    if (separation > linearSlop) {
+        const bool meets = std::max(approach.before, approach.after) > (separation - linearSlop) * perSecond;
+        return {meets && approach.after > bounceThreshold ? Meeting::WillBounce : Meeting::Rests, closing};
+    }
+    const double rebound = restitution * approach.before - (approach.after - approach.before);
+    if (approach.before > bounceThreshold && rebound > 0) {
+        return {Meeting::Bounces, rebound};
+    }
+    return {Meeting::Rests, closing};
+}
+
+} // namespace spacetow
