@@ -34,6 +34,7 @@ class DebugPictureTest : public QObject {
     void theSamePictureComesOutEveryTime();
     void aCopyIsDrawnAsItWasWhileTheWorldGoesOn();
     void aStaticBodyThatWasPutElsewhereIsDrawnThere();
+    void theBoxIsThatOfTheBroadPhase();
     void circlesStayRoundInEveryWindow_data();
     void circlesStayRoundInEveryWindow();
     void theHostMayGiveVelocitiesAndNormalsAHead();
@@ -104,6 +105,22 @@ void DebugPictureTest::aStaticBodyThatWasPutElsewhereIsDrawnThere() {
     QVERIFY(sameWithin(1e-12, recorded(world, view), expected));
     world.update();
     QVERIFY(sameWithin(1e-12, recorded(world, view), expected));
+}
+
+void DebugPictureTest::theBoxIsThatOfTheBroadPhase() {
+    World world(withIterations(4, {0, 0}));
+    BodyDef def = ball({0, 0}, 0.5);
+    def.velocity = {3, 0};
+    const BodyId id = add(world, def);
+    world.update();
+    const Aabb box = world.bounds(id);
+    QVERIFY(box.size().x() > 1.01); // it covers the motion
+    const DrawCall expected{
+        Form::Rectangle, {{box.min.x(), -box.max.y()}, {box.max.x(), -box.min.y()}}, 0, {255, 255, 255}};
+    QVERIFY(recorded(world, plainView()).front() == expected);
+    RecordingDraw draw;
+    drawBody({.bounds = box}, bareView(), draw);
+    QVERIFY(draw.calls.empty());
 }
 
 void DebugPictureTest::circlesStayRoundInEveryWindow_data() {
