@@ -2,111 +2,54 @@
 
 #include "core/game/ship.h"
 #include "core/geometry/bounds.h"
-#include "core/geometry/polygon.h"
+#include "core/geometry/mass.h"
 #include "core/geometry/static_quadtree.h"
 #include "core/level/build.h"
 #include "core/level/edits.h"
-#include "editor/canvas/wall_painter.h"
-
-#include <array>
+#include "editor/canvas/painter_draw.h"
 
 namespace spacetow {
 
 namespace {
 
-constexpr double arrowHead = 6; // px
-
-/// What the overlays need to know of a body; the references outlive it.
-struct Subject {
-    const std::vector<Shape>& shapes;
-    Transform pose;
-    Vec2 velocity;
-    Aabb bounds;
-};
-
-void arrow(const Stage& stage, const Vec2& from, const Vec2& to) {
-    const QPointF a = stage.at(from);
-    const QPointF b = stage.at(to);
-    const QLineF line(a, b);
-    stage.painter.drawLine(line);
-    if (line.length() > 2 * arrowHead) {
-        const QPointF along = (b - a) / line.length() * arrowHead;
-        const QPointF across(-along.y() * 0.5, along.x() * 0.5);
-        stage.painter.drawLine(b, b - along + across);
-        stage.painter.drawLine(b, b - along - across);
-    }
+/// The overlays in the stage's view and colours.
+DebugView debugView(const Stage& stage, const OverlayFlags& overlays) {
+    DebugView view;
+    view.view = stage.view.transform();
+    view.shapes = false;
+    view.boxes = overlays.aabb;
+    view.velocities = overlays.velocity;
+    view.orientations = overlays.orientation;
+    view.incircles = overlays.incircle;
+    view.normals = overlays.normals;
+    view.colors = {toColor(stage.theme.overlayBox), toColor(stage.theme.overlayIncircle),
+                   toColor(stage.theme.overlayNormal), toColor(stage.theme.overlayOrientation),
+                   toColor(stage.theme.overlayVelocity)};
+    return view;
 }
 
-void paintBox(const Stage& stage, const Aabb& box) {
-    if (!box.isEmpty() && stage.sees(box)) {
-        stage.painter.drawRect(
-            QRectF(stage.at(Vec2(box.min.x(), box.max.y())), stage.at(Vec2(box.max.x(), box.min.y()))));
+Vec2 massCenter(std::span<const Shape> shapes, const Transform& pose) {
+    std::vector<MassProperties> masses;
+    for (const Shape& shape : shapes) {
+        masses.push_back(massOf(shape, 1));
     }
+    return pose.toWorld(sum(masses).center);
 }
 
-/// From the middle of a wall a metre to the free side; a line has two of them.
-void paintNormal(const Stage& stage, const Vec2& a, const Vec2& b, bool both) {
-    const Vec2 along = b - a;
-    const double length = along.norm();
-    const Vec2 middle = 0.5 * (a + b);
-    if (length <= 0 || !stage.sees(Aabb{middle, middle}.grown(1))) {
-        return;
+/// The centre of mass is found where the velocity shows, and only there.
+void paintBody(DebugBody body, const DebugView& view, DebugDraw& draw) {
+    if (view.velocities && body.velocity.squaredNorm() > 0) {
+        body.massCenter = massCenter(body.shapes, body.pose);
     }
-    const Vec2 free = leftOf(along / length);
-    arrow(stage, middle, middle + free);
-    if (both) {
-        arrow(stage, middle, middle - free);
-    }
-}
-
-void paintNormals(const Stage& stage, const Subject& subject) {
-    for (const Shape& shape : subject.shapes) {
-        if (const auto* edge = std::get_if<Edge>(&shape)) {
-            paintNormal(stage, subject.pose.toWorld(edge->a), subject.pose.toWorld(edge->b), false);
-        } else if (const auto* line = std::get_if<Line>(&shape)) {
-            paintNormal(stage, subject.pose.toWorld(line->a), subject.pose.toWorld(line->b), true);
-        }
-    }
-}
-
-void paintIncircles(const Stage& stage, const Subject& subject) {
-    for (const Shape& shape : subject.shapes) {
-        if (const auto* polygon = std::get_if<Polygon>(&shape); polygon != nullptr && polygon->vertices.size() > 2) {
-            const Vec2 center = centroid(polygon->vertices);
-            const double radius = stage.pixels(incircleRadius(polygon->vertices, center));
-            stage.painter.drawEllipse(stage.at(subject.pose.toWorld(center)), radius, radius);
-        }
-    }
-}
-
-void paintSubject(const Stage& stage, const Subject& subject, const OverlayFlags& overlays) {
-    const Vec2& at = subject.pose.position;
-    if (overlays.aabb) {
-        stage.painter.setPen(stroke(stage.theme.overlayBox, 1));
-        paintBox(stage, subject.bounds);
-    }
-    if (overlays.normals) {
-        stage.painter.setPen(stroke(stage.theme.overlayNormal, 1.3));
-        paintNormals(stage, subject);
-    }
-    if (overlays.incircle) {
-        stage.painter.setPen(stroke(stage.theme.overlayIncircle, 1.3));
-        paintIncircles(stage, subject);
-    }
-    if (overlays.orientation) {
-        stage.painter.setPen(stroke(stage.theme.overlayOrientation, 1.5));
-        stage.painter.drawLine(stage.at(at), stage.at(at + subject.pose.rotation.up()));
-    }
-    if (overlays.velocity && subject.velocity.squaredNorm() > 0) {
-        stage.painter.setPen(stroke(stage.theme.overlayVelocity, 1.8));
-        arrow(stage, at, at + subject.velocity);
-    }
+    drawBody(body, view, draw);
 }
 
 void paintCells(const Stage& stage, const std::vector<Aabb>& cells) {
-    stage.painter.setPen(stroke(stage.theme.overlayCell, 1));
+    PainterDraw draw(stage);
     for (const Aabb& cell : cells) {
-        paintBox(stage, cell);
+        if (!cell.isEmpty()) {
+            draw.rectangle(stage.view.transform().toView(cell), toColor(stage.theme.overlayCell));
+        }
     }
 }
 
@@ -126,23 +69,28 @@ std::vector<Aabb> staticBoxes(const Level& level) {
     return boxes;
 }
 
-void paintObjectOverlays(const Stage& stage, const Level& level, const Object& object, const OverlayFlags& overlays) {
-    const Aabb bounds = boundsOf(level, object);
+void paintObjectOverlays(const Level& level, const Object& object, const DebugView& view, DebugDraw& draw) {
+    DebugBody seen{.bounds = boundsOf(level, object)};
+    std::vector<Shape> shapes;
     if (const auto* body = std::get_if<BodyObject>(&object.data)) {
-        const std::vector<Shape> shapes = physicsShapes(*body);
-        paintSubject(stage, {shapes, {body->position, Rot::fromAngle(body->angle)}, body->velocity, bounds}, overlays);
+        shapes = physicsShapes(*body);
+        seen.kind = body->kind;
+        seen.pose = {body->position, Rot::fromAngle(body->angle)};
+        seen.velocity = body->velocity;
     } else if (const auto* ship = std::get_if<ShipObject>(&object.data)) {
-        const std::vector<Shape> shapes{shipHull()};
-        paintSubject(stage, {shapes, {ship->position, Rot::fromAngle(ship->angle)}, Vec2(0, 0), bounds}, overlays);
+        shapes = {shipHull()};
+        seen.pose = {ship->position, Rot::fromAngle(ship->angle)};
     } else if (const auto* payload = std::get_if<PayloadObject>(&object.data)) {
-        const std::vector<Shape> shapes{Circle{Vec2(0, 0), payload->radius}};
-        paintSubject(stage, {shapes, {payload->position, Rot{}}, Vec2(0, 0), bounds}, overlays);
+        shapes = {Circle{Vec2(0, 0), payload->radius}};
+        seen.pose.position = payload->position;
     } else if (const auto* finish = std::get_if<FinishObject>(&object.data)) {
-        const std::vector<Shape> shapes{Line{finish->a, finish->b}};
-        OverlayFlags only = overlays;
-        only.orientation = false;
-        paintSubject(stage, {shapes, {}, Vec2(0, 0), bounds}, only);
+        shapes = {Line{finish->a, finish->b}};
+        seen.kind = BodyKind::Static;
+    } else {
+        return;
     }
+    seen.shapes = shapes;
+    paintBody(seen, view, draw);
 }
 
 void begin(const Stage& stage) {
@@ -159,8 +107,10 @@ void paintLevelOverlays(const Stage& stage, const Level& level, const OverlayFla
         paintCells(stage, StaticQuadtree(staticBoxes(level)).cells());
     }
     if (OverlayFlags others = overlays; others.quadtree = false, others.any()) {
+        const DebugView view = debugView(stage, overlays);
+        PainterDraw draw(stage);
         for (const Object& object : level.objects) {
-            paintObjectOverlays(stage, level, object, overlays);
+            paintObjectOverlays(level, object, view, draw);
         }
     }
     stage.painter.restore();
@@ -171,8 +121,15 @@ void paintSnapshotOverlays(const Stage& stage, const Snapshot& snapshot, const O
     if (overlays.quadtree) {
         paintCells(stage, snapshot.quadtree);
     }
+    const DebugView view = debugView(stage, overlays);
+    PainterDraw draw(stage);
     for (const BodyPicture& body : snapshot.bodies) {
-        paintSubject(stage, {body.look->shapes, body.pose, body.velocity, body.bounds}, overlays);
+        paintBody({.kind = body.look->kind,
+                   .shapes = body.look->shapes,
+                   .pose = body.pose,
+                   .velocity = body.velocity,
+                   .bounds = body.bounds},
+                  view, draw);
     }
     stage.painter.restore();
 }

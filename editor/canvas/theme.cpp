@@ -1,9 +1,7 @@
 #include "editor/canvas/theme.h"
 
+#include "core/physics/debug_draw.h"
 #include "editor/canvas/stage.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace spacetow {
 
@@ -26,9 +24,7 @@ BodyColors Theme::body(BodyKind kind, const Shape& shape) const {
 }
 
 QColor Theme::connector(double distance, double length) {
-    const double ratio = length > 0 ? distance / length : 1;
-    const double stretch = std::isfinite(ratio) ? std::clamp(ratio, 0.5, 1.5) : 1.5;
-    return QColor::fromHsvF(static_cast<float>((stretch - 0.5) / 3), 1, 1);
+    return QColor::fromHsvF(static_cast<float>(connectorHue(distance, length)), 1, 1);
 }
 
 const Theme& canvasTheme() {

@@ -11,11 +11,11 @@ constexpr double margin = 0.9; // share of the view that a box to be shown may f
 } // namespace
 
 Vec2 Viewport::toScreen(const Vec2& world) const {
-    return {size.x() / 2 + (world.x() - center.x()) * scale, size.y() / 2 - (world.y() - center.y()) * scale};
+    return transform().toView(world);
 }
 
 Vec2 Viewport::toWorld(const Vec2& screen) const {
-    return {center.x() + (screen.x() - size.x() / 2) / scale, center.y() - (screen.y() - size.y() / 2) / scale};
+    return transform().toWorld(screen);
 }
 
 Aabb Viewport::visible() const {

@@ -1,8 +1,8 @@
 #pragma once
-// The part of the world that is in view. The one place where screen y (down) meets world y (up).
+// The part of the world that is in view, and how the user moves and zooms it.
 
 #include "core/math/aabb.h"
-#include "core/math/vec.h"
+#include "core/math/view_transform.h"
 
 namespace spacetow {
 
@@ -15,6 +15,7 @@ class Viewport {
     double scale = 66;   // logical pixels a metre, the same on both axes
     Vec2 size{880, 660}; // of the view, logical pixels
 
+    ViewTransform transform() const { return {center, scale, size}; }
     Vec2 toScreen(const Vec2& world) const;
     Vec2 toWorld(const Vec2& screen) const;
     Aabb visible() const;

@@ -1,0 +1,153 @@
+#include "editor/canvas/painter_draw.h"
+
+#include "editor/canvas/overlay_painter.h"
+#include "tests/support/bodies.h"
+#include "tests/support/test_main.h"
+
+#include <QImage>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+Viewport viewOf(int width, int height) {
+    Viewport view;
+    view.scale = 20;
+    view.size = Vec2(width, height);
+    return view;
+}
+
+template <class Paint>
+QImage painted(const Viewport& view, const Paint& paint) {
+    QImage image(static_cast<int>(view.size.x()), static_cast<int>(view.size.y()), QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    paint(Stage{painter, view, canvasTheme()});
+    return image;
+}
+
+/// The smallest rectangle that holds all that is not black.
+QRect inked(const QImage& image) {
+    QRect box;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            if (image.pixelColor(x, y) != QColor(Qt::black)) {
+                box |= QRect(x, y, 1, 1);
+            }
+        }
+    }
+    return box;
+}
+
+constexpr Color orange{255, 128, 0};
+
+} // namespace
+
+class PainterDrawTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void eachFormCoversItsPlaceAndNoOther_data() {
+        QTest::addColumn<int>("form");
+        QTest::addColumn<bool>("filled");
+        QTest::newRow("circle") << 0 << false;
+        QTest::newRow("filled circle") << 1 << true;
+        QTest::newRow("polygon") << 2 << false;
+        QTest::newRow("filled polygon") << 3 << true;
+        QTest::newRow("rectangle") << 4 << false;
+        QTest::newRow("filled rectangle") << 5 << true;
+    }
+    void eachFormCoversItsPlaceAndNoOther() {
+        QFETCH(int, form);
+        QFETCH(bool, filled);
+        const std::vector<Vec2> corners{Vec2(20, 40), Vec2(60, 40), Vec2(60, 80), Vec2(20, 80)};
+        const QImage image = painted(viewOf(100, 100), [&](const Stage& stage) {
+            PainterDraw draw(stage);
+            switch (form) {
+            case 0:
+                draw.circle({40, 60}, 20, orange);
+                break;
+            case 1:
+                draw.filledCircle({40, 60}, 20, orange);
+                break;
+            case 2:
+                draw.polygon(corners, orange);
+                break;
+            case 3:
+                draw.filledPolygon(corners, orange);
+                break;
+            case 4:
+                draw.rectangle({{20, 40}, {60, 80}}, orange);
+                break;
+            default:
+                draw.filledRectangle({{20, 40}, {60, 80}}, orange);
+                break;
+            }
+        });
+        const QRect box = inked(image);
+        QVERIFY(QRect(18, 38, 45, 45).contains(box) && box.contains(QRect(21, 41, 38, 38)));
+        QCOMPARE(image.pixelColor(40, 60) == QColor(255, 128, 0), filled);
+        QCOMPARE(image.pixelColor(40, 60) == QColor(Qt::black), !filled);
+    }
+
+    void anArrowHasAHeadAtItsEnd() {
+        const auto heightAt = [](const QImage& image, int from, int to) {
+            return inked(image.copy(from, 0, to - from, 100)).height();
+        };
+        const QImage image = painted(viewOf(100, 100), [](const Stage& stage) {
+            PainterDraw(stage).arrow({10, 50}, {80, 50}, orange);
+        });
+        QVERIFY(heightAt(image, 8, 40) <= 3);
+        QVERIFY(heightAt(image, 70, 82) >= 5);
+    }
+
+    void whatIsOutOfViewIsLeftOutAndWhatPassesThroughIsNot() {
+        const auto draws = [](const Vec2& a, const Vec2& b) {
+            return !inked(painted(viewOf(100, 100), [&](const Stage& stage) {
+                        PainterDraw(stage).line(a, b, orange);
+                    })).isEmpty();
+        };
+        QVERIFY(draws({-1e6, 50}, {1e6, 50}));
+        QVERIFY(!draws({-1e6, -50}, {1e6, -50}));
+    }
+
+    void aWorldLooksTheSameEveryTimeAndCirclesAreRoundInAWideWindow() {
+        World world;
+        add(world, ball({-3, 2}, 2));
+        DebugView view;
+        const Viewport window = viewOf(800, 300);
+        view.view = window.transform();
+        view.boxes = view.orientations = false;
+        const auto picture = [&] {
+            return painted(window, [&](const Stage& stage) {
+                PainterDraw draw(stage);
+                drawWorld(world, view, draw);
+            });
+        };
+        const QImage first = picture();
+        QCOMPARE(picture(), first);
+        QCOMPARE(picture(), first);
+        const QRect box = inked(first);
+        QCOMPARE(box.width(), box.height());
+        QVERIFY(std::abs(box.width() - 81.5) <= 2);
+        QVERIFY((Vec2(box.center().x(), box.center().y()) - window.toScreen({-3, 2})).norm() < 2);
+    }
+
+    void theVelocityStartsAtTheCentreOfMass() {
+        BodyObject off;
+        off.kind = BodyKind::Dynamic;
+        off.shapes = {Circle{{1, 0}, 0.25}};
+        off.velocity = {0, 1};
+        Level level;
+        level.objects.append({1, {}, off, {}});
+        const Viewport view = viewOf(100, 100);
+        const QRect box = inked(painted(
+            view, [&](const Stage& stage) { paintLevelOverlays(stage, level, OverlayFlags{.velocity = true}); }));
+        QVERIFY(QRect(65, 25, 11, 30).contains(box));
+        QVERIFY(box.bottom() >= 49 && box.top() <= 31);
+    }
+};
+
+SPACETOW_TEST(PainterDrawTest)
+#include "painter_draw_test.moc"
