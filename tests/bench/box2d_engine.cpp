@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 namespace spacetow::bench {
 
@@ -85,42 +86,42 @@ void build(b2World& world, const Scene& scene) {
     }
 }
 
-void describe(Run& run, const b2World& world) {
+Outcome outcomeOf(const b2World& world) {
+    Outcome outcome;
     int count = 0;
-    run.minY = std::numeric_limits<double>::infinity();
+    outcome.minY = std::numeric_limits<double>::infinity();
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
         if (body->GetType() == b2_dynamicBody) {
             ++count;
             const double y = body->GetPosition().y;
             const double spin = body->GetAngularVelocity();
-            run.minY = std::min(run.minY, y);
-            run.meanY += y;
-            run.kinetic += 0.5 * body->GetMass() * body->GetLinearVelocity().LengthSquared() +
-                           0.5 * body->GetInertia() * spin * spin;
+            outcome.minY = std::min(outcome.minY, y);
+            outcome.meanY += y;
+            outcome.kinetic += 0.5 * body->GetMass() * body->GetLinearVelocity().LengthSquared() +
+                               0.5 * body->GetInertia() * spin * spin;
         }
     }
-    run.meanY /= std::max(count, 1);
+    outcome.meanY /= std::max(count, 1);
+    return outcome;
 }
 
 } // namespace
 
-Run runBox2d(const Scene& scene, int updates) {
+Engine box2dEngine(const Scene& scene) {
     constexpr int velocityIterations = 8; // as its manual suggests
     constexpr int positionIterations = 3;
-    Run run;
-    b2World world(toBox2d(scene.parameters.gravity));
-    world.SetAllowSleeping(false);
-    run.buildMs = milliseconds([&] { build(world, scene); });
+    Engine engine{.name = "box2d"};
+    const auto world = std::make_shared<b2World>(toBox2d(scene.parameters.gravity));
+    world->SetAllowSleeping(false);
+    engine.buildMs = milliseconds([&] { build(*world, scene); });
     const auto step = static_cast<float>(scene.parameters.seconds / scene.referenceSteps);
-    for (int i = 0; i < updates; ++i) {
-        run.updateMs.push_back(milliseconds([&] {
-            for (int k = 0; k < scene.referenceSteps; ++k) {
-                world.Step(step, velocityIterations, positionIterations);
-            }
-        }));
-    }
-    describe(run, world);
-    return run;
+    engine.update = [world, step, steps = scene.referenceSteps] {
+        for (int k = 0; k < steps; ++k) {
+            world->Step(step, velocityIterations, positionIterations);
+        }
+    };
+    engine.outcome = [world] { return outcomeOf(*world); };
+    return engine;
 }
 
 } // namespace spacetow::bench

@@ -4,6 +4,7 @@
 #include "tests/bench/stopwatch.h"
 
 #include <chipmunk/chipmunk.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -45,16 +46,18 @@ struct SpaceDeleter {
     mutable std::vector<cpBody*> bodies;
 };
 
-using SpacePointer = std::unique_ptr<cpSpace, SpaceDeleter>;
+using SpacePointer = std::shared_ptr<cpSpace>;
 
-/// Debian's build greets on the standard output, which is for results.
+/// Debian's build greets on the standard output, which is for results; it has nothing else to say there.
 SpacePointer quietSpace() {
     std::fflush(stdout);
     const int output = dup(STDOUT_FILENO);
-    dup2(STDERR_FILENO, STDOUT_FILENO);
-    SpacePointer space(cpSpaceNew());
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    SpacePointer space(cpSpaceNew(), SpaceDeleter{});
     std::fflush(stdout);
     dup2(output, STDOUT_FILENO);
+    close(nowhere);
     close(output);
     return space;
 }
@@ -118,44 +121,43 @@ void build(cpSpace* space, const Scene& scene) {
 }
 
 struct Sums {
-    Run* run;
-    int count;
+    Outcome outcome;
+    int count = 0;
 };
 
-void describe(Run& run, cpSpace* space) {
-    Sums sums{&run, 0};
-    run.minY = std::numeric_limits<double>::infinity();
+Outcome outcomeOf(cpSpace* space) {
+    Sums sums;
+    sums.outcome.minY = std::numeric_limits<double>::infinity();
     cpSpaceEachBody(
         space,
         [](cpBody* body, void* data) {
             if (cpBodyGetType(body) == CP_BODY_TYPE_DYNAMIC) {
                 auto& all = *static_cast<Sums*>(data);
                 ++all.count;
-                all.run->minY = std::min(all.run->minY, cpBodyGetPosition(body).y);
-                all.run->meanY += cpBodyGetPosition(body).y;
-                all.run->kinetic += cpBodyKineticEnergy(body) / 2; // theirs is m v² + I ω²
+                all.outcome.minY = std::min(all.outcome.minY, cpBodyGetPosition(body).y);
+                all.outcome.meanY += cpBodyGetPosition(body).y;
+                all.outcome.kinetic += cpBodyKineticEnergy(body) / 2; // theirs is m v² + I ω²
             }
         },
         &sums);
-    run.meanY /= std::max(sums.count, 1);
+    sums.outcome.meanY /= std::max(sums.count, 1);
+    return sums.outcome;
 }
 
 } // namespace
 
-Run runChipmunk(const Scene& scene, int updates) {
-    Run run;
+Engine chipmunkEngine(const Scene& scene) {
+    Engine engine{.name = "chipmunk"};
     const SpacePointer space = quietSpace();
     cpSpaceSetGravity(space.get(), toChipmunk(scene.parameters.gravity));
-    run.buildMs = milliseconds([&] { build(space.get(), scene); });
-    for (int i = 0; i < updates; ++i) {
-        run.updateMs.push_back(milliseconds([&] {
-            for (int k = 0; k < scene.referenceSteps; ++k) {
-                cpSpaceStep(space.get(), scene.parameters.seconds / scene.referenceSteps);
-            }
-        }));
-    }
-    describe(run, space.get());
-    return run;
+    engine.buildMs = milliseconds([&] { build(space.get(), scene); });
+    engine.update = [space, step = scene.parameters.seconds / scene.referenceSteps, steps = scene.referenceSteps] {
+        for (int k = 0; k < steps; ++k) {
+            cpSpaceStep(space.get(), step);
+        }
+    };
+    engine.outcome = [space] { return outcomeOf(space.get()); };
+    return engine;
 }
 
 } // namespace spacetow::bench

@@ -1,12 +1,10 @@
 // Times one scene: scene_bench SCENE [N [UPDATES]] [--hz H] [--iterations I] [--substeps S], and prints one line.
 
 #include "tests/bench/engines.h"
+#include "tests/bench/stopwatch.h"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <string_view>
 
 using namespace spacetow;
@@ -60,44 +58,32 @@ std::optional<Request> request(int count, char** arguments) {
     return places > 0 ? std::optional(result) : std::nullopt;
 }
 
-/// Of sorted times; share 0 … 1.
-double quantile(const std::vector<double>& sorted, double share) {
-    return sorted[static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))];
-}
-
-std::vector<double> sortedTimes(const Run& run) {
-    std::vector<double> times = run.updateMs;
-    std::sort(times.begin(), times.end());
+std::vector<double> timesOf(const Engine& engine, int updates) {
+    std::vector<double> times;
+    for (int i = 0; i < updates; ++i) {
+        times.push_back(milliseconds(engine.update));
+    }
     return times;
 }
 
-void printReference(const char* name, const std::optional<Run>& reference, double ownMedian) {
-    if (!reference) {
-        std::printf(" %s_ms= %s_ratio=", name, name);
-        return;
-    }
-    const double median = quantile(sortedTimes(*reference), 0.5);
-    std::printf(" %s_ms=%.3f %s_ratio=%.2f", name, median, name, ownMedian / median);
-}
-
 void print(const Scene& scene, int updates) {
-    const Run own = runSpacetow(scene, updates);
-    std::optional<Run> box2d, chipmunk;
-#ifdef SPACETOW_BENCH_BOX2D
-    box2d = runBox2d(scene, updates);
-#endif
-#ifdef SPACETOW_BENCH_CHIPMUNK
-    chipmunk = runChipmunk(scene, updates);
-#endif
-    const std::vector<double> times = sortedTimes(own);
+    const Engine own = spacetowEngine(scene);
+    const std::vector<double> times = timesOf(own, updates);
     const double median = quantile(times, 0.5);
+    const Outcome outcome = own.outcome();
     std::printf("scene=%s n=%d bodies=%zu updates=%d build_ms=%.3f median_ms=%.3f p99_ms=%.3f max_ms=%.3f", //
                 scene.name.c_str(), scene.n, scene.bodies.size(), updates, own.buildMs, median, quantile(times, 0.99),
-                times.back());
-    std::printf(" min_y=%.4f mean_y=%.4f kinetic=%.6g hash=%016llx", own.minY, own.meanY, own.kinetic,
-                static_cast<unsigned long long>(own.hash));
-    printReference("box2d", box2d, median);
-    printReference("chipmunk", chipmunk, median);
+                quantile(times, 1));
+    std::printf(" min_y=%.4f mean_y=%.4f kinetic=%.6g hash=%016llx", outcome.minY, outcome.meanY, outcome.kinetic,
+                static_cast<unsigned long long>(outcome.hash));
+    for (const Peer& peer : peers(scene)) {
+        if (peer.engine) {
+            const double theirs = quantile(timesOf(*peer.engine, updates), 0.5);
+            std::printf(" %s_ms=%.3f %s_ratio=%.2f", peer.name, theirs, peer.name, median / theirs);
+        } else {
+            std::printf(" %s_ms= %s_ratio=", peer.name, peer.name);
+        }
+    }
     std::printf("\n");
 }
 

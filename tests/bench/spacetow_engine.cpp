@@ -3,39 +3,40 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 namespace spacetow::bench {
 
 namespace {
 
-void describe(Run& run, const World& world) {
+Outcome outcomeOf(const World& world) {
+    Outcome outcome;
     int count = 0;
-    run.minY = std::numeric_limits<double>::infinity();
+    outcome.minY = std::numeric_limits<double>::infinity();
     for (const BodyId id : world.bodies()) {
         const BodyState body = world.body(id);
         if (body.kind == BodyKind::Dynamic) {
             ++count;
-            run.minY = std::min(run.minY, body.pose.position.y());
-            run.meanY += body.pose.position.y();
-            run.kinetic += 0.5 * body.mass * body.velocity.squaredNorm() +
-                           0.5 * body.inertia * body.angularVelocity * body.angularVelocity;
+            outcome.minY = std::min(outcome.minY, body.pose.position.y());
+            outcome.meanY += body.pose.position.y();
+            outcome.kinetic += 0.5 * body.mass * body.velocity.squaredNorm() +
+                               0.5 * body.inertia * body.angularVelocity * body.angularVelocity;
         }
     }
-    run.meanY /= std::max(count, 1);
-    run.hash = world.hash();
+    outcome.meanY /= std::max(count, 1);
+    outcome.hash = world.hash();
+    return outcome;
 }
 
 } // namespace
 
-Run runSpacetow(const Scene& scene, int updates) {
-    Run run;
-    World world;
-    run.buildMs = milliseconds([&] { world = worldOf(scene); });
-    for (int i = 0; i < updates; ++i) {
-        run.updateMs.push_back(milliseconds([&] { world.update(); }));
-    }
-    describe(run, world);
-    return run;
+Engine spacetowEngine(const Scene& scene) {
+    Engine engine{.name = "spacetow"};
+    const auto world = std::make_shared<World>();
+    engine.buildMs = milliseconds([&] { *world = worldOf(scene); });
+    engine.update = [world] { world->update(); };
+    engine.outcome = [world] { return outcomeOf(*world); };
+    return engine;
 }
 
 } // namespace spacetow::bench

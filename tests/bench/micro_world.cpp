@@ -1,0 +1,104 @@
+// Pieces of whole worlds: the sub-steps of connectors, copies and hashes.
+
+#include "tests/support/scenes.h"
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+using namespace spacetow;
+
+namespace {
+
+test::Scene twoBodies() {
+    test::Scene scene{.name = "two bodies"};
+    scene.parameters = {.gravity = {0, 0}, .iterations = 20, .substeps = 2};
+    BodyDef ball;
+    ball.shapes = {Circle{{0, 0}, 0.2}};
+    scene.bodies = {ball, ball};
+    scene.bodies[1].position = {1, 0};
+    scene.bodies[1].velocity = {0, 1};
+    scene.joints = {{0, 1, {.stiffness = 2000, .damping = 0}}};
+    return scene;
+}
+
+/// Updates in which nothing touches anything: what is left is motion and connectors. The time added is that
+/// of one connector in one sub-step.
+void connectorSteps(benchmark::State& state, test::Scene scene) {
+    for (BodyDef& body : scene.bodies) {
+        body.filter.touches = {};
+    }
+    World world = worldOf(scene);
+    for (auto _ : state) {
+        world.update();
+    }
+    const auto each =
+        static_cast<std::int64_t>(scene.joints.size()) * scene.parameters.iterations * scene.parameters.substeps;
+    state.counters["connector_substep"] = benchmark::Counter(
+        static_cast<double>(each), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// A world that has run for a while, so that it carries contacts along.
+World usedWorld(const char* name, int n) {
+    World world = worldOf(*test::makeScene(name, n));
+    for (int i = 0; i < 20; ++i) {
+        world.update();
+    }
+    return world;
+}
+
+void copies(benchmark::State& state, const char* name, int n) {
+    const World world = usedWorld(name, n);
+    for (auto _ : state) {
+        const World copy = world;
+        benchmark::DoNotOptimize(copy.bodyCount());
+    }
+}
+
+/// Into a world that is there already, as a loop of trials does.
+void assignments(benchmark::State& state, const char* name, int n) {
+    const World world = usedWorld(name, n);
+    World copy = world;
+    for (auto _ : state) {
+        copy = world;
+        benchmark::DoNotOptimize(copy.bodyCount());
+    }
+}
+
+void hashes(benchmark::State& state, const char* name, int n) {
+    const World world = usedWorld(name, n);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(world.hash());
+    }
+}
+
+bool registerAll() {
+    struct Sized {
+        const char* name;
+        int n;
+    };
+    constexpr Sized scenes[] = {{"tow", 1}, {"mesh", 40}, {"balls", 2000}, {"balls", 20000}, {"cave", 100000}};
+    benchmark::RegisterBenchmark("connectors/two-bodies",
+                                 [](benchmark::State& state) { connectorSteps(state, twoBodies()); });
+    benchmark::RegisterBenchmark("connectors/mesh/40", [](benchmark::State& state) {
+        connectorSteps(state, *test::makeScene("mesh", 40));
+    })->Unit(benchmark::kMicrosecond);
+    struct Work {
+        const char* name;
+        void (*function)(benchmark::State&, const char*, int);
+    };
+    for (const Work& work : {Work{"copy", copies}, Work{"assign", assignments}, Work{"hash", hashes}}) {
+        for (const Sized& scene : scenes) {
+            benchmark::RegisterBenchmark(
+                (std::string(work.name) + "/" + scene.name + "/" + std::to_string(scene.n)).c_str(),
+                [=](benchmark::State& state) { work.function(state, scene.name, scene.n); })
+                ->Unit(benchmark::kMicrosecond);
+        }
+    }
+    return true;
+}
+
+const bool registered = registerAll();
+
+} // namespace
