@@ -5,6 +5,7 @@
 #include "core/geometry/polygon.h"
 #include "core/physics/world.h"
 #include "tests/support/bodies.h"
+#include "tests/support/full_run.h"
 #include "tests/support/test_main.h"
 
 #include <cmath>
@@ -62,7 +63,7 @@ inline double lowestPoint(const World& world, BodyId id) {
     return lowest;
 }
 
-/// A static floor at y = 0 made of the given shape.
+/// A static floor at y = 0 made of the given shape; a circle reaches that height at x = 0 alone.
 inline BodyDef floorOf(const QString& shape) {
     if (shape == "edge") {
         return edgeBody({-20, 0}, {20, 0});
@@ -73,12 +74,20 @@ inline BodyDef floorOf(const QString& shape) {
     if (shape == "line") {
         return lineBody({-20, 0}, {20, 0});
     }
-    BodyDef floor = box({0, -1}, 20, 1);
+    BodyDef floor = shape == "circle" ? ball({0, -1}, 1) : box({0, -1}, 20, 1);
     floor.kind = BodyKind::Static;
     return floor;
 }
 
 inline const char* const floors[] = {"edge", "thin edge", "line", "polygon"};
 inline const int iterationCounts[] = {4, 20, 100};
+
+/// A column with the iteration counts, and a row for each.
+inline void iterationRows() {
+    QTest::addColumn<int>("iterations");
+    for (const int iterations : iterationCounts) {
+        QTest::addRow("%d iterations", iterations) << iterations;
+    }
+}
 
 } // namespace spacetow::test
