@@ -9,20 +9,14 @@ using namespace spacetow::test;
 
 namespace {
 
-const double nan = std::numeric_limits<double>::quiet_NaN();
+const double notANumber = std::numeric_limits<double>::quiet_NaN();
 const double infinite = std::numeric_limits<double>::infinity();
 
 using MakeBody = std::function<void(BodyDef&, double)>;
 using MakeConnector = std::function<void(ConnectorDef&, double)>;
 using Push = std::function<bool(World&, BodyId, double)>;
 
-struct NamedBody {
-    const char* field;
-    MakeBody set;
-    bool signedField = true; // so that minus infinity is as bad as infinity
-};
-
-const NamedBody bodyFields[] = {
+const std::pair<const char*, MakeBody> bodyFields[] = {
     {"position", [](BodyDef& d, double x) { d.position.x() = x; }},
     {"position", [](BodyDef& d, double x) { d.position.y() = x; }},
     {"angle", [](BodyDef& d, double x) { d.angle = x; }},
@@ -118,7 +112,7 @@ const std::pair<const char*, Push> pushes[] = {
 };
 
 void badNumberRows(const char* what, int index) {
-    QTest::addRow("%d: %s not a number", index, what) << index << nan;
+    QTest::addRow("%d: %s not a number", index, what) << index << notANumber;
     QTest::addRow("%d: %s infinite", index, what) << index << infinite;
     QTest::addRow("%d: %s minus infinity", index, what) << index << -infinite;
 }
@@ -154,18 +148,18 @@ class RefusalsTest : public QObject {
 
   private slots:
     void aBodyOfNoNumbersIsRefused_data() {
-        badNumbers(bodyFields, [](int i) { return bodyFields[i].field; });
+        badNumbers(bodyFields, [](int i) { return bodyFields[i].first; });
     }
     void aBodyOfNoNumbersIsRefused() {
         QFETCH(int, index);
         QFETCH(double, value);
         World world;
         BodyDef def = ball({0, 0}, 0.1);
-        bodyFields[index].set(def, value);
+        bodyFields[index].second(def, value);
         const std::uint64_t before = world.hash();
         const auto made = world.addBody(def);
         QVERIFY(!made);
-        QCOMPARE(made.error(), (Error{"not-finite", {bodyFields[index].field}}));
+        QCOMPARE(made.error(), (Error{"not-finite", {bodyFields[index].first}}));
         QCOMPARE(world.hash(), before);
         QCOMPARE(world.bodyCount(), 0);
     }
@@ -243,7 +237,7 @@ class RefusalsTest : public QObject {
         QFETCH(QString, code);
         World world;
         BodyDef def = ball({0, 0}, 0.1);
-        bodyFields[index].set(def, value);
+        bodyFields[index].second(def, value);
         QCOMPARE(QString::fromStdString(world.addBody(def).error().code), code);
         QCOMPARE(world.bodyCount(), 0);
     }
