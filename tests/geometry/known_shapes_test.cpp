@@ -66,6 +66,21 @@ double middleOf(int count) {
     return middle;
 }
 
+std::vector<std::uint32_t> foundIn(const std::vector<Aabb>& boxes, const Aabb& area) {
+    std::vector<std::uint32_t> found;
+    StaticQuadtree(boxes).query(area, found);
+    return found;
+}
+
+std::vector<Aabb> tiles() {
+    std::vector<Aabb> boxes;
+    for (int i = 0; i < 400; ++i) {
+        const Vec2 corner(i % 20, i / 20);
+        boxes.push_back({corner, corner + Vec2(1, 1)});
+    }
+    return boxes;
+}
+
 double leftmostCell(const std::vector<Aabb>& boxes) {
     double left = noBack;
     for (const Aabb& cell : StaticQuadtree(boxes).cells()) {
@@ -153,6 +168,10 @@ void outlineRows() {
 void treeRows() {
     known("the static tree parts 17 boxes at the middle one", middleOf(17), 9, 0);
     known("the static tree parts 18 boxes half way between the middle two", middleOf(18), 9.5, 0);
+    known("a point where four boxes of the static tree meet finds all four",
+          static_cast<double>(foundIn(tiles(), {Vec2(10, 10), Vec2(10, 10)}).size()), 4, 0);
+    known("a tree made of the same boxes tells them in the same order",
+          foundIn(tiles(), {Vec2(3, 3), Vec2(17, 9)}) == foundIn(tiles(), {Vec2(3, 3), Vec2(17, 9)}), 1, 0);
     known("the static tree of a level far from the origin does not reach to the origin",
           leftmostCell({{Vec2(1000, 1000), Vec2(1001, 1001)}, {Vec2(1004, 1002), Vec2(1005, 1003)}}), 1000, 0);
     known("the box of an edge keeps its size wherever the edge goes", movedBoxGrowth(), 0, 1e-12);
