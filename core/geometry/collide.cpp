@@ -74,27 +74,13 @@ struct PairCollider {
     Manifold operator()(const ConvexPart& a, const WallPart& b) const { return flipped(reversed()(b, a)); }
 };
 
-/// How far a circle is at least from what is solid of a wall; 0 when that is not known.
-double clearance(const WallPart& wall, const Circle& circle) {
-    const Vec2 along = wall.b - wall.a;
-    const double length = along.norm();
-    const double t = along.dot(circle.center - wall.a) / length;
-    const double beyond = std::max({t - length, -t, 0.0});
-    const double above = cross(along, circle.center - wall.a) / length;
-    const double beside = wall.oneWay ? std::max(above, 0.0) : above;
-    return std::max(std::sqrt(beyond * beyond + beside * beside) - circle.radius, 0.0);
-}
-
 struct CircleCollider {
     const Circle& circle;
     double margin;
 
     Manifold operator()(const Circle& part) const { return circleAgainstCircle(part, circle, margin); }
     Manifold operator()(const ConvexPart& part) const { return convexAgainstCircle(part, circle, margin); }
-    Manifold operator()(const WallPart& part) const {
-        const Manifold manifold = wallAgainstCircle(part, circle, margin);
-        return manifold.count > 0 ? manifold : noContact(clearance(part, circle));
-    }
+    Manifold operator()(const WallPart& part) const { return wallAgainstCircle(part, circle, margin); }
 };
 
 } // namespace

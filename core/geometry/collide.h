@@ -2,6 +2,7 @@
 // The narrow phase: where and how deep two parts meet.
 
 #include "core/geometry/part.h"
+#include "core/geometry/wall_side.h"
 #include "core/math/transform.h"
 
 #include <array>
@@ -29,6 +30,9 @@ struct Manifold {
 
 /// Contact of a part with a circle, both in the same coordinates; the normal points from the part to the circle.
 Manifold collideCircle(const Part& part, const Circle& circle, double margin);
+
+/// The same for a wall whose side that faces the circle is known.
+Manifold sideAgainstCircle(const WallSide& side, const Circle& circle, double margin);
 
 /// Contact of two parts no further apart than `margin` metres (≥ 0). Swapping the arguments swaps the normal and
 /// changes nothing else. Two walls never touch each other.

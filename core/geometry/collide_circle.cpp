@@ -38,35 +38,24 @@ Manifold faceAgainstCircle(const WallSide& side, const Circle& circle, double ma
     return manifold;
 }
 
-/// Whether the point lies over the wall, which makes its joints unimportant.
-bool isOver(const WallPart& wall, const Vec2& p) {
-    const Vec2 along = wall.b - wall.a;
-    return along.dot(p - wall.a) >= 0 && along.dot(p - wall.b) <= 0;
+/// How far a circle is at least from what is solid behind the face; 0 when that is not known.
+double clearance(const WallSide& side, const Circle& circle) {
+    const double t = side.along(circle.center);
+    const double beyond = std::max({t - side.length, -t, 0.0});
+    const double above = std::max(side.above(circle.center), 0.0);
+    return std::max(std::sqrt(beyond * beyond + above * above) - circle.radius, 0.0);
 }
 
-} // namespace
-
-Manifold wallAgainstCircle(const WallPart& wall, const Circle& circle, double margin) {
-    const Vec2& center = circle.center;
-    if (isOver(wall, center)) {
-        const WallSide face = faceOf(wall, !wall.oneWay && cross(wall.b - wall.a, center - wall.a) < 0);
-        if (face.above(center) >= -face.depth - onTheFace) {
-            return faceAgainstCircle(face, circle, margin);
-        }
-    }
-    const WallSide side = sideFacing(wall, center);
+/// The side of a wall that faces the circle, and is not held by its face, against it.
+Manifold endsAgainstCircle(const WallSide& side, const Circle& circle, double margin) {
     const int turned = side.turned ? 1 : 0;
-    if (side.holds(center)) {
-        return faceAgainstCircle(side, circle, margin);
-    }
-    Manifold manifold;
-    const double t = side.along(center);
+    const double t = side.along(circle.center);
     if (t > side.length && side.end.kind == WallEnd::Kind::Convex) {
-        const Vec2 outward = center - side.end.point;
+        const Vec2 outward = circle.center - side.end.point;
         const bool mine = side.end.nextDirection.dot(outward) <= 1e-9;
         return mine ? named(pointAgainstCircle(side.end.point, circle, side.normal, margin),
                             featureId(wallPoint, turned, 1))
-                    : manifold;
+                    : Manifold{};
     }
     // Over the span the face is open from here (from behind, deeper than its depth): only the nearer end is left.
     const bool atEnd = t > 0.5 * side.length;
@@ -78,7 +67,23 @@ Manifold wallAgainstCircle(const WallPart& wall, const Circle& circle, double ma
                          featureId(wallPoint, turned, useEnd ? 1 : 0));
         }
     }
-    return manifold;
+    return {};
+}
+
+} // namespace
+
+Manifold sideAgainstCircle(const WallSide& side, const Circle& circle, double margin) {
+    if (side.along(circle.center) >= 0 && side.along(circle.center) <= side.length &&
+        side.above(circle.center) - circle.radius > margin) {
+        return noContact(side.above(circle.center) - circle.radius);
+    }
+    const Manifold manifold = side.holds(circle.center) ? faceAgainstCircle(side, circle, margin)
+                                                        : endsAgainstCircle(side, circle, margin);
+    return manifold.count > 0 ? manifold : noContact(clearance(side, circle));
+}
+
+Manifold wallAgainstCircle(const WallPart& wall, const Circle& circle, double margin) {
+    return sideAgainstCircle(sideFacing(wall, circle.center), circle, margin);
 }
 
 Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, double margin) {

@@ -23,6 +23,9 @@ struct WidePace {
     Wide x, y, turn, unused;
 };
 
+// A body comes again in the next batch but one, so that the processor need not wait for the result of the last.
+constexpr std::uint32_t pause = 2;
+
 /// Rows to columns and back.
 SPACETOW_INLINE WidePace transposed(Wide r0, Wide r1, Wide r2, Wide r3) {
     const Wide low02 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
@@ -141,19 +144,22 @@ SPACETOW_INLINE void solve(Ends& ends, ConstraintBatch& c) {
 }
 
 template <class Batch>
-SPACETOW_INLINE void warmAll(Pace* paces, const Batch* first, std::size_t count) {
+SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
+    const std::size_t count = batches.size();
     for (std::size_t i = 0; i < count; ++i) {
-        Ends ends{load(paces, first[i].a), load(paces, first[i].b)};
-        warm(ends, first[i]);
-        store(paces, first[i].a, ends.a);
-        store(paces, first[i].b, ends.b);
+        const Batch& batch = batches.begin()[i];
+        Ends ends{load(paces, batch.a), load(paces, batch.b)};
+        warm(ends, batch);
+        store(paces, batch.a, ends.a);
+        store(paces, batch.b, ends.b);
     }
 }
 
 template <class Batch>
-SPACETOW_INLINE void solveAll(Pace* paces, Batch* first, std::size_t count, bool backwards) {
+SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches, bool backwards) {
+    const std::size_t count = batches.size();
     for (std::size_t i = 0; i < count; ++i) {
-        Batch& batch = first[backwards ? count - 1 - i : i];
+        Batch& batch = batches.begin()[backwards ? count - 1 - i : i];
         Ends ends{load(paces, batch.a), load(paces, batch.b)};
         solve(ends, batch);
         store(paces, batch.a, ends.a);
@@ -172,8 +178,10 @@ SPACETOW_INLINE void measure(const Ends& ends, ConstraintBatch& c) {
 }
 
 template <class Batch>
-SPACETOW_INLINE void measureAll(const Pace* paces, std::vector<Batch>& batches) {
-    for (Batch& batch : batches) {
+SPACETOW_INLINE void measureAll(const Pace* paces, Batches<Batch>& batches) {
+    const std::size_t count = batches.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Batch& batch = batches.begin()[i];
         measure(Ends{load(paces, batch.a), load(paces, batch.b)}, batch);
     }
 }
@@ -183,14 +191,14 @@ enum class Task { WarmStart, Forwards, Backwards, Measure };
 SPACETOW_INLINE void carryOut(ContactBatches& batches, Task task) {
     Pace* paces = batches.paces.data();
     if (task == Task::WarmStart) {
-        warmAll(paces, batches.round.data(), batches.round.size());
-        warmAll(paces, batches.general.data(), batches.general.size());
+        warmAll(paces, batches.round);
+        warmAll(paces, batches.general);
     } else if (task == Task::Measure) {
         measureAll(paces, batches.round);
         measureAll(paces, batches.general);
     } else {
-        solveAll(paces, batches.round.data(), batches.round.size(), task == Task::Backwards);
-        solveAll(paces, batches.general.data(), batches.general.size(), task == Task::Backwards);
+        solveAll(paces, batches.round, task == Task::Backwards);
+        solveAll(paces, batches.general, task == Task::Backwards);
     }
 }
 
@@ -233,16 +241,16 @@ std::uint32_t BatchPlan::firstWithRoom(std::uint32_t from) {
 Lane BatchPlan::place(Slot a, bool movableA, Slot b, bool movableB) {
     const std::uint32_t earliest = std::max(movableA ? m_free[a] : 0, movableB ? m_free[b] : 0);
     const std::uint32_t batch = firstWithRoom(earliest);
-    if (batch == m_filled.size()) {
+    while (batch >= m_filled.size()) {
+        m_next.push_back(static_cast<std::uint32_t>(m_filled.size()));
         m_filled.push_back(0);
-        m_next.push_back(batch);
     }
     const std::uint32_t lane = m_filled[batch]++;
     if (m_filled[batch] == 4) {
         m_next[batch] = batch + 1;
     }
-    m_free[a] = batch + 1;
-    m_free[b] = batch + 1;
+    m_free[a] = batch + pause;
+    m_free[b] = batch + pause;
     return {batch, lane};
 }
 

@@ -59,6 +59,7 @@ class BatchPlan {
     void reset(std::size_t bodies);
     /// A body that contacts cannot move may be in several lanes of a batch.
     Lane place(Slot a, bool movableA, Slot b, bool movableB);
+    std::size_t size() const { return m_filled.size(); }
     /// The slot for lanes without a contact: one more than those of bodies.
     Slot nobody() const { return static_cast<Slot>(m_free.size()); }
 
@@ -70,28 +71,43 @@ class BatchPlan {
     std::vector<std::uint8_t> m_filled; // lanes, by batch
 };
 
+/// Batches are used again without being cleared: that takes longer than filling them.
+template <class Batch>
+class Batches {
+  public:
+    void reset(std::size_t bodies) { m_plan.reset(bodies); }
+    Batch& operator[](std::uint32_t index) { return m_batches[index]; }
+    const Batch& operator[](std::uint32_t index) const { return m_batches[index]; }
+    Batch* begin() { return m_batches.data(); }
+    std::size_t size() const { return m_plan.size(); }
+
+    /// A lane for the contact of two bodies.
+    Lane open(Slot a, bool movableA, Slot b, bool movableB) {
+        const std::size_t used = m_plan.size();
+        const Lane lane = m_plan.place(a, movableA, b, movableB);
+        if (m_batches.size() < m_plan.size()) {
+            m_batches.resize(m_plan.size());
+        }
+        for (std::size_t fresh = used; fresh < m_plan.size(); ++fresh) {
+            m_batches[fresh].a.fill(m_plan.nobody());
+            m_batches[fresh].b.fill(m_plan.nobody());
+        }
+        m_batches[lane.batch].a[lane.lane] = a;
+        m_batches[lane.batch].b[lane.lane] = b;
+        return lane;
+    }
+
+  private:
+    BatchPlan m_plan;
+    std::vector<Batch> m_batches;
+};
+
 /// Working memory of the solver.
 struct ContactBatches {
     std::vector<Pace> paces; // by slot, and one more for lanes without a contact
-    BatchPlan roundPlan, generalPlan;
-    std::vector<RoundBatch> round;
-    std::vector<ConstraintBatch> general;
+    Batches<RoundBatch> round;
+    Batches<ConstraintBatch> general;
 };
-
-/// A lane for the contact of two bodies, in a batch that is `empty` but for such lanes.
-template <class Batch>
-Lane openLane(BatchPlan& plan, std::vector<Batch>& batches, const Batch& empty, Slot a, bool movableA, Slot b,
-              bool movableB) {
-    const Lane lane = plan.place(a, movableA, b, movableB);
-    if (lane.batch == batches.size()) {
-        batches.push_back(empty);
-        batches.back().a.fill(plan.nobody());
-        batches.back().b.fill(plan.nobody());
-    }
-    batches[lane.batch].a[lane.lane] = a;
-    batches[lane.batch].b[lane.lane] = b;
-    return lane;
-}
 
 /// Applies the impulses that the contacts begin with.
 void warmStart(ContactBatches& batches);

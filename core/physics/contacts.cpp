@@ -19,9 +19,8 @@ bool isMovable(const BodyMotion& m) {
 }
 
 Lane roundLane(WorldData& data, const Pair& pair) {
-    static const RoundBatch empty;
-    return openLane(data.batches.roundPlan, data.batches.round, empty, pair.bodyA, isMovable(data.motions[pair.bodyA]),
-                    pair.bodyB, !pair.staticB && isMovable(data.motions[pair.bodyB]));
+    return data.batches.round.open(pair.bodyA, isMovable(data.motions[pair.bodyA]), pair.bodyB,
+                                   !pair.staticB && isMovable(data.motions[pair.bodyB]));
 }
 
 /// A round contact's surfaces.
@@ -111,7 +110,10 @@ void meetStatic(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
     const BodyStep& s = data.steps[pair.bodyA];
     const Circle circle{data.motions[pair.bodyA].center, std::get<Circle>(*pair.shapeA).radius};
-    const Manifold manifold = collideCircle(*pair.shapeB, circle, contactMargin(s));
+    const double margin = contactMargin(s);
+    const Manifold manifold = pair.kind == PairKind::RoundEdge
+                                  ? sideAgainstCircle(data.statics->colliders[pair.collider].side, circle, margin)
+                                  : collideCircle(*pair.shapeB, circle, margin);
     if (manifold.count == 0) {
         letGo(data, index, manifold.apart);
         return;
@@ -125,8 +127,7 @@ void meetStatic(WorldData& data, std::uint32_t index, double perSecond) {
 void findContacts(WorldData& data, const IterationStep& step) {
     data.roundContacts.clear();
     data.constraints.clear();
-    data.batches.round.clear();
-    data.batches.roundPlan.reset(data.motions.size());
+    data.batches.round.reset(data.motions.size());
     data.anySweep = false;
     const double perSecond = 1 / step.dt;
     const auto count = static_cast<std::uint32_t>(data.table.size());
@@ -143,7 +144,7 @@ void findContacts(WorldData& data, const IterationStep& step) {
         pair.sweep = false;
         if (pair.kind == PairKind::RoundRound) {
             meetRound(data, i, perSecond);
-        } else if (pair.kind == PairKind::RoundStatic) {
+        } else if (pair.kind == PairKind::RoundEdge || pair.kind == PairKind::RoundStatic) {
             meetStatic(data, i, perSecond);
         } else {
             meetGeneral(data, i, perSecond);

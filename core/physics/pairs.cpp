@@ -73,7 +73,8 @@ PairKind kindOf(const WorldData& data, const Pair& pair) {
     }
     if (isRound(*pair.shapeA)) {
         if (pair.staticB) {
-            return PairKind::RoundStatic;
+            const auto* wall = std::get_if<WallPart>(pair.shapeB);
+            return wall != nullptr && wall->oneWay ? PairKind::RoundEdge : PairKind::RoundStatic;
         }
         return isRound(*pair.shapeB) ? PairKind::RoundRound : PairKind::General;
     }
@@ -93,7 +94,12 @@ Pair makePair(const WorldData& data, Slot a, std::uint32_t partA, Slot b, std::u
     pair.partA = partA;
     pair.partB = partB;
     pair.shapeA = &(*ra.parts)[partA];
-    pair.shapeB = pair.staticB ? &data.statics->colliders[rb.firstStatic + partB].shape : &(*rb.parts)[partB];
+    if (pair.staticB) {
+        pair.collider = rb.firstStatic + partB;
+        pair.shapeB = &data.statics->colliders[pair.collider].shape;
+    } else {
+        pair.shapeB = &(*rb.parts)[partB];
+    }
     pair.kind = kindOf(data, pair);
     pair.alone = !pair.staticB && ra.parts->size() == 1 && rb.parts->size() == 1;
     return pair;

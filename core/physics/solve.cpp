@@ -12,6 +12,9 @@ constexpr double pushOutRate = 40;
 constexpr double pushOutShare = 0.2;
 constexpr double pushOutSpeed = 25;
 
+// What is known of contacts lies in the order in which they came about: it is fetched this long before it is needed.
+constexpr std::size_t contactsAhead = 8;
+
 // What no velocity falls short of.
 constexpr double noTarget = -1e30;
 
@@ -21,6 +24,7 @@ bool isMovable(const BodyMotion& m) {
 
 void loadPaces(WorldData& data) {
     data.batches.paces.resize(data.motions.size() + 1);
+    data.batches.paces.back() = {};
     for (const Slot slot : data.moving) {
         const BodyMotion& m = data.motions[slot];
         data.batches.paces[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
@@ -66,14 +70,12 @@ void packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i) {
 }
 
 void packGeneral(WorldData& data) {
-    static const ConstraintBatch empty;
-    std::vector<ConstraintBatch>& batches = data.batches.general;
-    batches.clear();
-    data.batches.generalPlan.reset(data.motions.size());
+    Batches<ConstraintBatch>& batches = data.batches.general;
+    batches.reset(data.motions.size());
     for (Constraint& c : data.constraints) {
         const BodyMotion& a = data.motions[c.a];
         const BodyMotion& b = data.motions[c.b];
-        c.lane = openLane(data.batches.generalPlan, batches, empty, c.a, isMovable(a), c.b, isMovable(b));
+        c.lane = batches.open(c.a, isMovable(a), c.b, isMovable(b));
         ConstraintBatch& batch = batches[c.lane.batch];
         const std::uint32_t i = c.lane.lane;
         batch.normalX[i] = c.normal.x();
@@ -205,8 +207,12 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
         solvePass(data.batches, step.passes > 1 && (step.index + pass) % 2 != 0);
     }
     measureVelocities(data.batches);
-    for (const RoundContact& c : data.roundContacts) {
-        finish(data, c, step.dt);
+    const std::vector<RoundContact>& round = data.roundContacts;
+    for (std::size_t i = 0; i < round.size(); ++i) {
+        if (i + contactsAhead < round.size()) {
+            __builtin_prefetch(&data.contacts[round[i + contactsAhead].contact], 1);
+        }
+        finish(data, round[i], step.dt);
     }
     for (const Constraint& c : data.constraints) {
         finish(data, c, step.dt);

@@ -30,6 +30,11 @@ void join(StaticGeometry& geometry) {
     }
     joinWalls(walls);
     joinConvexParts(convexParts);
+    for (StaticGeometry::Collider& collider : geometry.colliders) {
+        if (const auto* wall = std::get_if<WallPart>(&collider.shape); wall != nullptr && wall->oneWay) {
+            collider.side = sideOf(*wall, false);
+        }
+    }
 }
 
 void collectParts(WorldData& data, StaticGeometry& geometry) {
@@ -39,7 +44,7 @@ void collectParts(WorldData& data, StaticGeometry& geometry) {
             record.firstStatic = static_cast<std::uint32_t>(geometry.colliders.size());
             for (std::uint32_t i = 0; i < record.parts->size(); ++i) {
                 const Part part = partInWorld((*record.parts)[i], data.pose(slot));
-                geometry.colliders.push_back({slot, i, part, boundsOf(part, Transform{})});
+                geometry.colliders.push_back({slot, i, part, boundsOf(part, Transform{}), {}});
             }
         }
     }

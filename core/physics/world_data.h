@@ -5,6 +5,7 @@
 #include "core/geometry/moving_quadtree.h"
 #include "core/geometry/part.h"
 #include "core/geometry/static_quadtree.h"
+#include "core/geometry/wall_side.h"
 #include "core/math/aabb.h"
 #include "core/physics/contact_batches.h"
 #include "core/physics/world.h"
@@ -119,7 +120,8 @@ struct StaticGeometry {
         Slot body;
         std::uint32_t part;
         Part shape;
-        Aabb bounds; // of what is solid; the tree's boxes of edges are larger
+        Aabb bounds;   // of what is solid; the tree's boxes of edges are larger
+        WallSide side; // of an edge
     };
     std::vector<Collider> colliders;
     StaticQuadtree tree;
@@ -132,7 +134,7 @@ struct ContactPoint {
 };
 
 /// By what the parts of a pair are, how their contact is found: `Round` circles stand about their centre of mass.
-enum class PairKind : std::uint8_t { Felt, RoundRound, RoundStatic, General };
+enum class PairKind : std::uint8_t { Felt, RoundRound, RoundEdge, RoundStatic, General };
 
 /// Two parts that may meet during this update. `bodyA` moves; it has the lower slot when both do.
 struct Pair {
@@ -146,6 +148,7 @@ struct Pair {
     bool staticB = false;
     bool alone = false;           // no other part of the same body, nor another static body, can share a plane with it
     bool sweep = false;           // the parts are to be stopped where they meet, to bounce from there
+    std::uint32_t collider = 0;   // index in StaticGeometry, of a static part
     std::uint32_t contact = none; // index of what is known of their contact
 
     std::uint64_t bodies() const { return std::uint64_t{bodyA} << 32 | bodyB; }

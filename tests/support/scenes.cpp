@@ -70,7 +70,7 @@ Scene cave(int n) {
     };
     std::vector<Shape> edges;
     for (int i = 0; i < n; ++i) {
-        edges.emplace_back(Edge{ground(i), ground(i + 1), 0.5}); // a hill is thicker than that
+        edges.emplace_back(Edge{ground(i), ground(i + 1), 0}); // hills are as thin as they like
     }
     scene.bodies.push_back(fixture(std::move(edges), 0.3));
     for (int i = 0; i < 1000; ++i) {
