@@ -122,6 +122,30 @@ void meetStatic(WorldData& data, std::uint32_t index, double perSecond) {
     addRoundContact(data, index, {-manifold.normal, point.separation, circle.radius, 0, point.feature}, perSecond);
 }
 
+bool isGateOpen(const WorldData& data, std::uint32_t index) {
+    const PairGate& gate = data.table.gates[index];
+    return data.travelled[gate.moverA] + data.travelled[gate.moverB] + linearSlop >= gate.apartUntil;
+}
+
+/// What is known of contacts lies in the order in which they came about, so the processor has to be told early.
+void fetchAhead(const WorldData& data, std::uint32_t index) {
+    constexpr std::uint32_t ahead = 8;
+    const PairTable& table = data.table;
+    if (index + 2 * ahead < table.size() && table.pairs[index + 2 * ahead].contact != Pair::none) {
+        __builtin_prefetch(&data.contacts[table.pairs[index + 2 * ahead].contact]);
+    }
+    if (index + ahead >= table.size() || table.pairs[index + ahead].contact == Pair::none) {
+        return;
+    }
+    const std::uint32_t manifold = data.contacts[table.pairs[index + ahead].contact].manifold;
+    if (manifold != Pair::none) {
+        const auto* address = reinterpret_cast<const char*>(&data.manifolds[manifold]);
+        for (std::size_t line = 0; line < sizeof(KeptManifold); line += 64) {
+            __builtin_prefetch(address + line);
+        }
+    }
+}
+
 } // namespace
 
 void findContacts(WorldData& data, const IterationStep& step) {
@@ -132,8 +156,8 @@ void findContacts(WorldData& data, const IterationStep& step) {
     const double perSecond = 1 / step.dt;
     const auto count = static_cast<std::uint32_t>(data.table.size());
     for (std::uint32_t i = 0; i < count; ++i) {
-        const PairGate& gate = data.table.gates[i];
-        if (data.travelled[gate.moverA] + data.travelled[gate.moverB] + linearSlop < gate.apartUntil) {
+        fetchAhead(data, i);
+        if (!isGateOpen(data, i)) {
             continue;
         }
         Pair& pair = data.table.pairs[i];

@@ -175,6 +175,14 @@ void setTangent(const WorldData& data, Constraint& c) {
     c.tangentMass = massOf(data.motions[c.a], data.motions[c.b], {c.tangentLeverA, c.tangentLeverB});
 }
 
+/// Whether the discs around the bodies tell already that they are apart.
+bool outOfReach(const WorldData& data, const Pair& pair) {
+    const BodyStep& a = data.steps[pair.bodyA];
+    const BodyStep& b = data.steps[pair.bodyB];
+    const double reach = a.outerRadius + b.outerRadius + contactMargin(a, b);
+    return (data.motions[pair.bodyB].center - data.motions[pair.bodyA].center).squaredNorm() > reach * reach;
+}
+
 void addConstraint(WorldData& data, std::uint32_t index, const Transform& poseA, const Transform& poseB,
                    double perSecond) {
     Pair& pair = data.table.pairs[index];
@@ -281,10 +289,17 @@ void absorb(WorldData& data, Constraint& c, Constraint& d) {
 
 void meetGeneral(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
+    if (pair.contact == Pair::none && !pair.staticB && outOfReach(data, pair)) {
+        return;
+    }
     const Contact& contact = contactOf(data, pair);
     const PairGate& gate = data.table.gates[index];
     const double travelled = data.travelled[gate.moverA] + data.travelled[gate.moverB];
     if (travelled + linearSlop >= data.manifolds[contact.manifold].holdsUntil) {
+        if (contact.count == 0 && !pair.staticB && outOfReach(data, pair)) {
+            forgetContact(data, pair);
+            return;
+        }
         const BodyStep& a = data.steps[pair.bodyA];
         const double margin = pair.staticB ? contactMargin(a) : contactMargin(a, data.steps[pair.bodyB]);
         const Poses poses = posesOf(data, pair);

@@ -152,6 +152,27 @@ void addPairsOf(WorldData& data, const MovingCollider& collider, std::uint32_t i
     }
 }
 
+/// By their first bodies in linear time, then the few of each body among themselves.
+void sortPairs(WorldData& data) {
+    std::vector<std::uint32_t>& ends = data.pairEnds;
+    ends.assign(data.records.size() + 1, 0);
+    for (const Pair& pair : data.newPairs) {
+        ++ends[pair.bodyA + 1];
+    }
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        ends[i] += ends[i - 1];
+    }
+    data.sortedPairs.resize(data.newPairs.size());
+    for (const Pair& pair : data.newPairs) {
+        data.sortedPairs[ends[pair.bodyA]++] = pair;
+    }
+    for (std::size_t i = 0, first = 0; i + 1 < ends.size(); first = ends[i++]) {
+        std::sort(data.sortedPairs.begin() + static_cast<std::ptrdiff_t>(first),
+                  data.sortedPairs.begin() + static_cast<std::ptrdiff_t>(ends[i]));
+    }
+    data.newPairs.swap(data.sortedPairs);
+}
+
 /// Those that stay where they are go into the tree first, so that each of the others meets all of them.
 void collectPairs(WorldData& data) {
     Aabb world;
@@ -171,7 +192,7 @@ void collectPairs(WorldData& data) {
             addPairsOf(data, data.colliders[i], i);
         }
     }
-    std::sort(data.newPairs.begin(), data.newPairs.end());
+    sortPairs(data);
 }
 
 /// A pair that was not found anew remains when its bodies have stayed in their rooms.

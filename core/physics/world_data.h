@@ -318,7 +318,8 @@ struct WorldData {
 
     // Working memory, kept so that a steady update allocates nothing.
     PairTable newTable;
-    std::vector<Pair> newPairs;
+    std::vector<Pair> newPairs, sortedPairs;
+    std::vector<std::uint32_t> pairEnds; // by slot, of the sorted pairs
     std::vector<std::uint32_t> found;
     std::vector<std::uint32_t> felt; // indices of felt pairs
     std::vector<RoundContact> roundContacts;
