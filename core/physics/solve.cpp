@@ -39,7 +39,7 @@ void packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i) {
     const bool acts1 = p.normalMass > 0;
     const bool acts2 = c.count == 2 && q.normalMass > 0;
     const double mass1 = acts1 ? p.normalMass : 1;
-    const double mass2 = acts2 ? q.normalMass : 1;
+    const double mass2 = acts2 ? q.normalMass : mass1;
     const double k11 = 1 / mass1;
     const double k22 = 1 / mass2;
     double coupling = acts1 && acts2 ? c.coupling : 0;
@@ -49,7 +49,7 @@ void packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i) {
     batch.impulse1[i] = p.normalImpulse;
     batch.impulse2[i] = q.normalImpulse;
     const double largest = std::max(k11, k22);
-    if (largest * largest >= 1000 * determinant) {
+    if (acts1 && acts2 && largest * largest >= 1000 * determinant) {
         const bool first = p.separation <= q.separation;
         (first ? batch.target2 : batch.target1)[i] = noTarget;
         (first ? batch.impulse1 : batch.impulse2)[i] = p.normalImpulse + q.normalImpulse;
