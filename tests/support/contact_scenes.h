@@ -6,6 +6,7 @@
 #include "core/physics/world.h"
 #include "tests/support/bodies.h"
 #include "tests/support/full_run.h"
+#include "tests/support/rows.h"
 #include "tests/support/test_main.h"
 
 #include <cmath>
@@ -80,14 +81,5 @@ inline BodyDef floorOf(const QString& shape) {
 }
 
 inline const char* const floors[] = {"edge", "thin edge", "line", "polygon"};
-inline const int iterationCounts[] = {4, 20, 100};
-
-/// A column with the iteration counts, and a row for each.
-inline void iterationRows() {
-    QTest::addColumn<int>("iterations");
-    for (const int iterations : iterationCounts) {
-        QTest::addRow("%d iterations", iterations) << iterations;
-    }
-}
 
 } // namespace spacetow::test
