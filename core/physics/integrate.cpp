@@ -133,9 +133,7 @@ void isolateFaults(WorldData& data, int iteration) {
     for (const Slot slot : data.moving) {
         BodyMotion& m = data.motions[slot];
         BodyStep& s = data.steps[slot];
-        const double sum = m.velocity.x() + m.velocity.y() + m.angularVelocity + s.shift.x() + s.shift.y() + s.turn +
-                           m.center.x() + m.center.y();
-        if (std::isfinite(sum)) {
+        if (isSound(m, s)) {
             continue;
         }
         m.velocity.setZero();

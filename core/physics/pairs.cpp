@@ -302,7 +302,7 @@ void measureMotion(WorldData& data, double ahead) {
         BodyStep& s = data.steps[slot];
         const BodyMotion& m = data.motions[slot];
         const double reach = s.reach();
-        data.anyFault |= !std::isfinite(reach + s.turn + m.center.x() + m.center.y());
+        data.anyFault |= !isSound(m, s);
         data.travelled[slot + 1] = s.travelled + reach;
         data.anyFast |= isFar(s, reach);
         s.escaped = !s.room.centers.contains(m.center) ||

@@ -75,6 +75,16 @@ struct alignas(64) BodyStep {
     }
 };
 
+// rad in an iteration: beyond this a turn has no end that could be told.
+constexpr double greatestTurn = 1e8;
+
+/// Whether everything about the motion is a number that can be worked with.
+inline bool isSound(const BodyMotion& m, const BodyStep& s) {
+    return std::isfinite(m.velocity.x() + m.velocity.y() + m.angularVelocity + s.shift.x() + s.shift.y() +
+                         m.center.x() + m.center.y()) &&
+           std::abs(s.turn) <= greatestTurn;
+}
+
 /// Whether the way in this iteration is more than anticipation covers; see contact_rules.h.
 inline bool isFar(const BodyStep& s, double reach) {
     return reach > 0.5 * s.innerRadius && reach > linearSlop;
