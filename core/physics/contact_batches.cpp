@@ -100,8 +100,15 @@ SPACETOW_INLINE void rub(Ends& ends, Batch& c, Wide leverA, Wide leverB, Wide li
     ends.apply(c, -change * c.normalY, change * c.normalX, change * leverA, change * leverB);
 }
 
-SPACETOW_INLINE void solve(Ends& ends, RoundBatch& c) {
+SPACETOW_INLINE void solveFriction(Ends& ends, RoundBatch& c) {
     rub(ends, c, c.leverA, c.leverB, c.friction * c.normalImpulse);
+}
+
+SPACETOW_INLINE void solveFriction(Ends& ends, ConstraintBatch& c) {
+    rub(ends, c, c.tangentLeverA, c.tangentLeverB, c.friction * (c.impulse1 + c.impulse2));
+}
+
+SPACETOW_INLINE void solveNormals(Ends& ends, RoundBatch& c) {
     const Wide excess = ends.along(c.normalX, c.normalY) - c.target;
     const Wide impulse = greater(c.normalImpulse - c.normalMass * excess, Wide{});
     const Wide change = impulse - c.normalImpulse;
@@ -124,8 +131,7 @@ SPACETOW_INLINE void complementary(const ConstraintBatch& c, Wide b1, Wide b2, W
     x2 = both ? x2 : (first ? none : (second ? only2 : none));
 }
 
-SPACETOW_INLINE void solve(Ends& ends, ConstraintBatch& c) {
-    rub(ends, c, c.tangentLeverA, c.tangentLeverB, c.friction * (c.impulse1 + c.impulse2));
+SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c) {
     const Wide closing = ends.along(c.normalX, c.normalY);
     const Wide b1 =
         closing + ends.turning(c.leverA1, c.leverB1) - c.target1 - (c.k11 * c.impulse1 + c.coupling * c.impulse2);
@@ -143,6 +149,8 @@ SPACETOW_INLINE void solve(Ends& ends, ConstraintBatch& c) {
                d1 * c.leverB1 + d2 * c.leverB2);
 }
 
+enum class Task { WarmStart, Forwards, Backwards, OnlyPass, Measure };
+
 template <class Batch>
 SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
@@ -156,12 +164,16 @@ SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
 }
 
 template <class Batch>
-SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches, bool backwards) {
+SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches, Task task) {
     const std::size_t count = batches.size();
     for (std::size_t i = 0; i < count; ++i) {
-        Batch& batch = batches.begin()[backwards ? count - 1 - i : i];
+        Batch& batch = batches.begin()[task == Task::Backwards ? count - 1 - i : i];
         Ends ends{load(paces, batch.a), load(paces, batch.b)};
-        solve(ends, batch);
+        solveFriction(ends, batch);
+        solveNormals(ends, batch);
+        if (task == Task::OnlyPass) {
+            solveFriction(ends, batch);
+        }
         store(paces, batch.a, ends.a);
         store(paces, batch.b, ends.b);
     }
@@ -186,8 +198,6 @@ SPACETOW_INLINE void measureAll(const Pace* paces, Batches<Batch>& batches) {
     }
 }
 
-enum class Task { WarmStart, Forwards, Backwards, Measure };
-
 SPACETOW_INLINE void carryOut(ContactBatches& batches, Task task) {
     Pace* paces = batches.paces.data();
     if (task == Task::WarmStart) {
@@ -197,8 +207,8 @@ SPACETOW_INLINE void carryOut(ContactBatches& batches, Task task) {
         measureAll(paces, batches.round);
         measureAll(paces, batches.general);
     } else {
-        solveAll(paces, batches.round, task == Task::Backwards);
-        solveAll(paces, batches.general, task == Task::Backwards);
+        solveAll(paces, batches.round, task);
+        solveAll(paces, batches.general, task);
     }
 }
 
@@ -260,6 +270,10 @@ void warmStart(ContactBatches& batches) {
 
 void solvePass(ContactBatches& batches, bool backwards) {
     start(batches, backwards ? Task::Backwards : Task::Forwards);
+}
+
+void solveOnce(ContactBatches& batches) {
+    start(batches, Task::OnlyPass);
 }
 
 void measureVelocities(ContactBatches& batches) {

@@ -115,6 +115,9 @@ void warmStart(ContactBatches& batches);
 /// One pass over all contacts, the other way round if `backwards`.
 void solvePass(ContactBatches& batches, bool backwards);
 
+/// The only pass: friction once more after the normals, as it has nothing to go by before them where contacts are new.
+void solveOnce(ContactBatches& batches);
+
 /// The normal velocities that are left.
 void measureVelocities(ContactBatches& batches);
 

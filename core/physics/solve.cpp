@@ -202,9 +202,12 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
     loadPaces(data);
     packGeneral(data);
     warmStart(data.batches);
-    for (int pass = 0; pass < step.passes; ++pass) {
+    if (step.passes == 1) {
+        solveOnce(data.batches);
+    }
+    for (int pass = 0; pass < step.passes && step.passes > 1; ++pass) {
         // Every other pass goes backwards, so that support travels up a pile as fast as weight travels down.
-        solvePass(data.batches, step.passes > 1 && (step.index + pass) % 2 != 0);
+        solvePass(data.batches, (step.index + pass) % 2 != 0);
     }
     measureVelocities(data.batches);
     const std::vector<RoundContact>& round = data.roundContacts;
