@@ -218,9 +218,8 @@ __attribute__((target("avx2"))) void carryOutWide(ContactBatches& batches, Task 
 }
 #endif
 
-void start(ContactBatches& batches, Task task) {
+void start(ContactBatches& batches, Task task, [[maybe_unused]] bool wide) {
 #if defined(__x86_64__)
-    static const bool wide = __builtin_cpu_supports("avx2") != 0;
     if (wide) {
         carryOutWide(batches, task);
         return;
@@ -264,20 +263,29 @@ Lane BatchPlan::place(Slot a, bool movableA, Slot b, bool movableB) {
     return {batch, lane};
 }
 
-void warmStart(ContactBatches& batches) {
-    start(batches, Task::WarmStart);
+bool hasWideRegisters() {
+#if defined(__x86_64__)
+    static const bool has = __builtin_cpu_supports("avx2") != 0;
+    return has;
+#else
+    return false;
+#endif
 }
 
-void solvePass(ContactBatches& batches, bool backwards) {
-    start(batches, backwards ? Task::Backwards : Task::Forwards);
+void warmStart(ContactBatches& batches, bool wide) {
+    start(batches, Task::WarmStart, wide);
 }
 
-void solveOnce(ContactBatches& batches) {
-    start(batches, Task::OnlyPass);
+void solvePass(ContactBatches& batches, bool backwards, bool wide) {
+    start(batches, backwards ? Task::Backwards : Task::Forwards, wide);
 }
 
-void measureVelocities(ContactBatches& batches) {
-    start(batches, Task::Measure);
+void solveOnce(ContactBatches& batches, bool wide) {
+    start(batches, Task::OnlyPass, wide);
+}
+
+void measureVelocities(ContactBatches& batches, bool wide) {
+    start(batches, Task::Measure, wide);
 }
 
 } // namespace spacetow

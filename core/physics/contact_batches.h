@@ -109,16 +109,19 @@ struct ContactBatches {
     Batches<ConstraintBatch> general;
 };
 
+/// Whether the processor has registers for four doubles. What follows computes the same bits with them and without.
+bool hasWideRegisters();
+
 /// Applies the impulses that the contacts begin with.
-void warmStart(ContactBatches& batches);
+void warmStart(ContactBatches& batches, bool wide = hasWideRegisters());
 
 /// One pass over all contacts, the other way round if `backwards`.
-void solvePass(ContactBatches& batches, bool backwards);
+void solvePass(ContactBatches& batches, bool backwards, bool wide = hasWideRegisters());
 
 /// The only pass: friction once more after the normals, as it has nothing to go by before them where contacts are new.
-void solveOnce(ContactBatches& batches);
+void solveOnce(ContactBatches& batches, bool wide = hasWideRegisters());
 
 /// The normal velocities that are left.
-void measureVelocities(ContactBatches& batches);
+void measureVelocities(ContactBatches& batches, bool wide = hasWideRegisters());
 
 } // namespace spacetow

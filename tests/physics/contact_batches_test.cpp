@@ -1,0 +1,173 @@
+// Contacts solved in fours against the same contacts solved one after the other: equal to the last bit.
+
+#include "core/physics/world.h"
+
+#include "core/base/random.h"
+#include "core/physics/contact_batches.h"
+#include "tests/support/test_main.h"
+
+#include <algorithm>
+#include <cstring>
+
+using namespace spacetow;
+
+namespace {
+
+constexpr Slot bodies = 40; // the first four of which nothing can move
+
+struct Body {
+    double x, y, turn, mass, inertia; // inverse
+};
+
+struct Contact {
+    Slot a, b;
+    double normalX, normalY, leverA, leverB, normalMass, tangentMass, friction, target, normal, tangent;
+};
+
+std::vector<Body> randomBodies(Random& random) {
+    std::vector<Body> result;
+    for (Slot i = 0; i < bodies; ++i) {
+        const bool moves = i >= 4;
+        result.push_back({random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-5, 5),
+                          moves ? random.uniform(0.2, 9) : 0, moves ? random.uniform(0.2, 9) : 0});
+    }
+    return result;
+}
+
+std::vector<Contact> randomContacts(Random& random) {
+    std::vector<Contact> result;
+    for (int i = 0; i < 300; ++i) {
+        const auto a = static_cast<Slot>(random.uniform(4, bodies - 0.001));
+        const auto b = static_cast<Slot>(random.uniform(0, bodies - 0.001));
+        if (a == b) {
+            continue;
+        }
+        const double angle = random.uniform(-3, 3);
+        const Rot normal = Rot::fromAngle(angle);
+        result.push_back({a, b, normal.c, normal.s, random.uniform(-1, 1), random.uniform(-1, 1),
+                          random.uniform(0.05, 1), random.uniform(0.05, 1), random.uniform(0, 1),
+                          random.uniform(-0.5, 0.5), random.uniform(0, 0.3), random.uniform(-0.1, 0.1)});
+    }
+    return result;
+}
+
+void apply(Body& a, Body& b, const Contact& c, double x, double y, double twist) {
+    a.x -= a.mass * x;
+    a.y -= a.mass * y;
+    b.x += b.mass * x;
+    b.y += b.mass * y;
+    a.turn -= a.inertia * (twist * c.leverA);
+    b.turn += b.inertia * (twist * c.leverB);
+}
+
+void solveOne(std::vector<Body>& all, Contact& c) {
+    Body& a = all[c.a];
+    Body& b = all[c.b];
+    const double sliding =
+        (b.x - a.x) * -c.normalY + (b.y - a.y) * c.normalX + (b.turn * c.leverB - a.turn * c.leverA);
+    const double limit = c.friction * c.normal;
+    const double tangent = std::min(std::max(c.tangent - c.tangentMass * sliding, -limit), limit);
+    const double rub = tangent - c.tangent;
+    c.tangent = tangent;
+    apply(a, b, c, -rub * c.normalY, rub * c.normalX, rub);
+    const double excess = (b.x - a.x) * c.normalX + (b.y - a.y) * c.normalY - c.target;
+    const double normal = std::max(c.normal - c.normalMass * excess, 0.0);
+    const double push = normal - c.normal;
+    c.normal = normal;
+    apply(a, b, c, push * c.normalX, push * c.normalY, 0);
+}
+
+ContactBatches packed(const std::vector<Body>& all, const std::vector<Contact>& contacts, std::vector<Lane>& lanes) {
+    ContactBatches batches;
+    for (const Body& body : all) {
+        batches.paces.push_back({body.x, body.y, body.turn, 0});
+    }
+    batches.paces.emplace_back();
+    batches.round.reset(all.size());
+    for (const Contact& c : contacts) {
+        const Lane lane = batches.round.open(c.a, all[c.a].mass > 0, c.b, all[c.b].mass > 0);
+        RoundBatch& batch = batches.round[lane.batch];
+        const std::uint32_t i = lane.lane;
+        batch.normalX[i] = c.normalX;
+        batch.normalY[i] = c.normalY;
+        batch.massA[i] = all[c.a].mass;
+        batch.massB[i] = all[c.b].mass;
+        batch.inertiaA[i] = all[c.a].inertia;
+        batch.inertiaB[i] = all[c.b].inertia;
+        batch.leverA[i] = c.leverA;
+        batch.leverB[i] = c.leverB;
+        batch.normalMass[i] = c.normalMass;
+        batch.tangentMass[i] = c.tangentMass;
+        batch.friction[i] = c.friction;
+        batch.target[i] = c.target;
+        batch.normalImpulse[i] = c.normal;
+        batch.tangentImpulse[i] = c.tangent;
+        lanes.push_back(lane);
+    }
+    return batches;
+}
+
+} // namespace
+
+class ContactBatchesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void foursGiveTheBitsOfOneAfterTheOther_data() {
+        QTest::addColumn<bool>("wide");
+        QTest::addColumn<bool>("backwards");
+        for (const bool backwards : {false, true}) {
+            const char* way = backwards ? "backwards" : "forwards";
+            QTest::addRow("narrow registers, %s", way) << false << backwards;
+            if (hasWideRegisters()) {
+                QTest::addRow("wide registers, %s", way) << true << backwards;
+            }
+        }
+    }
+    void foursGiveTheBitsOfOneAfterTheOther() {
+        QFETCH(bool, wide);
+        QFETCH(bool, backwards);
+        for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+            Random random(seed);
+            std::vector<Body> all = randomBodies(random);
+            std::vector<Contact> contacts = randomContacts(random);
+            std::vector<Lane> lanes;
+            ContactBatches batches = packed(all, contacts, lanes);
+            solvePass(batches, backwards, wide);
+            if (backwards) {
+                std::for_each(contacts.rbegin(), contacts.rend(), [&](Contact& c) { solveOne(all, c); });
+            } else {
+                std::for_each(contacts.begin(), contacts.end(), [&](Contact& c) { solveOne(all, c); });
+            }
+            for (Slot i = 0; i < bodies; ++i) {
+                const Pace& pace = batches.paces[i];
+                const bool same = pace.x == all[i].x && pace.y == all[i].y && pace.turn == all[i].turn;
+                QVERIFY2(same, qPrintable(QString("seed %1, body %2").arg(seed).arg(i)));
+            }
+            for (std::size_t i = 0; i < contacts.size(); ++i) {
+                const RoundBatch& batch = batches.round[lanes[i].batch];
+                QCOMPARE(batch.normalImpulse[lanes[i].lane], contacts[i].normal);
+                QCOMPARE(batch.tangentImpulse[lanes[i].lane], contacts[i].tangent);
+            }
+        }
+    }
+
+    void noBodyThatMovesIsTwiceInABatch() {
+        Random random(7);
+        const std::vector<Body> all = randomBodies(random);
+        std::vector<Lane> lanes;
+        ContactBatches batches = packed(all, randomContacts(random), lanes);
+        for (std::uint32_t i = 0; i < batches.round.size(); ++i) {
+            std::vector<Slot> moving;
+            for (const auto& ends : {batches.round[i].a, batches.round[i].b}) {
+                std::copy_if(ends.begin(), ends.end(), std::back_inserter(moving),
+                             [](Slot slot) { return slot >= 4 && slot < bodies; });
+            }
+            std::sort(moving.begin(), moving.end());
+            QVERIFY(std::adjacent_find(moving.begin(), moving.end()) == moving.end());
+        }
+    }
+};
+
+SPACETOW_TEST(ContactBatchesTest)
+#include "contact_batches_test.moc"
