@@ -1,5 +1,6 @@
 #include "core/physics/changes.h"
 
+#include "core/physics/field_forces.h"
 #include "core/physics/touches.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ void removeNow(WorldData& data, Slot slot, int iteration) {
             data.freeConnectors.push_back(i);
         }
     }
+    removeFieldsOf(data, slot);
     BodyRecord& record = data.records[slot];
     data.staticsChanged |= record.kind == BodyKind::Static;
     data.events.removed.push_back({iteration, data.idOf(slot), record.user});
@@ -95,22 +97,26 @@ void refreshInverseMass(WorldData& data, Slot slot) {
 void refreshConnections(WorldData& data) {
     data.pairsStale = true;
     data.notColliding.clear();
-    for (BodyRecord& record : data.records) {
-        record.connected = false;
-    }
     for (const ConnectorRecord& c : data.connectors) {
-        if (!c.used) {
-            continue;
-        }
-        if (data.records[c.a].active && data.records[c.b].active) {
-            data.records[c.a].connected = true;
-            data.records[c.b].connected = true;
-        }
-        if (!c.bodiesCollide) {
+        if (c.used && !c.bodiesCollide) {
             data.notColliding.push_back(std::minmax(c.a, c.b));
         }
     }
     std::sort(data.notColliding.begin(), data.notColliding.end());
+    refreshSubsteps(data);
+}
+
+void refreshSubsteps(WorldData& data) {
+    for (BodyRecord& record : data.records) {
+        record.substepped = false;
+    }
+    for (const ConnectorRecord& c : data.connectors) {
+        if (c.used && data.records[c.a].active && data.records[c.b].active) {
+            data.records[c.a].substepped = true;
+            data.records[c.b].substepped = true;
+        }
+    }
+    refreshFields(data);
 }
 
 } // namespace spacetow

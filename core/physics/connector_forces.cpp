@@ -22,7 +22,7 @@ double duration(double h, Kick kick, bool anticipated) {
     if (anticipated) {
         return kick == Kick::Last ? 0 : h;
     }
-    return kick == Kick::Between ? h : 0.5 * h;
+    return kickTime(h, kick);
 }
 
 /// Sets the connector's tension and returns its impulse, N s.

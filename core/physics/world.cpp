@@ -5,6 +5,7 @@
 #include "core/physics/changes.h"
 #include "core/physics/contacts.h"
 #include "core/physics/continuous.h"
+#include "core/physics/field_forces.h"
 #include "core/physics/integrate.h"
 #include "core/physics/make_body.h"
 #include "core/physics/pairs.h"
@@ -118,6 +119,7 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     refreshInverseMass(data, slot);
     data.staticsChanged |= def.kind == BodyKind::Static;
     data.bodiesChanged = true;
+    refreshFields(data);
     return data.idOf(slot);
 }
 
@@ -166,6 +168,22 @@ void World::setFilter(BodyId body, const Filter& filter) {
     EXPECTS(contains(body));
     m_data->records[body.index].filter = filter;
     m_data->pairsStale = true;
+    if (!m_data->fields.empty()) {
+        refreshSubsteps(*m_data);
+    }
+}
+
+void World::setReportsTouches(BodyId body, bool reports) {
+    EXPECTS(contains(body));
+    m_data->records[body.index].reportsTouches = reports;
+    std::vector<Slot>& reporters = m_data->reporters;
+    const auto at = std::lower_bound(reporters.begin(), reporters.end(), body.index);
+    const bool listed = at != reporters.end() && *at == body.index;
+    if (reports && !listed) {
+        reporters.insert(at, body.index);
+    } else if (!reports && listed) {
+        reporters.erase(at);
+    }
 }
 
 const UpdateParameters& World::parameters() const {

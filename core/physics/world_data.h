@@ -116,7 +116,7 @@ struct BodyRecord {
     bool positionFrozen = false;
     bool rotationFrozen = false;
     bool reportsTouches = false;
-    bool connected = false; // by an active connector
+    bool substepped = false; // moves in sub-steps: an active connector or a force field acts on it
     std::uint64_t user = 0;
     Vec2 force{0, 0}; // N, for the next update
     double torque = 0;
@@ -282,6 +282,11 @@ struct ConnectorRecord {
     double tension = 0;
 };
 
+struct FieldRecord {
+    std::uint32_t generation = 0;
+    std::shared_ptr<const ForceFieldDef> def; // none: not used
+};
+
 struct PendingChange {
     enum class Kind : std::uint8_t { Remove, Active, Tangible, Frozen } kind;
     BodyId body;
@@ -304,6 +309,10 @@ struct WorldData {
     std::vector<ConnectorRecord> connectors;
     std::vector<std::uint32_t> freeConnectors;
     std::vector<SlotPair> notColliding; // sorted
+
+    std::vector<FieldRecord> fields;
+    std::vector<std::uint32_t> freeFields;
+    std::vector<Slot> fieldBodies; // that feel any of them
 
     std::vector<PendingChange> pending;
     std::shared_ptr<const StaticGeometry> statics;

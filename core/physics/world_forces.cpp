@@ -1,19 +1,10 @@
 // World: forces and impulses from outside.
 
 #include "core/base/contract.h"
+#include "core/physics/force_rules.h"
 #include "core/physics/world.h"
-#include "core/physics/world_data.h"
 
 namespace spacetow {
-
-namespace {
-
-bool accepts(const BodyRecord& record, ForceSource source) {
-    return record.active &&
-           (record.kind == BodyKind::Dynamic || (record.kind == BodyKind::Kinematic && source == ForceSource::Manual));
-}
-
-} // namespace
 
 bool World::applyForce(BodyId body, const Vec2& force, ForceSource source) {
     EXPECTS(contains(body));
