@@ -1,6 +1,7 @@
 #include "core/physics/changes.h"
 
 #include "core/physics/field_forces.h"
+#include "core/physics/sleep.h"
 #include "core/physics/touches.h"
 
 #include <algorithm>
@@ -53,6 +54,11 @@ void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
     record.active = active;
 }
 
+bool isThere(const WorldData& data, BodyId body) {
+    return body.index < data.records.size() && data.records[body.index].used &&
+           data.records[body.index].generation == body.generation;
+}
+
 } // namespace
 
 bool applyPending(WorldData& data, int iteration) {
@@ -60,9 +66,14 @@ bool applyPending(WorldData& data, int iteration) {
         return false;
     }
     for (const PendingChange& change : data.pending) {
+        if (isThere(data, change.body)) {
+            disturb(data, change.body.index);
+        }
+    }
+    wakeDisturbed(data, iteration);
+    for (const PendingChange& change : data.pending) {
         const Slot slot = change.body.index;
-        if (slot >= data.records.size() || !data.records[slot].used ||
-            data.records[slot].generation != change.body.generation) {
+        if (!isThere(data, change.body)) {
             continue;
         }
         switch (change.kind) {

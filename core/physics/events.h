@@ -39,6 +39,12 @@ struct FieldFaultEvent {
     BodyId body;
 };
 
+/// Of a body that fell asleep or woke up.
+struct SleepEvent {
+    int iteration; // −1: before the first
+    BodyId body;
+};
+
 struct Events {
     std::vector<TouchEvent> began;
     std::vector<TouchEvent> ended;
@@ -46,6 +52,8 @@ struct Events {
     std::vector<RemovedEvent> removed;
     std::vector<FaultEvent> faults;
     std::vector<FieldFaultEvent> fieldFaults;
+    std::vector<SleepEvent> fellAsleep;
+    std::vector<SleepEvent> wokeUp;
 
     void clear() {
         began.clear();
@@ -54,6 +62,8 @@ struct Events {
         removed.clear();
         faults.clear();
         fieldFaults.clear();
+        fellAsleep.clear();
+        wokeUp.clear();
     }
 };
 

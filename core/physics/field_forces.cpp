@@ -1,6 +1,7 @@
 #include "core/physics/field_forces.h"
 
 #include "core/physics/force_rules.h"
+#include "core/physics/sleep.h"
 
 #include <algorithm>
 
@@ -72,6 +73,14 @@ Gain gainOf(WorldData& data, Slot slot, const FieldSample& sample, double second
 
 } // namespace
 
+void disturbFelt(WorldData& data, std::uint32_t field) {
+    for (const Slot slot : data.fieldBodies) {
+        if (feels(data, data.fields[field], slot)) {
+            disturb(data, slot);
+        }
+    }
+}
+
 void refreshFields(WorldData& data) {
     data.fieldBodies.clear();
     if (data.fields.size() == data.freeFields.size()) {
@@ -93,6 +102,9 @@ void applyFields(WorldData& data, double seconds, int iteration) {
         return;
     }
     for (const Slot slot : data.fieldBodies) {
+        if (data.records[slot].asleep) {
+            continue;
+        }
         // The midpoint rule: second order for what depends on the velocity, too.
         FieldSample sample = sampleOf(data, slot);
         const Gain first = gainOf(data, slot, sample, seconds, iteration);

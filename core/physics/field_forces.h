@@ -12,6 +12,9 @@ void refreshFields(WorldData& data);
 /// its fields at once, so that their order does not matter; values that are not finite are left out and reported.
 void applyFields(WorldData& data, double seconds, int iteration);
 
+/// The field is new or about to go: disturbs who feels it.
+void disturbFelt(WorldData& data, std::uint32_t field);
+
 /// Removes the fields that act on this body alone.
 void removeFieldsOf(WorldData& data, Slot slot);
 

@@ -4,6 +4,8 @@
 #include "core/physics/connector_forces.h"
 #include "core/physics/field_forces.h"
 
+#include <algorithm>
+
 namespace spacetow {
 
 namespace {
@@ -39,6 +41,10 @@ void kick(WorldData& data, const IterationStep& step, Kick kick) {
 
 void integrateInSubsteps(WorldData& data, const IterationStep& step) {
     if (data.connectors.size() == data.freeConnectors.size() && data.fieldBodies.empty()) {
+        return;
+    }
+    const auto substepped = [&](Slot slot) { return data.records[slot].substepped; };
+    if (!data.sleep.sleepers.empty() && std::none_of(data.moving.begin(), data.moving.end(), substepped)) {
         return;
     }
     data.trial.resize(data.motions.size());
@@ -146,7 +152,9 @@ void isolateFaults(WorldData& data, int iteration) {
         m.angularVelocity = 0;
         s.shift.setZero();
         s.turn = 0;
-        if (data.records[slot].active) {
+        const bool known = !data.pending.empty() && std::any_of(data.pending.begin(), data.pending.end(),
+                                                                [&](const auto& p) { return p.body.index == slot; });
+        if (data.records[slot].active && !known) {
             data.events.faults.push_back({iteration, data.idOf(slot)});
             data.pending.push_back({PendingChange::Kind::Active, data.idOf(slot), false, false});
         }

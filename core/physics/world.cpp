@@ -9,6 +9,7 @@
 #include "core/physics/integrate.h"
 #include "core/physics/make_body.h"
 #include "core/physics/pairs.h"
+#include "core/physics/sleep.h"
 #include "core/physics/solve.h"
 #include "core/physics/touches.h"
 #include "core/physics/world_data.h"
@@ -31,17 +32,23 @@ IterationStep iterationStep(const UpdateParameters& p) {
 }
 
 void iterate(WorldData& data, const IterationStep& step) {
+    if (data.moving.empty() && !data.sleep.sleepers.empty()) {
+        reportTouches(data, step.index);
+        return;
+    }
     const double ahead = step.index == 0 ? step.remaining - step.dt : 0; // rooms for a whole update, if they will do
-    integrateVelocities(data, step);
-    measureMotion(data, ahead);
-    if (data.anyFault) {
-        isolateFaults(data, step.index);
+    do {
+        integrateVelocities(data, step);
         measureMotion(data, ahead);
-    }
-    if (data.anyEscaped) {
-        findPairs(data, step);
-    }
-    findContacts(data, step);
+        if (data.anyFault) {
+            isolateFaults(data, step.index);
+            measureMotion(data, ahead);
+        }
+        if (data.anyEscaped) {
+            findPairs(data, step);
+        }
+        findContacts(data, step);
+    } while (wakeTouched(data, step));
     solveVelocities(data, step);
     if (data.anyFast || data.anySweep) {
         measureMotion(data, 0);
@@ -79,6 +86,7 @@ void World::update(const UpdateParameters& parameters) {
     EXPECTS(isUsable(parameters));
     WorldData& data = *m_data;
     data.events.clear();
+    beginSleep(data, parameters.gravity);
     applyPending(data, -1);
     IterationStep step = iterationStep(parameters);
     prepareStructure(data);
@@ -91,6 +99,7 @@ void World::update(const UpdateParameters& parameters) {
             prepareSteps(data, step);
         }
     }
+    fallAsleep(data, parameters.seconds, parameters.iterations - 1);
     collectTouchedTags(data);
 }
 
@@ -120,6 +129,7 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     data.staticsChanged |= def.kind == BodyKind::Static;
     data.bodiesChanged = true;
     refreshFields(data);
+    disturb(data, slot);
     return data.idOf(slot);
 }
 
@@ -151,6 +161,7 @@ void World::setPose(BodyId body, const Vec2& position, double angle) {
     m.center = position + m.rotation * record.localCenter;
     m_data->pairsStale = true;
     m_data->staticsChanged |= record.kind == BodyKind::Static;
+    disturb(*m_data, body.index);
 }
 
 void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocity) {
@@ -162,12 +173,14 @@ void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocit
     BodyMotion& m = m_data->motions[body.index];
     m.velocity = record.positionFrozen ? Vec2(0, 0) : velocity;
     m.angularVelocity = record.rotationFrozen ? 0 : angularVelocity;
+    disturb(*m_data, body.index);
 }
 
 void World::setFilter(BodyId body, const Filter& filter) {
     EXPECTS(contains(body));
     m_data->records[body.index].filter = filter;
     m_data->pairsStale = true;
+    disturb(*m_data, body.index);
     if (!m_data->fields.empty()) {
         refreshSubsteps(*m_data);
     }
@@ -184,6 +197,17 @@ void World::setReportsTouches(BodyId body, bool reports) {
     } else if (!reports && listed) {
         reporters.erase(at);
     }
+}
+
+void World::setSleeping(bool allowed) {
+    m_data->sleep.allowed = allowed;
+    for (BodyRecord& record : m_data->records) {
+        record.stillFor = 0;
+    }
+}
+
+bool World::sleeping() const {
+    return m_data->sleep.allowed;
 }
 
 const UpdateParameters& World::parameters() const {
@@ -222,6 +246,7 @@ BodyState World::body(BodyId body) const {
             .touchedTags = body.index < m_data->touchedTags.size() ? m_data->touchedTags[body.index] : TagMask{},
             .tangible = r.tangible,
             .active = r.active,
+            .asleep = r.asleep,
             .positionFrozen = r.positionFrozen,
             .rotationFrozen = r.rotationFrozen,
             .user = r.user};

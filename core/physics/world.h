@@ -72,6 +72,12 @@ class World {
                         ForceSource source = ForceSource::Manual);
     bool applyAngularImpulse(BodyId body, double impulse, ForceSource source = ForceSource::Manual);
 
+    /// Whether bodies fall asleep, from the next update on; at first they do not. Bodies that touch or are connected
+    /// and no point of which has been faster than 0.01 m/s for half a second then rest, at no cost, until one of them
+    /// is touched by an awake body, or anything is done to one of them or to what they rest on.
+    void setSleeping(bool allowed);
+    bool sleeping() const;
+
     /// One update with the world's own parameters, or with others for this call only.
     void update();
     void update(const UpdateParameters& parameters);

@@ -2,6 +2,7 @@
 
 #include "core/base/contract.h"
 #include "core/physics/changes.h"
+#include "core/physics/field_forces.h"
 #include "core/physics/world.h"
 #include "core/physics/world_data.h"
 
@@ -24,12 +25,14 @@ Result<FieldId> World::addField(ForceFieldDef def) {
     }
     data.fields[index].def = std::make_shared<const ForceFieldDef>(std::move(def));
     refreshSubsteps(data);
+    disturbFelt(data, index);
     return FieldId{index, data.fields[index].generation};
 }
 
 void World::removeField(FieldId field) {
     EXPECTS(contains(field));
     WorldData& data = *m_data;
+    disturbFelt(data, field.index);
     data.fields[field.index].def = nullptr;
     ++data.fields[field.index].generation;
     data.freeFields.push_back(field.index);
