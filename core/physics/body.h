@@ -56,6 +56,7 @@ struct BodyState {
     TagMask touchedTags; // of everything touched in the last iteration
     bool tangible;
     bool active;
+    bool asleep;
     bool positionFrozen;
     bool rotationFrozen;
     std::uint64_t user;

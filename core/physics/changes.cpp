@@ -1,5 +1,7 @@
 #include "core/physics/changes.h"
 
+#include "core/physics/field_forces.h"
+#include "core/physics/sleep.h"
 #include "core/physics/touches.h"
 
 #include <algorithm>
@@ -18,6 +20,7 @@ void removeNow(WorldData& data, Slot slot, int iteration) {
             data.freeConnectors.push_back(i);
         }
     }
+    removeFieldsOf(data, slot);
     BodyRecord& record = data.records[slot];
     data.staticsChanged |= record.kind == BodyKind::Static;
     data.events.removed.push_back({iteration, data.idOf(slot), record.user});
@@ -51,6 +54,11 @@ void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
     record.active = active;
 }
 
+bool isThere(const WorldData& data, BodyId body) {
+    return body.index < data.records.size() && data.records[body.index].used &&
+           data.records[body.index].generation == body.generation;
+}
+
 } // namespace
 
 bool applyPending(WorldData& data, int iteration) {
@@ -58,9 +66,14 @@ bool applyPending(WorldData& data, int iteration) {
         return false;
     }
     for (const PendingChange& change : data.pending) {
+        if (isThere(data, change.body)) {
+            disturb(data, change.body.index);
+        }
+    }
+    wakeDisturbed(data, iteration);
+    for (const PendingChange& change : data.pending) {
         const Slot slot = change.body.index;
-        if (slot >= data.records.size() || !data.records[slot].used ||
-            data.records[slot].generation != change.body.generation) {
+        if (!isThere(data, change.body)) {
             continue;
         }
         switch (change.kind) {
@@ -95,22 +108,26 @@ void refreshInverseMass(WorldData& data, Slot slot) {
 void refreshConnections(WorldData& data) {
     data.pairsStale = true;
     data.notColliding.clear();
-    for (BodyRecord& record : data.records) {
-        record.connected = false;
-    }
     for (const ConnectorRecord& c : data.connectors) {
-        if (!c.used) {
-            continue;
-        }
-        if (data.records[c.a].active && data.records[c.b].active) {
-            data.records[c.a].connected = true;
-            data.records[c.b].connected = true;
-        }
-        if (!c.bodiesCollide) {
+        if (c.used && !c.bodiesCollide) {
             data.notColliding.push_back(std::minmax(c.a, c.b));
         }
     }
     std::sort(data.notColliding.begin(), data.notColliding.end());
+    refreshSubsteps(data);
+}
+
+void refreshSubsteps(WorldData& data) {
+    for (BodyRecord& record : data.records) {
+        record.substepped = false;
+    }
+    for (const ConnectorRecord& c : data.connectors) {
+        if (c.used && data.records[c.a].active && data.records[c.b].active) {
+            data.records[c.a].substepped = true;
+            data.records[c.b].substepped = true;
+        }
+    }
+    refreshFields(data);
 }
 
 } // namespace spacetow

@@ -15,4 +15,7 @@ void refreshInverseMass(WorldData& data, Slot slot);
 /// Which bodies are connected, and which of them do not collide with each other.
 void refreshConnections(WorldData& data);
 
+/// Which bodies move in sub-steps: the part of refreshConnections that does not concern collisions.
+void refreshSubsteps(WorldData& data);
+
 } // namespace spacetow

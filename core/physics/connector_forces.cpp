@@ -22,7 +22,7 @@ double duration(double h, Kick kick, bool anticipated) {
     if (anticipated) {
         return kick == Kick::Last ? 0 : h;
     }
-    return kick == Kick::Between ? h : 0.5 * h;
+    return kickTime(h, kick);
 }
 
 /// Sets the connector's tension and returns its impulse, N s.
@@ -38,11 +38,19 @@ double pull(ConnectorRecord& c, const Stretch& s, double h, Kick kick) {
     return time * c.tension;
 }
 
+/// Neither end moves, and the tension is that of before.
+bool sleeps(const WorldData& data, const ConnectorRecord& c) {
+    const BodyRecord& a = data.records[c.a];
+    const BodyRecord& b = data.records[c.b];
+    return (a.asleep || b.asleep) && (a.asleep || a.kind == BodyKind::Static) &&
+           (b.asleep || b.kind == BodyKind::Static);
+}
+
 } // namespace
 
 void applyConnectorForces(WorldData& data, double h, Kick kick) {
     for (ConnectorRecord& c : data.connectors) {
-        if (!c.used) {
+        if (!c.used || sleeps(data, c)) {
             continue;
         }
         c.tension = 0;

@@ -9,6 +9,11 @@ namespace spacetow {
 /// at either end makes the motion of springs second order (velocity Verlet).
 enum class Kick : std::uint8_t { First, Between, Last };
 
+/// For how long what is not anticipated acts, of a sub-step of `h` seconds.
+inline double kickTime(double h, Kick kick) {
+    return kick == Kick::Between ? h : 0.5 * h;
+}
+
 /// The impulses for sub-steps of `h` seconds at the trial poses; changes velocities only. Damping, and the spring
 /// itself where it is too stiff for the sub-step, are taken implicitly, so that the result stays finite and gains no
 /// energy.

@@ -2,6 +2,7 @@
 // What happened during the last update, in a fixed order. Valid until the next update.
 
 #include "core/physics/body.h"
+#include "core/physics/force_field.h"
 
 #include <vector>
 
@@ -31,12 +32,28 @@ struct FaultEvent {
     BodyId body;
 };
 
+/// A force field gave a value that is not finite, which was left out; once an update for each field.
+struct FieldFaultEvent {
+    int iteration;
+    FieldId field;
+    BodyId body;
+};
+
+/// Of a body that fell asleep or woke up.
+struct SleepEvent {
+    int iteration; // −1: before the first
+    BodyId body;
+};
+
 struct Events {
     std::vector<TouchEvent> began;
     std::vector<TouchEvent> ended;
     std::vector<TagsTouchedEvent> tagsTouched;
     std::vector<RemovedEvent> removed;
     std::vector<FaultEvent> faults;
+    std::vector<FieldFaultEvent> fieldFaults;
+    std::vector<SleepEvent> fellAsleep;
+    std::vector<SleepEvent> wokeUp;
 
     void clear() {
         began.clear();
@@ -44,6 +61,9 @@ struct Events {
         tagsTouched.clear();
         removed.clear();
         faults.clear();
+        fieldFaults.clear();
+        fellAsleep.clear();
+        wokeUp.clear();
     }
 };
 

@@ -2,6 +2,9 @@
 
 #include "core/math/trig.h"
 #include "core/physics/connector_forces.h"
+#include "core/physics/field_forces.h"
+
+#include <algorithm>
 
 namespace spacetow {
 
@@ -31,8 +34,17 @@ Change integrated(BodyMotion& m, const BodyStep& s) {
     return change;
 }
 
-void integrateConnected(WorldData& data, const IterationStep& step) {
-    if (data.connectors.size() == data.freeConnectors.size()) {
+void kick(WorldData& data, const IterationStep& step, Kick kick) {
+    applyConnectorForces(data, step.substep, kick);
+    applyFields(data, kickTime(step.substep, kick), step.index);
+}
+
+void integrateInSubsteps(WorldData& data, const IterationStep& step) {
+    if (data.connectors.size() == data.freeConnectors.size() && data.fieldBodies.empty()) {
+        return;
+    }
+    const auto substepped = [&](Slot slot) { return data.records[slot].substepped; };
+    if (!data.sleep.sleepers.empty() && std::none_of(data.moving.begin(), data.moving.end(), substepped)) {
         return;
     }
     data.trial.resize(data.motions.size());
@@ -40,9 +52,9 @@ void integrateConnected(WorldData& data, const IterationStep& step) {
         data.trial[slot] = data.pose(slot);
     }
     for (int i = 0; i < step.substeps; ++i) {
-        applyConnectorForces(data, step.substep, i == 0 ? Kick::First : Kick::Between);
+        kick(data, step, i == 0 ? Kick::First : Kick::Between);
         for (const Slot slot : data.moving) {
-            if (!data.records[slot].connected) {
+            if (!data.records[slot].substepped) {
                 continue;
             }
             const Change change = integrated(data.motions[slot], data.steps[slot]);
@@ -52,7 +64,7 @@ void integrateConnected(WorldData& data, const IterationStep& step) {
             data.trial[slot].rotation = turned(data.trial[slot].rotation, change.turn);
         }
     }
-    applyConnectorForces(data, step.substep, Kick::Last);
+    kick(data, step, Kick::Last);
 }
 
 } // namespace
@@ -81,7 +93,7 @@ void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravi
 void prepareSteps(WorldData& data, const IterationStep& step) {
     for (const Slot slot : data.moving) {
         const BodyRecord& record = data.records[slot];
-        const double h = record.connected ? step.substep : step.dt;
+        const double h = record.substepped ? step.substep : step.dt;
         BodyStep& s = data.steps[slot];
         s.linear = record.positionFrozen ? FreeMotion{0, 0, 0} : freeMotion(record.linearDamping, h);
         s.angular = record.rotationFrozen ? FreeMotion{0, 0, 0} : freeMotion(record.angularDamping, h);
@@ -100,13 +112,13 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         s.push.setZero();
         s.pushTurn = 0;
         s.pushed = s.bounced = false;
-        if (!data.records[slot].connected) {
+        if (!data.records[slot].substepped) {
             const Change change = integrated(m, s);
             s.shift = change.shift;
             s.turn = change.turn;
         }
     }
-    integrateConnected(data, step);
+    integrateInSubsteps(data, step);
 }
 
 void advance(WorldData& data, double dt) {
@@ -140,7 +152,9 @@ void isolateFaults(WorldData& data, int iteration) {
         m.angularVelocity = 0;
         s.shift.setZero();
         s.turn = 0;
-        if (data.records[slot].active) {
+        const bool known = !data.pending.empty() && std::any_of(data.pending.begin(), data.pending.end(),
+                                                                [&](const auto& p) { return p.body.index == slot; });
+        if (data.records[slot].active && !known) {
             data.events.faults.push_back({iteration, data.idOf(slot)});
             data.pending.push_back({PendingChange::Kind::Active, data.idOf(slot), false, false});
         }

@@ -113,6 +113,12 @@ void listColliders(WorldData& data) {
             data.colliders.push_back({slot, i, {}});
         }
     }
+    for (const Slot slot : data.sleep.sleepers) {
+        for (std::uint32_t i = 0; i < data.records[slot].parts->size(); ++i) {
+            const Part& part = (*data.records[slot].parts)[i];
+            data.colliders.push_back({slot, i, roomyBox(data.steps[slot], data.motions[slot], part)});
+        }
+    }
 }
 
 void giveRoom(WorldData& data, double seconds) {
@@ -240,6 +246,8 @@ void mergePairs(WorldData& data) {
     std::swap(data.table, data.newTable);
 }
 
+} // namespace
+
 void listFelt(WorldData& data) {
     data.felt.clear();
     for (std::uint32_t i = 0; i < data.table.size(); ++i) {
@@ -248,8 +256,6 @@ void listFelt(WorldData& data) {
         }
     }
 }
-
-} // namespace
 
 void PairTable::clear() {
     gates.clear();
@@ -269,20 +275,24 @@ void PairTable::addFrom(const PairTable& other, std::size_t index) {
     pairs.push_back(other.pairs[index]);
 }
 
+void listMoving(WorldData& data) {
+    data.moving.clear();
+    for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
+        for (Slot slot = 0; slot < data.records.size(); ++slot) {
+            const BodyRecord& record = data.records[slot];
+            if (record.used && record.active && !record.asleep && record.kind == kind) {
+                data.moving.push_back(slot);
+            }
+        }
+    }
+}
+
 void prepareStructure(WorldData& data) {
     refreshStatics(data);
     if (!data.bodiesChanged) {
         return;
     }
-    data.moving.clear();
-    for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
-        for (Slot slot = 0; slot < data.records.size(); ++slot) {
-            const BodyRecord& record = data.records[slot];
-            if (record.used && record.active && record.kind == kind) {
-                data.moving.push_back(slot);
-            }
-        }
-    }
+    listMoving(data);
     data.reporters.clear();
     for (Slot slot = 0; slot < data.records.size(); ++slot) {
         if (data.records[slot].used && data.records[slot].reportsTouches) {
@@ -290,6 +300,9 @@ void prepareStructure(WorldData& data) {
         }
     }
     data.travelled.assign(data.records.size() + 1, 0);
+    for (const Slot slot : data.sleep.sleepers) {
+        data.travelled[slot + 1] = data.steps[slot].travelled;
+    }
     data.touchedTags.resize(data.records.size());
     data.bodiesChanged = false;
     data.pairsStale = true;

@@ -3,6 +3,7 @@
 #include "core/geometry/bounds.h"
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/moved.h"
+#include "core/physics/sleep.h"
 
 namespace spacetow {
 
@@ -70,6 +71,7 @@ void refreshStatics(WorldData& data) {
     geometry->tree = StaticQuadtree(std::move(boxes));
     data.statics = std::move(geometry);
     data.staticsChanged = false;
+    renewSleepingPairs(data);
     data.pairsStale = true;
 }
 

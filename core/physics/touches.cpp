@@ -89,13 +89,16 @@ void reportTouches(WorldData& data, int iteration) {
 
 void collectTouchedTags(WorldData& data) {
     std::fill(data.touchedTags.begin(), data.touchedTags.end(), TagMask{});
-    for (std::size_t i = 0; i < data.table.size(); ++i) {
-        if (data.table.marks[i].now) {
-            const Pair& pair = data.table.pairs[i];
-            TagMask& ofA = data.touchedTags[pair.bodyA];
-            TagMask& ofB = data.touchedTags[pair.bodyB];
-            ofA = ofA | data.records[pair.bodyB].filter.tags;
-            ofB = ofB | data.records[pair.bodyA].filter.tags;
+    std::copy(data.sleep.touchedTags.begin(), data.sleep.touchedTags.end(), data.touchedTags.begin());
+    addTouchedTags(data, data.table, data.touchedTags);
+}
+
+void addTouchedTags(const WorldData& data, const PairTable& table, std::vector<TagMask>& tags) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (table.marks[i].now) {
+            const Pair& pair = table.pairs[i];
+            tags[pair.bodyA] = tags[pair.bodyA] | data.records[pair.bodyB].filter.tags;
+            tags[pair.bodyB] = tags[pair.bodyB] | data.records[pair.bodyA].filter.tags;
         }
     }
 }

@@ -12,6 +12,9 @@ void reportTouches(WorldData& data, int iteration);
 /// The tags that every body touched in the last iteration.
 void collectTouchedTags(WorldData& data);
 
+/// Adds those of the touching pairs of a table, by slot.
+void addTouchedTags(const WorldData& data, const PairTable& table, std::vector<TagMask>& tags);
+
 /// Ends all touches of a body that is about to leave or to be switched off.
 void endTouches(WorldData& data, Slot slot, int iteration);
 

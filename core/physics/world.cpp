@@ -5,9 +5,11 @@
 #include "core/physics/changes.h"
 #include "core/physics/contacts.h"
 #include "core/physics/continuous.h"
+#include "core/physics/field_forces.h"
 #include "core/physics/integrate.h"
 #include "core/physics/make_body.h"
 #include "core/physics/pairs.h"
+#include "core/physics/sleep.h"
 #include "core/physics/solve.h"
 #include "core/physics/touches.h"
 #include "core/physics/world_data.h"
@@ -30,17 +32,23 @@ IterationStep iterationStep(const UpdateParameters& p) {
 }
 
 void iterate(WorldData& data, const IterationStep& step) {
+    if (data.moving.empty() && !data.sleep.sleepers.empty()) {
+        reportTouches(data, step.index);
+        return;
+    }
     const double ahead = step.index == 0 ? step.remaining - step.dt : 0; // rooms for a whole update, if they will do
-    integrateVelocities(data, step);
-    measureMotion(data, ahead);
-    if (data.anyFault) {
-        isolateFaults(data, step.index);
+    do {
+        integrateVelocities(data, step);
         measureMotion(data, ahead);
-    }
-    if (data.anyEscaped) {
-        findPairs(data, step);
-    }
-    findContacts(data, step);
+        if (data.anyFault) {
+            isolateFaults(data, step.index);
+            measureMotion(data, ahead);
+        }
+        if (data.anyEscaped) {
+            findPairs(data, step);
+        }
+        findContacts(data, step);
+    } while (wakeTouched(data, step));
     solveVelocities(data, step);
     if (data.anyFast || data.anySweep) {
         measureMotion(data, 0);
@@ -78,6 +86,7 @@ void World::update(const UpdateParameters& parameters) {
     EXPECTS(isUsable(parameters));
     WorldData& data = *m_data;
     data.events.clear();
+    beginSleep(data, parameters.gravity);
     applyPending(data, -1);
     IterationStep step = iterationStep(parameters);
     prepareStructure(data);
@@ -90,6 +99,7 @@ void World::update(const UpdateParameters& parameters) {
             prepareSteps(data, step);
         }
     }
+    fallAsleep(data, parameters.seconds, parameters.iterations - 1);
     collectTouchedTags(data);
 }
 
@@ -118,6 +128,8 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     refreshInverseMass(data, slot);
     data.staticsChanged |= def.kind == BodyKind::Static;
     data.bodiesChanged = true;
+    refreshFields(data);
+    disturb(data, slot);
     return data.idOf(slot);
 }
 
@@ -149,6 +161,7 @@ void World::setPose(BodyId body, const Vec2& position, double angle) {
     m.center = position + m.rotation * record.localCenter;
     m_data->pairsStale = true;
     m_data->staticsChanged |= record.kind == BodyKind::Static;
+    disturb(*m_data, body.index);
 }
 
 void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocity) {
@@ -160,12 +173,41 @@ void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocit
     BodyMotion& m = m_data->motions[body.index];
     m.velocity = record.positionFrozen ? Vec2(0, 0) : velocity;
     m.angularVelocity = record.rotationFrozen ? 0 : angularVelocity;
+    disturb(*m_data, body.index);
 }
 
 void World::setFilter(BodyId body, const Filter& filter) {
     EXPECTS(contains(body));
     m_data->records[body.index].filter = filter;
     m_data->pairsStale = true;
+    disturb(*m_data, body.index);
+    if (!m_data->fields.empty()) {
+        refreshSubsteps(*m_data);
+    }
+}
+
+void World::setReportsTouches(BodyId body, bool reports) {
+    EXPECTS(contains(body));
+    m_data->records[body.index].reportsTouches = reports;
+    std::vector<Slot>& reporters = m_data->reporters;
+    const auto at = std::lower_bound(reporters.begin(), reporters.end(), body.index);
+    const bool listed = at != reporters.end() && *at == body.index;
+    if (reports && !listed) {
+        reporters.insert(at, body.index);
+    } else if (!reports && listed) {
+        reporters.erase(at);
+    }
+}
+
+void World::setSleeping(bool allowed) {
+    m_data->sleep.allowed = allowed;
+    for (BodyRecord& record : m_data->records) {
+        record.stillFor = 0;
+    }
+}
+
+bool World::sleeping() const {
+    return m_data->sleep.allowed;
 }
 
 const UpdateParameters& World::parameters() const {
@@ -204,6 +246,7 @@ BodyState World::body(BodyId body) const {
             .touchedTags = body.index < m_data->touchedTags.size() ? m_data->touchedTags[body.index] : TagMask{},
             .tangible = r.tangible,
             .active = r.active,
+            .asleep = r.asleep,
             .positionFrozen = r.positionFrozen,
             .rotationFrozen = r.rotationFrozen,
             .user = r.user};

@@ -7,6 +7,7 @@
 #include "core/physics/body.h"
 #include "core/physics/connector.h"
 #include "core/physics/events.h"
+#include "core/physics/force_field.h"
 
 #include <cstdint>
 #include <memory>
@@ -15,7 +16,7 @@
 namespace spacetow {
 
 /// The update loop: each update makes `iterations` passes of motion and collision, each of `substeps` sub-steps of
-/// motion, before which the connector forces are recomputed.
+/// motion, before which the forces of connectors and fields are recomputed.
 struct UpdateParameters {
     Vec2 gravity{0, -9.81}; // m/s²
     double seconds = 0.02;  // simulated by one update, > 0
@@ -41,10 +42,14 @@ class World {
     /// Codes: "not-finite", "out-of-range", "no-such-body", "same-body".
     Result<ConnectorId> addConnector(const ConnectorDef& def);
 
+    /// Codes: "no-force", "no-such-body". Acts from the next update on.
+    Result<FieldId> addField(ForceFieldDef def);
+
     /// Removal, together with the body's connectors, is carried out at the start of the next update or the end of
     /// the running iteration; the same goes for the setters of flags below.
     void removeBody(BodyId body);
     void removeConnector(ConnectorId connector);
+    void removeField(FieldId field); // at once, like a connector
     void setActive(BodyId body, bool active);
     void setTangible(BodyId body, bool tangible);
     void setFrozen(BodyId body, bool frozen) { setFrozen(body, frozen, frozen); }
@@ -54,6 +59,8 @@ class World {
     void setPose(BodyId body, const Vec2& position, double angle);
     void setVelocity(BodyId body, const Vec2& velocity, double angularVelocity);
     void setFilter(BodyId body, const Filter& filter);
+    /// Whether the tags that it touches in each iteration are among the events.
+    void setReportsTouches(BodyId body, bool reports);
 
     /// Forces act during the whole of the next update and are then forgotten; N and N m. A value that is not finite
     /// is refused: the call returns false and changes nothing.
@@ -65,6 +72,12 @@ class World {
                         ForceSource source = ForceSource::Manual);
     bool applyAngularImpulse(BodyId body, double impulse, ForceSource source = ForceSource::Manual);
 
+    /// Whether bodies fall asleep, from the next update on; at first they do not. Bodies that touch or are connected
+    /// and no point of which has been faster than 0.01 m/s for half a second then rest, at no cost, until one of them
+    /// is touched by an awake body, or anything is done to one of them or to what they rest on.
+    void setSleeping(bool allowed);
+    bool sleeping() const;
+
     /// One update with the world's own parameters, or with others for this call only.
     void update();
     void update(const UpdateParameters& parameters);
@@ -75,6 +88,7 @@ class World {
 
     bool contains(BodyId body) const;
     bool contains(ConnectorId connector) const;
+    bool contains(FieldId field) const;
     /// The id must be in the world.
     BodyState body(BodyId body) const;
     const std::vector<Shape>& shapes(BodyId body) const;
@@ -87,8 +101,8 @@ class World {
 
     /// Kinetic energy plus potential energy in the gravity of `parameters()` plus that of untruncated connectors, J.
     double energy() const;
-    /// Over everything that decides the future but the shapes and a connector's own function: worlds made of the same
-    /// definitions and with equal hashes have equal futures.
+    /// Over everything that decides the future but the shapes and the functions of connectors and fields: worlds made
+    /// of the same definitions and with equal hashes have equal futures.
     std::uint64_t hash() const;
 
     /// The arrays themselves, for the stages of the update and the queries.

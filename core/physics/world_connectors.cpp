@@ -2,6 +2,7 @@
 
 #include "core/base/contract.h"
 #include "core/physics/changes.h"
+#include "core/physics/sleep.h"
 #include "core/physics/world.h"
 #include "core/physics/world_data.h"
 
@@ -40,6 +41,15 @@ std::optional<Error> check(const ConnectorDef& d) {
     return {};
 }
 
+/// Nothing changes for others near a static body to which something is connected.
+void disturbEnds(WorldData& data, const ConnectorRecord& c) {
+    for (const Slot slot : {c.a, c.b}) {
+        if (data.records[slot].kind != BodyKind::Static) {
+            disturb(data, slot);
+        }
+    }
+}
+
 } // namespace
 
 Result<ConnectorId> World::addConnector(const ConnectorDef& def) {
@@ -76,6 +86,7 @@ Result<ConnectorId> World::addConnector(const ConnectorDef& def) {
     c.truncation = def.truncation;
     c.tension = 0;
     refreshConnections(data);
+    disturbEnds(data, c);
     return ConnectorId{index, c.generation};
 }
 
@@ -87,6 +98,7 @@ bool World::contains(ConnectorId connector) const {
 void World::removeConnector(ConnectorId connector) {
     EXPECTS(contains(connector));
     ConnectorRecord& c = m_data->connectors[connector.index];
+    disturbEnds(*m_data, c);
     c.used = false;
     ++c.generation;
     m_data->freeConnectors.push_back(connector.index);

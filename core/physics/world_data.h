@@ -116,7 +116,10 @@ struct BodyRecord {
     bool positionFrozen = false;
     bool rotationFrozen = false;
     bool reportsTouches = false;
-    bool connected = false; // by an active connector
+    bool substepped = false; // moves in sub-steps: an active connector or a force field acts on it
+    bool asleep = false;
+    Slot island = 0;     // of a sleeper: one of the bodies that sleep and wake with it
+    double stillFor = 0; // s
     std::uint64_t user = 0;
     Vec2 force{0, 0}; // N, for the next update
     double torque = 0;
@@ -282,6 +285,11 @@ struct ConnectorRecord {
     double tension = 0;
 };
 
+struct FieldRecord {
+    std::uint32_t generation = 0;
+    std::shared_ptr<const ForceFieldDef> def; // none: not used
+};
+
 struct PendingChange {
     enum class Kind : std::uint8_t { Remove, Active, Tangible, Frozen } kind;
     BodyId body;
@@ -289,6 +297,21 @@ struct PendingChange {
 };
 
 using SlotPair = std::pair<Slot, Slot>; // lower first
+
+/// Who sleeps, and what is kept for them. Empty while nobody does.
+struct Sleep {
+    bool allowed = false;
+    Vec2 gravity{0, 0};               // under which they fell asleep
+    std::vector<Slot> sleepers;       // sorted
+    std::vector<Slot> disturbed;      // since the last update
+    PairTable table;                  // pairs of sleepers, with each other and with static bodies
+    std::vector<TagMask> touchedTags; // by slot, of those pairs
+
+    // Working memory.
+    PairTable newTable;
+    std::vector<Slot> parents;        // by slot: islands as trees
+    std::vector<std::uint8_t> marked; // by slot
+};
 
 struct WorldData {
     UpdateParameters parameters;
@@ -305,6 +328,10 @@ struct WorldData {
     std::vector<std::uint32_t> freeConnectors;
     std::vector<SlotPair> notColliding; // sorted
 
+    std::vector<FieldRecord> fields;
+    std::vector<std::uint32_t> freeFields;
+    std::vector<Slot> fieldBodies; // that feel any of them
+
     std::vector<PendingChange> pending;
     std::shared_ptr<const StaticGeometry> statics;
     bool staticsChanged = true;
@@ -320,10 +347,12 @@ struct WorldData {
     Events events;
     std::vector<RemovedEvent> removedBefore; // since the last update
 
+    Sleep sleep;
+
     MovingQuadtree tree;
-    std::vector<Slot> moving;              // active, kinematic bodies first
+    std::vector<Slot> moving;              // active and awake, kinematic bodies first
     std::vector<Slot> reporters;           // of touched tags
-    std::vector<MovingCollider> colliders; // of `moving`
+    std::vector<MovingCollider> colliders; // of `moving` and the sleepers
     std::vector<double> travelled;         // m, at most, at the end of the iteration: 0, then by slot
 
     // Working memory, kept so that a steady update allocates nothing.

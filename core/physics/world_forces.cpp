@@ -1,16 +1,19 @@
 // World: forces and impulses from outside.
 
 #include "core/base/contract.h"
+#include "core/physics/force_rules.h"
+#include "core/physics/sleep.h"
 #include "core/physics/world.h"
-#include "core/physics/world_data.h"
 
 namespace spacetow {
 
 namespace {
 
-bool accepts(const BodyRecord& record, ForceSource source) {
-    return record.active &&
-           (record.kind == BodyKind::Dynamic || (record.kind == BodyKind::Kinematic && source == ForceSource::Manual));
+/// A force of zero is none.
+void disturbBy(WorldData& data, BodyId body, bool anything) {
+    if (anything) {
+        disturb(data, body.index);
+    }
 }
 
 } // namespace
@@ -29,6 +32,7 @@ bool World::applyForceAt(BodyId body, const Vec2& force, const Vec2& worldPoint,
     if (accepts(record, source)) {
         record.force += force;
         record.torque += cross(worldPoint - m_data->motions[body.index].center, force);
+        disturbBy(*m_data, body, force.squaredNorm() > 0);
     }
     return true;
 }
@@ -41,6 +45,7 @@ bool World::applyTorque(BodyId body, double torque, ForceSource source) {
     BodyRecord& record = m_data->records[body.index];
     if (accepts(record, source)) {
         record.torque += torque;
+        disturbBy(*m_data, body, torque != 0);
     }
     return true;
 }
@@ -53,6 +58,7 @@ bool World::applyImpulseAt(BodyId body, const Vec2& impulse, const Vec2& worldPo
     const BodyRecord& record = m_data->records[body.index];
     if (accepts(record, source) && !record.positionFrozen) {
         m_data->motions[body.index].velocity += impulse / record.mass;
+        disturbBy(*m_data, body, impulse.squaredNorm() > 0);
     }
     return applyAngularImpulse(body, cross(worldPoint - m_data->motions[body.index].center, impulse), source);
 }
@@ -65,6 +71,7 @@ bool World::applyAngularImpulse(BodyId body, double impulse, ForceSource source)
     const BodyRecord& record = m_data->records[body.index];
     if (accepts(record, source) && !record.rotationFrozen && record.inertia > 0) {
         m_data->motions[body.index].angularVelocity += impulse / record.inertia;
+        disturbBy(*m_data, body, impulse != 0);
     }
     return true;
 }

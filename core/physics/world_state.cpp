@@ -27,7 +27,8 @@ void addBodyState(StateHash& hash, const BodyMotion& m, const BodyRecord& r) {
     add(hash, r.force);
     hash.add(r.torque);
     const std::uint64_t flags = std::uint64_t{r.used} | std::uint64_t{r.active} << 1 | std::uint64_t{r.tangible} << 2 |
-                                std::uint64_t{r.positionFrozen} << 3 | std::uint64_t{r.rotationFrozen} << 4;
+                                std::uint64_t{r.positionFrozen} << 3 | std::uint64_t{r.rotationFrozen} << 4 |
+                                std::uint64_t{r.asleep} << 5;
     hash.add(flags | std::uint64_t{r.generation} << 32);
     hash.add(r.filter.tags.bits | std::uint64_t{r.filter.touches.bits} << 32);
 }
@@ -44,9 +45,9 @@ void addConnectorState(StateHash& hash, const ConnectorRecord& c) {
 }
 
 /// Of the pairs that count: what they touch with, and what is known of their manifold.
-void addPairState(StateHash& hash, const WorldData& data, std::size_t index) {
-    const Pair& pair = data.table.pairs[index];
-    if (data.table.marks[index].reported) {
+void addPairState(StateHash& hash, const WorldData& data, const PairTable& table, std::size_t index) {
+    const Pair& pair = table.pairs[index];
+    if (table.marks[index].reported) {
         hash.add(pair.bodies());
     }
     if (pair.contact == Pair::none) {
@@ -66,6 +67,32 @@ void addPairState(StateHash& hash, const WorldData& data, std::size_t index) {
         hash.add(kept.room);
         add(hash, kept.relative.position);
         hash.add(kept.relative.rotation.s);
+    }
+}
+
+void addSleepState(StateHash& hash, const WorldData& data) {
+    hash.add(std::uint64_t{data.sleep.allowed});
+    add(hash, data.sleep.gravity);
+    for (const BodyRecord& record : data.records) {
+        hash.add(record.stillFor);
+    }
+    for (const Slot slot : data.sleep.sleepers) {
+        hash.add(std::uint64_t{slot} << 32 | data.records[slot].island);
+    }
+    for (const Slot slot : data.sleep.disturbed) {
+        hash.add(std::uint64_t{slot});
+    }
+    for (std::size_t i = 0; i < data.sleep.table.size(); ++i) {
+        addPairState(hash, data, data.sleep.table, i);
+    }
+}
+
+void addFieldState(StateHash& hash, const FieldRecord& field) {
+    hash.add(std::uint64_t{field.def != nullptr} | std::uint64_t{field.generation} << 32);
+    if (field.def) {
+        const BodyId body = field.def->body.value_or(BodyId{});
+        hash.add(std::uint64_t{body.index} << 32 | body.generation);
+        hash.add(std::uint64_t{field.def->tags.bits} | static_cast<std::uint64_t>(field.def->source) << 32);
     }
 }
 
@@ -109,13 +136,19 @@ std::uint64_t World::hash() const {
     for (const ConnectorRecord& c : data.connectors) {
         addConnectorState(hash, c);
     }
+    for (const FieldRecord& field : data.fields) {
+        addFieldState(hash, field);
+    }
     for (const PendingChange& change : data.pending) {
         hash.add(std::uint64_t{change.body.index} << 32 | change.body.generation);
         hash.add(static_cast<std::uint64_t>(change.kind) | std::uint64_t{change.first} << 8 |
                  std::uint64_t{change.second} << 9);
     }
     for (std::size_t i = 0; i < data.table.size(); ++i) {
-        addPairState(hash, data, i);
+        addPairState(hash, data, data.table, i);
+    }
+    if (data.sleep.allowed || !data.sleep.sleepers.empty()) {
+        addSleepState(hash, data);
     }
     return hash.value();
 }

@@ -1,5 +1,7 @@
 #include "tests/support/contact_scenes.h"
 
+#include <algorithm>
+
 using namespace spacetow;
 using namespace spacetow::test;
 
@@ -34,6 +36,38 @@ class TouchTest : public QObject {
         QCOMPARE(world.body(id).velocity.x(), 1.0);
         QCOMPARE(world.body(id).velocity.y(), 0.1);
         QCOMPARE(world.body(id).touchedTags.bits, 0u);
+    }
+
+    void tagsTouchedAreReportedFromWhenTheyAreAskedForUntilTheyAreNot() {
+        World world(withIterations(20));
+        add(world, floorOf("edge"));
+        std::vector<BodyId> ids;
+        for (int i = 0; i < 3; ++i) {
+            ids.push_back(add(world, ball({2.0 * i, 0.2}, 0.2)));
+        }
+        world.update();
+        const std::uint64_t hash = world.hash();
+        QVERIFY(world.events().tagsTouched.empty());
+        const auto reports = [&](BodyId id) {
+            world.update();
+            const std::vector<TagsTouchedEvent>& all = world.events().tagsTouched;
+            return std::count_if(all.begin(), all.end(), [id](const auto& event) { return event.body == id; });
+        };
+        world.setReportsTouches(ids[2], true);
+        world.setReportsTouches(ids[1], true);
+        world.setReportsTouches(ids[1], true);
+        QCOMPARE(world.hash(), hash);
+        QCOMPARE(reports(ids[1]), 20);
+        QCOMPARE(reports(ids[2]), 20);
+        QCOMPARE(reports(ids[0]), 0);
+        world.setReportsTouches(ids[1], false);
+        QCOMPARE(reports(ids[1]), 0);
+        QCOMPARE(reports(ids[2]), 20);
+        const BodyId later = add(world, ball({6, 0.2}, 0.2));
+        world.setReportsTouches(later, true);
+        QCOMPARE(reports(later), 20);
+        world.removeBody(ids[2]);
+        QCOMPARE(reports(ids[2]), 0);
     }
 
     void aPairMeetsWhenEachTouchesTheOthersTags() {
