@@ -106,10 +106,14 @@ SinCos sinCos(double x) {
 }
 
 double arcTangent(double s, double c) {
+    if (std::isnan(s) || std::isnan(c)) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
     const double x = std::fabs(c);
     const double y = std::fabs(s);
     const bool steep = y > x;
-    const double t = x == 0 && y == 0 ? 0 : (steep ? x / y : y / x);
+    const double diagonal = x == 0 ? 0 : 1; // nothing over nothing, or infinity over infinity
+    const double t = x == y ? diagonal : (steep ? x / y : y / x);
     double angle = arcTangentOfShare(t);
     if (steep) {
         angle = halfPi - angle;

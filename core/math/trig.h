@@ -15,7 +15,7 @@ struct SinCos {
 SinCos sinCos(double x);
 /// Odd, within 1e-15, and strictly between −1 and 1 for every number.
 double tanhExact(double x);
-/// The angle of the point (c, s) in (−π, π], within 1e-15; 0 for the origin.
+/// The angle of the point (c, s) in (−π, π], within 1e-15; 0 for the origin. NaN when either is.
 double arcTangent(double s, double c);
 /// eˣ, within 2 units in the last place for −700 ≤ x ≤ 700; 0 below and infinite above.
 double expExact(double x);

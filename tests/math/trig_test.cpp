@@ -71,7 +71,12 @@ void TrigTest::whatIsNotFiniteGivesNoNumber() {
         QVERIFY(std::isnan(sinCos(x).sin));
         QVERIFY(std::isnan(sinCos(x).cos));
     }
-    QVERIFY(std::isnan(tanhExact(std::numeric_limits<double>::quiet_NaN())));
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    QVERIFY(std::isnan(tanhExact(none)));
+    QVERIFY(std::isnan(arcTangent(none, 1)));
+    QVERIFY(std::isnan(arcTangent(1, none)));
+    QVERIFY(std::isnan(arcTangent(none, none)));
+    QVERIFY(std::isnan(arcTangent(none, std::numeric_limits<double>::infinity())));
 }
 
 void TrigTest::hugeAnglesStayBounded() {
@@ -123,6 +128,12 @@ void TrigTest::theArctangentIsThatOfTheLibraryInEveryDirection() {
     QCOMPARE(arcTangent(-1, 0), -std::numbers::pi / 2);
     QCOMPARE(arcTangent(0, -1), std::numbers::pi);
     QCOMPARE(arcTangent(-0.0, -1), std::numbers::pi);
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const double y : {-infinite, -1.0, 0.0, 1.0, infinite}) {
+        for (const double x : {-infinite, 1.0, infinite}) {
+            QVERIFY(std::fabs(arcTangent(y, x) - std::atan2(y, x)) <= 1e-15);
+        }
+    }
 }
 
 void TrigTest::theExponentialIsThatOfTheLibrary() {
