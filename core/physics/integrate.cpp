@@ -3,6 +3,8 @@
 #include "core/math/trig.h"
 #include "core/physics/connector_forces.h"
 
+#include <algorithm>
+
 namespace spacetow {
 
 namespace {
@@ -97,6 +99,7 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         s.shift.setZero();
         s.turn = 0;
         s.fraction = 1;
+        s.carrier = noSlot;
         s.push.setZero();
         s.pushTurn = 0;
         s.pushed = s.bounced = false;
@@ -107,6 +110,13 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         }
     }
     integrateConnected(data, step);
+}
+
+void takeBackVelocities(WorldData& data) {
+    for (const Slot slot : data.moving) {
+        data.motions[slot].velocity = data.steps[slot].startVelocity;
+        data.motions[slot].angularVelocity = data.steps[slot].startAngularVelocity;
+    }
 }
 
 void advance(WorldData& data, double dt) {
@@ -140,7 +150,9 @@ void isolateFaults(WorldData& data, int iteration) {
         m.angularVelocity = 0;
         s.shift.setZero();
         s.turn = 0;
-        if (data.records[slot].active) {
+        const auto same = [&](const FaultEvent& fault) { return fault.body == data.idOf(slot); };
+        const bool known = std::any_of(data.events.faults.begin(), data.events.faults.end(), same);
+        if (data.records[slot].active && !known) {
             data.events.faults.push_back({iteration, data.idOf(slot)});
             data.pending.push_back({PendingChange::Kind::Active, data.idOf(slot), false, false});
         }
