@@ -46,9 +46,34 @@ void forgetContact(WorldData& data, Pair& pair) {
         if (manifold != Pair::none) {
             data.freeManifolds.push_back(manifold);
         }
+        if (pair.contact < data.wholeImpulses.size()) {
+            data.wholeImpulses[pair.contact] = {};
+        }
         data.freeContacts.push_back(pair.contact);
         pair.contact = Pair::none;
     }
+}
+
+void beginPart(WorldData& data, double share) {
+    data.wholeImpulses.clear();
+    for (Contact& contact : data.contacts) {
+        data.wholeImpulses.push_back(
+            {contact.tangentImpulse, contact.points[0].normalImpulse, contact.points[1].normalImpulse});
+        contact.tangentImpulse *= share;
+        contact.points[0].normalImpulse *= share;
+        contact.points[1].normalImpulse *= share;
+    }
+}
+
+void endPart(WorldData& data, double share) {
+    for (std::size_t i = 0; i < data.wholeImpulses.size(); ++i) {
+        Contact& contact = data.contacts[i];
+        const auto& whole = data.wholeImpulses[i];
+        contact.tangentImpulse += (1 - share) * whole[0];
+        contact.points[0].normalImpulse += (1 - share) * whole[1];
+        contact.points[1].normalImpulse += (1 - share) * whole[2];
+    }
+    data.wholeImpulses.clear();
 }
 
 } // namespace spacetow

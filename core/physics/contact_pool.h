@@ -10,4 +10,9 @@ Contact& contactOf(WorldData& data, Pair& pair);
 
 void forgetContact(WorldData& data, Pair& pair);
 
+/// An iteration that is made in parts has the impulses of each part, this share of it, added up for the next iteration;
+/// until then the last iteration's stand for the parts to come.
+void beginPart(WorldData& data, double share);
+void endPart(WorldData& data, double share);
+
 } // namespace spacetow

@@ -1,12 +1,23 @@
 #pragma once
 // Nothing is passed through: bodies that would move further in an iteration than anticipation covers are swept along
-// their way and stop at the first thing they would hit. The contact itself is solved in the next iteration.
+// their way and stop at the first thing they would hit. The contact itself is solved in the next iteration. Kinematic
+// bodies cannot be stopped: iterations in which they would pass something are made in parts.
 
 #include "core/physics/world_data.h"
 
 namespace spacetow {
 
+/// How much of the planned motion, up to 1, may be made in one go: until what cannot be stopped has come up to what its
+/// speed would take it past, and as long as the turns of bodies in contact, down to `least`, are covered.
+double coveredShare(const WorldData& data, double least);
+
 /// Shortens the motion (BodyStep::fraction) of swept bodies.
 void stopAtImpacts(WorldData& data);
+
+/// Whatever stops a body that touches a kinematic one stops it on its way with that.
+void findCarriers(WorldData& data);
+
+/// What was stopped by a kinematic body stays where it is on it while that goes on.
+void carryStopped(WorldData& data);
 
 } // namespace spacetow

@@ -109,6 +109,7 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         s.shift.setZero();
         s.turn = 0;
         s.fraction = 1;
+        s.carrier = noSlot;
         s.push.setZero();
         s.pushTurn = 0;
         s.pushed = s.bounced = false;
@@ -119,6 +120,13 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         }
     }
     integrateInSubsteps(data, step);
+}
+
+void takeBackVelocities(WorldData& data) {
+    for (const Slot slot : data.moving) {
+        data.motions[slot].velocity = data.steps[slot].startVelocity;
+        data.motions[slot].angularVelocity = data.steps[slot].startAngularVelocity;
+    }
 }
 
 void advance(WorldData& data, double dt) {
@@ -152,8 +160,8 @@ void isolateFaults(WorldData& data, int iteration) {
         m.angularVelocity = 0;
         s.shift.setZero();
         s.turn = 0;
-        const bool known = !data.pending.empty() && std::any_of(data.pending.begin(), data.pending.end(),
-                                                                [&](const auto& p) { return p.body.index == slot; });
+        const auto same = [&](const FaultEvent& fault) { return fault.body == data.idOf(slot); };
+        const bool known = std::any_of(data.events.faults.begin(), data.events.faults.end(), same);
         if (data.records[slot].active && !known) {
             data.events.faults.push_back({iteration, data.idOf(slot)});
             data.pending.push_back({PendingChange::Kind::Active, data.idOf(slot), false, false});

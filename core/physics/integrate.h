@@ -16,6 +16,9 @@ void prepareSteps(WorldData& data, const IterationStep& step);
 /// Velocities at the end of the iteration, and shift and turn on the way there, as if nothing were touched.
 void integrateVelocities(WorldData& data, const IterationStep& step);
 
+/// Undoes integrateVelocities.
+void takeBackVelocities(WorldData& data);
+
 /// Carries out the motion and the displacements out of overlaps. What a body did not travel of its way in an iteration
 /// of `dt` seconds it was not accelerated on either.
 void advance(WorldData& data, double dt);

@@ -87,6 +87,21 @@ void reportTouches(WorldData& data, int iteration) {
     }
 }
 
+void joinTagReports(WorldData& data, std::size_t first) {
+    std::vector<TagsTouchedEvent>& reports = data.events.tagsTouched;
+    const auto begin = reports.begin() + static_cast<std::ptrdiff_t>(first);
+    std::stable_sort(begin, reports.end(), [](const auto& a, const auto& b) { return a.body.index < b.body.index; });
+    auto last = begin;
+    for (auto next = begin; next != reports.end(); ++next) {
+        if (next->body == last->body) {
+            last->tags = last->tags | next->tags;
+        } else {
+            *++last = *next;
+        }
+    }
+    reports.erase(last == reports.end() ? last : last + 1, reports.end());
+}
+
 void collectTouchedTags(WorldData& data) {
     std::fill(data.touchedTags.begin(), data.touchedTags.end(), TagMask{});
     std::copy(data.sleep.touchedTags.begin(), data.sleep.touchedTags.end(), data.touchedTags.begin());

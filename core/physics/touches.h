@@ -9,6 +9,9 @@ namespace spacetow {
 /// that the bodies which ask for them touched in this iteration.
 void reportTouches(WorldData& data, int iteration);
 
+/// Makes the tag reports from this index on, all of one iteration, one report of each body.
+void joinTagReports(WorldData& data, std::size_t first);
+
 /// The tags that every body touched in the last iteration.
 void collectTouchedTags(WorldData& data);
 

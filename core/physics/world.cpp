@@ -3,6 +3,7 @@
 #include "core/base/contract.h"
 #include "core/geometry/bounds.h"
 #include "core/physics/changes.h"
+#include "core/physics/contact_pool.h"
 #include "core/physics/contacts.h"
 #include "core/physics/continuous.h"
 #include "core/physics/field_forces.h"
@@ -31,25 +32,33 @@ IterationStep iterationStep(const UpdateParameters& p) {
     return {dt, dt / p.substeps, p.substeps, p.seconds, 0, passes};
 }
 
-void iterate(WorldData& data, const IterationStep& step) {
-    if (data.moving.empty() && !data.sleep.sleepers.empty()) {
-        reportTouches(data, step.index);
-        return;
-    }
-    const double ahead = step.index == 0 ? step.remaining - step.dt : 0; // rooms for a whole update, if they will do
-    do {
-        integrateVelocities(data, step);
+// Into so many parts an iteration may be divided.
+constexpr int maxParts = 64;
+
+/// The motion as if nothing were touched, and the pairs for it. False when something was not finite.
+bool planMotion(WorldData& data, const IterationStep& step, bool first) {
+    const double ahead = first ? step.remaining - step.dt : 0; // rooms for a whole update, if they will do
+    integrateVelocities(data, step);
+    measureMotion(data, ahead);
+    const bool fault = data.anyFault;
+    if (fault) {
+        isolateFaults(data, step.index);
         measureMotion(data, ahead);
-        if (data.anyFault) {
-            isolateFaults(data, step.index);
-            measureMotion(data, ahead);
-        }
-        if (data.anyEscaped) {
-            findPairs(data, step);
-        }
+    }
+    if (data.anyEscaped) {
+        findPairs(data, step);
+    }
+    return !fault;
+}
+
+void makeMotion(WorldData& data, const IterationStep& step) {
+    findContacts(data, step);
+    while (wakeTouched(data, step)) {
+        planMotion(data, step, false);
         findContacts(data, step);
-    } while (wakeTouched(data, step));
+    }
     solveVelocities(data, step);
+    findCarriers(data);
     if (data.anyFast || data.anySweep) {
         measureMotion(data, 0);
         if (data.anyEscaped) {
@@ -57,9 +66,57 @@ void iterate(WorldData& data, const IterationStep& step) {
         }
         stopAtImpacts(data);
     }
+    carryStopped(data);
     advance(data, step.dt);
     findOverlaps(data);
     reportTouches(data, step.index);
+}
+
+void setDuration(WorldData& data, IterationStep& step, double dt) {
+    step.dt = dt;
+    step.substep = dt / step.substeps;
+    prepareSteps(data, step);
+}
+
+void makePart(WorldData& data, const IterationStep& step, double whole) {
+    beginPart(data, step.dt / whole);
+    makeMotion(data, step);
+    endPart(data, step.dt / whole);
+}
+
+/// The iteration as planned is too long: it is made in parts.
+void iterateInParts(WorldData& data, IterationStep step, double share) {
+    const double whole = step.dt;
+    const std::size_t reports = data.events.tagsTouched.size();
+    double left = whole;
+    for (int parts = maxParts - 1; share < 1; --parts) {
+        takeBackVelocities(data);
+        setDuration(data, step, share * left);
+        planMotion(data, step, false);
+        makePart(data, step, whole);
+        left -= step.dt;
+        step.remaining -= step.dt;
+        setDuration(data, step, left);
+        const bool sound = planMotion(data, step, false);
+        share = sound && data.anyFast && parts > 1 ? coveredShare(data, 1.0 / parts) : 1;
+    }
+    makePart(data, step, whole);
+    setDuration(data, step, whole);
+    joinTagReports(data, reports);
+}
+
+void iterate(WorldData& data, const IterationStep& step) {
+    if (data.moving.empty() && !data.sleep.sleepers.empty()) {
+        reportTouches(data, step.index);
+        return;
+    }
+    const bool sound = planMotion(data, step, step.index == 0);
+    const double share = sound && data.anyFast ? coveredShare(data, 1.0 / maxParts) : 1;
+    if (share < 1) {
+        iterateInParts(data, step, share);
+    } else {
+        makeMotion(data, step);
+    }
 }
 
 } // namespace

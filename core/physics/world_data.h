@@ -48,6 +48,8 @@ struct Room {
     double turnLeft = 0; // rad
 };
 
+constexpr Slot noSlot = 0xffffffffu;
+
 /// What one iteration needs to know of a body beside its motion; first what contacts ask for.
 struct alignas(64) BodyStep {
     Vec2 shift{0, 0};       // of the centre in this iteration, m
@@ -59,6 +61,7 @@ struct alignas(64) BodyStep {
     bool escaped = false;     // from its room
     bool pushed = false;      // by a contact in this iteration
     bool bounced = false;     // off one
+    Slot carrier = noSlot;    // the kinematic body that stopped it
     double fraction = 1;      // of shift and turn that is carried out
     Vec2 push{0, 0};          // out of overlaps, m
     double pushTurn = 0;      // likewise, rad
@@ -363,6 +366,7 @@ struct WorldData {
     std::vector<std::uint32_t> felt; // indices of felt pairs
     std::vector<RoundContact> roundContacts;
     std::vector<Constraint> constraints;
+    std::vector<std::array<double, 3>> wholeImpulses; // by contact, while an iteration is made in parts
     ContactBatches batches;
     std::vector<std::uint64_t> droppedTouches; // body pairs whose boxes parted while they touched
     std::vector<Transform> trial;              // poses during sub-steps, by slot

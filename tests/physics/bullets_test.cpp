@@ -148,23 +148,27 @@ class BulletsTest : public QObject {
     }
 
     void aSpinningRodNeverPassesAPeg_data() {
+        QTest::addColumn<bool>("held");
         QTest::addColumn<double>("restitution");
         QTest::addColumn<int>("iterations");
-        for (const double e : {0.0, 0.5, 1.0}) {
-            for (const int iterations : iterationCounts) {
-                if (e > 0 || iterations > 4) {
-                    QTest::addRow("e %g, %d iterations", e, iterations) << e << iterations;
+        for (const bool held : {false, true}) {
+            for (const double e : {0.0, 0.5, 1.0}) {
+                for (const int iterations : iterationCounts) {
+                    QTest::addRow("%s, e %g, %d iterations", held ? "held in the middle" : "free", e, iterations)
+                        << held << e << iterations;
                 }
             }
         }
     }
     void aSpinningRodNeverPassesAPeg() {
+        QFETCH(bool, held);
         QFETCH(double, restitution);
         QFETCH(int, iterations);
         for (int k = 0; k < fullOrQuick(60, 12); ++k) {
             World world(withIterations(iterations, {0, 0}));
             BodyDef rod = box({0, 0}, 5, 0.05);
             rod.angularVelocity = 100;
+            rod.positionFrozen = held;
             rod.restitution = restitution;
             const BodyId id = add(world, rod);
             const double angle = 0.4 + pi * 0.8 * std::fmod(0.618 * k, 1);
@@ -183,11 +187,86 @@ class BulletsTest : public QObject {
         }
     }
 
+    void aRodThatTouchesWithOneEndStopsAtTheOther_data() {
+        QTest::addColumn<double>("spin");
+        QTest::addColumn<double>("angle");
+        QTest::addColumn<int>("iterations");
+        for (const double spin : {10.0, 30.0, 100.0}) {
+            for (const double angle : {0.1, 0.3}) {
+                for (const int iterations : {1, 4, 20, 100}) {
+                    QTest::addRow("%g rad/s from %g rad, %d iterations", spin, angle, iterations)
+                        << spin << angle << iterations;
+                }
+            }
+        }
+    }
+    void aRodThatTouchesWithOneEndStopsAtTheOther() {
+        QFETCH(double, spin);
+        QFETCH(double, angle);
+        QFETCH(int, iterations);
+        World world(withIterations(iterations, {0, 0}));
+        add(world, lineBody({-30, 0}, {30, 0}));
+        BodyDef rod = box({0, 0}, 2, 0.05);
+        rod.angle = angle;
+        rod.position = -(Rot::fromAngle(angle) * Vec2(-2, -0.05)); // the corner is on the wall and stands still
+        rod.angularVelocity = -spin;
+        rod.velocity = cross(-spin, rod.position);
+        const BodyId id = add(world, rod);
+        for (int i = 0; i < 100; ++i) {
+            world.update();
+            const Vec2 at = world.body(id).massCenter;
+            QVERIFY2(at.y() > 0, qPrintable(QString("update %1: at %2").arg(i).arg(at.y())));
+        }
+    }
+
+    void aRodShotAtAWallStaysInFront_data() {
+        QTest::addColumn<QString>("walls");
+        QTest::addColumn<double>("speed");
+        QTest::addColumn<int>("iterations");
+        for (const char* walls : {"edge without depth", "line", "thin polygon"}) {
+            for (const double speed : {30.0, 75.0, 200.0}) {
+                for (const int iterations : iterationCounts) {
+                    QTest::addRow("%s, %g m/s, %d iterations", walls, speed, iterations)
+                        << walls << speed << iterations;
+                }
+            }
+        }
+    }
+    void aRodShotAtAWallStaysInFront() {
+        QFETCH(QString, walls);
+        QFETCH(double, speed);
+        QFETCH(int, iterations);
+        constexpr std::uint64_t seed = 20240614;
+        Random random(seed);
+        for (int k = 0; k < fullOrQuick(2000, 100); ++k) {
+            World world(withIterations(iterations, {0, 0}));
+            for (const double x : {-3.0, 3.0}) {
+                BodyDef wall = targetOf(walls, Rot{}, BodyKind::Static);
+                wall.position += Vec2(x, 0);
+                wall.restitution = 0;
+                add(world, wall);
+            }
+            BodyDef rod = box({0, random.uniform(2.1, 4)}, 2, 0.05);
+            rod.angle = random.uniform(-pi, pi);
+            rod.velocity = {0, -speed};
+            rod.angularVelocity = random.uniform(-30, 30);
+            rod.restitution = 0;
+            const BodyId id = add(world, rod);
+            for (int i = 0; i < 10; ++i) {
+                world.update();
+                const Vec2 at = world.body(id).massCenter;
+                QVERIFY2(at.y() > 0 || std::abs(at.x()) > 4,
+                         seedText(seed) + QByteArray(", rod ") + QByteArray::number(k) + ", update " +
+                             QByteArray::number(i) + ": at " + QByteArray::number(at.y()));
+            }
+        }
+    }
+
     void aSpinningRodStaysInItsRoom_data() {
         QTest::addColumn<QString>("walls");
         QTest::addColumn<int>("iterations");
         for (const char* walls : {"edge without depth", "line", "thin polygon"}) {
-            for (const int iterations : {20, 100}) {
+            for (const int iterations : iterationCounts) {
                 QTest::addRow("%s, %d iterations", walls, iterations) << walls << iterations;
             }
         }
