@@ -149,7 +149,7 @@ SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c) {
                d1 * c.leverB1 + d2 * c.leverB2);
 }
 
-enum class Task { WarmStart, Forwards, Backwards, OnlyPass, Measure };
+enum class Task { WarmStart, Forwards, Backwards, Measure };
 
 template <class Batch>
 SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
@@ -171,9 +171,6 @@ SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches, Task task) {
         Ends ends{load(paces, batch.a), load(paces, batch.b)};
         solveFriction(ends, batch);
         solveNormals(ends, batch);
-        if (task == Task::OnlyPass) {
-            solveFriction(ends, batch);
-        }
         store(paces, batch.a, ends.a);
         store(paces, batch.b, ends.b);
     }
@@ -278,10 +275,6 @@ void warmStart(ContactBatches& batches, bool wide) {
 
 void solvePass(ContactBatches& batches, bool backwards, bool wide) {
     start(batches, backwards ? Task::Backwards : Task::Forwards, wide);
-}
-
-void solveOnce(ContactBatches& batches, bool wide) {
-    start(batches, Task::OnlyPass, wide);
 }
 
 void measureVelocities(ContactBatches& batches, bool wide) {

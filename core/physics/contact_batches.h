@@ -118,9 +118,6 @@ void warmStart(ContactBatches& batches, bool wide = hasWideRegisters());
 /// One pass over all contacts, the other way round if `backwards`.
 void solvePass(ContactBatches& batches, bool backwards, bool wide = hasWideRegisters());
 
-/// The only pass: friction once more after the normals, as it has nothing to go by before them where contacts are new.
-void solveOnce(ContactBatches& batches, bool wide = hasWideRegisters());
-
 /// The normal velocities that are left.
 void measureVelocities(ContactBatches& batches, bool wide = hasWideRegisters());
 

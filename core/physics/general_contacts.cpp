@@ -116,10 +116,11 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
     matchPoints(contact, manifold);
     if (manifold.count == 0) {
         kept.relative = poses.relative;
-        kept.room = std::max(kept.room, manifold.apart);
+        kept.room = manifold.apart > 0 ? manifold.apart : -1; // what is not a matter of distance may change at once
     } else {
         keep(data, pair, poses, manifold, kept);
-        if (manifold.normalOf == NormalOf::Corners) {
+        // The normal between two corners turns with every move, and a bounce wants the normal of its moment.
+        if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0) {
             kept.room = -1;
         }
     }

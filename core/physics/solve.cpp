@@ -113,10 +113,11 @@ double wayOut(double separation, double velocity, double normalMass, double dt) 
     return excess > 0 ? std::min(std::min(pushOutShare, pushOutRate * dt) * excess, pushOutSpeed * dt) * normalMass : 0;
 }
 
-void keepImpulse(ContactPoint& kept, double normalImpulse, bool bounces) {
+/// An impulse that changes the velocity by no more than rounding does is none.
+void keepImpulse(ContactPoint& kept, double normalImpulse, double mass, bool bounces) {
     const bool impact = kept.fresh || bounces;
     kept.normalImpulse = impact ? 0 : normalImpulse;
-    kept.fresh = normalImpulse == 0 || bounces;
+    kept.fresh = normalImpulse <= 1e-9 * mass || bounces;
 }
 
 void pushApart(WorldData& data, const RoundContact& c, const RoundBatch& batch, double way) {
@@ -140,7 +141,7 @@ void finish(WorldData& data, const RoundContact& c, double dt) {
     Contact& kept = data.contacts[c.contact];
     const bool impact = kept.points[0].fresh || c.bounces;
     kept.tangentImpulse = impact ? 0 : batch.tangentImpulse[i];
-    keepImpulse(kept.points[0], impulse, c.bounces);
+    keepImpulse(kept.points[0], impulse, batch.normalMass[i], c.bounces);
     data.table.marks[c.pair].now = impulse > 0 || c.separation <= 0;
 }
 
@@ -170,7 +171,7 @@ void finish(WorldData& data, const Constraint& c, double dt) {
         }
         ContactPoint& kept = data.contacts[p.contact].points[p.index];
         impact |= p.bounces || (kept.fresh && impulses[i] > 0);
-        keepImpulse(kept, impulses[i], p.bounces);
+        keepImpulse(kept, impulses[i], p.normalMass, p.bounces);
         data.table.marks[p.pair].now |= impulses[i] > 0 || p.separation <= 0;
     }
     data.contacts[c.points[0].contact].tangentImpulse = impact ? 0 : batch.tangentImpulse[lane];
@@ -202,12 +203,9 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
     loadPaces(data);
     packGeneral(data);
     warmStart(data.batches);
-    if (step.passes == 1) {
-        solveOnce(data.batches);
-    }
-    for (int pass = 0; pass < step.passes && step.passes > 1; ++pass) {
+    for (int pass = 0; pass < step.passes; ++pass) {
         // Every other pass goes backwards, so that support travels up a pile as fast as weight travels down.
-        solvePass(data.batches, (step.index + pass) % 2 != 0);
+        solvePass(data.batches, step.passes > 1 && (step.index + pass) % 2 != 0);
     }
     measureVelocities(data.batches);
     const std::vector<RoundContact>& round = data.roundContacts;
