@@ -149,7 +149,7 @@ SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c) {
                d1 * c.leverB1 + d2 * c.leverB2);
 }
 
-enum class Task { WarmStart, Forwards, Backwards, Measure };
+enum class Task { WarmStart, Solve, Measure };
 
 template <class Batch>
 SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
@@ -164,10 +164,10 @@ SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
 }
 
 template <class Batch>
-SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches, Task task) {
+SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
     for (std::size_t i = 0; i < count; ++i) {
-        Batch& batch = batches.begin()[task == Task::Backwards ? count - 1 - i : i];
+        Batch& batch = batches.begin()[i];
         Ends ends{load(paces, batch.a), load(paces, batch.b)};
         solveFriction(ends, batch);
         solveNormals(ends, batch);
@@ -204,8 +204,8 @@ SPACETOW_INLINE void carryOut(ContactBatches& batches, Task task) {
         measureAll(paces, batches.round);
         measureAll(paces, batches.general);
     } else {
-        solveAll(paces, batches.round, task);
-        solveAll(paces, batches.general, task);
+        solveAll(paces, batches.round);
+        solveAll(paces, batches.general);
     }
 }
 
@@ -273,8 +273,8 @@ void warmStart(ContactBatches& batches, bool wide) {
     start(batches, Task::WarmStart, wide);
 }
 
-void solvePass(ContactBatches& batches, bool backwards, bool wide) {
-    start(batches, backwards ? Task::Backwards : Task::Forwards, wide);
+void solvePass(ContactBatches& batches, bool wide) {
+    start(batches, Task::Solve, wide);
 }
 
 void measureVelocities(ContactBatches& batches, bool wide) {

@@ -119,8 +119,9 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
         kept.room = manifold.apart > 0 ? manifold.apart : -1; // what is not a matter of distance may change at once
     } else {
         keep(data, pair, poses, manifold, kept);
-        // The normal between two corners turns with every move, and a bounce wants the normal of its moment.
-        if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0) {
+        // The normal between two corners turns with every move, a bounce wants the normal of its moment, and on which
+        // side of a wall a body is may be a matter of micrometres.
+        if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0 || pair.staticB) {
             kept.room = -1;
         }
     }

@@ -204,8 +204,7 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
     packGeneral(data);
     warmStart(data.batches);
     for (int pass = 0; pass < step.passes; ++pass) {
-        // Every other pass goes backwards, so that support travels up a pile as fast as weight travels down.
-        solvePass(data.batches, step.passes > 1 && (step.index + pass) % 2 != 0);
+        solvePass(data.batches);
     }
     measureVelocities(data.batches);
     const std::vector<RoundContact>& round = data.roundContacts;

@@ -22,7 +22,7 @@
 namespace spacetow {
 
 /// Penetration that is left alone so that resting contacts persist, m.
-constexpr double linearSlop = 0.0005;
+constexpr double linearSlop = 0.0004;
 
 /// What moves. The solver reads and writes little else.
 struct BodyMotion {
