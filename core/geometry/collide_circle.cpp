@@ -77,36 +77,14 @@ Manifold sideAgainstCircle(const WallSide& side, const Circle& circle, double ma
         side.above(circle.center) - circle.radius > margin) {
         return noContact(side.above(circle.center) - circle.radius);
     }
-    const Manifold manifold =
-        side.holds(circle.center) ? faceAgainstCircle(side, circle, margin) : endsAgainstCircle(side, circle, margin);
+    const Manifold manifold = side.holds(circle.center) ? faceAgainstCircle(side, circle, margin)
+                                                        : endsAgainstCircle(side, circle, margin);
     return manifold.count > 0 ? manifold : noContact(clearance(side, circle));
 }
 
 Manifold wallAgainstCircle(const WallPart& wall, const Circle& circle, double margin) {
     return sideAgainstCircle(sideFacing(wall, circle.center), circle, margin);
 }
-
-namespace {
-
-/// Cuts may divide the plane of a face: the face on it that is nearest to `p` along the plane.
-int nearestOfPlane(const ConvexPart& convex, int face, const Vec2& p) {
-    const Vec2& normal = normalOf(convex, face);
-    const Vec2 direction = leftOf(normal);
-    int best = face;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < convex.count; ++i) {
-        const double before = direction.dot(cornerOf(convex, i) - p);
-        const double beyond = direction.dot(p - cornerOf(convex, cornerAfter(convex, i)));
-        const double aside = std::max({before, beyond, 0.0});
-        if (aside < nearest && normalOf(convex, i).dot(normal) > 1 - 1e-9) {
-            nearest = aside;
-            best = i;
-        }
-    }
-    return best;
-}
-
-} // namespace
 
 Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, double margin) {
     Manifold manifold;
@@ -129,7 +107,6 @@ Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, dou
         }
     }
     if (separation > 0) {
-        best = isCut(convex) ? nearestOfPlane(convex, best, circle.center) : best;
         const Vec2& from = cornerOf(convex, best);
         const int next = cornerAfter(convex, best);
         const Vec2 direction = leftOf(normalOf(convex, best));

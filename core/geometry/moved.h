@@ -34,9 +34,8 @@ inline ConvexPart moved(const ConvexPart& part, const Transform& pose) {
         result.normals[i] = pose.rotation * part.normals[i];
     }
     if (part.outerFaces != (1u << part.count) - 1) { // read for parts with cuts only
-        result.whole = pose.toWorld(part.whole);
         for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
-            result.normalsBeyond[i] = pose.rotation * part.normalsBeyond[i];
+            result.normalsBefore[i] = pose.rotation * part.normalsBefore[i];
         }
     }
     return result;
