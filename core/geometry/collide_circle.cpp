@@ -77,8 +77,8 @@ Manifold sideAgainstCircle(const WallSide& side, const Circle& circle, double ma
         side.above(circle.center) - circle.radius > margin) {
         return noContact(side.above(circle.center) - circle.radius);
     }
-    const Manifold manifold = side.holds(circle.center) ? faceAgainstCircle(side, circle, margin)
-                                                        : endsAgainstCircle(side, circle, margin);
+    const Manifold manifold =
+        side.holds(circle.center) ? faceAgainstCircle(side, circle, margin) : endsAgainstCircle(side, circle, margin);
     return manifold.count > 0 ? manifold : noContact(clearance(side, circle));
 }
 

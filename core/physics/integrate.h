@@ -9,8 +9,8 @@ namespace spacetow {
 /// Accelerations and damping factors for this update; consumes the forces applied since the last one.
 void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravity);
 
-/// How far a body moves by itself in one step of its own: an iteration, or a sub-step when connectors or fields act on it. Part of
-/// prepareMotion; by itself after connections have changed in the middle of an update.
+/// How far a body moves by itself in one step of its own: an iteration, or a sub-step when connectors or fields act on
+/// it. Part of prepareMotion; by itself after connections have changed in the middle of an update.
 void prepareSteps(WorldData& data, const IterationStep& step);
 
 /// Velocities at the end of the iteration, and shift and turn on the way there, as if nothing were touched.

@@ -63,8 +63,7 @@ void apply(Body& a, Body& b, const Contact& c, double x, double y, double twist)
 void solveOne(std::vector<Body>& all, Contact& c) {
     Body& a = all[c.a];
     Body& b = all[c.b];
-    const double sliding =
-        (b.x - a.x) * -c.normalY + (b.y - a.y) * c.normalX + (b.turn * c.leverB - a.turn * c.leverA);
+    const double sliding = (b.x - a.x) * -c.normalY + (b.y - a.y) * c.normalX + (b.turn * c.leverB - a.turn * c.leverA);
     const double limit = c.friction * c.normal;
     const double tangent = std::min(std::max(c.tangent - c.tangentMass * sliding, -limit), limit);
     const double rub = tangent - c.tangent;
