@@ -1585,6 +1585,10 @@
         <translation>Beide Enden der Verbindung sitzen am selben Körper.</translation>
     </message>
     <message>
+        <source>The force field has no force.</source>
+        <translation>Das Kraftfeld hat keine Kraft.</translation>
+    </message>
+    <message>
         <source>The replay cannot be understood at “%1”.</source>
         <translation>Die Flugaufzeichnung ist bei „%1“ unverständlich.</translation>
     </message>

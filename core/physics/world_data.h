@@ -271,6 +271,7 @@ struct Constraint {
     Constraint() {
         ConstraintPoint& second = points[1];
         second.leverA = second.leverB = second.normalMass = second.normalImpulse = second.separation = 0;
+        points[0].bounces = second.bounces = alone = false;
     }
 };
 
