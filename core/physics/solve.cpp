@@ -11,6 +11,9 @@ namespace {
 constexpr double pushOutRate = 40;
 constexpr double pushOutShare = 0.2;
 constexpr double pushOutSpeed = 25;
+// A change of speed that is no more than this, m/s, is what rounding leaves of an impulse that was given and taken
+// back.
+constexpr double leastChange = 1e-12;
 
 // What is known of contacts lies in the order in which they came about: it is fetched this long before it is needed.
 constexpr std::size_t contactsAhead = 8;
@@ -183,7 +186,9 @@ void takePaces(WorldData& data, double dt) {
         BodyMotion& m = data.motions[slot];
         BodyStep& s = data.steps[slot];
         const Pace& pace = data.batches.paces[slot];
-        s.pushed = pace.x != m.velocity.x() || pace.y != m.velocity.y() || pace.turn != m.angularVelocity;
+        const double change = std::abs(pace.x - m.velocity.x()) + std::abs(pace.y - m.velocity.y()) +
+                              std::abs(pace.turn - m.angularVelocity) * s.outerRadius;
+        s.pushed = change > leastChange;
         if (s.pushed) {
             m.velocity = {pace.x, pace.y};
             m.angularVelocity = pace.turn;
