@@ -75,6 +75,9 @@ void applyConnectorForces(WorldData& data, double h, Kick kick) {
             continue;
         }
         const double rate = (b.velocity - a.velocity).dot(u) + b.angularVelocity * leverB - a.angularVelocity * leverA;
+        if (!std::isfinite(distance + rate)) { // an end whose state has overflowed is not to spoil the other
+            continue;
+        }
         const double impulse = pull(c, {distance - c.length, rate, inverseMass}, h, kick);
         a.velocity += impulse * a.inverseMass * u;
         a.angularVelocity += impulse * a.inverseInertia * leverA;

@@ -94,18 +94,25 @@ double outerRadius(const Part& part) {
     return radius;
 }
 
-void setMass(BodyRecord& record, const BodyDef& def) {
+/// Forces are divided by it, and impulses multiplied with its inverse.
+bool hasInverse(double x) {
+    return std::isfinite(x) && std::isfinite(1 / x);
+}
+
+/// False when the body has no mass or inertia that can be reckoned with.
+bool setMass(BodyRecord& record, const BodyDef& def) {
     std::vector<MassProperties> shapes;
     for (const Shape& shape : def.shapes) {
         shapes.push_back(massOf(shape, def.density));
     }
     MassProperties total = sum(shapes);
-    if (def.mass) {
+    if (def.mass && hasInverse(total.mass)) {
         total = total.withMass(*def.mass);
     }
     record.localCenter = total.center;
     record.mass = total.mass;
     record.inertia = total.inertia;
+    return isFinite(total.center) && hasInverse(total.mass) && hasInverse(total.inertia);
 }
 
 void setParts(BodyRecord& record, const BodyDef& def) {
@@ -162,8 +169,8 @@ Result<MadeBody> makeBody(const BodyDef& def) {
     BodyRecord& r = made.record;
     r.kind = def.kind;
     r.shapes = std::make_shared<const std::vector<Shape>>(def.shapes);
-    if (def.kind != BodyKind::Static) {
-        setMass(r, def);
+    if (def.kind != BodyKind::Static && !setMass(r, def)) {
+        return Error{"bad-mass", {def.mass ? "mass" : "density"}};
     }
     setParts(r, def);
     made.step = stepOf(r);

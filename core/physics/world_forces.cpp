@@ -52,7 +52,8 @@ bool World::applyTorque(BodyId body, double torque, ForceSource source) {
 
 bool World::applyImpulseAt(BodyId body, const Vec2& impulse, const Vec2& worldPoint, ForceSource source) {
     EXPECTS(contains(body));
-    if (!isFinite(impulse) || !isFinite(worldPoint)) {
+    const double turn = cross(worldPoint - m_data->motions[body.index].center, impulse);
+    if (!isFinite(impulse) || !isFinite(worldPoint) || !std::isfinite(turn)) {
         return false;
     }
     const BodyRecord& record = m_data->records[body.index];
@@ -60,7 +61,7 @@ bool World::applyImpulseAt(BodyId body, const Vec2& impulse, const Vec2& worldPo
         m_data->motions[body.index].velocity += impulse / record.mass;
         disturbBy(*m_data, body, impulse.squaredNorm() > 0);
     }
-    return applyAngularImpulse(body, cross(worldPoint - m_data->motions[body.index].center, impulse), source);
+    return applyAngularImpulse(body, turn, source);
 }
 
 bool World::applyAngularImpulse(BodyId body, double impulse, ForceSource source) {

@@ -175,6 +175,29 @@ class FaultsTest : public QObject {
         QVERIFY(world.body(bad).active && isFinite(world.body(bad).massCenter));
     }
 
+    void whatOverflowsOnARopeLeavesItsOtherEndAlone_data() { iterationRows(); }
+    void whatOverflowsOnARopeLeavesItsOtherEndAlone() {
+        QFETCH(int, iterations);
+        World world(withIterations(iterations));
+        const BodyId bad = add(world, ball({0, 0}, 0.1));
+        const BodyId good = add(world, ball({1, 0}, 0.1));
+        static_cast<void>(world.addConnector({.a = bad, .b = good}).value());
+        world.applyForce(bad, {huge, 0});
+        world.applyForce(bad, {huge, 0});
+        int faults = 0;
+        for (int i = 0; i < 10; ++i) {
+            world.update();
+            for (const FaultEvent& event : world.events().faults) {
+                QVERIFY(event.body == bad);
+                ++faults;
+            }
+        }
+        QCOMPARE(faults, 1);
+        QVERIFY(!world.body(bad).active && world.body(good).active);
+        const double fallen = -9.81 * 0.2 * 0.2 / 2; // by itself
+        QVERIFY((world.body(good).massCenter - Vec2(1, fallen)).norm() < 1e-9);
+    }
+
     void aFunctionOfTheUsersThatGivesNoNumberStopsNothingButItsBodies_data() {
         QTest::addColumn<double>("value");
         QTest::newRow("not a number") << notANumber;

@@ -223,6 +223,9 @@ class RefusalsTest : public QObject {
         row("a negative mass", 6, -1, "bad-mass");
         row("a density of zero", 7, 0, "bad-mass");
         row("a negative density", 7, -1, "bad-mass");
+        row("a mass without an inverse", 6, 1e-320, "bad-mass");
+        row("a density without an inverse", 7, 1e-320, "bad-mass");
+        row("a density so small that nothing is left of the mass", 7, 5e-324, "bad-mass");
         row("a restitution of 1.2, which would make energy", 8, 1.2, "out-of-range");
         row("a restitution just above 1", 8, std::nextafter(1.0, 2), "out-of-range");
         row("a negative restitution", 8, -0.1, "out-of-range");
@@ -240,6 +243,43 @@ class RefusalsTest : public QObject {
         bodyFields[index].second(def, value);
         QCOMPARE(QString::fromStdString(world.addBody(def).error().code), code);
         QCOMPARE(world.bodyCount(), 0);
+    }
+
+    void aMassOrInertiaThatOverflowsIsRefused_data() {
+        QTest::addColumn<double>("size");
+        QTest::addColumn<double>("mass");
+        QTest::addColumn<double>("density");
+        QTest::newRow("an area beyond all numbers") << 1e200 << 0.0 << 1.0;
+        QTest::newRow("an area beyond all numbers, with a mass") << 1e200 << 1.0 << 1.0;
+        QTest::newRow("a mass beyond all numbers") << 10.0 << 0.0 << 1e308;
+        QTest::newRow("an inertia beyond all numbers") << 1e3 << 1e308 << 1.0;
+        QTest::newRow("an inertia without an inverse") << 1e-5 << 1e-300 << 1.0;
+        QTest::newRow("an inertia of zero") << 1e-100 << 1e-300 << 1.0;
+        QTest::newRow("a density that leaves no mass to scale") << 0.1 << 1.0 << 5e-324;
+    }
+    void aMassOrInertiaThatOverflowsIsRefused() {
+        QFETCH(double, size);
+        QFETCH(double, mass);
+        QFETCH(double, density);
+        World world;
+        const Polygon square{{Vec2(-size, -size), Vec2(size, -size), Vec2(size, size), Vec2(-size, size)}};
+        for (const Shape& shape : {Shape(Circle{{0, 0}, size}), Shape(square)}) {
+            for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
+                BodyDef def{.kind = kind, .shapes = {shape}};
+                def.mass = mass > 0 ? std::optional<double>(mass) : std::nullopt;
+                def.density = density;
+                QCOMPARE(world.addBody(def).error(), (Error{"bad-mass", {mass > 0 ? "mass" : "density"}}));
+            }
+        }
+    }
+
+    void anImpulseWhoseTurnOverflowsChangesNothing() {
+        Company company;
+        const std::uint64_t before = company.world.hash();
+        for (const BodyId id : company.world.bodies()) {
+            QVERIFY(!company.world.applyImpulseAt(id, {0, 1e200}, {1e200, 0}));
+        }
+        QCOMPARE(company.world.hash(), before);
     }
 
     void theErrorNamesWhatIsMissing() {
