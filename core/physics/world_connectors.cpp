@@ -6,6 +6,7 @@
 #include "core/physics/world.h"
 #include "core/physics/world_data.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spacetow {
@@ -74,6 +75,7 @@ Result<ConnectorId> World::addConnector(const ConnectorDef& def) {
     const BodyState a = body(def.a);
     const BodyState b = body(def.b);
     c.used = true;
+    c.serial = data.nextSerial++;
     c.a = def.a.index;
     c.b = def.b.index;
     c.anchorA = def.anchorA - data.records[c.a].localCenter;
@@ -121,6 +123,9 @@ std::vector<ConnectorId> World::connectors() const {
             ids.push_back({i, m_data->connectors[i].generation});
         }
     }
+    std::sort(ids.begin(), ids.end(), [this](ConnectorId a, ConnectorId b) {
+        return m_data->connectors[a.index].serial < m_data->connectors[b.index].serial;
+    });
     return ids;
 }
 

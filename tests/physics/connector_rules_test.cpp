@@ -218,6 +218,26 @@ class ConnectorRulesTest : public QObject {
         QVERIFY(world.body(a).massCenter.x() < 0);
     }
 
+    void connectorsAreListedInTheOrderInWhichTheyWereAdded() {
+        World world;
+        const BodyId a = add(world, ball({0, 0}, 0.1));
+        const BodyId b = add(world, ball({1, 0}, 0.1));
+        std::vector<ConnectorId> expected;
+        for (int i = 0; i < 4; ++i) {
+            expected.push_back(world.addConnector({.a = a, .b = b}).value());
+        }
+        for (const std::size_t removed : {2, 0}) { // their places are taken by the next two
+            world.removeConnector(expected[removed]);
+            expected.erase(expected.begin() + static_cast<std::ptrdiff_t>(removed));
+        }
+        for (int i = 0; i < 3; ++i) {
+            expected.push_back(world.addConnector({.a = b, .b = a}).value());
+        }
+        QVERIFY(world.connectors() == expected);
+        const World copy = world;
+        QVERIFY(copy.connectors() == expected);
+    }
+
     void whatLosesItsOtherEndFliesOn_data() {
         QTest::addColumn<bool>("remove");
         QTest::newRow("removed") << true;
