@@ -7,7 +7,8 @@
 
 namespace spacetow {
 
-constexpr double noBackReach = 10; // m: how far behind an edge without a back its box reaches
+// m: how far behind an edge without a back its box reaches. A static one is solid beyond it too, see wall_back.h.
+constexpr double noBackReach = 10;
 
 /// Exact boxes. That of an edge covers the band of its depth.
 Aabb boundsOf(const Shape& shape, const Transform& pose);

@@ -23,7 +23,7 @@ void takeBackVelocities(WorldData& data);
 /// of `dt` seconds it was not accelerated on either.
 void advance(WorldData& data, double dt);
 
-/// Switches off bodies whose velocity or place is not finite, so that they spoil no others.
+/// Switches off bodies whose state is not sound, so that they spoil no others.
 void isolateFaults(WorldData& data, int iteration);
 
 } // namespace spacetow

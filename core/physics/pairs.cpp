@@ -148,11 +148,10 @@ void addPairsOf(WorldData& data, const MovingCollider& collider, std::uint32_t i
             data.newPairs.push_back(makePair(data, collider.body, collider.part, o.body, o.part));
         }
     }
-    data.found.clear();
-    data.statics->tree.query(collider.box, data.found);
+    findStatics(*data.statics, collider.box, data.found);
     for (const std::uint32_t other : data.found) {
         const StaticGeometry::Collider& o = data.statics->colliders[other];
-        if (o.bounds.overlaps(collider.box) && mayMeet(data, collider.body, o.body)) {
+        if (mayMeet(data, collider.body, o.body)) {
             data.newPairs.push_back(makePair(data, collider.body, collider.part, o.body, o.part));
         }
     }

@@ -5,6 +5,8 @@
 #include "core/geometry/moved.h"
 #include "core/physics/sleep.h"
 
+#include <cmath>
+
 namespace spacetow {
 
 namespace {
@@ -38,6 +40,31 @@ void join(StaticGeometry& geometry) {
     }
 }
 
+/// The tree's boxes. Those of edges without a back cover what is behind them inside of the area of all the others.
+std::vector<Aabb> treeBoxes(StaticGeometry& geometry) {
+    std::vector<Aabb> boxes;
+    for (std::uint32_t i = 0; i < geometry.colliders.size(); ++i) {
+        StaticGeometry::Collider& collider = geometry.colliders[i];
+        boxes.push_back(treeBox(collider));
+        geometry.area.include(boxes.back());
+        const auto* wall = std::get_if<WallPart>(&collider.shape);
+        if (wall != nullptr && wall->oneWay && std::isinf(wall->depth)) {
+            collider.back = static_cast<int>(geometry.backs.size());
+            geometry.backs.push_back({i, backOf(collider.side)});
+        }
+    }
+    for (const StaticGeometry::Back& back : geometry.backs) {
+        boxes[back.collider].include(back.region.within(geometry.area));
+    }
+    return boxes;
+}
+
+bool reaches(const StaticGeometry& geometry, std::uint32_t index, const Aabb& box) {
+    const StaticGeometry::Collider& collider = geometry.colliders[index];
+    return collider.bounds.overlaps(box) ||
+           (collider.back >= 0 && geometry.backs[static_cast<std::size_t>(collider.back)].region.meets(box));
+}
+
 void collectParts(WorldData& data, StaticGeometry& geometry) {
     for (Slot slot = 0; slot < data.records.size(); ++slot) {
         BodyRecord& record = data.records[slot];
@@ -45,7 +72,7 @@ void collectParts(WorldData& data, StaticGeometry& geometry) {
             record.firstStatic = static_cast<std::uint32_t>(geometry.colliders.size());
             for (std::uint32_t i = 0; i < record.parts->size(); ++i) {
                 const Part part = partInWorld((*record.parts)[i], data.pose(slot));
-                geometry.colliders.push_back({slot, i, part, boundsOf(part, Transform{}), {}});
+                geometry.colliders.push_back({slot, i, part, boundsOf(part, Transform{}), {}, -1});
             }
         }
     }
@@ -62,17 +89,33 @@ void refreshStatics(WorldData& data) {
     join(*geometry);
     for (BodyRecord& record : data.records) {
         record.bounds = record.kind == BodyKind::Static ? Aabb{} : record.bounds;
+        record.solid = Aabb{};
     }
-    std::vector<Aabb> boxes;
-    for (const StaticGeometry::Collider& collider : geometry->colliders) {
-        boxes.push_back(treeBox(collider));
-        data.records[collider.body].bounds.include(boxes.back());
+    std::vector<Aabb> boxes = treeBoxes(*geometry);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        BodyRecord& record = data.records[geometry->colliders[i].body];
+        record.bounds.include(boxes[i]);
+        record.solid.include(geometry->colliders[i].bounds);
     }
     geometry->tree = StaticQuadtree(std::move(boxes));
     data.statics = std::move(geometry);
     data.staticsChanged = false;
     renewSleepingPairs(data);
     data.pairsStale = true;
+}
+
+void findStatics(const StaticGeometry& geometry, const Aabb& box, std::vector<std::uint32_t>& out) {
+    out.clear();
+    geometry.tree.query(box, out);
+    std::erase_if(out, [&](std::uint32_t i) { return !reaches(geometry, i, box); });
+    if (geometry.area.contains(box)) {
+        return;
+    }
+    for (const StaticGeometry::Back& back : geometry.backs) {
+        if (!geometry.tree.boxes()[back.collider].overlaps(box) && back.region.meets(box)) {
+            out.push_back(back.collider);
+        }
+    }
 }
 
 } // namespace spacetow

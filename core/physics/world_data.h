@@ -5,6 +5,7 @@
 #include "core/geometry/moving_quadtree.h"
 #include "core/geometry/part.h"
 #include "core/geometry/static_quadtree.h"
+#include "core/geometry/wall_back.h"
 #include "core/geometry/wall_side.h"
 #include "core/math/aabb.h"
 #include "core/physics/contact_batches.h"
@@ -83,8 +84,8 @@ constexpr double greatestTurn = 1e8;
 
 /// Whether everything about the motion is a number that can be worked with.
 inline bool isSound(const BodyMotion& m, const BodyStep& s) {
-    return std::isfinite(m.velocity.x() + m.velocity.y() + m.angularVelocity + s.shift.x() + s.shift.y() +
-                         m.center.x() + m.center.y()) &&
+    return std::isfinite(m.velocity.squaredNorm() + m.angularVelocity + s.shift.squaredNorm() + m.center.x() +
+                         m.center.y() + m.rotation.c + m.rotation.s) &&
            std::abs(s.turn) <= greatestTurn;
 }
 
@@ -127,6 +128,7 @@ struct BodyRecord {
     Vec2 force{0, 0}; // N, for the next update
     double torque = 0;
     Aabb bounds;                   // of the last broad phase
+    Aabb solid;                    // the exact box of a static body when the static tree was made
     std::uint32_t firstStatic = 0; // of its parts in StaticGeometry
 };
 
@@ -138,8 +140,15 @@ struct StaticGeometry {
         Part shape;
         Aabb bounds;   // of what is solid; the tree's boxes of edges are larger
         WallSide side; // of an edge
+        int back = -1; // index in `backs`
+    };
+    struct Back {
+        std::uint32_t collider;
+        WallBack region;
     };
     std::vector<Collider> colliders;
+    std::vector<Back> backs; // of edges that have none: solid however deep
+    Aabb area;               // within which the tree knows of them
     StaticQuadtree tree;
 };
 
@@ -278,6 +287,7 @@ struct Constraint {
 struct ConnectorRecord {
     std::uint32_t generation = 0;
     bool used = false;
+    std::uint64_t serial = 0; // order of creation, of bodies and connectors alike
     Slot a = 0, b = 0;
     Vec2 anchorA{0, 0}, anchorB{0, 0}; // about the centres of mass
     double length = 0;

@@ -114,9 +114,9 @@ class OneWayTest : public QObject {
         QTest::addColumn<int>("iterations");
         for (const char* what : things) {
             for (const double depth : {0.1, 0.5, noBack}) {
-                for (const double behind : {0.001, 0.09, 0.3, 0.49, 3.0, 9.0}) {
+                for (const double behind : {0.001, 0.09, 0.3, 0.49, 3.0, 9.0, 30.0}) {
                     for (const int iterations : iterationCounts) {
-                        if (behind < depth && (what != things[3] || (behind < 0.1 && behind < 0.8 * depth))) {
+                        if (behind < depth) {
                             QTest::addRow("%s, %g behind, %s, %d iterations", what, behind, qPrintable(nameOf(depth)),
                                           iterations)
                                 << what << depth << behind << iterations;
@@ -164,16 +164,54 @@ class OneWayTest : public QObject {
     void anEdgeWithoutBackStopsWhatIsHoweverDeep() {
         QFETCH(int, iterations);
         for (const char* what : things) {
-            for (const double behind : {0.1, 1.0, 5.0}) {
+            for (const double behind : {0.1, 1.0, 5.0, 100.0}) {
                 for (const double speed : {1.0, 100.0}) {
                     Meeting meeting(what, noBack, iterations, 30, {0, -behind}, {0, -speed});
-                    run(meeting.world, 4);
+                    run(meeting.world, behind < 10 ? 4 : 8); // there is a limit to the speed of pushing out
                     QVERIFY2(meeting.lowest() > -0.005, qPrintable(QString("%1 at %2 m/s from %3 behind: %4")
                                                                        .arg(what)
                                                                        .arg(speed)
                                                                        .arg(behind)
                                                                        .arg(meeting.lowest())));
                 }
+            }
+        }
+    }
+
+    void anEdgeWithoutBackLeavesAloneWhatIsBesideItsBack_data() { iterationRows(); }
+    void anEdgeWithoutBackLeavesAloneWhatIsBesideItsBack() {
+        QFETCH(int, iterations);
+        for (const char* what : things) {
+            for (const double behind : {1.0, 30.0, 1000.0}) {
+                for (const double beside : {-6.0, 6.0}) {
+                    Meeting meeting(what, noBack, iterations, 30, {beside, -behind}, {0, 0});
+                    run(meeting.world, 1);
+                    QVERIFY((meeting.position() - Vec2(beside, -behind)).norm() < 1e-6);
+                }
+            }
+        }
+    }
+
+    void aRoomWithoutBacksIsLeftByNobodyAndEnteredFromAnyDistance_data() { iterationRows(); }
+    void aRoomWithoutBacksIsLeftByNobodyAndEnteredFromAnyDistance() {
+        QFETCH(int, iterations);
+        // The walls of a twelve-sided room look inward. Behind each corner the backs of two of them leave a gap.
+        for (int degrees = 0; degrees < 360; degrees += fullOrQuick(5, 15)) {
+            for (const double away : {8.0, 40.0}) {
+                World world(withIterations(iterations, {0, 0}));
+                const std::vector<Vec2> corners = regularPolygon(12, 6);
+                for (std::size_t i = 0; i < corners.size(); ++i) {
+                    add(world, edgeBody(corners[i], corners[(i + 1) % corners.size()]));
+                }
+                const Vec2 out = Rot::fromAngle(degrees * pi / 180).right();
+                BodyDef def = ball(away * out, 0.2);
+                def.velocity = 10 * out;
+                const BodyId id = add(world, def);
+                run(world, 5);
+                QVERIFY2(
+                    world.body(id).massCenter.norm() < 6,
+                    qPrintable(
+                        QString("%1°, %2 m away: %3").arg(degrees).arg(away).arg(world.body(id).massCenter.norm())));
             }
         }
     }
