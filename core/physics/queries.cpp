@@ -2,68 +2,161 @@
 
 #include "core/geometry/bounds.h"
 #include "core/geometry/cast.h"
+#include "core/geometry/closest.h"
 #include "core/physics/world_data.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace spacetow {
 
 namespace {
 
-/// Calls `visit(id, part, pose)` for every part of every active body, in order of creation.
+constexpr double rounding = 1e-6; // m: so much further candidates are looked for
+
+/// Whether the static tree shows the static bodies as they are.
+bool isTreeFresh(const WorldData& data) {
+    return data.statics != nullptr && !data.staticsChanged;
+}
+
+/// A part and what decides between equal answers: the first part of the first body.
+struct Candidate {
+    Slot body;
+    std::uint32_t part;
+    const Part& shape;
+    Transform pose;
+    std::uint64_t serial;
+};
+
 template <class Visit>
-void forEachPart(const World& world, const Visit& visit) {
-    const WorldData& data = world.data();
-    for (const BodyId id : world.bodies()) {
-        if (!data.records[id.index].active) {
+void visitPart(const WorldData& data, Slot slot, std::uint32_t part, const Visit& visit) {
+    const BodyRecord& record = data.records[slot];
+    visit(Candidate{slot, part, (*record.parts)[part], data.pose(slot), record.serial});
+}
+
+/// Calls `visit(candidate)` for the parts of active bodies that may reach into the area, in no order that matters.
+template <class Visit>
+void forEachPartNear(const WorldData& data, const Aabb& area, const Visit& visit) {
+    const bool fresh = isTreeFresh(data);
+    if (fresh) {
+        std::vector<std::uint32_t> found;
+        data.statics->tree.query(area, found);
+        for (const std::uint32_t i : found) {
+            visitPart(data, data.statics->colliders[i].body, data.statics->colliders[i].part, visit);
+        }
+    }
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        const BodyRecord& record = data.records[slot];
+        const bool inTree = fresh && record.kind == BodyKind::Static;
+        if (!record.used || !record.active || inTree ||
+            !area.grown(record.outerRadius).contains(data.motions[slot].center)) {
             continue;
         }
-        for (const Part& part : *data.records[id.index].parts) {
-            visit(id, part, data.pose(id.index));
+        for (std::uint32_t part = 0; part < record.parts->size(); ++part) {
+            visitPart(data, slot, part, visit);
         }
     }
 }
 
-void addOnce(std::vector<BodyId>& ids, BodyId id) {
-    if (ids.empty() || ids.back() != id) {
-        ids.push_back(id);
+/// In the order in which they were added, each once.
+std::vector<BodyId> inOrder(const WorldData& data, std::vector<Slot>& slots) {
+    std::sort(slots.begin(), slots.end(),
+              [&](Slot a, Slot b) { return data.records[a].serial < data.records[b].serial; });
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    std::vector<BodyId> ids;
+    for (const Slot slot : slots) {
+        ids.push_back(data.idOf(slot));
     }
+    return ids;
+}
+
+Aabb exactBounds(const WorldData& data, Slot slot) {
+    Aabb box;
+    for (const Part& part : *data.records[slot].parts) {
+        box.include(boundsOf(part, data.pose(slot)));
+    }
+    return box;
+}
+
+/// Nearest among what reaches into the square of `reach` metres around the point.
+std::optional<NearestPoint> closestWithin(const WorldData& data, const Vec2& point, double reach, TagMask mask) {
+    std::optional<NearestPoint> best;
+    std::uint64_t serial = 0;
+    const Aabb area = Aabb{point, point}.grown(reach + rounding);
+    forEachPartNear(data, area, [&](const Candidate& candidate) {
+        if (!data.records[candidate.body].filter.tags.intersects(mask)) {
+            return;
+        }
+        const Vec2 on = closestPoint(candidate.shape, candidate.pose, point);
+        const double distance = (on - point).norm();
+        const bool nearer = !best || std::tie(distance, candidate.serial) < std::tie(best->distance, serial);
+        if (distance <= reach && nearer) {
+            best = NearestPoint{data.idOf(candidate.body), on, distance};
+            serial = candidate.serial;
+        }
+    });
+    return best;
 }
 
 } // namespace
 
 std::optional<RayHit> rayCast(const World& world, const Vec2& from, const Vec2& to, TagMask mask) {
+    const WorldData& data = world.data();
     std::optional<RayHit> best;
-    forEachPart(world, [&](BodyId id, const Part& part, const Transform& pose) {
-        if (!world.data().records[id.index].filter.tags.intersects(mask)) {
+    std::pair<std::uint64_t, std::uint32_t> bestPart;
+    Aabb area{from, from};
+    area.include(to);
+    forEachPartNear(data, area.grown(rounding), [&](const Candidate& candidate) {
+        if (!data.records[candidate.body].filter.tags.intersects(mask)) {
             return;
         }
-        const auto hit = rayCast(part, pose, from, to);
-        if (hit && (!best || hit->fraction < best->fraction)) {
-            best = RayHit{id, from + hit->fraction * (to - from), hit->normal, hit->fraction};
+        const auto hit = rayCast(candidate.shape, candidate.pose, from, to);
+        const std::pair part(candidate.serial, candidate.part);
+        if (hit && (!best || std::tie(hit->fraction, part) < std::tie(best->fraction, bestPart))) {
+            best = RayHit{data.idOf(candidate.body), from + hit->fraction * (to - from), hit->normal, hit->fraction};
+            bestPart = part;
         }
     });
     return best;
 }
 
 std::vector<BodyId> bodiesAt(const World& world, const Vec2& point) {
-    std::vector<BodyId> ids;
-    forEachPart(world, [&](BodyId id, const Part& part, const Transform& pose) {
-        if (contains(part, pose, point)) {
-            addOnce(ids, id);
+    const WorldData& data = world.data();
+    std::vector<Slot> slots;
+    forEachPartNear(data, Aabb{point, point}.grown(rounding), [&](const Candidate& candidate) {
+        if (contains(candidate.shape, candidate.pose, point)) {
+            slots.push_back(candidate.body);
         }
     });
-    return ids;
+    return inOrder(data, slots);
 }
 
 std::vector<BodyId> bodiesIn(const World& world, const Aabb& box) {
-    std::vector<BodyId> ids;
-    forEachPart(world, [&](BodyId id, const Part& part, const Transform& pose) {
-        if (boundsOf(part, pose).overlaps(box)) {
-            addOnce(ids, id);
+    const WorldData& data = world.data();
+    const bool fresh = isTreeFresh(data);
+    std::vector<Slot> slots;
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        const BodyRecord& record = data.records[slot];
+        const bool inTree = fresh && record.kind == BodyKind::Static;
+        if (record.used && record.active && (inTree ? record.solid : exactBounds(data, slot)).overlaps(box)) {
+            slots.push_back(slot);
         }
-    });
-    return ids;
+    }
+    return inOrder(data, slots);
+}
+
+std::optional<NearestPoint> closestBody(const World& world, const Vec2& point, const SearchLimits& limits) {
+    const WorldData& data = world.data();
+    if (!isFinite(point) || !(limits.reach >= 0)) {
+        return std::nullopt;
+    }
+    // Wider and wider, as long as nothing is found: most of what is asked for is near.
+    for (double reach = 1; reach < limits.reach && reach < 1e12; reach *= 4) {
+        if (const auto found = closestWithin(data, point, reach, limits.mask)) {
+            return found;
+        }
+    }
+    return closestWithin(data, point, limits.reach, limits.mask);
 }
 
 std::vector<Aabb> quadtreeCells(const World& world) {

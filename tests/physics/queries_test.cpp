@@ -117,6 +117,38 @@ class QueriesTest : public QObject {
         QVERIFY(bodiesIn(world, {{0.5, -1}, {2.4, 1}}) == std::vector<BodyId>{first}); // borders count
     }
 
+    void aBoxFindsABodyByTheBoxOfAllItsShapes() {
+        World world;
+        const Polygon hollow{
+            {Vec2(0, 0), Vec2(3, 0), Vec2(3, 3), Vec2(2, 3), Vec2(2, 1), Vec2(1, 1), Vec2(1, 3), Vec2(0, 3)}};
+        const BodyId u = add(world, {.kind = BodyKind::Static, .shapes = {hollow}});
+        const BodyId two =
+            add(world, {.kind = BodyKind::Static, .shapes = {Circle{{9, 0}, 0.5}, Circle{{13, 0}, 0.5}}});
+        for (int i = 0; i < 2; ++i) { // before and after there is a tree
+            QCOMPARE(bodiesIn(world, {{1.4, 2}, {1.6, 2.2}}), std::vector<BodyId>{u});
+            QCOMPARE(bodiesIn(world, {{10.9, -0.1}, {11.1, 0.1}}), std::vector<BodyId>{two});
+            world.update();
+        }
+    }
+
+    void theClosestBodyIsWithinReachAndHasTheRightTags() {
+        World world;
+        BodyDef near = ball({3, 0}, 1);
+        near.filter.tags = TagMask::bit(4);
+        const BodyId first = add(world, near);
+        const BodyId second = add(world, ball({-9, 0}, 1));
+        QCOMPARE(closestBody(world, {0, 0})->body, first);
+        QCOMPARE(closestBody(world, {0, 0})->point, Vec2(2, 0));
+        QCOMPARE(closestBody(world, {0, 0})->distance, 2.0);
+        QCOMPARE(closestBody(world, {3, 0.5})->distance, 0.0);
+        QCOMPARE(closestBody(world, {3, 0.5})->point, Vec2(3, 0.5));
+        QCOMPARE(closestBody(world, {0, 0}, {.mask = TagMask::bit(0)})->body, second);
+        QVERIFY(!closestBody(world, {0, 0}, {.reach = 1.9}).has_value());
+        QVERIFY(closestBody(world, {0, 0}, {.reach = 2}).has_value());
+        QVERIFY(!closestBody(world, {std::nan(""), 0}).has_value());
+        QVERIFY(!closestBody(World(), {0, 0}).has_value());
+    }
+
     void theQuadtreeCellsCoverEveryBody() {
         World world = [] {
             Random random(5);
