@@ -86,6 +86,28 @@ Manifold wallAgainstCircle(const WallPart& wall, const Circle& circle, double ma
     return sideAgainstCircle(sideFacing(wall, circle.center), circle, margin);
 }
 
+namespace {
+
+/// Cuts may divide the plane of a face: the face on it that is nearest to `p` along the plane.
+int nearestOfPlane(const ConvexPart& convex, int face, const Vec2& p) {
+    const Vec2& normal = normalOf(convex, face);
+    const Vec2 direction = leftOf(normal);
+    int best = face;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < convex.count; ++i) {
+        const double before = direction.dot(cornerOf(convex, i) - p);
+        const double beyond = direction.dot(p - cornerOf(convex, cornerAfter(convex, i)));
+        const double aside = std::max({before, beyond, 0.0});
+        if (aside < nearest && normalOf(convex, i).dot(normal) > 1 - 1e-9) {
+            nearest = aside;
+            best = i;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
 Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, double margin) {
     Manifold manifold;
     int best = 0;
@@ -107,6 +129,7 @@ Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, dou
         }
     }
     if (separation > 0) {
+        best = isCut(convex) ? nearestOfPlane(convex, best, circle.center) : best;
         const Vec2& from = cornerOf(convex, best);
         const int next = cornerAfter(convex, best);
         const Vec2 direction = leftOf(normalOf(convex, best));

@@ -13,7 +13,7 @@ constexpr double tie = 1e-6; // m: separations nearer than this count as equal
 // Something that has come a little way through a cut, and so through the thin end of the part beyond it, is that
 // part's affair; the outer faces of this one are far away and would throw it out in the wrong direction.
 constexpr double littleWay = 0.02; // m
-constexpr double farAway = 0.01;   // m beyond twice the way
+constexpr double farAway = 0.002;  // m beyond twice the way
 
 constexpr double none = -std::numeric_limits<double>::infinity();
 
@@ -43,7 +43,7 @@ Axis bestAxis(const ConvexPart& reference, const ConvexPart& other, double margi
             }
         }
         if (cut && separation > axis.allowed && isOuterFace(reference, i) &&
-            cornerAllows(other, deepestCorner(other, normal), -normal)) {
+            cornerBears(other, deepestCorner(other, normal), -normal)) {
             axis.allowed = separation;
             axis.allowedFace = i;
         }
@@ -85,6 +85,18 @@ Manifold faceManifold(const ConvexPart& reference, int face, const ConvexPart& o
     }
     if (manifold.count == 2 && (manifold.points[0].point - manifold.points[1].point).squaredNorm() < 1e-18) {
         manifold.count = 1;
+    }
+    return manifold;
+}
+
+/// The same with any outer face of the plane of `face`: cuts may divide it, and not every piece is under the other
+/// part.
+Manifold planeManifold(const ConvexPart& reference, int face, const ConvexPart& other, double margin, bool swapped) {
+    Manifold manifold = faceManifold(reference, face, other, margin, swapped);
+    for (int i = 0; manifold.count == 0 && isCut(reference) && i < reference.count; ++i) {
+        if (isOuterFace(reference, i) && normalOf(reference, i).dot(normalOf(reference, face)) > 1 - 1e-9) {
+            manifold = faceManifold(reference, i, other, margin, swapped);
+        }
     }
     return manifold;
 }
@@ -160,12 +172,12 @@ Manifold apartManifold(const ConvexPart& a, const ConvexPart& b, double margin) 
     }
     if (nearest.faceA >= 0) {
         const Vec2& normal = normalOf(a, nearest.faceA);
-        const bool allowed = isOuterFace(a, nearest.faceA) && cornerAllows(b, nearest.cornerB, -normal);
+        const bool allowed = isOuterFace(a, nearest.faceA) && cornerBears(b, nearest.cornerB, -normal);
         return allowed ? faceManifold(a, nearest.faceA, b, margin, false) : manifold;
     }
     if (nearest.faceB >= 0) {
         const Vec2& normal = normalOf(b, nearest.faceB);
-        const bool allowed = isOuterFace(b, nearest.faceB) && cornerAllows(a, nearest.cornerA, -normal);
+        const bool allowed = isOuterFace(b, nearest.faceB) && cornerBears(a, nearest.cornerA, -normal);
         return allowed ? faceManifold(b, nearest.faceB, a, margin, true) : manifold;
     }
     const Vec2& onA = cornerOf(a, nearest.cornerA);
@@ -207,8 +219,8 @@ Manifold convexAgainstConvex(const ConvexPart& a, const ConvexPart& b, double ma
         return {};
     }
     const bool first = firstIsReference(a, ofA.allowedFace, ofA.allowed, b, ofB.allowedFace, ofB.allowed);
-    return first ? faceManifold(a, ofA.allowedFace, b, margin, false)
-                 : faceManifold(b, ofB.allowedFace, a, margin, true);
+    return first ? planeManifold(a, ofA.allowedFace, b, margin, false)
+                 : planeManifold(b, ofB.allowedFace, a, margin, true);
 }
 
 } // namespace spacetow

@@ -33,18 +33,29 @@ inline bool isCut(const ConvexPart& part) {
     return part.outerFaces != (1u << part.count) - 1;
 }
 
+/// Whether `u` lies between the normals of two faces that meet at a corner that sticks out.
+inline bool liesBetween(const Vec2& before, const Vec2& after, const Vec2& u) {
+    constexpr double slack = 1e-9;
+    return cross(before, after) > slack && cross(before, u) >= -slack && cross(u, after) >= -slack;
+}
+
 /// Whether something may touch the corner with the unit normal `u` (outward): it has to lie between the normals of
 /// the two faces of the outline that meet there, which need not be faces of this part. Of the parts that share a
 /// corner the one whose outer face starts there answers.
 inline bool cornerAllows(const ConvexPart& part, int i, const Vec2& u) {
-    constexpr double slack = 1e-9;
     if (!isCut(part)) {
         return true; // all neighbours are its own: what is nearest to the corner lies between their normals
     }
-    const Vec2& before = part.normalsBefore[static_cast<std::size_t>(i)];
-    const Vec2& after = normalOf(part, i);
-    return isOuterFace(part, i) && cross(before, after) > slack && cross(before, u) >= -slack &&
-           cross(u, after) >= -slack;
+    return isOuterFace(part, i) && liesBetween(part.normalsBeyond[static_cast<std::size_t>(i)], normalOf(part, i), u);
+}
+
+/// The same for a face that meets the corner: here the part whose outer face ends there answers too, so that it does
+/// not matter in which order what lies on that face comes down. Both contacts are in one plane.
+inline bool cornerBears(const ConvexPart& part, int i, const Vec2& u) {
+    const int before = i > 0 ? i - 1 : part.count - 1;
+    return cornerAllows(part, i, u) ||
+           (!isOuterFace(part, i) && isOuterFace(part, before) &&
+            liesBetween(normalOf(part, before), part.normalsBeyond[static_cast<std::size_t>(i)], u));
 }
 
 /// The corner farthest along −u.

@@ -346,6 +346,14 @@ bool isMostlyOnRight(const WallPart& line, const ConvexPart& convex) {
     return right == isOnRight(line, convex.center) ? right : leansRight(line, convex);
 }
 
+/// Whether the wall stops a part whose centre is behind its face. The parts of a polygon that is inside the depth as a
+/// whole belong together, even where some are deeper.
+bool isHeld(const WallSide& side, const ConvexPart& convex) {
+    const bool wholeInside =
+        isCut(convex) && side.above(convex.whole) >= -side.depth && side.above(convex.whole) <= onTheFace;
+    return side.holds(convex.center) || (wholeInside && side.spans(convex.center));
+}
+
 } // namespace
 
 Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, double margin) {
@@ -371,7 +379,7 @@ Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, doubl
     if (inFront) {
         return frontManifold(pair);
     }
-    if (pair.side.holds(convex.center)) {
+    if (isHeld(pair.side, convex)) {
         return heldManifold(pair);
     }
     const Manifold atStart = endManifold(pair, pair.side.start);

@@ -21,8 +21,11 @@ ConvexPart convexPart(std::span<const Vec2> outline, const std::vector<int>& pie
         const int next = piece[(k + 1) % piece.size()];
         part.corners[k] = vertex(i);
         part.normals[k] = outwardNormal(vertex(i), vertex(next));
-        part.normalsBefore[k] = outwardNormal(vertex((i + total - 1) % total), vertex(i));
-        if (next == (i + 1) % total) {
+        const int after = (i + 1) % total;
+        const bool outer = next == after;
+        part.normalsBeyond[k] =
+            outer ? outwardNormal(vertex((i + total - 1) % total), vertex(i)) : outwardNormal(vertex(i), vertex(after));
+        if (outer) {
             part.outerFaces = static_cast<std::uint8_t>(part.outerFaces | 1u << k);
         }
     }
@@ -49,9 +52,12 @@ struct PartMaker {
     }
     std::vector<Part> operator()(const Polygon& polygon) const {
         const std::vector<Vec2> outline = cleanOutline(polygon.vertices);
+        const Vec2 whole = outline.empty() ? Vec2(0, 0) : centroid(outline);
         std::vector<Part> parts;
         for (const std::vector<int>& piece : convexPieces(outline, ConvexPart::maxCorners)) {
-            parts.emplace_back(convexPart(outline, piece));
+            ConvexPart part = convexPart(outline, piece);
+            part.whole = whole;
+            parts.emplace_back(part);
         }
         return parts;
     }

@@ -186,7 +186,7 @@ void joinConvexParts(std::span<ConvexPart* const> parts) {
             for (auto it = first; it != arrivals.end() && it->point == corner(*part, i) && it - first < 200; ++it) {
                 if (it->normal.dot(own) > straightest) {
                     straightest = it->normal.dot(own);
-                    part->normalsBefore[static_cast<std::size_t>(i)] = it->normal;
+                    part->normalsBeyond[static_cast<std::size_t>(i)] = it->normal;
                 }
             }
         }

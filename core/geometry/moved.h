@@ -34,8 +34,9 @@ inline ConvexPart moved(const ConvexPart& part, const Transform& pose) {
         result.normals[i] = pose.rotation * part.normals[i];
     }
     if (part.outerFaces != (1u << part.count) - 1) { // read for parts with cuts only
+        result.whole = pose.toWorld(part.whole);
         for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
-            result.normalsBefore[i] = pose.rotation * part.normalsBefore[i];
+            result.normalsBeyond[i] = pose.rotation * part.normalsBeyond[i];
         }
     }
     return result;

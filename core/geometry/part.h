@@ -32,9 +32,11 @@ struct ConvexPart {
     std::array<Vec2, maxCorners> corners;
     std::array<Vec2, maxCorners> normals; // unit, outward
     std::uint8_t outerFaces = 0;          // bit i: face i lies on the polygon's outline
-    std::array<Vec2, maxCorners>
-        normalsBefore; // unit; of the outline's face that ends at corner i, read where an outer face starts at i
+    /// Unit; of the outline's face on the other side of corner i: of the one that ends there where an outer face of
+    /// this part starts, else of the one that starts there.
+    std::array<Vec2, maxCorners> normalsBeyond;
     Vec2 center{0, 0}; // centroid of this part
+    Vec2 whole{0, 0};  // centroid of the polygon that it was cut from; read for parts with cuts
 };
 
 using Part = std::variant<Circle, WallPart, ConvexPart>;

@@ -22,6 +22,71 @@ QByteArray seedText(unsigned seed) {
     return "seed " + QByteArray::number(seed);
 }
 
+Polygon randomStar(Random& random) {
+    Polygon star;
+    const int count = 5 + static_cast<int>(random.below(12));
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * (i + random.uniform(0, 0.8)) / count;
+        star.vertices.push_back(random.uniform(0.4, 2) * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    return star;
+}
+
+/// The feet of the teeth and the gaps between them lie in one plane, which the cuts divide.
+Polygon randomComb(Random& random) {
+    const int teeth = 2 + static_cast<int>(random.below(4));
+    const double tooth = random.uniform(0.15, 0.4);
+    const double pitch = tooth + random.uniform(0.1, 0.6);
+    const double half = 0.5 * ((teeth - 1) * pitch + tooth);
+    const double high = random.uniform(0.2, 1);
+    Polygon comb{{Vec2(-half, -0.4), Vec2(half, -0.4)}};
+    for (int i = teeth - 1; i >= 0; --i) {
+        const double left = -half + i * pitch;
+        if (i < teeth - 1) {
+            comb.vertices.emplace_back(left + tooth, 0);
+        }
+        comb.vertices.emplace_back(left + tooth, high);
+        comb.vertices.emplace_back(left, high);
+        if (i > 0) {
+            comb.vertices.emplace_back(left, 0);
+        }
+    }
+    return comb;
+}
+
+/// Moves `body` up to `target` along a random way and then deeper by a few millimetres; how deep the contacts say it
+/// is.
+struct Sinking {
+    double sunk = 0;
+    double deepest = 0;
+
+    Sinking(Random& random, const std::vector<Part>& target, const std::vector<Part>& body) {
+        const Rot rotation = Rot::fromAngle(random.uniform(-4, 4));
+        const Vec2 way = Rot::fromAngle(random.uniform(-4, 4)).right();
+        const Vec2 aside = random.uniform(-1, 1) * leftOf(way);
+        double along = 8;
+        for (double distance = 1; distance > 1e-7 && along > -8; along -= distance) { // never farther than what is free
+            distance = std::numeric_limits<double>::infinity();
+            for (const Part& part : target) {
+                for (const Part& other : body) {
+                    const Transform pose{aside + along * way, rotation};
+                    distance = std::min(distance, closestPoints(part, {}, other, pose).distance);
+                }
+            }
+        }
+        const double further = random.uniform(0.0005, 0.006);
+        const Transform pose{aside + (along - further) * way, rotation};
+        for (const Part& part : target) {
+            for (const Part& other : body) {
+                const bool inside = closestPoints(part, {}, other, pose).distance <= 0;
+                sunk = inside ? further : sunk; // or it has slid past
+                const Manifold manifold = collide(part, {}, other, pose, 0);
+                deepest = std::max(deepest, manifold.count > 0 ? -leastSeparation(manifold) : 0.0);
+            }
+        }
+    }
+};
+
 } // namespace
 
 class CutsTest : public QObject {
@@ -32,6 +97,7 @@ class CutsTest : public QObject {
     void nothingRestsOnACut();
     void cornersOnACutGiveNormalsOfTheOutlineOnly();
     void cutsNeverThrowAnythingOutTheLongWay();
+    void theBackOfACombHoldsTheToothOfAnother();
 };
 
 void CutsTest::theNotchOfTheShipIsHollow() {
@@ -104,36 +170,44 @@ void CutsTest::cornersOnACutGiveNormalsOfTheOutlineOnly() {
 }
 
 void CutsTest::cutsNeverThrowAnythingOutTheLongWay() {
-    for (unsigned seed = 0; seed < 3000; ++seed) {
+    int met = 0;
+    for (unsigned seed = 0; seed < 6000; ++seed) {
         Random random(seed);
-        Polygon star;
-        const int count = 5 + static_cast<int>(random.below(12));
-        for (int i = 0; i < count; ++i) {
-            const double angle = 2 * std::numbers::pi * (i + random.uniform(0, 0.8)) / count;
-            star.vertices.push_back(random.uniform(0.4, 2) * Vec2(std::cos(angle), std::sin(angle)));
+        const std::vector<Part> parts = partsOf(seed % 2 == 0 ? randomStar(random) : randomComb(random));
+        const std::array<std::vector<Part>, 6> bodies{
+            std::vector<Part>{Circle{Vec2(0, 0), random.uniform(0.05, 0.5)}},
+            {randomConvex(random)},
+            {box(0.3, 0.2)},
+            {line(Vec2(-0.7, 0), Vec2(0.6, 0.1))},
+            partsOf(randomComb(random)),
+            partsOf(randomStar(random)),
+        };
+        const Sinking sinking(random, parts, bodies[random.below(6)]);
+        if (sinking.sunk > 0) {
+            ++met;
+            QVERIFY2(sinking.deepest > 0 && sinking.deepest < 1.5 * sinking.sunk + 0.003,
+                     seedText(seed) + " " + QByteArray::number(sinking.deepest));
         }
-        const std::vector<Part> parts = partsOf(star);
-        const std::array<Part, 4> bodies{Part(Circle{Vec2(0, 0), random.uniform(0.05, 0.5)}), randomConvex(random),
-                                         box(0.3, 0.2), line(Vec2(-0.7, 0), Vec2(0.6, 0.1))};
-        const Part& body = bodies[random.below(4)];
-        const Rot rotation = Rot::fromAngle(random.uniform(-4, 4));
-        const Vec2 way = Rot::fromAngle(random.uniform(-4, 4)).right();
-        double along = 6;
-        for (double distance = 1; distance > 1e-7; along -= distance) { // never farther than what is free
-            distance = std::numeric_limits<double>::infinity();
-            for (const Part& part : parts) {
-                const ClosestPoints closest = closestPoints(part, {}, body, {along * way, rotation});
-                distance = std::min(distance, closest.distance);
-            }
-        }
-        const double sunk = random.uniform(0.0005, 0.006);
-        double deepest = 0;
-        for (const Part& part : parts) {
-            const Manifold manifold = collide(part, {}, body, {(along - sunk) * way, rotation}, 0);
-            deepest = std::max(deepest, manifold.count > 0 ? -leastSeparation(manifold) : 0.0);
-        }
-        QVERIFY2(deepest > 0 && deepest < 1.5 * sunk + 0.003, seedText(seed) + " " + QByteArray::number(deepest));
     }
+    QVERIFY(met > 4000);
+}
+
+void CutsTest::theBackOfACombHoldsTheToothOfAnother() {
+    // The tip of an outer tooth, 7 cm inside the back, between two teeth there.
+    Polygon comb{{Vec2(-1, -0.3), Vec2(1, -0.3), Vec2(1, 0.8), Vec2(0.8, 0.8), Vec2(0.8, 0), Vec2(0.4, 0),
+                  Vec2(0.4, 0.8), Vec2(0.2, 0.8), Vec2(0.2, 0), Vec2(-0.2, 0), Vec2(-0.2, 0.8), Vec2(-0.4, 0.8),
+                  Vec2(-0.4, 0), Vec2(-0.8, 0), Vec2(-0.8, 0.8), Vec2(-1, 0.8)}};
+    const Transform moved{{-0.9944, 0.7292}, Rot::fromAngle(-2.9026)};
+    double deepest = 0;
+    for (const Part& part : partsOf(comb)) {
+        for (const Part& other : partsOf(comb)) {
+            const Manifold manifold = collide(part, {}, other, moved, 0.01);
+            const bool deeper = manifold.count > 0 && -leastSeparation(manifold) > deepest;
+            deepest = deeper ? -leastSeparation(manifold) : deepest;
+            QVERIFY(!deeper || deepest < 0.02 || isNear(manifold.normal, moved.rotation * Vec2(0, -1), 1e-6));
+        }
+    }
+    QVERIFY2(isNear(deepest, 0.07, 0.001), QByteArray::number(deepest));
 }
 
 SPACETOW_TEST(CutsTest)

@@ -123,7 +123,7 @@ class ConcaveTest : public QObject {
     }
 
     // Teeth over the gaps, teeth that graze the flanks, and teeth on teeth.
-    void aCombFallsIntoAStandingOne_data() { combRows({0.3, 0.38, 0.2, 0.0}); }
+    void aCombFallsIntoAStandingOne_data() { combRows({0.3, 0.38, 0.2, 0.0, -0.9}); }
     void aCombFallsIntoAStandingOne() {
         QFETCH(double, shift);
         QFETCH(double, speed);
