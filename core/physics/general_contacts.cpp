@@ -5,6 +5,8 @@
 #include "core/physics/contact_pool.h"
 #include "core/physics/contact_rules.h"
 
+#include <algorithm>
+
 namespace spacetow {
 
 namespace {
@@ -12,6 +14,8 @@ namespace {
 // How far parts may move against each other, as a share of the smaller inner radius, before their manifold is made
 // anew.
 constexpr double keptShare = 0.02;
+// Points of merged contacts that are no further apart are one, m.
+constexpr double coincident = 1e-9;
 
 /// A body that may only turn cannot yield to a push through its centre.
 double inverseOrZero(double x) {
@@ -237,6 +241,25 @@ bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) 
     return std::abs(planeC - planeD) < 1e-6;
 }
 
+/// Whether the outermost two points of both stand for all: none between them is deeper than they are.
+bool isFlat(const Constraint& c, const Constraint& d) {
+    const Vec2 tangent = leftOf(c.normal);
+    std::array<Vec2, 4> points; // along the plane, and above it
+    std::size_t count = 0;
+    for (const Constraint* from : {&c, &d}) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(from->count); ++i) {
+            points[count++] = {from->points[i].armA.dot(tangent), from->points[i].separation};
+        }
+    }
+    const auto byPlace = [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); };
+    const auto [first, last] = std::minmax_element(points.begin(), points.begin() + count, byPlace);
+    const Vec2 along = *last - *first;
+    return std::all_of(points.begin(), points.begin() + count, [&](const Vec2& p) {
+        const double share = along.x() > 0 ? (p.x() - first->x()) / along.x() : 0;
+        return p.y() >= first->y() + share * along.y() - linearSlop;
+    });
+}
+
 /// Levers and masses from the arms.
 void prepareAgain(const WorldData& data, Constraint& c) {
     const BodyMotion& a = data.motions[c.a];
@@ -259,14 +282,30 @@ void prepareAgain(const WorldData& data, Constraint& c) {
     setTangent(data, c);
 }
 
-/// Keeps the outermost two of the points of both.
+ContactPoint& keptPoint(WorldData& data, const ConstraintPoint& p) {
+    return data.contacts[p.contact].points[p.index];
+}
+
+/// Of two points at one place: the first goes on with what the second carried.
+void takeOver(WorldData& data, ConstraintPoint& p, const ConstraintPoint& gone) {
+    p.normalImpulse += gone.normalImpulse;
+    keptPoint(data, p).fresh &= keptPoint(data, gone).fresh;
+    keptPoint(data, gone).fresh = true;
+}
+
+/// Keeps the outermost two of the points of both; where two coincide, that of the contact with more points, which will
+/// still be there when the body has turned a little.
 void absorb(WorldData& data, Constraint& c, Constraint& d) {
     const Vec2 tangent = leftOf(c.normal);
     std::array<ConstraintPoint, 4> all;
+    std::array<double, 4> places;
     std::size_t count = 0;
-    for (const Constraint* from : {&c, &d}) {
+    const bool cFirst = c.count >= d.count;
+    for (const Constraint* from : {cFirst ? &c : &d, cFirst ? &d : &c}) {
         for (int i = 0; i < from->count; ++i) {
-            all[count++] = from->points[static_cast<std::size_t>(i)];
+            all[count] = from->points[static_cast<std::size_t>(i)];
+            places[count] = all[count].armA.dot(tangent);
+            ++count;
         }
     }
     std::size_t least = 0;
@@ -274,11 +313,17 @@ void absorb(WorldData& data, Constraint& c, Constraint& d) {
     for (std::size_t i = 0; i < count; ++i) {
         const ConstraintPoint& p = all[i];
         data.table.marks[p.pair].now |= p.separation <= linearSlop;
-        data.contacts[p.contact].points[p.index].normalImpulse = 0;
+        keptPoint(data, p).normalImpulse = 0;
         data.contacts[p.contact].tangentImpulse = 0;
-        const double t = p.armA.dot(tangent);
-        least = t < all[least].armA.dot(tangent) ? i : least;
-        most = t > all[most].armA.dot(tangent) ? i : most;
+        least = places[i] < places[least] - coincident ? i : least;
+        most = places[i] > places[most] + coincident ? i : most;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i != least && places[i] <= places[least] + coincident) {
+            takeOver(data, all[least], all[i]);
+        } else if (i != most && places[i] >= places[most] - coincident) {
+            takeOver(data, all[most], all[i]);
+        }
     }
     c.points[0] = all[least];
     c.points[1] = all[most];
@@ -327,7 +372,7 @@ void finishGeneral(WorldData& data) {
     for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
         for (end = first + 1; end < all.size() && all[end].a == all[first].a; ++end) {
             for (std::size_t i = first; i < end && !all[end].alone; ++i) {
-                if (all[i].count > 0 && samePlane(data, all[i], all[end])) {
+                if (all[i].count > 0 && samePlane(data, all[i], all[end]) && isFlat(all[i], all[end])) {
                     absorb(data, all[i], all[end]);
                     prepareAgain(data, all[i]);
                     merged = true;
