@@ -327,7 +327,11 @@ void absorb(WorldData& data, Constraint& c, Constraint& d) {
     }
     c.points[0] = all[least];
     c.points[1] = all[most];
-    c.count = least == most ? 1 : 2;
+    c.count = 2;
+    if (least == most) {
+        c.count = 1;
+        c.silenceSecond();
+    }
     c.tangentImpulse += d.tangentImpulse;
     d.count = 0;
 }

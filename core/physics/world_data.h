@@ -278,9 +278,13 @@ struct Constraint {
     std::array<ConstraintPoint, 2> points;
 
     Constraint() {
+        points[0].bounces = alone = false;
+        silenceSecond();
+    }
+    void silenceSecond() {
         ConstraintPoint& second = points[1];
         second.leverA = second.leverB = second.normalMass = second.normalImpulse = second.separation = 0;
-        points[0].bounces = second.bounces = alone = false;
+        second.bounces = false;
     }
 };
 
