@@ -90,22 +90,47 @@ SPACETOW_INLINE void warm(Ends& ends, const ConstraintBatch& c) {
                c.impulse1 * c.leverB1 + c.impulse2 * c.leverB2 + c.tangentImpulse * c.tangentLeverB);
 }
 
-/// Friction: stops the sliding along the tangent (−y, x) of the normal as far as `limit` reaches.
+/// Lanes of which something is true.
+using Mask = decltype(Wide{} < Wide{});
+
+SPACETOW_INLINE bool any(Mask mask) {
+    return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+}
+
+/// Friction: what it takes to stop the sliding along the tangent (−y, x) of the normal, as far as `limit` reaches.
 template <class Batch>
-SPACETOW_INLINE void rub(Ends& ends, Batch& c, Wide leverA, Wide leverB, Wide limit) {
+SPACETOW_INLINE Wide friction(const Ends& ends, const Batch& c, Wide leverA, Wide leverB, Wide limit) {
     const Wide sliding = ends.along(-c.normalY, c.normalX) + ends.turning(leverA, leverB);
-    const Wide impulse = lesser(greater(c.tangentImpulse - c.tangentMass * sliding, -limit), limit);
+    return lesser(greater(c.tangentImpulse - c.tangentMass * sliding, -limit), limit);
+}
+
+template <class Batch>
+SPACETOW_INLINE void rub(Ends& ends, Batch& c, Wide leverA, Wide leverB, Wide impulse) {
     const Wide change = impulse - c.tangentImpulse;
     c.tangentImpulse = impulse;
     ends.apply(c, -change * c.normalY, change * c.normalX, change * leverA, change * leverB);
 }
 
-SPACETOW_INLINE void solveFriction(Ends& ends, RoundBatch& c) {
-    rub(ends, c, c.leverA, c.leverB, c.friction * c.normalImpulse);
+SPACETOW_INLINE Wide normalOf(const RoundBatch& c) {
+    return c.normalImpulse;
 }
-
+SPACETOW_INLINE Wide normalOf(const ConstraintBatch& c) {
+    return c.impulse1 + c.impulse2;
+}
+SPACETOW_INLINE void solveFriction(Ends& ends, RoundBatch& c) {
+    rub(ends, c, c.leverA, c.leverB, friction(ends, c, c.leverA, c.leverB, c.friction * normalOf(c)));
+}
 SPACETOW_INLINE void solveFriction(Ends& ends, ConstraintBatch& c) {
-    rub(ends, c, c.tangentLeverA, c.tangentLeverB, c.friction * (c.impulse1 + c.impulse2));
+    rub(ends, c, c.tangentLeverA, c.tangentLeverB,
+        friction(ends, c, c.tangentLeverA, c.tangentLeverB, c.friction * normalOf(c)));
+}
+SPACETOW_INLINE void solveFriction(Ends& ends, RoundBatch& c, Mask which) {
+    const Wide impulse = friction(ends, c, c.leverA, c.leverB, c.friction * normalOf(c));
+    rub(ends, c, c.leverA, c.leverB, which ? impulse : c.tangentImpulse);
+}
+SPACETOW_INLINE void solveFriction(Ends& ends, ConstraintBatch& c, Mask which) {
+    const Wide impulse = friction(ends, c, c.tangentLeverA, c.tangentLeverB, c.friction * normalOf(c));
+    rub(ends, c, c.tangentLeverA, c.tangentLeverB, which ? impulse : c.tangentImpulse);
 }
 
 SPACETOW_INLINE void solveNormals(Ends& ends, RoundBatch& c) {
@@ -149,6 +174,21 @@ SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c) {
                d1 * c.leverB1 + d2 * c.leverB2);
 }
 
+/// Friction first, so that the normal velocities come out right. What is hit in this pass has no normal impulse to
+/// limit its friction before, and rubs afterwards. Whether anything was.
+template <class Batch>
+SPACETOW_INLINE bool solveOnce(Ends& ends, Batch& c) {
+    const Wide before = normalOf(c);
+    solveFriction(ends, c);
+    solveNormals(ends, c);
+    const Mask hit = (before == Wide{}) & (normalOf(c) > Wide{});
+    if (!any(hit)) {
+        return false;
+    }
+    solveFriction(ends, c, hit);
+    return true;
+}
+
 enum class Task { WarmStart, Solve, Measure };
 
 template <class Batch>
@@ -164,16 +204,17 @@ SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
 }
 
 template <class Batch>
-SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches) {
+SPACETOW_INLINE bool solveAll(Pace* paces, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
+    bool hit = false;
     for (std::size_t i = 0; i < count; ++i) {
         Batch& batch = batches.begin()[i];
         Ends ends{load(paces, batch.a), load(paces, batch.b)};
-        solveFriction(ends, batch);
-        solveNormals(ends, batch);
+        hit |= solveOnce(ends, batch);
         store(paces, batch.a, ends.a);
         store(paces, batch.b, ends.b);
     }
+    return hit;
 }
 
 SPACETOW_INLINE void measure(const Ends& ends, RoundBatch& c) {
@@ -195,7 +236,8 @@ SPACETOW_INLINE void measureAll(const Pace* paces, Batches<Batch>& batches) {
     }
 }
 
-SPACETOW_INLINE void carryOut(ContactBatches& batches, Task task) {
+SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task) {
+    bool hit = false;
     Pace* paces = batches.paces.data();
     if (task == Task::WarmStart) {
         warmAll(paces, batches.round);
@@ -204,25 +246,25 @@ SPACETOW_INLINE void carryOut(ContactBatches& batches, Task task) {
         measureAll(paces, batches.round);
         measureAll(paces, batches.general);
     } else {
-        solveAll(paces, batches.round);
-        solveAll(paces, batches.general);
+        hit = solveAll(paces, batches.round);
+        hit |= solveAll(paces, batches.general);
     }
+    return hit;
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) void carryOutWide(ContactBatches& batches, Task task) {
-    carryOut(batches, task);
+__attribute__((target("avx2"))) bool carryOutWide(ContactBatches& batches, Task task) {
+    return carryOut(batches, task);
 }
 #endif
 
-void start(ContactBatches& batches, Task task, [[maybe_unused]] bool wide) {
+bool start(ContactBatches& batches, Task task, [[maybe_unused]] bool wide) {
 #if defined(__x86_64__)
     if (wide) {
-        carryOutWide(batches, task);
-        return;
+        return carryOutWide(batches, task);
     }
 #endif
-    carryOut(batches, task);
+    return carryOut(batches, task);
 }
 
 } // namespace
@@ -273,8 +315,8 @@ void warmStart(ContactBatches& batches, bool wide) {
     start(batches, Task::WarmStart, wide);
 }
 
-void solvePass(ContactBatches& batches, bool wide) {
-    start(batches, Task::Solve, wide);
+bool solvePass(ContactBatches& batches, bool wide) {
+    return start(batches, Task::Solve, wide);
 }
 
 void measureVelocities(ContactBatches& batches, bool wide) {

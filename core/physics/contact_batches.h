@@ -115,8 +115,8 @@ bool hasWideRegisters();
 /// Applies the impulses that the contacts begin with.
 void warmStart(ContactBatches& batches, bool wide = hasWideRegisters());
 
-/// One pass over all contacts.
-void solvePass(ContactBatches& batches, bool wide = hasWideRegisters());
+/// One pass over all contacts. True when any that had no normal impulse got one.
+bool solvePass(ContactBatches& batches, bool wide = hasWideRegisters());
 
 /// The normal velocities that are left.
 void measureVelocities(ContactBatches& batches, bool wide = hasWideRegisters());

@@ -15,6 +15,9 @@ constexpr double pushOutSpeed = 25;
 // back.
 constexpr double leastChange = 1e-12;
 
+// A hit has to come out right at once: no later iteration goes on with it.
+constexpr int passesAfterHit = 2;
+
 // What is known of contacts lies in the order in which they came about: it is fetched this long before it is needed.
 constexpr std::size_t contactsAhead = 8;
 
@@ -208,8 +211,11 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
     loadPaces(data);
     packGeneral(data);
     warmStart(data.batches);
-    for (int pass = 0; pass < step.passes; ++pass) {
-        solvePass(data.batches);
+    int passes = step.passes;
+    for (int pass = 0; pass < passes; ++pass) {
+        if (solvePass(data.batches)) {
+            passes = std::max(passes, passesAfterHit);
+        }
     }
     measureVelocities(data.batches);
     const std::vector<RoundContact>& round = data.roundContacts;

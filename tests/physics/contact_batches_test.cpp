@@ -46,7 +46,8 @@ std::vector<Contact> randomContacts(Random& random) {
         const Rot normal = Rot::fromAngle(angle);
         result.push_back({a, b, normal.c, normal.s, random.uniform(-1, 1), random.uniform(-1, 1),
                           random.uniform(0.05, 1), random.uniform(0.05, 1), random.uniform(0, 1),
-                          random.uniform(-0.5, 0.5), random.uniform(0, 0.3), random.uniform(-0.1, 0.1)});
+                          random.uniform(-0.5, 0.5), std::max(random.uniform(-0.2, 0.3), 0.0),
+                          random.uniform(-0.1, 0.1)});
     }
     return result;
 }
@@ -60,20 +61,28 @@ void apply(Body& a, Body& b, const Contact& c, double x, double y, double twist)
     b.turn += b.inertia * (twist * c.leverB);
 }
 
-void solveOne(std::vector<Body>& all, Contact& c) {
-    Body& a = all[c.a];
-    Body& b = all[c.b];
+void rub(Body& a, Body& b, Contact& c) {
     const double sliding = (b.x - a.x) * -c.normalY + (b.y - a.y) * c.normalX + (b.turn * c.leverB - a.turn * c.leverA);
     const double limit = c.friction * c.normal;
     const double tangent = std::min(std::max(c.tangent - c.tangentMass * sliding, -limit), limit);
     const double rub = tangent - c.tangent;
     c.tangent = tangent;
     apply(a, b, c, -rub * c.normalY, rub * c.normalX, rub);
+}
+
+void solveOne(std::vector<Body>& all, Contact& c) {
+    Body& a = all[c.a];
+    Body& b = all[c.b];
+    const bool cold = c.normal == 0;
+    rub(a, b, c);
     const double excess = (b.x - a.x) * c.normalX + (b.y - a.y) * c.normalY - c.target;
     const double normal = std::max(c.normal - c.normalMass * excess, 0.0);
     const double push = normal - c.normal;
     c.normal = normal;
     apply(a, b, c, push * c.normalX, push * c.normalY, 0);
+    if (cold && normal > 0) {
+        rub(a, b, c);
+    }
 }
 
 ContactBatches packed(const std::vector<Body>& all, const std::vector<Contact>& contacts, std::vector<Lane>& lanes) {

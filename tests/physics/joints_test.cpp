@@ -64,9 +64,6 @@ class JointsTest : public QObject {
         QFETCH(bool, oneBody);
         QFETCH(int, iterations);
         for (const double friction : {0.0, 0.05}) {
-            if (friction > 0 && iterations > 4) {
-                continue;
-            }
             for (const double speed : {1.0, 5.0, 9.0}) {
                 double speeds[2];
                 double spins[2];
