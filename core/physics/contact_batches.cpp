@@ -175,18 +175,16 @@ SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c) {
 }
 
 /// Friction first, so that the normal velocities come out right. What is hit in this pass has no normal impulse to
-/// limit its friction before, and rubs afterwards. Whether anything was.
+/// limit its friction before, and rubs afterwards.
 template <class Batch>
-SPACETOW_INLINE bool solveOnce(Ends& ends, Batch& c) {
+SPACETOW_INLINE void solveOnce(Ends& ends, Batch& c) {
     const Wide before = normalOf(c);
     solveFriction(ends, c);
     solveNormals(ends, c);
     const Mask hit = (before == Wide{}) & (normalOf(c) > Wide{});
-    if (!any(hit)) {
-        return false;
+    if (any(hit)) {
+        solveFriction(ends, c, hit);
     }
-    solveFriction(ends, c, hit);
-    return true;
 }
 
 enum class Task { WarmStart, Solve, Measure };
@@ -204,52 +202,52 @@ SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
 }
 
 template <class Batch>
-SPACETOW_INLINE bool solveAll(Pace* paces, Batches<Batch>& batches) {
+SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
-    bool hit = false;
     for (std::size_t i = 0; i < count; ++i) {
         Batch& batch = batches.begin()[i];
         Ends ends{load(paces, batch.a), load(paces, batch.b)};
-        hit |= solveOnce(ends, batch);
+        solveOnce(ends, batch);
         store(paces, batch.a, ends.a);
         store(paces, batch.b, ends.b);
     }
-    return hit;
 }
 
-SPACETOW_INLINE void measure(const Ends& ends, RoundBatch& c) {
+SPACETOW_INLINE Mask measure(const Ends& ends, RoundBatch& c) {
     c.velocity = ends.along(c.normalX, c.normalY);
+    return c.velocity < c.closing;
 }
 
-SPACETOW_INLINE void measure(const Ends& ends, ConstraintBatch& c) {
+SPACETOW_INLINE Mask measure(const Ends& ends, ConstraintBatch& c) {
     const Wide linear = ends.along(c.normalX, c.normalY);
     c.velocity1 = linear + ends.turning(c.leverA1, c.leverB1);
     c.velocity2 = linear + ends.turning(c.leverA2, c.leverB2);
+    return (c.velocity1 < c.closing1) | (c.velocity2 < c.closing2);
 }
 
 template <class Batch>
-SPACETOW_INLINE void measureAll(const Pace* paces, Batches<Batch>& batches) {
+SPACETOW_INLINE Mask measureAll(const Pace* paces, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
+    Mask closes{};
     for (std::size_t i = 0; i < count; ++i) {
         Batch& batch = batches.begin()[i];
-        measure(Ends{load(paces, batch.a), load(paces, batch.b)}, batch);
+        closes |= measure(Ends{load(paces, batch.a), load(paces, batch.b)}, batch);
     }
+    return closes;
 }
 
 SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task) {
-    bool hit = false;
     Pace* paces = batches.paces.data();
     if (task == Task::WarmStart) {
         warmAll(paces, batches.round);
         warmAll(paces, batches.general);
     } else if (task == Task::Measure) {
-        measureAll(paces, batches.round);
-        measureAll(paces, batches.general);
+        return any(measureAll(paces, batches.round) | measureAll(paces, batches.general));
     } else {
-        hit = solveAll(paces, batches.round);
-        hit |= solveAll(paces, batches.general);
+        solveAll(paces, batches.round);
+        solveAll(paces, batches.general);
     }
-    return hit;
+    return false;
 }
 
 #if defined(__x86_64__)
@@ -273,6 +271,12 @@ void BatchPlan::reset(std::size_t bodies) {
     m_free.assign(bodies, 0);
     m_next.clear();
     m_filled.clear();
+}
+
+void BatchPlan::reserve(const BatchPlan& other) {
+    m_free.reserve(other.m_free.capacity());
+    m_next.reserve(other.m_next.capacity());
+    m_filled.reserve(other.m_filled.capacity());
 }
 
 std::uint32_t BatchPlan::firstWithRoom(std::uint32_t from) {
@@ -315,12 +319,12 @@ void warmStart(ContactBatches& batches, bool wide) {
     start(batches, Task::WarmStart, wide);
 }
 
-bool solvePass(ContactBatches& batches, bool wide) {
-    return start(batches, Task::Solve, wide);
+void solvePass(ContactBatches& batches, bool wide) {
+    start(batches, Task::Solve, wide);
 }
 
-void measureVelocities(ContactBatches& batches, bool wide) {
-    start(batches, Task::Measure, wide);
+bool measureVelocities(ContactBatches& batches, bool wide) {
+    return start(batches, Task::Measure, wide);
 }
 
 } // namespace spacetow

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace spacetow {
@@ -30,7 +31,14 @@ struct alignas(32) RoundBatch {
     Wide normalMass{}, tangentMass{};
     Wide friction{}, target{};
     Wide normalImpulse{}, tangentImpulse{};
+    Wide closing{};  // m/s: nearer than they may come in this iteration
     Wide velocity{}; // m/s along the normal, after the last pass
+
+    void vacate(Slot nobody) {
+        a.fill(nobody);
+        b.fill(nobody);
+        closing = Wide{} - 1e300;
+    }
 };
 
 /// Quantities as in Constraint. A missing second point has a target that every velocity exceeds.
@@ -44,7 +52,14 @@ struct alignas(32) ConstraintBatch {
     Wide leverA2{}, leverB2{}, target2{}, impulse2{};
     Wide k11{}, k22{}, coupling{}, inverseDeterminant{}; // of the inverse mass matrix
     Wide mass1{}, mass2{};                               // 1/k11, 1/k22
+    Wide closing1{}, closing2{};
     Wide velocity1{}, velocity2{};
+
+    void vacate(Slot nobody) {
+        a.fill(nobody);
+        b.fill(nobody);
+        closing1 = closing2 = Wide{} - 1e300;
+    }
 };
 
 /// Where a contact's lane is.
@@ -57,6 +72,8 @@ class BatchPlan {
   public:
     /// `bodies` slots are in use.
     void reset(std::size_t bodies);
+    /// Room for as many batches and bodies as `other` has room for.
+    void reserve(const BatchPlan& other);
     /// A body that contacts cannot move may be in several lanes of a batch.
     Lane place(Slot a, bool movableA, Slot b, bool movableB);
     std::size_t size() const { return m_filled.size(); }
@@ -76,6 +93,11 @@ template <class Batch>
 class Batches {
   public:
     void reset(std::size_t bodies) { m_plan.reset(bodies); }
+    /// Room for as much as `other` has room for.
+    void reserve(const Batches& other) {
+        m_plan.reserve(other.m_plan);
+        m_batches.reserve(other.m_batches.capacity());
+    }
     Batch& operator[](std::uint32_t index) { return m_batches[index]; }
     const Batch& operator[](std::uint32_t index) const { return m_batches[index]; }
     Batch* begin() { return m_batches.data(); }
@@ -89,8 +111,7 @@ class Batches {
             m_batches.resize(m_plan.size());
         }
         for (std::size_t fresh = used; fresh < m_plan.size(); ++fresh) {
-            m_batches[fresh].a.fill(m_plan.nobody());
-            m_batches[fresh].b.fill(m_plan.nobody());
+            m_batches[fresh].vacate(m_plan.nobody());
         }
         m_batches[lane.batch].a[lane.lane] = a;
         m_batches[lane.batch].b[lane.lane] = b;
@@ -101,6 +122,18 @@ class Batches {
     BatchPlan m_plan;
     std::vector<Batch> m_batches;
 };
+
+/// Copies one contact, but for its bodies.
+template <class Batch>
+void copyLane(const Batch& from, std::uint32_t lane, Batch& to, std::uint32_t toLane) {
+    constexpr std::size_t bodies = sizeof from.a + sizeof from.b;
+    static_assert(bodies == sizeof(Wide) && sizeof(Batch) % sizeof(Wide) == 0);
+    const char* source = reinterpret_cast<const char*>(&from) + lane * sizeof(double);
+    char* target = reinterpret_cast<char*>(&to) + toLane * sizeof(double);
+    for (std::size_t at = bodies; at < sizeof(Batch); at += sizeof(Wide)) {
+        std::memcpy(target + at, source + at, sizeof(double));
+    }
+}
 
 /// Working memory of the solver.
 struct ContactBatches {
@@ -115,10 +148,10 @@ bool hasWideRegisters();
 /// Applies the impulses that the contacts begin with.
 void warmStart(ContactBatches& batches, bool wide = hasWideRegisters());
 
-/// One pass over all contacts. True when any that had no normal impulse got one.
-bool solvePass(ContactBatches& batches, bool wide = hasWideRegisters());
+/// One pass over all contacts.
+void solvePass(ContactBatches& batches, bool wide = hasWideRegisters());
 
-/// The normal velocities that are left.
-void measureVelocities(ContactBatches& batches, bool wide = hasWideRegisters());
+/// The normal velocities that are left. Whether any contact closes faster than it may.
+bool measureVelocities(ContactBatches& batches, bool wide = hasWideRegisters());
 
 } // namespace spacetow

@@ -11,6 +11,12 @@ namespace spacetow {
 // Slower impacts come to rest, m/s.
 constexpr double bounceThreshold = 0.005;
 
+/// Whether a change of velocity is more than what rounding leaves of an impulse that was given and taken back. m/s.
+inline bool isPush(const Vec2& change, double turnChange) {
+    constexpr double least = 1e-12;
+    return std::abs(change.x()) + std::abs(change.y()) + std::abs(turnChange) > least;
+}
+
 /// Surfaces no further apart than this may meet in this iteration. Anticipation is limited to half the inner radii:
 /// beyond that the sweep of fast bodies takes over, whose normal is that of the impact and not that of the start.
 inline double contactMargin(const BodyStep& a, const BodyStep& b) {
@@ -24,6 +30,11 @@ inline double contactMargin(const BodyStep& a, const BodyStep& b) {
 /// The same against a static body.
 inline double contactMargin(const BodyStep& a) {
     return linearSlop + std::min(a.reach(), 0.5 * a.innerRadius);
+}
+
+/// How far surfaces may go into each other in this iteration where the solver has not converged, m: up to the slop.
+inline double roomToClose(double separation) {
+    return std::max(separation + linearSlop, 0.1 * linearSlop);
 }
 
 struct Approach {

@@ -85,6 +85,7 @@ void addRoundContact(WorldData& data, std::uint32_t index, const Touch& touch, d
     batch.tangentMass[i] = 1 / (inverseMass + a.inverseInertia * leverA * leverA + b.inverseInertia * leverB * leverB);
     batch.friction[i] = kept.friction;
     batch.target[i] = target.velocity;
+    batch.closing[i] = -perSecond * roomToClose(touch.separation);
     batch.normalImpulse[i] = kept.points[0].normalImpulse;
     batch.tangentImpulse[i] = kept.tangentImpulse;
 }
@@ -122,11 +123,6 @@ void meetStatic(WorldData& data, std::uint32_t index, double perSecond) {
     addRoundContact(data, index, {-manifold.normal, point.separation, circle.radius, 0, point.feature}, perSecond);
 }
 
-bool isGateOpen(const WorldData& data, std::uint32_t index) {
-    const PairGate& gate = data.table.gates[index];
-    return data.travelled[gate.moverA] + data.travelled[gate.moverB] + linearSlop >= gate.apartUntil;
-}
-
 /// What is known of contacts lies in the order in which they came about, so the processor has to be told early.
 void fetchAhead(const WorldData& data, std::uint32_t index) {
     constexpr std::uint32_t ahead = 8;
@@ -157,7 +153,7 @@ void findContacts(WorldData& data, const IterationStep& step) {
     const auto count = static_cast<std::uint32_t>(data.table.size());
     for (std::uint32_t i = 0; i < count; ++i) {
         fetchAhead(data, i);
-        if (!isGateOpen(data, i)) {
+        if (!data.isGateOpen(i)) {
             continue;
         }
         Pair& pair = data.table.pairs[i];

@@ -110,10 +110,15 @@ bool stop(WorldData& data, const Pair& pair, const Stoppable& which, double frac
     return changed;
 }
 
+bool isDiverted(const WorldData& data, const Pair& pair) {
+    return data.steps[pair.bodyA].diverted || data.steps[pair.bodyB].diverted;
+}
+
 /// Likewise.
-bool sweepPair(WorldData& data, const Pair& pair) {
+bool sweepPair(WorldData& data, std::uint32_t index) {
+    const Pair& pair = data.table.pairs[index];
     Stoppable which = stoppable(data, pair);
-    const bool all = pair.sweep || isRunInto(data, pair);
+    const bool all = pair.sweep || isRunInto(data, pair) || (isDiverted(data, pair) && data.isGateOpen(index));
     which.a = which.a && (all || isFast(data, pair.bodyA));
     which.b = which.b && (all || isFast(data, pair.bodyB));
     if (!which.a && !which.b) {
@@ -186,13 +191,14 @@ double coveredShare(const WorldData& data, double least) {
 void stopAtImpacts(WorldData& data) {
     for (int round = 0; round < maxRounds; ++round) {
         bool changed = false;
-        for (const Pair& pair : data.table.pairs) {
+        for (std::uint32_t i = 0; i < data.table.size(); ++i) {
+            const Pair& pair = data.table.pairs[i];
             if (pair.kind == PairKind::Felt) {
                 continue;
             }
             // The solver keeps those that have a contact from closing their gap.
             if (pair.sweep || !hasContact(data, pair)) {
-                changed |= sweepPair(data, pair);
+                changed |= sweepPair(data, i);
             } else if (data.anyFast && pair.kind == PairKind::General) {
                 changed |= limitTurn(data, pair);
             }

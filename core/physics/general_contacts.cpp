@@ -73,9 +73,9 @@ double roomLeft(const KeptManifold& kept, const Transform& now, double outerRadi
     if (kept.room < 0) {
         return -1;
     }
-    const double turn = now.rotation.s * kept.relative.rotation.c - now.rotation.c * kept.relative.rotation.s;
+    const Vec2 turned(now.rotation.c - kept.relative.rotation.c, now.rotation.s - kept.relative.rotation.s);
     const double moved = std::sqrt((now.position - kept.relative.position).squaredNorm());
-    return kept.room - moved - std::abs(turn) * outerRadius;
+    return kept.room - moved - std::sqrt(turned.squaredNorm()) * outerRadius; // by the chord of the turn
 }
 
 void keep(const WorldData& data, const Pair& pair, const Poses& poses, const Manifold& manifold, KeptManifold& kept) {

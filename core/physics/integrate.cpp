@@ -5,6 +5,7 @@
 #include "core/physics/field_forces.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spacetow {
 
@@ -32,6 +33,25 @@ Change integrated(BodyMotion& m, const BodyStep& s) {
     m.velocity = s.linear.decay * m.velocity + s.linear.gain * s.acceleration;
     m.angularVelocity = s.angular.decay * m.angularVelocity + s.angular.gain * s.angularAcceleration;
     return change;
+}
+
+/// What is stopped on its way has not gained all the energy of that way. A fall from rest arrives with the speed of the
+/// height; what contacts have pushed as well is slowed down by as much energy.
+void shorten(BodyMotion& m, const BodyStep& s, double dt) {
+    const double lost = s.accounted - s.fraction;
+    if (!s.pushed) {
+        m.velocity -= lost * dt * s.acceleration;
+        m.angularVelocity -= lost * dt * s.angularAcceleration;
+        return;
+    }
+    const double excess = lost * s.acceleration.dot(s.shift); // J/kg
+    if (excess > 0 && m.inverseMass > 0) {
+        const double gyration = m.inverseInertia > 0 ? m.inverseMass / m.inverseInertia : 0; // m², about the centre
+        const double kinetic = 0.5 * (m.velocity.squaredNorm() + gyration * m.angularVelocity * m.angularVelocity);
+        const double scale = kinetic > excess ? std::sqrt(1 - excess / kinetic) : 0;
+        m.velocity *= scale;
+        m.angularVelocity *= scale;
+    }
 }
 
 void kick(WorldData& data, const IterationStep& step, Kick kick) {
@@ -108,11 +128,11 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         s.startAngularVelocity = m.angularVelocity;
         s.shift.setZero();
         s.turn = 0;
-        s.fraction = 1;
+        s.fraction = s.accounted = 1;
         s.carrier = noSlot;
         s.push.setZero();
         s.pushTurn = 0;
-        s.pushed = s.bounced = false;
+        s.pushed = s.bounced = s.diverted = false;
         if (!data.records[slot].substepped) {
             const Change change = integrated(m, s);
             s.shift = change.shift;
@@ -133,10 +153,8 @@ void advance(WorldData& data, double dt) {
     for (const Slot slot : data.moving) {
         BodyMotion& m = data.motions[slot];
         BodyStep& s = data.steps[slot];
-        if (s.fraction < 1 && !s.pushed) { // a fall from rest arrives with the speed of the height
-            const double lost = (1 - s.fraction) * dt;
-            m.velocity -= lost * s.acceleration;
-            m.angularVelocity -= lost * s.angularAcceleration;
+        if (s.fraction < s.accounted) {
+            shorten(m, s, dt);
         }
         s.shift = s.fraction * s.shift + s.push;
         s.turn = s.fraction * s.turn + s.pushTurn;

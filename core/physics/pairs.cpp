@@ -2,6 +2,7 @@
 
 #include "core/geometry/bounds.h"
 #include "core/physics/contact_pool.h"
+#include "core/physics/islands.h"
 #include "core/physics/statics.h"
 
 #include <algorithm>
@@ -336,6 +337,7 @@ void findPairs(WorldData& data, const IterationStep& step) {
     collectPairs(data);
     mergePairs(data);
     listFelt(data);
+    findIslands(data);
     data.pairsStale = false;
     data.anyEscaped = false;
 }

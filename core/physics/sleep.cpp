@@ -2,6 +2,7 @@
 
 #include "core/geometry/bounds.h"
 #include "core/physics/integrate.h"
+#include "core/physics/islands.h"
 #include "core/physics/pairs.h"
 #include "core/physics/touches.h"
 
@@ -155,23 +156,13 @@ void rewind(WorldData& data) {
     }
 }
 
-Slot rootOf(std::vector<Slot>& parents, Slot slot) {
-    while (parents[slot] != slot) {
-        parents[slot] = parents[parents[slot]];
-        slot = parents[slot];
-    }
-    return slot;
-}
-
 /// Joins two bodies, or lets an anchor that is not at rest keep the other awake.
 void join(WorldData& data, Slot a, Slot b) {
     std::vector<Slot>& parents = data.sleep.parents;
     const bool anchorA = isAnchor(data, a);
     const bool anchorB = isAnchor(data, b);
     if (!anchorA && !anchorB) {
-        const Slot rootA = rootOf(parents, a);
-        const Slot rootB = rootOf(parents, b);
-        parents[std::max(rootA, rootB)] = std::min(rootA, rootB);
+        joinSets(parents, a, b);
     } else if (!anchorA && !isReady(data, b)) {
         data.sleep.marked[a] = 1;
     } else if (!anchorB && !isReady(data, a)) {

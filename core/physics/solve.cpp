@@ -1,5 +1,8 @@
 #include "core/physics/solve.h"
 
+#include "core/physics/contact_rules.h"
+#include "core/physics/energy_limit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,12 +14,13 @@ namespace {
 constexpr double pushOutRate = 40;
 constexpr double pushOutShare = 0.2;
 constexpr double pushOutSpeed = 25;
-// A change of speed that is no more than this, m/s, is what rounding leaves of an impulse that was given and taken
-// back.
-constexpr double leastChange = 1e-12;
 
-// A hit has to come out right at once: no later iteration goes on with it.
-constexpr int passesAfterHit = 2;
+// So many bodies in a row hold each other back.
+constexpr int roundsOfHolding = 8;
+constexpr int roundsOfSettling = 3;
+
+// Contacts may change the way of a body in an iteration by as much without it meeting anything that is not known, m.
+constexpr double leastDetour = linearSlop;
 
 // What is known of contacts lies in the order in which they came about: it is fetched this long before it is needed.
 constexpr std::size_t contactsAhead = 8;
@@ -39,7 +43,7 @@ void loadPaces(WorldData& data) {
 
 /// Two points with nearly the same effect make the system singular: the one that overlaps more acts for both. A point
 /// at which no push can move anything does not act at all.
-void packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i) {
+void packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, double perSecond) {
     const ConstraintPoint& p = c.points[0];
     const ConstraintPoint& q = c.points[1];
     const bool acts1 = p.normalMass > 0;
@@ -73,9 +77,11 @@ void packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i) {
     batch.mass2[i] = mass2;
     batch.coupling[i] = coupling;
     batch.inverseDeterminant[i] = 1 / determinant;
+    batch.closing1[i] = -perSecond * roomToClose(p.separation);
+    batch.closing2[i] = c.count == 2 ? -perSecond * roomToClose(q.separation) : noTarget;
 }
 
-void packGeneral(WorldData& data) {
+void packGeneral(WorldData& data, double perSecond) {
     Batches<ConstraintBatch>& batches = data.batches.general;
     batches.reset(data.motions.size());
     for (Constraint& c : data.constraints) {
@@ -95,22 +101,40 @@ void packGeneral(WorldData& data) {
         batch.tangentMass[i] = c.tangentMass;
         batch.friction[i] = c.friction;
         batch.tangentImpulse[i] = c.tangentImpulse;
-        packBlock(c, batch, i);
+        packBlock(c, batch, i, perSecond);
     }
 }
 
+/// Two bodies at a point of contact.
+struct Closing {
+    Slot a, b;
+    double speedA, speedB; // m/s along the normal
+    double separation;
+};
+
 /// Where the solver has not converged, bodies in contact would still go into each other: they go as far as the slop.
-void limitClosing(WorldData& data, Slot a, Slot b, double velocity, double separation, double dt) {
-    const double closing = -velocity * dt;
-    const double room = std::max(separation, 0.0) + linearSlop;
-    if (closing <= room) {
-        return;
+/// What is held back holds back what follows it.
+bool limitClosing(WorldData& data, const Closing& c, double dt) {
+    // What nothing holds back takes along what it holds back: both have the same part of their way to each other left.
+    const bool yieldsA = isMovable(data.motions[c.a]);
+    const bool yieldsB = isMovable(data.motions[c.b]);
+    const double fractionA = data.steps[yieldsA ? c.a : c.b].fraction;
+    const double fractionB = data.steps[yieldsB ? c.b : c.a].fraction;
+    const double room = roomToClose(c.separation);
+    if (dt * (fractionA * c.speedA - fractionB * c.speedB) <= room) {
+        return false;
     }
-    for (const Slot slot : {a, b}) {
-        if (data.motions[slot].inverseMass > 0) {
-            data.steps[slot].fraction = std::min(data.steps[slot].fraction, room / closing);
+    const double both = std::min(fractionA, fractionB);
+    const double closing = dt * (c.speedA - c.speedB);
+    const double fraction = closing * both > room ? room / closing : both;
+    bool changed = false;
+    for (const Slot slot : {c.a, c.b}) {
+        if (isMovable(data.motions[slot]) && fraction < data.steps[slot].fraction) {
+            data.steps[slot].fraction = fraction;
+            changed = true;
         }
     }
+    return changed;
 }
 
 /// The way that the surfaces at a point are pushed apart in this iteration, as an impulse, kg m.
@@ -121,7 +145,7 @@ double wayOut(double separation, double velocity, double normalMass, double dt) 
 
 /// An impulse that changes the velocity by no more than rounding does is none.
 void keepImpulse(ContactPoint& kept, double normalImpulse, double mass, bool bounces) {
-    const bool impact = kept.fresh || bounces;
+    const bool impact = bounces;
     kept.normalImpulse = impact ? 0 : normalImpulse;
     kept.fresh = normalImpulse <= 1e-9 * mass || bounces;
 }
@@ -137,7 +161,6 @@ void finish(WorldData& data, const RoundContact& c, double dt) {
     const RoundBatch& batch = data.batches.round[c.lane.batch];
     const std::uint32_t i = c.lane.lane;
     const double impulse = batch.normalImpulse[i];
-    limitClosing(data, c.a, c.b, batch.velocity[i], c.separation, dt);
     if (c.separation < -linearSlop) {
         pushApart(data, c, batch, wayOut(c.separation, batch.velocity[i], batch.normalMass[i], dt));
     }
@@ -145,7 +168,7 @@ void finish(WorldData& data, const RoundContact& c, double dt) {
         data.steps[c.a].bounced = data.steps[c.b].bounced = true;
     }
     Contact& kept = data.contacts[c.contact];
-    const bool impact = kept.points[0].fresh || c.bounces;
+    const bool impact = c.bounces;
     kept.tangentImpulse = impact ? 0 : batch.tangentImpulse[i];
     keepImpulse(kept.points[0], impulse, batch.normalMass[i], c.bounces);
     data.table.marks[c.pair].now = impulse > 0 || c.separation <= 0;
@@ -168,7 +191,6 @@ void finish(WorldData& data, const Constraint& c, double dt) {
     bool impact = false;
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
         const ConstraintPoint& p = c.points[i];
-        limitClosing(data, c.a, c.b, velocities[i], p.separation, dt);
         if (p.separation < -linearSlop) {
             pushApart(data, c, p, wayOut(p.separation, velocities[i], p.normalMass, dt));
         }
@@ -176,25 +198,91 @@ void finish(WorldData& data, const Constraint& c, double dt) {
             data.steps[c.a].bounced = data.steps[c.b].bounced = true;
         }
         ContactPoint& kept = data.contacts[p.contact].points[p.index];
-        impact |= p.bounces || (kept.fresh && impulses[i] > 0);
+        impact |= p.bounces;
         keepImpulse(kept, impulses[i], p.normalMass, p.bounces);
         data.table.marks[p.pair].now |= impulses[i] > 0 || p.separation <= 0;
     }
     data.contacts[c.points[0].contact].tangentImpulse = impact ? 0 : batch.tangentImpulse[lane];
 }
 
+double speedAlong(const Pace& pace, double normalX, double normalY, double lever) {
+    return pace.x * normalX + pace.y * normalY + pace.turn * lever;
+}
+
+bool holdBackOnce(WorldData& data, double dt) {
+    const std::vector<Pace>& paces = data.batches.paces;
+    bool changed = false;
+    for (const RoundContact& c : data.roundContacts) {
+        const RoundBatch& batch = data.batches.round[c.lane.batch];
+        const double x = batch.normalX[c.lane.lane];
+        const double y = batch.normalY[c.lane.lane];
+        const Closing closing{c.a, c.b, speedAlong(paces[c.a], x, y, 0), speedAlong(paces[c.b], x, y, 0),
+                              c.separation};
+        changed |= limitClosing(data, closing, dt);
+    }
+    for (const Constraint& c : data.constraints) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
+            const ConstraintPoint& p = c.points[i];
+            const Closing closing{c.a, c.b, speedAlong(paces[c.a], c.normal.x(), c.normal.y(), p.leverA),
+                                  speedAlong(paces[c.b], c.normal.x(), c.normal.y(), p.leverB), p.separation};
+            changed |= limitClosing(data, closing, dt);
+        }
+    }
+    return changed;
+}
+
+void holdBack(WorldData& data, double dt) {
+    for (int round = 0; round < roundsOfHolding && holdBackOnce(data, dt); ++round) {
+    }
+}
+
+/// What is held back has been accelerated for as long as it moved.
+void takeBackAcceleration(WorldData& data) {
+    for (const Slot slot : data.moving) {
+        BodyStep& s = data.steps[slot];
+        if (s.fraction < s.accounted) {
+            const BodyMotion& m = data.motions[slot];
+            const double lost = s.accounted - s.fraction;
+            Pace& pace = data.batches.paces[slot];
+            pace.x -= lost * (m.velocity.x() - s.startVelocity.x());
+            pace.y -= lost * (m.velocity.y() - s.startVelocity.y());
+            pace.turn -= lost * (m.angularVelocity - s.startAngularVelocity);
+            s.accounted = s.fraction;
+        }
+    }
+}
+
+/// What is held back has less energy; and what has less energy may have to be held back.
+void settle(WorldData& data, double dt) {
+    bool changed = true;
+    for (int round = 0; changed && round < roundsOfSettling; ++round) {
+        if (measureVelocities(data.batches)) {
+            holdBack(data, dt);
+            takeBackAcceleration(data);
+        }
+        changed = limitGain(data);
+    }
+    if (changed) {
+        measureVelocities(data.batches);
+    }
+}
+
 /// Bodies that the contacts pushed go where their new velocity takes them.
 void takePaces(WorldData& data, double dt) {
+    data.anyDiverted = false;
     for (const Slot slot : data.moving) {
         BodyMotion& m = data.motions[slot];
         BodyStep& s = data.steps[slot];
         const Pace& pace = data.batches.paces[slot];
-        const double change = std::abs(pace.x - m.velocity.x()) + std::abs(pace.y - m.velocity.y()) +
-                              std::abs(pace.turn - m.angularVelocity) * s.outerRadius;
-        s.pushed = change > leastChange;
+        s.pushed = isPush({pace.x - m.velocity.x(), pace.y - m.velocity.y()},
+                          (pace.turn - m.angularVelocity) * s.outerRadius);
         if (s.pushed) {
             m.velocity = {pace.x, pace.y};
             m.angularVelocity = pace.turn;
+            const Vec2 change = dt * m.velocity - s.shift;
+            const double turnChange = dt * m.angularVelocity - s.turn;
+            s.diverted = std::abs(change.x()) + std::abs(change.y()) + std::abs(turnChange) * s.outerRadius > leastDetour;
+            data.anyDiverted |= s.diverted;
             s.shift = dt * m.velocity;
             s.turn = dt * m.angularVelocity;
             data.anyFast |= travelsFar(s);
@@ -209,15 +297,12 @@ void takePaces(WorldData& data, double dt) {
 
 void solveVelocities(WorldData& data, const IterationStep& step) {
     loadPaces(data);
-    packGeneral(data);
+    packGeneral(data, 1 / step.dt);
     warmStart(data.batches);
-    int passes = step.passes;
-    for (int pass = 0; pass < passes; ++pass) {
-        if (solvePass(data.batches)) {
-            passes = std::max(passes, passesAfterHit);
-        }
+    for (int pass = 0; pass < step.passes; ++pass) {
+        solvePass(data.batches);
     }
-    measureVelocities(data.batches);
+    settle(data, step.dt);
     const std::vector<RoundContact>& round = data.roundContacts;
     for (std::size_t i = 0; i < round.size(); ++i) {
         if (i + contactsAhead < round.size()) {
@@ -228,6 +313,7 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
     for (const Constraint& c : data.constraints) {
         finish(data, c, step.dt);
     }
+    limitPushes(data, step.dt);
     takePaces(data, step.dt);
 }
 

@@ -28,7 +28,7 @@ bool isUsable(const UpdateParameters& p) {
 IterationStep iterationStep(const UpdateParameters& p) {
     const double dt = p.seconds / p.iterations;
     // A few passes over coarse iterations; fine ones converge from one iteration to the next.
-    const int passes = std::clamp(8 / p.iterations, 1, 4);
+    const int passes = std::clamp(8 / p.iterations, 2, 4);
     return {dt, dt / p.substeps, p.substeps, p.seconds, 0, passes};
 }
 
@@ -59,7 +59,7 @@ void makeMotion(WorldData& data, const IterationStep& step) {
     }
     solveVelocities(data, step);
     findCarriers(data);
-    if (data.anyFast || data.anySweep) {
+    if (data.anyFast || data.anySweep || data.anyDiverted) {
         measureMotion(data, 0);
         if (data.anyEscaped) {
             findPairs(data, step);

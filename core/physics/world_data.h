@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -62,8 +63,10 @@ struct alignas(64) BodyStep {
     bool escaped = false;     // from its room
     bool pushed = false;      // by a contact in this iteration
     bool bounced = false;     // off one
+    bool diverted = false;    // by contacts, so that it may meet what its planned motion would not have met
     Slot carrier = noSlot;    // the kinematic body that stopped it
     double fraction = 1;      // of shift and turn that is carried out
+    double accounted = 1;     // share of this iteration's acceleration that the velocity has
     Vec2 push{0, 0};          // out of overlaps, m
     double pushTurn = 0;      // likewise, rad
     Vec2 startVelocity{0, 0}; // at the beginning of the iteration
@@ -314,6 +317,37 @@ struct PendingChange {
     bool first = false, second = false;
 };
 
+/// What the impulses of an iteration do to the energy of bodies, J; see energy_limit.cpp.
+struct EnergyChange {
+    double a = 0, b = 0, c = 0;
+    double kinetic = 0; // gained by the impulses alone
+
+    double gain() const { return 0.5 * a + b + c; } // forces included
+    EnergyChange& operator+=(const EnergyChange& other) {
+        a += other.a;
+        b += other.b;
+        c += other.c;
+        kinetic += other.kinetic;
+        return *this;
+    }
+};
+
+/// Bodies that may push each other, directly or through others.
+struct Islands {
+    /// A body that nothing can move, next to an island, by the root of that.
+    struct Driver {
+        Slot slot = 0, pushed = 0;
+        auto operator<=>(const Driver&) const = default;
+    };
+    std::vector<Slot> roots; // by slot: the lowest of its island
+    std::vector<Driver> drivers;
+
+    // Working memory.
+    std::vector<EnergyChange> changes; // by slot, of roots
+    ContactBatches batches;            // of islands that are solved again
+    std::vector<Lane> lanes;           // of their contacts there
+};
+
 using SlotPair = std::pair<Slot, Slot>; // lower first
 
 /// Who sleeps, and what is kept for them. Empty while nobody does.
@@ -383,13 +417,20 @@ struct WorldData {
     std::vector<Constraint> constraints;
     std::vector<std::array<double, 3>> wholeImpulses; // by contact, while an iteration is made in parts
     ContactBatches batches;
+    Islands islands;
     std::vector<std::uint64_t> droppedTouches; // body pairs whose boxes parted while they touched
     std::vector<Transform> trial;              // poses during sub-steps, by slot
     bool anyFault = false;                     // something is not finite
     bool anyEscaped = false;
     bool anyFast = false; // something moves further than anticipation covers
     bool anySweep = false;
+    bool anyDiverted = false;
 
+    /// Whether the parts of the pair may meet in this iteration.
+    bool isGateOpen(std::uint32_t pair) const {
+        const PairGate& gate = table.gates[pair];
+        return travelled[gate.moverA] + travelled[gate.moverB] + linearSlop >= gate.apartUntil;
+    }
     BodyId idOf(Slot slot) const { return {slot, records[slot].generation}; }
     Transform pose(Slot slot) const { return {motions[slot].center, motions[slot].rotation}; }
 };

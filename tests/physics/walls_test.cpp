@@ -1,4 +1,5 @@
 #include "tests/support/contact_scenes.h"
+#include "tests/support/gaps.h"
 
 #include <algorithm>
 
@@ -45,6 +46,21 @@ class WallsTest : public QObject {
             });
         }
         QVERIFY(touched);
+    }
+
+    void whatTurnsRoundOnItsWayMeetsTheWallWithItsFarEnd() {
+        World world({.gravity = {0, 0}, .iterations = 4});
+        add(world, lineBody({-20, -20}, {20, 20}));
+        const Vec2 away = Vec2(-1, 1).normalized();
+        const BodyId id = add(world, {.shapes = {shipHull()},
+                                      .position = 2 * away,
+                                      .velocity = -0.390625 * away,
+                                      .angularVelocity = 6.71117}); // five turns and a half
+        for (int i = 0; i < 300; ++i) {
+            world.update();
+            const double gap = lowestAlong(world.shapes(id).front(), world.body(id).pose, {0, 0}, away);
+            QVERIFY2(gap > -0.005, qPrintable(QString("update %1: %2").arg(i).arg(gap)));
+        }
     }
 
     void aBounceDoesNotDependOnWhatHappensFarAway() {

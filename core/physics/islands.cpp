@@ -1,0 +1,68 @@
+#include "core/physics/islands.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace spacetow {
+
+namespace {
+
+bool isMovable(const BodyMotion& m) {
+    return m.inverseMass > 0 || m.inverseInertia > 0;
+}
+
+/// What a body that nothing can move may push.
+void noteDriver(WorldData& data, Slot driver, Slot pushed) {
+    const Islands::Driver found{driver, pushed};
+    if (data.islands.drivers.empty() || data.islands.drivers.back() != found) {
+        data.islands.drivers.push_back(found);
+    }
+}
+
+} // namespace
+
+Slot rootOf(std::vector<Slot>& parents, Slot slot) {
+    while (parents[slot] != slot) {
+        parents[slot] = parents[parents[slot]];
+        slot = parents[slot];
+    }
+    return slot;
+}
+
+void joinSets(std::vector<Slot>& parents, Slot a, Slot b) {
+    const Slot rootA = rootOf(parents, a);
+    const Slot rootB = rootOf(parents, b);
+    parents[std::max(rootA, rootB)] = std::min(rootA, rootB);
+}
+
+void findIslands(WorldData& data) {
+    std::vector<Slot>& roots = data.islands.roots;
+    roots.resize(data.motions.size());
+    std::iota(roots.begin(), roots.end(), Slot{0});
+    data.islands.drivers.clear();
+    for (const Pair& pair : data.table.pairs) {
+        if (pair.staticB || pair.kind == PairKind::Felt) {
+            continue;
+        }
+        const bool movableA = isMovable(data.motions[pair.bodyA]);
+        const bool movableB = isMovable(data.motions[pair.bodyB]);
+        if (movableA && movableB) {
+            joinSets(roots, pair.bodyA, pair.bodyB);
+        } else if (movableA) {
+            noteDriver(data, pair.bodyB, pair.bodyA);
+        } else if (movableB) {
+            noteDriver(data, pair.bodyA, pair.bodyB);
+        }
+    }
+    for (const Slot slot : data.moving) {
+        roots[slot] = rootOf(roots, slot);
+    }
+    std::vector<Islands::Driver>& drivers = data.islands.drivers;
+    for (Islands::Driver& driver : drivers) {
+        driver.pushed = roots[driver.pushed];
+    }
+    std::sort(drivers.begin(), drivers.end());
+    drivers.erase(std::unique(drivers.begin(), drivers.end()), drivers.end());
+}
+
+} // namespace spacetow

@@ -1,0 +1,15 @@
+#pragma once
+// Islands: bodies that may push each other, directly or through others.
+
+#include "core/physics/world_data.h"
+
+namespace spacetow {
+
+/// Sets of slots as trees: each slot leads to another of its set, the lowest one to itself. Returns the latter.
+Slot rootOf(std::vector<Slot>& parents, Slot slot);
+void joinSets(std::vector<Slot>& parents, Slot a, Slot b);
+
+/// By the pairs there are, so that islands hold until pairs are found anew.
+void findIslands(WorldData& data);
+
+} // namespace spacetow
