@@ -15,7 +15,7 @@ using Slot = std::uint32_t;
 /// Four doubles; the compiler uses what registers the processor has.
 using Wide = double __attribute__((vector_size(32), aligned(32)));
 
-/// A body while contacts are solved: what four of them are loaded as.
+/// A velocity while contacts are solved: what four of them are loaded as.
 struct alignas(32) Pace {
     double x = 0, y = 0; // velocity, m/s
     double turn = 0;     // rad/s
@@ -137,7 +137,9 @@ void copyLane(const Batch& from, std::uint32_t lane, Batch& to, std::uint32_t to
 
 /// Working memory of the solver.
 struct ContactBatches {
-    std::vector<Pace> paces; // by slot, and one more for lanes without a contact
+    std::vector<Pace> paces;   // by slot, and one more for lanes without a contact
+    std::vector<Pace> starts;  // by slot, at the beginning of the iteration
+    std::vector<Pace> planned; // by slot, without the contacts' impulses
     Batches<RoundBatch> round;
     Batches<ConstraintBatch> general;
 };

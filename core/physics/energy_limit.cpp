@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace spacetow {
@@ -24,77 +25,78 @@ bool isMovable(const BodyMotion& m) {
     return m.inverseMass > 0 || m.inverseInertia > 0;
 }
 
-/// What the forces added to the velocity in the part of the iteration that is carried out.
-Vec2 forcedOf(const BodyMotion& m, const BodyStep& s) {
-    return s.accounted * (m.velocity - s.startVelocity);
+/// A velocity as numbers to reckon with all at once.
+struct WideVelocity {
+    Wide value;
+    explicit WideVelocity(const Pace& pace) { std::memcpy(&value, &pace, sizeof value); }
+};
+
+double sum(const Wide& w) {
+    return w[0] + w[1] + w[2];
 }
-double forcedTurnOf(const BodyMotion& m, const BodyStep& s) {
-    return s.accounted * (m.angularVelocity - s.startAngularVelocity);
+
+EnergyBalance& balanceOf(WorldData& data, Slot slot) {
+    return data.islands.balances[data.islands.roots[slot]];
 }
 
 /// With a share x of its impulses an iteration changes a body's energy by a·x²/2 + b·x + c: a velocity v after it costs
 /// m·(v²/2 − d·v), where d is what the forces added to the velocity v₀ that it began with; their work on the way v·dt
 /// is in it.
-EnergyChange changeOf(const WorldData& data, Slot slot) {
-    const BodyMotion& m = data.motions[slot];
-    const BodyStep& s = data.steps[slot];
-    const Pace& pace = data.batches.paces[slot];
-    const Vec2 forced = forcedOf(m, s);
-    const Vec2 push = Vec2(pace.x, pace.y) - s.startVelocity - forced;
-    const double forcedTurn = forcedTurnOf(m, s);
-    const double turn = pace.turn - s.startAngularVelocity - forcedTurn;
-    EnergyChange e;
-    if (!isPush(push, turn * s.outerRadius)) {
-        return e;
+void measureBody(WorldData& data, Slot slot) {
+    const Wide planned = WideVelocity(data.batches.planned[slot]).value;
+    const Wide push = WideVelocity(data.batches.paces[slot]).value - planned;
+    if (!isPush({push[0], push[1]}, push[2] * data.steps[slot].outerRadius)) {
+        return;
     }
-    if (m.inverseMass > 0) {
-        const double mass = 1 / m.inverseMass;
-        e.a = mass * push.squaredNorm();
-        e.b = mass * push.dot(s.startVelocity);
-        e.c = -0.5 * mass * forced.squaredNorm();
-        e.kinetic = mass * push.dot(s.startVelocity + forced + 0.5 * push);
-    }
-    if (m.inverseInertia > 0) {
-        const double inertia = 1 / m.inverseInertia;
-        e.a += inertia * turn * turn;
-        e.b += inertia * turn * s.startAngularVelocity;
-        e.c -= 0.5 * inertia * forcedTurn * forcedTurn;
-        e.kinetic += inertia * turn * (s.startAngularVelocity + forcedTurn + 0.5 * turn);
-    }
-    return e;
+    const Wide start = WideVelocity(data.batches.starts[slot]).value;
+    const Wide forced = planned - start;
+    const Wide inertia = WideVelocity(data.islands.inertias[slot]).value;
+    EnergyChange& change = data.islands.changes[data.islands.roots[slot]];
+    change.a += inertia * push * push;
+    change.b += inertia * push * start;
+    change.c -= 0.5 * inertia * forced * forced;
 }
 
-EnergyChange& changeOfIsland(WorldData& data, Slot slot) {
-    return data.islands.changes[data.islands.roots[slot]];
+enum class Gain : std::uint8_t { None, Little, Much };
+
+/// Near rest energy comes and goes in small amounts.
+Gain gainOf(const EnergyBalance& e) {
+    const double gain = e.gain();
+    return gain <= tolerance * e.a ? Gain::None : gain <= 0.01 * e.a ? Gain::Little : Gain::Much;
 }
 
-void measureIslands(WorldData& data) {
-    for (const Slot slot : data.moving) {
-        data.islands.changes[slot] = {};
+/// Returns the worst of all islands.
+Gain measureIslands(WorldData& data) {
+    for (const Slot root : data.islands.all) {
+        data.islands.changes[root] = {};
     }
     for (const Slot slot : data.moving) {
-        changeOfIsland(data, slot) += changeOf(data, slot);
+        measureBody(data, slot);
+    }
+    for (const Slot root : data.islands.all) {
+        const EnergyChange& change = data.islands.changes[root];
+        data.islands.balances[root] = {sum(change.a), sum(change.b), sum(change.c), 0};
     }
     for (const Islands::Driver& driver : data.islands.drivers) {
         const BodyMotion& m = data.motions[driver.slot];
         if (m.angularVelocity != 0 || m.velocity != Vec2(0, 0)) {
-            data.islands.changes[driver.pushed] = {0, 0, -infinite, 0};
+            data.islands.balances[driver.pushed] = {0, 0, -infinite, 0};
         }
     }
+    Gain worst = Gain::None;
+    for (const Slot root : data.islands.all) {
+        worst = std::max(worst, gainOf(data.islands.balances[root]));
+    }
+    return worst;
 }
 
-// Near rest energy comes and goes in small amounts.
-bool gainsMuch(const EnergyChange& e) {
-    return e.gain() > 0.01 * e.a;
-}
-bool gains(const EnergyChange& e) {
-    return e.gain() > tolerance * e.a;
-}
+using Question = bool (*)(const EnergyBalance&);
 
-template <class Predicate>
-bool anyIsland(const WorldData& data, const Predicate& predicate) {
-    return std::any_of(data.moving.begin(), data.moving.end(),
-                       [&](Slot slot) { return predicate(data.islands.changes[slot]); });
+bool gainsMuch(const EnergyBalance& e) {
+    return gainOf(e) == Gain::Much;
+}
+bool pushesTooMuch(const EnergyBalance& e) {
+    return e.pushes > 0 && e.pushes > -e.gain();
 }
 
 Slot moverOf(const WorldData& data, Slot a, Slot b) {
@@ -103,21 +105,21 @@ Slot moverOf(const WorldData& data, Slot a, Slot b) {
 
 /// Visits the lanes of the islands' contacts, in the order of the contacts.
 template <class Visit>
-void forLanesOf(WorldData& data, bool (*which)(const EnergyChange&), const Visit& visit) {
+void forLanesOf(WorldData& data, Question which, const Visit& visit) {
     for (const RoundContact& c : data.roundContacts) {
-        if (which(changeOfIsland(data, moverOf(data, c.a, c.b)))) {
+        if (which(balanceOf(data, moverOf(data, c.a, c.b)))) {
             visit(data.batches.round, data.islands.batches.round, c);
         }
     }
     for (const Constraint& c : data.constraints) {
-        if (which(changeOfIsland(data, moverOf(data, c.a, c.b)))) {
+        if (which(balanceOf(data, moverOf(data, c.a, c.b)))) {
             visit(data.batches.general, data.islands.batches.general, c);
         }
     }
 }
 
 /// Solves on, for these islands alone.
-void solveOn(WorldData& data, bool (*which)(const EnergyChange&), int passes) {
+void solveOn(WorldData& data, Question which, int passes) {
     ContactBatches& part = data.islands.batches;
     part.round.reset(data.motions.size());
     part.general.reset(data.motions.size());
@@ -164,32 +166,22 @@ bool softenBounces(WorldData& data) {
 }
 
 /// The greatest share of the impulses with which the energy does not rise.
-double shareOf(const EnergyChange& e) {
+double shareOf(const EnergyBalance& e) {
     return std::clamp((-e.b + std::sqrt(std::max(e.b * e.b - 2 * e.a * e.c, 0.0))) / e.a, 0.0, 1.0);
 }
 
 void scaleImpulses(WorldData& data) {
     for (const Slot slot : data.moving) {
-        const EnergyChange& change = changeOfIsland(data, slot);
-        if (gains(change)) {
-            const double share = shareOf(change);
-            const BodyMotion& m = data.motions[slot];
-            const BodyStep& s = data.steps[slot];
-            const Vec2 without = s.startVelocity + forcedOf(m, s);
-            const double turnWithout = s.startAngularVelocity + forcedTurnOf(m, s);
+        const EnergyBalance& balance = balanceOf(data, slot);
+        if (gainOf(balance) != Gain::None) {
+            const double share = shareOf(balance);
+            const Pace& without = data.batches.planned[slot];
             Pace& pace = data.batches.paces[slot];
-            pace.x = without.x() + share * (pace.x - without.x());
-            pace.y = without.y() + share * (pace.y - without.y());
-            pace.turn = turnWithout + share * (pace.turn - turnWithout);
+            pace.x = without.x + share * (pace.x - without.x);
+            pace.y = without.y + share * (pace.y - without.y);
+            pace.turn = without.turn + share * (pace.turn - without.turn);
         }
     }
-}
-
-/// J, of a push out of overlaps, against the forces that act on the body.
-double workOf(const WorldData& data, Slot slot, double dt) {
-    const BodyMotion& m = data.motions[slot];
-    const BodyStep& s = data.steps[slot];
-    return m.inverseMass > 0 ? (s.startVelocity - m.velocity).dot(s.push) / (m.inverseMass * dt) : 0;
 }
 
 bool isDeep(const RoundContact& c) {
@@ -200,68 +192,58 @@ bool isDeep(const Constraint& c) {
     return c.points[0].separation < -deepOverlap || (c.count == 2 && c.points[1].separation < -deepOverlap);
 }
 
-/// What pushes may cost, in place of what was gained.
-bool exceeds(const EnergyChange& e) {
-    return e.b > 0 && e.b > -e.c;
-}
-
 /// Whenever there is something to solve again, it is not to allocate.
 void reserveRoom(WorldData& data) {
     Islands& islands = data.islands;
     islands.changes.resize(data.motions.size());
-    islands.lanes.reserve(data.roundContacts.capacity() + data.constraints.capacity());
-    islands.batches.round.reserve(data.batches.round);
-    islands.batches.general.reserve(data.batches.general);
+    islands.balances.resize(data.motions.size());
+    const std::size_t contacts = data.roundContacts.capacity() + data.constraints.capacity();
+    if (islands.lanes.capacity() < contacts) {
+        islands.lanes.reserve(contacts);
+        islands.batches.round.reserve(data.batches.round);
+        islands.batches.general.reserve(data.batches.general);
+    }
 }
 
 } // namespace
 
 bool limitGain(WorldData& data) {
     reserveRoom(data);
-    measureIslands(data);
+    Gain gain = measureIslands(data);
     bool changed = false;
-    for (int pass = 0; pass < extraPasses && anyIsland(data, gainsMuch); ++pass) {
+    for (int pass = 0; pass < extraPasses && gain == Gain::Much; ++pass) {
         solveOn(data, gainsMuch, 1);
-        measureIslands(data);
+        gain = measureIslands(data);
         changed = true;
     }
-    for (int round = 0; round < softerBounces && anyIsland(data, gainsMuch) && softenBounces(data); ++round) {
+    for (int round = 0; round < softerBounces && gain == Gain::Much && softenBounces(data); ++round) {
         solveOn(data, gainsMuch, passesAfterSoftening);
-        measureIslands(data);
+        gain = measureIslands(data);
         changed = true;
     }
-    if (anyIsland(data, gains)) {
+    if (gain != Gain::None) {
         scaleImpulses(data);
+        measureIslands(data);
         changed = true;
     }
     return changed;
 }
 
-void limitPushes(WorldData& data, double dt) {
-    if (data.moving.empty()) {
+void limitPushes(WorldData& data) {
+    const std::vector<EnergyBalance>& balances = data.islands.balances;
+    if (std::none_of(data.islands.all.begin(), data.islands.all.end(),
+                     [&](Slot root) { return pushesTooMuch(balances[root]); })) {
         return;
     }
-    measureIslands(data);
-    for (const Slot slot : data.moving) {
-        EnergyChange& change = data.islands.changes[slot];
-        change.c = std::min(change.gain(), 0.0); // the reverse of what is there to spend
-        change.b = 0;
-    }
-    for (const Slot slot : data.moving) {
-        changeOfIsland(data, slot).b += workOf(data, slot, dt);
-    }
-    if (!anyIsland(data, exceeds)) {
-        return;
-    }
-    forLanesOf(data, exceeds, [&](auto&, auto&, const auto& c) {
+    forLanesOf(data, pushesTooMuch, [&](auto&, auto&, const auto& c) {
         if (isDeep(c)) {
-            changeOfIsland(data, moverOf(data, c.a, c.b)).c = -infinite;
+            balanceOf(data, moverOf(data, c.a, c.b)).c = -infinite;
         }
     });
     for (const Slot slot : data.moving) {
-        const EnergyChange& change = changeOfIsland(data, slot);
-        if (exceeds(change)) {
-            const double share = -change.c / change.b;
+        const EnergyBalance& balance = balanceOf(data, slot);
+        if (pushesTooMuch(balance)) {
+            const double share = std::max(-balance.gain(), 0.0) / balance.pushes;
             data.steps[slot].push *= share;
             data.steps[slot].pushTurn *= share;
         }

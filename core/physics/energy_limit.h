@@ -12,8 +12,7 @@ namespace spacetow {
 /// do any work. Leaves momentum as it is. True when velocities have changed.
 bool limitGain(WorldData& data);
 
-/// Pushes islands out of shallow overlaps with no more energy than contacts took from them in this iteration of `dt`
-/// seconds.
-void limitPushes(WorldData& data, double dt);
+/// Pushes islands out of shallow overlaps with no more energy than contacts took from them in this iteration.
+void limitPushes(WorldData& data);
 
 } // namespace spacetow

@@ -54,8 +54,16 @@ void findIslands(WorldData& data) {
             noteDriver(data, pair.bodyA, pair.bodyB);
         }
     }
+    data.islands.all.clear();
+    data.islands.inertias.resize(data.motions.size());
     for (const Slot slot : data.moving) {
         roots[slot] = rootOf(roots, slot);
+        if (roots[slot] == slot) {
+            data.islands.all.push_back(slot);
+        }
+        const BodyMotion& m = data.motions[slot];
+        const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
+        data.islands.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
     }
     std::vector<Islands::Driver>& drivers = data.islands.drivers;
     for (Islands::Driver& driver : drivers) {

@@ -19,8 +19,9 @@ constexpr double pushOutSpeed = 25;
 constexpr int roundsOfHolding = 8;
 constexpr int roundsOfSettling = 3;
 
-// Contacts may change the way of a body in an iteration by as much without it meeting anything that is not known, m.
-constexpr double leastDetour = linearSlop;
+// Contacts may change the way of a body in an iteration by as much, of its inner radius or m, without it meeting
+// anything that is not known.
+constexpr double smallDetour = 0.01;
 
 // What is known of contacts lies in the order in which they came about: it is fetched this long before it is needed.
 constexpr std::size_t contactsAhead = 8;
@@ -33,11 +34,17 @@ bool isMovable(const BodyMotion& m) {
 }
 
 void loadPaces(WorldData& data) {
-    data.batches.paces.resize(data.motions.size() + 1);
-    data.batches.paces.back() = {};
+    ContactBatches& batches = data.batches;
+    batches.paces.resize(data.motions.size() + 1);
+    batches.planned.resize(data.motions.size());
+    batches.starts.resize(data.motions.size());
+    batches.paces.back() = {};
     for (const Slot slot : data.moving) {
         const BodyMotion& m = data.motions[slot];
-        data.batches.paces[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
+        const BodyStep& s = data.steps[slot];
+        batches.starts[slot] = {s.startVelocity.x(), s.startVelocity.y(), s.startAngularVelocity, 0};
+        batches.planned[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
+        batches.paces[slot] = batches.planned[slot];
     }
 }
 
@@ -131,6 +138,7 @@ bool limitClosing(WorldData& data, const Closing& c, double dt) {
     for (const Slot slot : {c.a, c.b}) {
         if (isMovable(data.motions[slot]) && fraction < data.steps[slot].fraction) {
             data.steps[slot].fraction = fraction;
+            data.islands.held[slot] = 1;
             changed = true;
         }
     }
@@ -150,6 +158,18 @@ void keepImpulse(ContactPoint& kept, double normalImpulse, double mass, bool bou
     kept.fresh = normalImpulse <= 1e-9 * mass || bounces;
 }
 
+/// What it costs to push two bodies apart, J: the work against the forces that act on them.
+void noteWork(WorldData& data, Slot a, Slot b, const Vec2& push, double dt) {
+    const ContactBatches& batches = data.batches;
+    const Pace& startA = batches.starts[a];
+    const Pace& startB = batches.starts[b];
+    const Pace& plannedA = batches.planned[a];
+    const Pace& plannedB = batches.planned[b];
+    const double work = push.x() * (startB.x - plannedB.x - startA.x + plannedA.x) +
+                        push.y() * (startB.y - plannedB.y - startA.y + plannedA.y);
+    data.islands.balances[data.islands.roots[isMovable(data.motions[a]) ? a : b]].pushes += work / dt;
+}
+
 void pushApart(WorldData& data, const RoundContact& c, const RoundBatch& batch, double way) {
     const std::uint32_t i = c.lane.lane;
     const Vec2 push = way * Vec2(batch.normalX[i], batch.normalY[i]);
@@ -162,7 +182,9 @@ void finish(WorldData& data, const RoundContact& c, double dt) {
     const std::uint32_t i = c.lane.lane;
     const double impulse = batch.normalImpulse[i];
     if (c.separation < -linearSlop) {
-        pushApart(data, c, batch, wayOut(c.separation, batch.velocity[i], batch.normalMass[i], dt));
+        const double way = wayOut(c.separation, batch.velocity[i], batch.normalMass[i], dt);
+        pushApart(data, c, batch, way);
+        noteWork(data, c.a, c.b, way * Vec2(batch.normalX[i], batch.normalY[i]), dt);
     }
     if (c.bounces && impulse > 0) {
         data.steps[c.a].bounced = data.steps[c.b].bounced = true;
@@ -192,7 +214,9 @@ void finish(WorldData& data, const Constraint& c, double dt) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
         const ConstraintPoint& p = c.points[i];
         if (p.separation < -linearSlop) {
-            pushApart(data, c, p, wayOut(p.separation, velocities[i], p.normalMass, dt));
+            const double way = wayOut(p.separation, velocities[i], p.normalMass, dt);
+            pushApart(data, c, p, way);
+            noteWork(data, c.a, c.b, way * c.normal, dt);
         }
         if (p.bounces && impulses[i] > 0) {
             data.steps[c.a].bounced = data.steps[c.b].bounced = true;
@@ -209,20 +233,31 @@ double speedAlong(const Pace& pace, double normalX, double normalY, double lever
     return pace.x * normalX + pace.y * normalY + pace.turn * lever;
 }
 
-bool holdBackOnce(WorldData& data, double dt) {
+/// Visits what closes too fast at first, then only what touches bodies that are held back: no other can have changed.
+bool holdBackOnce(WorldData& data, double dt, bool first) {
     const std::vector<Pace>& paces = data.batches.paces;
+    const std::vector<std::uint8_t>& held = data.islands.held;
     bool changed = false;
     for (const RoundContact& c : data.roundContacts) {
         const RoundBatch& batch = data.batches.round[c.lane.batch];
-        const double x = batch.normalX[c.lane.lane];
-        const double y = batch.normalY[c.lane.lane];
-        const Closing closing{c.a, c.b, speedAlong(paces[c.a], x, y, 0), speedAlong(paces[c.b], x, y, 0),
-                              c.separation};
-        changed |= limitClosing(data, closing, dt);
+        const std::uint32_t i = c.lane.lane;
+        if ((first && batch.velocity[i] < batch.closing[i]) || held[c.a] != 0 || held[c.b] != 0) {
+            const double x = batch.normalX[i];
+            const double y = batch.normalY[i];
+            const Closing closing{c.a, c.b, speedAlong(paces[c.a], x, y, 0), speedAlong(paces[c.b], x, y, 0),
+                                  c.separation};
+            changed |= limitClosing(data, closing, dt);
+        }
     }
     for (const Constraint& c : data.constraints) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-            const ConstraintPoint& p = c.points[i];
+        const ConstraintBatch& batch = data.batches.general[c.lane.batch];
+        const std::uint32_t i = c.lane.lane;
+        const bool closes = batch.velocity1[i] < batch.closing1[i] || batch.velocity2[i] < batch.closing2[i];
+        if (!(first && closes) && held[c.a] == 0 && held[c.b] == 0) {
+            continue;
+        }
+        for (std::size_t k = 0; k < static_cast<std::size_t>(c.count); ++k) {
+            const ConstraintPoint& p = c.points[k];
             const Closing closing{c.a, c.b, speedAlong(paces[c.a], c.normal.x(), c.normal.y(), p.leverA),
                                   speedAlong(paces[c.b], c.normal.x(), c.normal.y(), p.leverB), p.separation};
             changed |= limitClosing(data, closing, dt);
@@ -232,7 +267,11 @@ bool holdBackOnce(WorldData& data, double dt) {
 }
 
 void holdBack(WorldData& data, double dt) {
-    for (int round = 0; round < roundsOfHolding && holdBackOnce(data, dt); ++round) {
+    data.islands.held.assign(data.motions.size(), 0);
+    for (const Slot slot : data.moving) {
+        data.islands.held[slot] = data.steps[slot].fraction < 1 ? 1 : 0;
+    }
+    for (int round = 0; round < roundsOfHolding && holdBackOnce(data, dt, round == 0); ++round) {
     }
 }
 
@@ -241,12 +280,16 @@ void takeBackAcceleration(WorldData& data) {
     for (const Slot slot : data.moving) {
         BodyStep& s = data.steps[slot];
         if (s.fraction < s.accounted) {
-            const BodyMotion& m = data.motions[slot];
-            const double lost = s.accounted - s.fraction;
-            Pace& pace = data.batches.paces[slot];
-            pace.x -= lost * (m.velocity.x() - s.startVelocity.x());
-            pace.y -= lost * (m.velocity.y() - s.startVelocity.y());
-            pace.turn -= lost * (m.angularVelocity - s.startAngularVelocity);
+            const double lost = 1 - s.fraction / s.accounted;
+            const Pace& start = data.batches.starts[slot];
+            Pace& planned = data.batches.planned[slot];
+            const Pace change{lost * (planned.x - start.x), lost * (planned.y - start.y),
+                              lost * (planned.turn - start.turn), 0};
+            for (Pace* pace : {&planned, &data.batches.paces[slot]}) {
+                pace->x -= change.x;
+                pace->y -= change.y;
+                pace->turn -= change.turn;
+            }
             s.accounted = s.fraction;
         }
     }
@@ -281,7 +324,8 @@ void takePaces(WorldData& data, double dt) {
             m.angularVelocity = pace.turn;
             const Vec2 change = dt * m.velocity - s.shift;
             const double turnChange = dt * m.angularVelocity - s.turn;
-            s.diverted = std::abs(change.x()) + std::abs(change.y()) + std::abs(turnChange) * s.outerRadius > leastDetour;
+            s.diverted = std::abs(change.x()) + std::abs(change.y()) + std::abs(turnChange) * s.outerRadius >
+                         std::max(smallDetour * s.innerRadius, linearSlop);
             data.anyDiverted |= s.diverted;
             s.shift = dt * m.velocity;
             s.turn = dt * m.angularVelocity;
@@ -313,7 +357,7 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
     for (const Constraint& c : data.constraints) {
         finish(data, c, step.dt);
     }
-    limitPushes(data, step.dt);
+    limitPushes(data);
     takePaces(data, step.dt);
 }
 

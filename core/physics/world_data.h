@@ -317,19 +317,17 @@ struct PendingChange {
     bool first = false, second = false;
 };
 
-/// What the impulses of an iteration do to the energy of bodies, J; see energy_limit.cpp.
+/// What the impulses of an iteration do to the energy of bodies, J: three sums over their motions to the sides, up and
+/// around; see energy_limit.cpp.
 struct EnergyChange {
-    double a = 0, b = 0, c = 0;
-    double kinetic = 0; // gained by the impulses alone
+    Wide a{}, b{}, c{};
+};
 
-    double gain() const { return 0.5 * a + b + c; } // forces included
-    EnergyChange& operator+=(const EnergyChange& other) {
-        a += other.a;
-        b += other.b;
-        c += other.c;
-        kinetic += other.kinetic;
-        return *this;
-    }
+/// The change with a share x of the impulses: a·x²/2 + b·x + c. `pushes` is the work of pushes out of overlaps.
+struct EnergyBalance {
+    double a = 0, b = 0, c = 0, pushes = 0;
+
+    double gain() const { return 0.5 * a + b + c; }
 };
 
 /// Bodies that may push each other, directly or through others.
@@ -343,9 +341,13 @@ struct Islands {
     std::vector<Driver> drivers;
 
     // Working memory.
-    std::vector<EnergyChange> changes; // by slot, of roots
-    ContactBatches batches;            // of islands that are solved again
-    std::vector<Lane> lanes;           // of their contacts there
+    std::vector<Slot> all;               // roots of the bodies that move
+    std::vector<Pace> inertias;          // by slot: mass, mass and inertia
+    std::vector<EnergyChange> changes;   // by slot, of roots
+    std::vector<EnergyBalance> balances; // likewise
+    ContactBatches batches;              // of islands that are solved again
+    std::vector<Lane> lanes;             // of their contacts there
+    std::vector<std::uint8_t> held;      // by slot: bodies that are held back
 };
 
 using SlotPair = std::pair<Slot, Slot>; // lower first
