@@ -1,6 +1,7 @@
 #include "core/physics/continuous.h"
 
 #include "core/geometry/cast.h"
+#include "core/physics/general_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,15 +111,24 @@ bool stop(WorldData& data, const Pair& pair, const Stoppable& which, double frac
     return changed;
 }
 
-bool isDiverted(const WorldData& data, const Pair& pair) {
-    return data.steps[pair.bodyA].diverted || data.steps[pair.bodyB].diverted;
+/// Whether contacts have sent one of them where it may meet the other.
+bool isDiverted(const WorldData& data, std::uint32_t index) {
+    const Pair& pair = data.table.pairs[index];
+    const BodyStep& a = data.steps[pair.bodyA];
+    const BodyStep& b = data.steps[pair.bodyB];
+    if (!(a.diverted || b.diverted) || !data.isGateOpen(index)) {
+        return false;
+    }
+    const double room = roomBetween(data, pair);
+    return std::sqrt((a.shift - b.shift).squaredNorm()) + turnedWay(a) + std::abs(b.turn) * (b.outerRadius + room) >=
+           room;
 }
 
 /// Likewise.
 bool sweepPair(WorldData& data, std::uint32_t index) {
     const Pair& pair = data.table.pairs[index];
     Stoppable which = stoppable(data, pair);
-    const bool all = pair.sweep || isRunInto(data, pair) || (isDiverted(data, pair) && data.isGateOpen(index));
+    const bool all = pair.sweep || isRunInto(data, pair) || isDiverted(data, index);
     which.a = which.a && (all || isFast(data, pair.bodyA));
     which.b = which.b && (all || isFast(data, pair.bodyB));
     if (!which.a && !which.b) {

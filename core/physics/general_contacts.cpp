@@ -14,6 +14,8 @@ namespace {
 // How far parts may move against each other, as a share of the smaller inner radius, before their manifold is made
 // anew.
 constexpr double keptShare = 0.02;
+// Against walls: on which side of one something is may be a matter of little.
+constexpr double keptShareAtWalls = 0.0002;
 // Points of merged contacts that are no further apart are one, m.
 constexpr double coincident = 1e-9;
 
@@ -114,8 +116,8 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
     KeptManifold& kept = data.manifolds[contact.manifold];
     const BodyStep& a = data.steps[pair.bodyA];
     const BodyStep& b = data.steps[pair.bodyB];
-    const double smaller = pair.staticB ? a.innerRadius : std::min(a.innerRadius, b.innerRadius);
-    kept.room = margin + std::max(keptShare * smaller, linearSlop);
+    kept.room = margin + (pair.staticB ? keptShareAtWalls * a.innerRadius
+                                       : std::max(keptShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
     const Manifold manifold = collide(*pair.shapeA, poses.a, *pair.shapeB, poses.b, kept.room);
     matchPoints(contact, manifold);
     if (manifold.count == 0) {
@@ -123,9 +125,8 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
         kept.room = manifold.apart > 0 ? manifold.apart : -1; // what is not a matter of distance may change at once
     } else {
         keep(data, pair, poses, manifold, kept);
-        // The normal between two corners turns with every move, a bounce wants the normal of its moment, and on which
-        // side of a wall a body is may be a matter of micrometres.
-        if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0 || pair.staticB) {
+        // The normal between two corners turns with every move, and a bounce wants the normal of its moment.
+        if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0) {
             kept.room = -1;
         }
     }
@@ -337,6 +338,14 @@ void absorb(WorldData& data, Constraint& c, Constraint& d) {
 }
 
 } // namespace
+
+double roomBetween(const WorldData& data, const Pair& pair) {
+    if (pair.kind != PairKind::General || pair.contact == Pair::none || data.contacts[pair.contact].count > 0) {
+        return 0;
+    }
+    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
+    return std::max(roomLeft(kept, posesOf(data, pair).relative, data.steps[pair.bodyA].outerRadius), 0.0);
+}
 
 void meetGeneral(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];

@@ -9,6 +9,9 @@ namespace spacetow {
 /// Adds the contact of a pair to `constraints`, from its kept manifold or from a new one.
 void meetGeneral(WorldData& data, std::uint32_t index, double dt);
 
+/// How much nearer the parts of a pair without a contact may come before they can have one, m; 0 when that is unknown.
+double roomBetween(const WorldData& data, const Pair& pair);
+
 /// What needs to know of all constraints: those that lie in one plane become one.
 void finishGeneral(WorldData& data);
 

@@ -233,6 +233,12 @@ double speedAlong(const Pace& pace, double normalX, double normalY, double lever
     return pace.x * normalX + pace.y * normalY + pace.turn * lever;
 }
 
+bool closesTooFast(const WorldData& data, const Constraint& c) {
+    const ConstraintBatch& batch = data.batches.general[c.lane.batch];
+    const std::uint32_t i = c.lane.lane;
+    return batch.velocity1[i] < batch.closing1[i] || batch.velocity2[i] < batch.closing2[i];
+}
+
 /// Visits what closes too fast at first, then only what touches bodies that are held back: no other can have changed.
 bool holdBackOnce(WorldData& data, double dt, bool first) {
     const std::vector<Pace>& paces = data.batches.paces;
@@ -250,10 +256,7 @@ bool holdBackOnce(WorldData& data, double dt, bool first) {
         }
     }
     for (const Constraint& c : data.constraints) {
-        const ConstraintBatch& batch = data.batches.general[c.lane.batch];
-        const std::uint32_t i = c.lane.lane;
-        const bool closes = batch.velocity1[i] < batch.closing1[i] || batch.velocity2[i] < batch.closing2[i];
-        if (!(first && closes) && held[c.a] == 0 && held[c.b] == 0) {
+        if (held[c.a] == 0 && held[c.b] == 0 && !(first && closesTooFast(data, c))) {
             continue;
         }
         for (std::size_t k = 0; k < static_cast<std::size_t>(c.count); ++k) {
@@ -317,8 +320,8 @@ void takePaces(WorldData& data, double dt) {
         BodyMotion& m = data.motions[slot];
         BodyStep& s = data.steps[slot];
         const Pace& pace = data.batches.paces[slot];
-        s.pushed = isPush({pace.x - m.velocity.x(), pace.y - m.velocity.y()},
-                          (pace.turn - m.angularVelocity) * s.outerRadius);
+        s.pushed =
+            isPush({pace.x - m.velocity.x(), pace.y - m.velocity.y()}, (pace.turn - m.angularVelocity) * s.outerRadius);
         if (s.pushed) {
             m.velocity = {pace.x, pace.y};
             m.angularVelocity = pace.turn;
