@@ -5,6 +5,7 @@
 #include "core/physics/contact_pool.h"
 #include "core/physics/contact_rules.h"
 #include "core/physics/general_contacts.h"
+#include "core/physics/merge_contacts.h"
 
 namespace spacetow {
 
@@ -14,13 +15,9 @@ Transform poseOfB(const WorldData& data, const Pair& pair) {
     return pair.staticB ? Transform{} : data.pose(pair.bodyB);
 }
 
-bool isMovable(const BodyMotion& m) {
-    return m.inverseMass > 0 || m.inverseInertia > 0;
-}
-
 Lane roundLane(WorldData& data, const Pair& pair) {
-    return data.batches.round.open(pair.bodyA, isMovable(data.motions[pair.bodyA]), pair.bodyB,
-                                   !pair.staticB && isMovable(data.motions[pair.bodyB]));
+    return data.batches.round.open(pair.bodyA, data.motions[pair.bodyA].yields(), pair.bodyB,
+                                   !pair.staticB && data.motions[pair.bodyB].yields());
 }
 
 /// A round contact's surfaces.
@@ -170,7 +167,7 @@ void findContacts(WorldData& data, const IterationStep& step) {
             meetGeneral(data, i, perSecond);
         }
     }
-    finishGeneral(data);
+    mergeContacts(data);
 }
 
 void findOverlaps(WorldData& data) {

@@ -38,10 +38,6 @@ bool shorten(BodyStep& s, double fraction, Slot carrier) {
     return true;
 }
 
-bool canYield(const BodyMotion& m) {
-    return m.inverseMass > 0 || m.inverseInertia > 0;
-}
-
 bool hasContact(const WorldData& data, const Pair& pair) {
     return pair.contact != Pair::none && data.contacts[pair.contact].count > 0;
 }
@@ -67,7 +63,7 @@ double coveredTurn(const WorldData& data, const Pair& pair) {
 
 /// Whether one of them, which nothing can stop, comes to the other further than anticipation covers.
 bool isRunInto(const WorldData& data, const Pair& pair) {
-    if (pair.staticB || (canYield(data.motions[pair.bodyA]) && canYield(data.motions[pair.bodyB]))) {
+    if (pair.staticB || (data.motions[pair.bodyA].yields() && data.motions[pair.bodyB].yields())) {
         return false;
     }
     const BodyStep& a = data.steps[pair.bodyA];
@@ -80,7 +76,7 @@ bool isRunInto(const WorldData& data, const Pair& pair) {
 std::optional<double> impactOf(const WorldData& data, const Pair& pair) {
     const double fractionA = data.steps[pair.bodyA].fraction;
     const double fractionB = pair.staticB ? 1 : data.steps[pair.bodyB].fraction;
-    const bool bothYield = pair.staticB || (canYield(data.motions[pair.bodyA]) && canYield(data.motions[pair.bodyB]));
+    const bool bothYield = pair.staticB || (data.motions[pair.bodyA].yields() && data.motions[pair.bodyB].yields());
     const double both = std::min(fractionA, fractionB);
     const Motion a = plannedMotion(data, pair.bodyA, bothYield ? fractionA : both);
     const Motion b = pair.staticB ? Motion{} : plannedMotion(data, pair.bodyB, bothYield ? fractionB : both);
@@ -94,8 +90,8 @@ struct Stoppable {
 };
 
 Stoppable stoppable(const WorldData& data, const Pair& pair) {
-    const bool a = canYield(data.motions[pair.bodyA]);
-    const bool b = !pair.staticB && canYield(data.motions[pair.bodyB]);
+    const bool a = data.motions[pair.bodyA].yields();
+    const bool b = !pair.staticB && data.motions[pair.bodyB].yields();
     return {a, b, b || pair.staticB ? noSlot : pair.bodyB, a ? noSlot : pair.bodyA};
 }
 
@@ -152,9 +148,9 @@ void findCarrier(WorldData& data, Slot a, Slot b, std::uint32_t pair) {
     if (!data.table.marks[pair].now || data.table.pairs[pair].staticB) {
         return;
     }
-    if (!canYield(data.motions[a])) {
+    if (!data.motions[a].yields()) {
         data.steps[b].carrier = a;
-    } else if (!canYield(data.motions[b])) {
+    } else if (!data.motions[b].yields()) {
         data.steps[a].carrier = b;
     }
 }

@@ -21,10 +21,6 @@ constexpr int passesAfterSoftening = 4;
 // What may be gained, of the energy that the impulses of an iteration move: beyond rounding, below notice.
 constexpr double tolerance = 1e-9;
 
-bool isMovable(const BodyMotion& m) {
-    return m.inverseMass > 0 || m.inverseInertia > 0;
-}
-
 /// A velocity as numbers to reckon with all at once.
 struct WideVelocity {
     Wide value;
@@ -100,7 +96,7 @@ bool pushesTooMuch(const EnergyBalance& e) {
 }
 
 Slot moverOf(const WorldData& data, Slot a, Slot b) {
-    return isMovable(data.motions[a]) ? a : b;
+    return data.motions[a].yields() ? a : b;
 }
 
 /// Visits the lanes of the islands' contacts, in the order of the contacts.
@@ -125,7 +121,7 @@ void solveOn(WorldData& data, Question which, int passes) {
     part.general.reset(data.motions.size());
     data.islands.lanes.clear();
     forLanesOf(data, which, [&](auto& from, auto& to, const auto& c) {
-        const Lane lane = to.open(c.a, isMovable(data.motions[c.a]), c.b, isMovable(data.motions[c.b]));
+        const Lane lane = to.open(c.a, data.motions[c.a].yields(), c.b, data.motions[c.b].yields());
         copyLane(from[c.lane.batch], c.lane.lane, to[lane.batch], lane.lane);
         data.islands.lanes.push_back(lane);
     });

@@ -12,7 +12,4 @@ void meetGeneral(WorldData& data, std::uint32_t index, double dt);
 /// How much nearer the parts of a pair without a contact may come before they can have one, m; 0 when that is unknown.
 double roomBetween(const WorldData& data, const Pair& pair);
 
-/// What needs to know of all constraints: those that lie in one plane become one.
-void finishGeneral(WorldData& data);
-
 } // namespace spacetow

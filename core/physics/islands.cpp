@@ -7,10 +7,6 @@ namespace spacetow {
 
 namespace {
 
-bool isMovable(const BodyMotion& m) {
-    return m.inverseMass > 0 || m.inverseInertia > 0;
-}
-
 /// What a body that nothing can move may push.
 void noteDriver(WorldData& data, Slot driver, Slot pushed) {
     const Islands::Driver found{driver, pushed};
@@ -44,8 +40,8 @@ void findIslands(WorldData& data) {
         if (pair.staticB || pair.kind == PairKind::Felt) {
             continue;
         }
-        const bool movableA = isMovable(data.motions[pair.bodyA]);
-        const bool movableB = isMovable(data.motions[pair.bodyB]);
+        const bool movableA = data.motions[pair.bodyA].yields();
+        const bool movableB = data.motions[pair.bodyB].yields();
         if (movableA && movableB) {
             joinSets(roots, pair.bodyA, pair.bodyB);
         } else if (movableA) {

@@ -63,13 +63,9 @@ bool mayMeet(const WorldData& data, Slot a, Slot b) {
     return a != b && (oneMoves || oneFeels) && mayTouch(ra.filter, rb.filter) && !connectedApart(data, a, b);
 }
 
-bool canYield(const BodyMotion& m) {
-    return m.inverseMass > 0 || m.inverseInertia > 0;
-}
-
 PairKind kindOf(const WorldData& data, const Pair& pair) {
     const bool tangible = data.records[pair.bodyA].tangible && data.records[pair.bodyB].tangible;
-    if (!tangible || (!canYield(data.motions[pair.bodyA]) && !canYield(data.motions[pair.bodyB]))) {
+    if (!tangible || (!data.motions[pair.bodyA].yields() && !data.motions[pair.bodyB].yields())) {
         return PairKind::Felt;
     }
     if (isRound(*pair.shapeA)) {

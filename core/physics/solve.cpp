@@ -2,6 +2,7 @@
 
 #include "core/physics/contact_rules.h"
 #include "core/physics/energy_limit.h"
+#include "core/physics/hold_back.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ constexpr double pushOutRate = 40;
 constexpr double pushOutShare = 0.2;
 constexpr double pushOutSpeed = 25;
 
-// So many bodies in a row hold each other back.
-constexpr int roundsOfHolding = 8;
 constexpr int roundsOfSettling = 3;
 
 // Contacts may change the way of a body in an iteration by as much, of its inner radius or m, without it meeting
@@ -28,10 +27,6 @@ constexpr std::size_t contactsAhead = 8;
 
 // What no velocity falls short of.
 constexpr double noTarget = -1e30;
-
-bool isMovable(const BodyMotion& m) {
-    return m.inverseMass > 0 || m.inverseInertia > 0;
-}
 
 void loadPaces(WorldData& data) {
     ContactBatches& batches = data.batches;
@@ -94,7 +89,7 @@ void packGeneral(WorldData& data, double perSecond) {
     for (Constraint& c : data.constraints) {
         const BodyMotion& a = data.motions[c.a];
         const BodyMotion& b = data.motions[c.b];
-        c.lane = batches.open(c.a, isMovable(a), c.b, isMovable(b));
+        c.lane = batches.open(c.a, a.yields(), c.b, b.yields());
         ConstraintBatch& batch = batches[c.lane.batch];
         const std::uint32_t i = c.lane.lane;
         batch.normalX[i] = c.normal.x();
@@ -110,39 +105,6 @@ void packGeneral(WorldData& data, double perSecond) {
         batch.tangentImpulse[i] = c.tangentImpulse;
         packBlock(c, batch, i, perSecond);
     }
-}
-
-/// Two bodies at a point of contact.
-struct Closing {
-    Slot a, b;
-    double speedA, speedB; // m/s along the normal
-    double separation;
-};
-
-/// Where the solver has not converged, bodies in contact would still go into each other: they go as far as the slop.
-/// What is held back holds back what follows it.
-bool limitClosing(WorldData& data, const Closing& c, double dt) {
-    // What nothing holds back takes along what it holds back: both have the same part of their way to each other left.
-    const bool yieldsA = isMovable(data.motions[c.a]);
-    const bool yieldsB = isMovable(data.motions[c.b]);
-    const double fractionA = data.steps[yieldsA ? c.a : c.b].fraction;
-    const double fractionB = data.steps[yieldsB ? c.b : c.a].fraction;
-    const double room = roomToClose(c.separation);
-    if (dt * (fractionA * c.speedA - fractionB * c.speedB) <= room) {
-        return false;
-    }
-    const double both = std::min(fractionA, fractionB);
-    const double closing = dt * (c.speedA - c.speedB);
-    const double fraction = closing * both > room ? room / closing : both;
-    bool changed = false;
-    for (const Slot slot : {c.a, c.b}) {
-        if (isMovable(data.motions[slot]) && fraction < data.steps[slot].fraction) {
-            data.steps[slot].fraction = fraction;
-            data.islands.held[slot] = 1;
-            changed = true;
-        }
-    }
-    return changed;
 }
 
 /// The way that the surfaces at a point are pushed apart in this iteration, as an impulse, kg m.
@@ -167,7 +129,7 @@ void noteWork(WorldData& data, Slot a, Slot b, const Vec2& push, double dt) {
     const Pace& plannedB = batches.planned[b];
     const double work = push.x() * (startB.x - plannedB.x - startA.x + plannedA.x) +
                         push.y() * (startB.y - plannedB.y - startA.y + plannedA.y);
-    data.islands.balances[data.islands.roots[isMovable(data.motions[a]) ? a : b]].pushes += work / dt;
+    data.islands.balances[data.islands.roots[data.motions[a].yields() ? a : b]].pushes += work / dt;
 }
 
 void pushApart(WorldData& data, const RoundContact& c, const RoundBatch& batch, double way) {
@@ -229,82 +191,12 @@ void finish(WorldData& data, const Constraint& c, double dt) {
     data.contacts[c.points[0].contact].tangentImpulse = impact ? 0 : batch.tangentImpulse[lane];
 }
 
-double speedAlong(const Pace& pace, double normalX, double normalY, double lever) {
-    return pace.x * normalX + pace.y * normalY + pace.turn * lever;
-}
-
-bool closesTooFast(const WorldData& data, const Constraint& c) {
-    const ConstraintBatch& batch = data.batches.general[c.lane.batch];
-    const std::uint32_t i = c.lane.lane;
-    return batch.velocity1[i] < batch.closing1[i] || batch.velocity2[i] < batch.closing2[i];
-}
-
-/// Visits what closes too fast at first, then only what touches bodies that are held back: no other can have changed.
-bool holdBackOnce(WorldData& data, double dt, bool first) {
-    const std::vector<Pace>& paces = data.batches.paces;
-    const std::vector<std::uint8_t>& held = data.islands.held;
-    bool changed = false;
-    for (const RoundContact& c : data.roundContacts) {
-        const RoundBatch& batch = data.batches.round[c.lane.batch];
-        const std::uint32_t i = c.lane.lane;
-        if ((first && batch.velocity[i] < batch.closing[i]) || held[c.a] != 0 || held[c.b] != 0) {
-            const double x = batch.normalX[i];
-            const double y = batch.normalY[i];
-            const Closing closing{c.a, c.b, speedAlong(paces[c.a], x, y, 0), speedAlong(paces[c.b], x, y, 0),
-                                  c.separation};
-            changed |= limitClosing(data, closing, dt);
-        }
-    }
-    for (const Constraint& c : data.constraints) {
-        if (held[c.a] == 0 && held[c.b] == 0 && !(first && closesTooFast(data, c))) {
-            continue;
-        }
-        for (std::size_t k = 0; k < static_cast<std::size_t>(c.count); ++k) {
-            const ConstraintPoint& p = c.points[k];
-            const Closing closing{c.a, c.b, speedAlong(paces[c.a], c.normal.x(), c.normal.y(), p.leverA),
-                                  speedAlong(paces[c.b], c.normal.x(), c.normal.y(), p.leverB), p.separation};
-            changed |= limitClosing(data, closing, dt);
-        }
-    }
-    return changed;
-}
-
-void holdBack(WorldData& data, double dt) {
-    data.islands.held.assign(data.motions.size(), 0);
-    for (const Slot slot : data.moving) {
-        data.islands.held[slot] = data.steps[slot].fraction < 1 ? 1 : 0;
-    }
-    for (int round = 0; round < roundsOfHolding && holdBackOnce(data, dt, round == 0); ++round) {
-    }
-}
-
-/// What is held back has been accelerated for as long as it moved.
-void takeBackAcceleration(WorldData& data) {
-    for (const Slot slot : data.moving) {
-        BodyStep& s = data.steps[slot];
-        if (s.fraction < s.accounted) {
-            const double lost = 1 - s.fraction / s.accounted;
-            const Pace& start = data.batches.starts[slot];
-            Pace& planned = data.batches.planned[slot];
-            const Pace change{lost * (planned.x - start.x), lost * (planned.y - start.y),
-                              lost * (planned.turn - start.turn), 0};
-            for (Pace* pace : {&planned, &data.batches.paces[slot]}) {
-                pace->x -= change.x;
-                pace->y -= change.y;
-                pace->turn -= change.turn;
-            }
-            s.accounted = s.fraction;
-        }
-    }
-}
-
 /// What is held back has less energy; and what has less energy may have to be held back.
 void settle(WorldData& data, double dt) {
     bool changed = true;
     for (int round = 0; changed && round < roundsOfSettling; ++round) {
         if (measureVelocities(data.batches)) {
             holdBack(data, dt);
-            takeBackAcceleration(data);
         }
         changed = limitGain(data);
     }

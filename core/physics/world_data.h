@@ -8,7 +8,8 @@
 #include "core/geometry/wall_back.h"
 #include "core/geometry/wall_side.h"
 #include "core/math/aabb.h"
-#include "core/physics/contact_batches.h"
+#include "core/physics/contact_data.h"
+#include "core/physics/island_data.h"
 #include "core/physics/world.h"
 
 #include <algorithm>
@@ -34,6 +35,9 @@ struct BodyMotion {
     double angularVelocity = 0;
     double inverseMass = 0;    // as contacts and connectors feel it: 0 for what they cannot move
     double inverseInertia = 0; // likewise
+
+    /// Whether anything can move or turn it.
+    bool yields() const { return inverseMass > 0 || inverseInertia > 0; }
 };
 
 /// How a body moves when nothing touches it, with the time step it takes: v₁ = decay·v₀ + gain·a and
@@ -155,140 +159,11 @@ struct StaticGeometry {
     StaticQuadtree tree;
 };
 
-struct ContactPoint {
-    std::uint32_t feature = 0;
-    bool fresh = true;        // touched for the first time: what stopped an impact is not carried on
-    double normalImpulse = 0; // N s, of the last iteration
-};
-
-/// By what the parts of a pair are, how their contact is found: `Round` circles stand about their centre of mass.
-enum class PairKind : std::uint8_t { Felt, RoundRound, RoundEdge, RoundStatic, General };
-
-/// Two parts that may meet during this update. `bodyA` moves; it has the lower slot when both do.
-struct Pair {
-    static constexpr std::uint32_t none = 0xffffffffu;
-
-    Slot bodyA = 0, bodyB = 0;
-    std::uint32_t partA = 0, partB = 0;
-    const Part* shapeA = nullptr; // about the centre of mass
-    const Part* shapeB = nullptr; // likewise, or in world coordinates for a static body
-    PairKind kind = PairKind::General;
-    bool staticB = false;
-    bool alone = false;           // no other part of the same body, nor another static body, can share a plane with it
-    bool sweep = false;           // the parts are to be stopped where they meet, to bounce from there
-    std::uint32_t collider = 0;   // index in StaticGeometry, of a static part
-    std::uint32_t contact = none; // index of what is known of their contact
-
-    std::uint64_t bodies() const { return std::uint64_t{bodyA} << 32 | bodyB; }
-    std::uint64_t parts() const { return std::uint64_t{partA} << 32 | partB; }
-    bool operator<(const Pair& o) const { return bodies() != o.bodies() ? bodies() < o.bodies() : parts() < o.parts(); }
-};
-
-/// Tells without a look at the pair that it cannot be in contact yet: not before its bodies have travelled this far
-/// together.
-struct PairGate {
-    std::uint32_t moverA = 0, moverB = 0; // indices into WorldData::travelled
-    double apartUntil = 0;                // m
-};
-
-struct TouchMarks {
-    bool now = false;
-    bool reported = false; // as events
-};
-
-/// A manifold that is kept while its parts move little against each other, in their own coordinates.
-struct KeptManifold {
-    double holdsUntil = 0; // m that the bodies may have travelled together before it is looked at again
-    double room = -1;      // m that the parts may come closer before it is out of date; negative: nothing is known
-    Transform relative;    // of A in the coordinates of B when it was made
-    bool normalOfA = false;
-    Vec2 normal{0, 1}; // in the coordinates of A or B
-    struct Point {
-        Vec2 onA{0, 0}, onB{0, 0}; // in the coordinates of A and B
-        double leverA = 0, leverB = 0;
-        double tangentLeverA = 0, tangentLeverB = 0;
-        double normalMass = 0;
-    };
-    std::array<Point, 2> points;
-    double coupling = 0; // of the two points: the off-diagonal element of their inverse mass matrix
-};
-
-/// What the last iteration left of a pair's contact.
-struct Contact {
-    std::int32_t count = 0;               // of points
-    std::uint32_t manifold = 0xffffffffu; // index of the kept one, of general pairs
-    double friction = 0;
-    double restitution = 0;
-    double tangentImpulse = 0; // N s, of the last iteration
-    std::array<ContactPoint, 2> points;
-};
-
-/// The pairs and what belongs to each, by the same index; sorted by bodies and parts.
-struct PairTable {
-    std::vector<PairGate> gates;
-    std::vector<TouchMarks> marks;
-    std::vector<Pair> pairs;
-
-    std::size_t size() const { return pairs.size(); }
-    void clear();
-    void add(const Pair& pair);
-    void addFrom(const PairTable& other, std::size_t index);
-};
-
 /// A part of a moving body with the box it cannot leave unnoticed.
 struct MovingCollider {
     Slot body;
     std::uint32_t part;
     Aabb box;
-};
-
-/// A contact of one point in line with the centres of mass, so that its normal impulse turns nothing. The rest of it is
-/// in a batch.
-struct RoundContact {
-    Slot a = 0, b = 0;
-    std::uint32_t pair = 0, contact = 0;
-    Lane lane;
-    bool bounces = false;
-    double separation = 0;
-};
-
-struct ConstraintPoint {
-    double leverA, leverB; // cross products of the arms with the normal, m
-    double normalMass;     // 0 when no push along the normal can move anything
-    double separation;
-    double target; // m/s: the normal velocity is to be at least this
-    double normalImpulse;
-    Vec2 armA; // from the centre of mass to the contact point
-    double tangentLeverA, tangentLeverB;
-    std::uint32_t pair, contact, index; // where its impulse is kept
-    bool bounces;
-};
-
-/// Any other contact, for one iteration. Friction acts once for both points, as the velocity along a plane is the same
-/// at all of its points. Made by the thousand, it starts out with a second point that does nothing and nothing else.
-struct Constraint {
-    Slot a, b;
-    int count = 0;
-    bool alone;
-    Lane lane;   // of its batch
-    Vec2 normal; // from a to b
-    double friction;
-    double restitution;
-    double tangentLeverA, tangentLeverB;
-    double tangentMass;
-    double tangentImpulse;
-    double coupling; // off-diagonal element of the two points' inverse mass matrix
-    std::array<ConstraintPoint, 2> points;
-
-    Constraint() {
-        points[0].bounces = alone = false;
-        silenceSecond();
-    }
-    void silenceSecond() {
-        ConstraintPoint& second = points[1];
-        second.leverA = second.leverB = second.normalMass = second.normalImpulse = second.separation = 0;
-        second.bounces = false;
-    }
 };
 
 struct ConnectorRecord {
@@ -315,39 +190,6 @@ struct PendingChange {
     enum class Kind : std::uint8_t { Remove, Active, Tangible, Frozen } kind;
     BodyId body;
     bool first = false, second = false;
-};
-
-/// What the impulses of an iteration do to the energy of bodies, J: three sums over their motions to the sides, up and
-/// around; see energy_limit.cpp.
-struct EnergyChange {
-    Wide a{}, b{}, c{};
-};
-
-/// The change with a share x of the impulses: a·x²/2 + b·x + c. `pushes` is the work of pushes out of overlaps.
-struct EnergyBalance {
-    double a = 0, b = 0, c = 0, pushes = 0;
-
-    double gain() const { return 0.5 * a + b + c; }
-};
-
-/// Bodies that may push each other, directly or through others.
-struct Islands {
-    /// A body that nothing can move, next to an island, by the root of that.
-    struct Driver {
-        Slot slot = 0, pushed = 0;
-        auto operator<=>(const Driver&) const = default;
-    };
-    std::vector<Slot> roots; // by slot: the lowest of its island
-    std::vector<Driver> drivers;
-
-    // Working memory.
-    std::vector<Slot> all;               // roots of the bodies that move
-    std::vector<Pace> inertias;          // by slot: mass, mass and inertia
-    std::vector<EnergyChange> changes;   // by slot, of roots
-    std::vector<EnergyBalance> balances; // likewise
-    ContactBatches batches;              // of islands that are solved again
-    std::vector<Lane> lanes;             // of their contacts there
-    std::vector<std::uint8_t> held;      // by slot: bodies that are held back
 };
 
 using SlotPair = std::pair<Slot, Slot>; // lower first

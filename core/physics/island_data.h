@@ -1,0 +1,45 @@
+#pragma once
+// What is known of islands: bodies that may push each other. See energy_limit.h.
+
+#include "core/physics/contact_batches.h"
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace spacetow {
+
+/// What the impulses of an iteration do to the energy of bodies, J: three sums over their motions to the sides, up and
+/// around; see energy_limit.cpp.
+struct EnergyChange {
+    Wide a{}, b{}, c{};
+};
+
+/// The change with a share x of the impulses: a·x²/2 + b·x + c. `pushes` is the work of pushes out of overlaps.
+struct EnergyBalance {
+    double a = 0, b = 0, c = 0, pushes = 0;
+
+    double gain() const { return 0.5 * a + b + c; }
+};
+
+/// Bodies that may push each other, directly or through others.
+struct Islands {
+    /// A body that nothing can move, next to an island, by the root of that.
+    struct Driver {
+        Slot slot = 0, pushed = 0;
+        auto operator<=>(const Driver&) const = default;
+    };
+    std::vector<Slot> roots; // by slot: the lowest of its island
+    std::vector<Driver> drivers;
+
+    // Working memory.
+    std::vector<Slot> all;               // roots of the bodies that move
+    std::vector<Pace> inertias;          // by slot: mass, mass and inertia
+    std::vector<EnergyChange> changes;   // by slot, of roots
+    std::vector<EnergyBalance> balances; // likewise
+    ContactBatches batches;              // of islands that are solved again
+    std::vector<Lane> lanes;             // of their contacts there
+    std::vector<std::uint8_t> held;      // by slot: bodies that are held back
+};
+
+} // namespace spacetow

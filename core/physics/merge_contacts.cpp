@@ -1,0 +1,148 @@
+#include "core/physics/merge_contacts.h"
+
+#include "core/math/vec.h"
+#include "core/physics/effective_mass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+// Points of merged contacts that are no further apart are one, m.
+constexpr double coincident = 1e-9;
+
+bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) {
+    const bool sameBodies =
+        c.b == d.b || (data.records[c.b].kind == BodyKind::Static && data.records[d.b].kind == BodyKind::Static);
+    if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution ||
+        c.normal.dot(d.normal) < 1 - 1e-9) {
+        return false;
+    }
+    // Points lie half way between the surfaces; half the separation further on is the surface of b.
+    const double planeC = c.points[0].armA.dot(c.normal) + 0.5 * c.points[0].separation;
+    const double planeD = d.points[0].armA.dot(c.normal) + 0.5 * d.points[0].separation;
+    return std::abs(planeC - planeD) < 1e-6;
+}
+
+/// Whether the outermost two points of both stand for all: none between them is deeper than they are.
+bool isFlat(const Constraint& c, const Constraint& d) {
+    const Vec2 tangent = leftOf(c.normal);
+    std::array<Vec2, 4> points; // along the plane, and above it
+    std::size_t count = 0;
+    for (const Constraint* from : {&c, &d}) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(from->count); ++i) {
+            points[count++] = {from->points[i].armA.dot(tangent), from->points[i].separation};
+        }
+    }
+    const auto byPlace = [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); };
+    const auto ends = std::minmax_element(points.begin(), points.begin() + count, byPlace);
+    const Vec2 first = *ends.first;
+    const Vec2 along = *ends.second - first;
+    return std::all_of(points.begin(), points.begin() + count, [&](const Vec2& p) {
+        const double share = along.x() > 0 ? (p.x() - first.x()) / along.x() : 0;
+        return p.y() >= first.y() + share * along.y() - linearSlop;
+    });
+}
+
+/// Levers and masses from the arms.
+void prepareAgain(const WorldData& data, Constraint& c) {
+    const BodyMotion& a = data.motions[c.a];
+    const BodyMotion& b = data.motions[c.b];
+    const Vec2 tangent = leftOf(c.normal);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
+        ConstraintPoint& p = c.points[i];
+        const Vec2 armB = p.armA + a.center - b.center;
+        p.leverA = cross(p.armA, c.normal);
+        p.leverB = cross(armB, c.normal);
+        p.tangentLeverA = cross(p.armA, tangent);
+        p.tangentLeverB = cross(armB, tangent);
+        p.normalMass = massOf(a, b, {p.leverA, p.leverB});
+    }
+    if (c.count == 2) {
+        const ConstraintPoint& p = c.points[0];
+        const ConstraintPoint& q = c.points[1];
+        c.coupling = couplingOf(a, b, {p.leverA, p.leverB}, {q.leverA, q.leverB});
+    }
+    setTangent(data, c);
+}
+
+ContactPoint& keptPoint(WorldData& data, const ConstraintPoint& p) {
+    return data.contacts[p.contact].points[p.index];
+}
+
+/// Of two points at one place: the first goes on with what the second carried.
+void takeOver(WorldData& data, ConstraintPoint& p, const ConstraintPoint& gone) {
+    p.normalImpulse += gone.normalImpulse;
+    keptPoint(data, p).fresh &= keptPoint(data, gone).fresh;
+    keptPoint(data, gone).fresh = true;
+}
+
+/// Keeps the outermost two of the points of both; where two coincide, that of the contact with more points, which will
+/// still be there when the body has turned a little.
+void absorb(WorldData& data, Constraint& c, Constraint& d) {
+    const Vec2 tangent = leftOf(c.normal);
+    std::array<ConstraintPoint, 4> all;
+    std::array<double, 4> places;
+    std::size_t count = 0;
+    const bool cFirst = c.count >= d.count;
+    for (const Constraint* from : {cFirst ? &c : &d, cFirst ? &d : &c}) {
+        for (int i = 0; i < from->count; ++i) {
+            all[count] = from->points[static_cast<std::size_t>(i)];
+            places[count] = all[count].armA.dot(tangent);
+            ++count;
+        }
+    }
+    std::size_t least = 0;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const ConstraintPoint& p = all[i];
+        data.table.marks[p.pair].now |= p.separation <= linearSlop;
+        keptPoint(data, p).normalImpulse = 0;
+        data.contacts[p.contact].tangentImpulse = 0;
+        least = places[i] < places[least] - coincident ? i : least;
+        most = places[i] > places[most] + coincident ? i : most;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i != least && places[i] <= places[least] + coincident) {
+            takeOver(data, all[least], all[i]);
+        } else if (i != most && places[i] >= places[most] - coincident) {
+            takeOver(data, all[most], all[i]);
+        }
+    }
+    c.points[0] = all[least];
+    c.points[1] = all[most];
+    c.count = 2;
+    if (least == most) {
+        c.count = 1;
+        c.silenceSecond();
+    }
+    c.tangentImpulse += d.tangentImpulse;
+    d.count = 0;
+}
+
+} // namespace
+
+void mergeContacts(WorldData& data) {
+    std::vector<Constraint>& all = data.constraints;
+    bool merged = false;
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+        for (end = first + 1; end < all.size() && all[end].a == all[first].a; ++end) {
+            for (std::size_t i = first; i < end && !all[end].alone; ++i) {
+                if (all[i].count > 0 && samePlane(data, all[i], all[end]) && isFlat(all[i], all[end])) {
+                    absorb(data, all[i], all[end]);
+                    prepareAgain(data, all[i]);
+                    merged = true;
+                    break;
+                }
+            }
+        }
+    }
+    if (merged) {
+        std::erase_if(all, [](const Constraint& c) { return c.count == 0; });
+    }
+}
+
+} // namespace spacetow
