@@ -7,6 +7,8 @@
 #include "core/physics/general_contacts.h"
 #include "core/physics/merge_contacts.h"
 
+#include <cmath>
+
 namespace spacetow {
 
 namespace {
@@ -139,6 +141,37 @@ void fetchAhead(const WorldData& data, std::uint32_t index) {
     }
 }
 
+/// Where a body was when it had gone this part of its way.
+Transform poseAt(const WorldData& data, Slot slot, double fraction) {
+    const BodyMotion& m = data.motions[slot];
+    const BodyStep& s = data.steps[slot];
+    const double left = fraction - 1;
+    return {m.center + left * s.shift, turned(m.rotation, left * s.turn)};
+}
+
+// So often at most what is felt is looked for on the way of an iteration.
+constexpr int maxLooks = 64;
+
+/// Whether the parts meet at the end of the iteration, or did on the way where that is longer than the bodies are wide.
+bool haveMet(const WorldData& data, const Pair& pair) {
+    if (overlaps(*pair.shapeA, data.pose(pair.bodyA), *pair.shapeB, poseOfB(data, pair))) {
+        return true;
+    }
+    const BodyStep& a = data.steps[pair.bodyA];
+    const BodyStep& b = data.steps[pair.bodyB];
+    const double way = a.reach() + (pair.staticB ? 0 : b.reach());
+    const double wide = a.innerRadius + (pair.staticB ? 0 : b.innerRadius);
+    const int looks = way <= wide ? 1 : way < maxLooks * wide ? static_cast<int>(std::ceil(way / wide)) : maxLooks;
+    for (int look = 1; look < looks; ++look) {
+        const double fraction = static_cast<double>(look) / looks;
+        const Transform poseB = pair.staticB ? Transform{} : poseAt(data, pair.bodyB, fraction);
+        if (overlaps(*pair.shapeA, poseAt(data, pair.bodyA, fraction), *pair.shapeB, poseB)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 void findContacts(WorldData& data, const IterationStep& step) {
@@ -172,8 +205,7 @@ void findContacts(WorldData& data, const IterationStep& step) {
 
 void findOverlaps(WorldData& data) {
     for (const std::uint32_t i : data.felt) {
-        const Pair& pair = data.table.pairs[i];
-        data.table.marks[i].now = overlaps(*pair.shapeA, data.pose(pair.bodyA), *pair.shapeB, poseOfB(data, pair));
+        data.table.marks[i].now = haveMet(data, data.table.pairs[i]);
     }
 }
 

@@ -118,8 +118,10 @@ class RestingTest : public QObject {
     }
 
     void mirroredStartsEndMirrored_data() {
+        // Between two surfaces the solver takes one after the other, and the same one first: what has corners ends some
+        // millimetres apart.
         restRows([](const QString& what, const QString& surface) {
-            return surface != "two circles" && (what != "ship" || surface != "bowl");
+            return what == "ball" || (surface != "two circles" && (what != "ship" || surface != "bowl"));
         });
     }
     void mirroredStartsEndMirrored() {
@@ -139,7 +141,7 @@ class RestingTest : public QObject {
                 const BodyId id = add(world, def);
                 run(world, 3);
                 ends[side] = world.body(id);
-                QVERIFY(ends[side].massCenter.y() > 0);
+                QVERIFY(ends[side].massCenter.y() > -0.9);
             }
             const double shift = ends[0].pose.position.x() + ends[1].pose.position.x();
             const double turn = std::remainder(ends[0].angle + ends[1].angle, 2 * pi);
