@@ -38,8 +38,9 @@ void loadPaces(WorldData& data) {
         const BodyMotion& m = data.motions[slot];
         const BodyStep& s = data.steps[slot];
         batches.starts[slot] = {s.startVelocity.x(), s.startVelocity.y(), s.startAngularVelocity, 0};
+        // Not a copy of the other: reading at once what was just written in parts stalls.
         batches.planned[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
-        batches.paces[slot] = batches.planned[slot];
+        batches.paces[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
     }
 }
 

@@ -218,7 +218,6 @@ struct WorldData {
     std::vector<BodyRecord> records;
     std::vector<Slot> freeSlots;
     std::uint64_t nextSerial = 0;
-    std::uint64_t iterationCount = 0; // since the world was made
 
     std::vector<ConnectorRecord> connectors;
     std::vector<std::uint32_t> freeConnectors;
