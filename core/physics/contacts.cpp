@@ -59,6 +59,7 @@ void addRoundContact(WorldData& data, std::uint32_t index, const Touch& touch, d
         if (target.meeting == Meeting::WillBounce) {
             pair.sweep = true;
             data.anySweep = true;
+            data.steps[pair.bodyA].bouncing = data.steps[pair.bodyB].bouncing = true;
             return;
         }
     }

@@ -195,22 +195,24 @@ double coveredShare(const WorldData& data, double least) {
 }
 
 void stopAtImpacts(WorldData& data) {
-    for (int round = 0; round < maxRounds; ++round) {
-        bool changed = false;
-        for (std::uint32_t i = 0; i < data.table.size(); ++i) {
+    data.onWays.clear();
+    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
+        const PairGate& gate = data.table.gates[i];
+        if ((data.alert[gate.moverA] | data.alert[gate.moverB]) != 0 && data.table.pairs[i].kind != PairKind::Felt) {
+            data.onWays.push_back(i);
+        }
+    }
+    bool changed = true;
+    for (int round = 0; changed && round < maxRounds; ++round) {
+        changed = false;
+        for (const std::uint32_t i : data.onWays) {
             const Pair& pair = data.table.pairs[i];
-            if (pair.kind == PairKind::Felt) {
-                continue;
-            }
             // The solver keeps those that have a contact from closing their gap.
             if (pair.sweep || !hasContact(data, pair)) {
                 changed |= sweepPair(data, i);
             } else if (data.anyFast && pair.kind == PairKind::General) {
                 changed |= limitTurn(data, pair);
             }
-        }
-        if (!changed) {
-            break;
         }
     }
 }

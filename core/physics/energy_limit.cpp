@@ -15,9 +15,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Deeper than this, bodies are pushed apart whatever it costs, m.
 constexpr double deepOverlap = 8 * linearSlop;
-constexpr int extraPasses = 10;
+constexpr int extraRounds = 2;
+constexpr int passesInRound = 2;
 constexpr int softerBounces = 8; // each time half as fast
-constexpr int passesAfterSoftening = 4;
 // What may be gained, of the energy that the impulses of an iteration move: beyond rounding, below notice.
 constexpr double tolerance = 1e-9;
 
@@ -207,13 +207,13 @@ bool limitGain(WorldData& data) {
     reserveRoom(data);
     Gain gain = measureIslands(data);
     bool changed = false;
-    for (int pass = 0; pass < extraPasses && gain == Gain::Much; ++pass) {
-        solveOn(data, gainsMuch, 1);
+    for (int round = 0; round < extraRounds && gain == Gain::Much; ++round) {
+        solveOn(data, gainsMuch, passesInRound);
         gain = measureIslands(data);
         changed = true;
     }
     for (int round = 0; round < softerBounces && gain == Gain::Much && softenBounces(data); ++round) {
-        solveOn(data, gainsMuch, passesAfterSoftening);
+        solveOn(data, gainsMuch, passesInRound);
         gain = measureIslands(data);
         changed = true;
     }

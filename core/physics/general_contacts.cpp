@@ -146,6 +146,7 @@ bool setTarget(WorldData& data, Pair& pair, const Constraint& c, ConstraintPoint
         if (target.meeting == Meeting::WillBounce) {
             pair.sweep = true;
             data.anySweep = true;
+            data.steps[pair.bodyA].bouncing = data.steps[pair.bodyB].bouncing = true;
             return false;
         }
         p.target = target.velocity;

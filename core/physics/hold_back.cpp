@@ -26,6 +26,9 @@ bool limitClosing(WorldData& data, const Closing& c, double dt) {
     const bool yieldsB = data.motions[c.b].yields();
     const double fractionA = data.steps[yieldsA ? c.a : c.b].fraction;
     const double fractionB = data.steps[yieldsB ? c.b : c.a].fraction;
+    if (yieldsA && yieldsB && data.islands.driven[data.islands.roots[c.a]] != 0) {
+        return false;
+    }
     const double room = roomToClose(c.separation);
     if (dt * (fractionA * c.speedA - fractionB * c.speedB) <= room) {
         return false;
@@ -107,6 +110,11 @@ void takeBackAcceleration(WorldData& data) {
 } // namespace
 
 void holdBack(WorldData& data, double dt) {
+    data.islands.driven.assign(data.motions.size(), 0);
+    for (const Islands::Driver& driver : data.islands.drivers) {
+        const BodyMotion& m = data.motions[driver.slot];
+        data.islands.driven[driver.pushed] |= m.angularVelocity != 0 || m.velocity != Vec2(0, 0) ? 1 : 0;
+    }
     data.islands.held.assign(data.motions.size(), 0);
     for (const Slot slot : data.moving) {
         data.islands.held[slot] = data.steps[slot].fraction < 1 ? 1 : 0;

@@ -133,7 +133,7 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         s.carrier = noSlot;
         s.push.setZero();
         s.pushTurn = 0;
-        s.pushed = s.bounced = s.diverted = false;
+        s.pushed = s.bounced = s.bouncing = s.diverted = false;
         if (!data.records[slot].substepped) {
             const Change change = integrated(m, s);
             s.shift = change.shift;

@@ -39,6 +39,7 @@ struct Islands {
     std::vector<EnergyBalance> balances; // likewise
     ContactBatches batches;              // of islands that are solved again
     std::vector<Lane> lanes;             // of their contacts there
+    std::vector<std::uint8_t> driven;    // by slot, of roots: whether something that cannot be stopped pushes it
     std::vector<std::uint8_t> held;      // by slot: bodies that are held back
 };
 

@@ -296,6 +296,7 @@ void prepareStructure(WorldData& data) {
         }
     }
     data.travelled.assign(data.records.size() + 1, 0);
+    data.alert.assign(data.records.size() + 1, 0);
     for (const Slot slot : data.sleep.sleepers) {
         data.travelled[slot + 1] = data.steps[slot].travelled;
     }
@@ -313,7 +314,9 @@ void measureMotion(WorldData& data, double ahead) {
         const double reach = s.reach();
         data.anyFault |= !isSound(m, s);
         data.travelled[slot + 1] = s.travelled + reach;
-        data.anyFast |= isFar(s, reach);
+        const bool far = isFar(s, reach);
+        data.anyFast |= far;
+        data.alert[slot + 1] = far || s.bouncing || s.diverted ? 1 : 0;
         s.escaped = !s.room.centers.contains(m.center) ||
                     !s.room.centers.contains(Vec2(m.center + s.shift + ahead * m.velocity)) ||
                     std::abs(s.turn + ahead * m.angularVelocity) > s.room.turnLeft;

@@ -67,6 +67,7 @@ struct alignas(64) BodyStep {
     bool escaped = false;     // from its room
     bool pushed = false;      // by a contact in this iteration
     bool bounced = false;     // off one
+    bool bouncing = false;    // about to bounce, from where it meets something
     bool diverted = false;    // by contacts, so that it may meet what its planned motion would not have met
     Slot carrier = noSlot;    // the kinematic body that stopped it
     double fraction = 1;      // of shift and turn that is carried out
@@ -249,13 +250,15 @@ struct WorldData {
     std::vector<Slot> reporters;           // of touched tags
     std::vector<MovingCollider> colliders; // of `moving` and the sleepers
     std::vector<double> travelled;         // m, at most, at the end of the iteration: 0, then by slot
+    std::vector<std::uint8_t> alert;       // whether a body's way is to be looked at: 0, then by slot
 
     // Working memory, kept so that a steady update allocates nothing.
     PairTable newTable;
     std::vector<Pair> newPairs, sortedPairs;
     std::vector<std::uint32_t> pairEnds; // by slot, of the sorted pairs
     std::vector<std::uint32_t> found;
-    std::vector<std::uint32_t> felt; // indices of felt pairs
+    std::vector<std::uint32_t> felt;   // indices of felt pairs
+    std::vector<std::uint32_t> onWays; // of those that may meet on their ways
     std::vector<RoundContact> roundContacts;
     std::vector<Constraint> constraints;
     std::vector<std::array<double, 3>> wholeImpulses; // by contact, while an iteration is made in parts
