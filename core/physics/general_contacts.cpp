@@ -81,7 +81,7 @@ void keep(const WorldData& data, const Pair& pair, const Poses& poses, const Man
         point.leverB = cross(armB, manifold.normal);
         point.tangentLeverA = cross(armA, tangent);
         point.tangentLeverB = cross(armB, tangent);
-        point.normalMass = massOf(a, b, {point.leverA, point.leverB});
+        point.normalMass = massOf(data, pair.bodyA, pair.bodyB, {point.leverA, point.leverB});
     }
     if (manifold.count == 2) {
         const KeptManifold::Point& p = kept.points[0];

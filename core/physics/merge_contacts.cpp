@@ -59,7 +59,7 @@ void prepareAgain(const WorldData& data, Constraint& c) {
         p.leverB = cross(armB, c.normal);
         p.tangentLeverA = cross(p.armA, tangent);
         p.tangentLeverB = cross(armB, tangent);
-        p.normalMass = massOf(a, b, {p.leverA, p.leverB});
+        p.normalMass = massOf(data, c.a, c.b, {p.leverA, p.leverB});
     }
     if (c.count == 2) {
         const ConstraintPoint& p = c.points[0];

@@ -178,7 +178,11 @@ QString movedThough(const Host& host) {
         const bool stillStill = !now.active || (now.positionFrozen && now.rotationFrozen);
         const double turn = std::remainder(now.angle - pose.rotation.angle(), 2 * pi);
         if (stillStill && (now.pose.position != pose.position || std::abs(turn) > 1e-15)) {
-            return QString("body %1 moved though it was inactive or frozen").arg(user);
+            return QString("body %1 moved though it was inactive or frozen: by (%2, %3) and %4 rad")
+                .arg(user)
+                .arg(now.pose.position.x() - pose.position.x())
+                .arg(now.pose.position.y() - pose.position.y())
+                .arg(turn);
         }
     }
     return {};

@@ -159,6 +159,22 @@ class KinematicTest : public QObject {
         }
     }
 
+    void aPushPastThePivotByNextToNothingSpinsNothing() {
+        World world({.gravity = {0, 0}, .iterations = 4});
+        const BodyId pinned = add(world, box({0, 0}, 0.5, 0.2));
+        world.setFrozen(pinned, true, false);
+        BodyDef ram = ball({1e-9, 0.35}, 0.1);
+        ram.kind = BodyKind::Kinematic;
+        ram.velocity = {0, -5};
+        add(world, ram);
+        for (int i = 0; i < 3; ++i) {
+            world.update();
+            QVERIFY2(std::abs(world.body(pinned).angularVelocity) < 1,
+                     qPrintable(QString::number(world.body(pinned).angularVelocity)));
+        }
+        QVERIFY(world.body(pinned).active);
+    }
+
     void aTurningFrameKeepsWhatIsInIt_data() {
         QTest::addColumn<double>("spin");
         QTest::addColumn<double>("restitution");
