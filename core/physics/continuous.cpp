@@ -80,6 +80,13 @@ std::optional<double> impactOf(const WorldData& data, const Pair& pair) {
     const double both = std::min(fractionA, fractionB);
     const Motion a = plannedMotion(data, pair.bodyA, bothYield ? fractionA : both);
     const Motion b = pair.staticB ? Motion{} : plannedMotion(data, pair.bodyB, bothYield ? fractionB : both);
+    if (!pair.staticB) { // what falls side by side is fast, but not towards each other
+        const double reach = data.steps[pair.bodyA].outerRadius + data.steps[pair.bodyB].outerRadius + gap +
+                             std::sqrt((a.translation - b.translation).squaredNorm());
+        if ((a.start.position - b.start.position).squaredNorm() > reach * reach) {
+            return std::nullopt;
+        }
+    }
     return timeOfImpact(*pair.shapeA, a, *pair.shapeB, b, gap);
 }
 
