@@ -13,7 +13,6 @@ namespace spacetow {
 
 struct ContactPoint {
     std::uint32_t feature = 0;
-    bool fresh = true;        // touched for the first time: what stopped an impact is not carried on
     double normalImpulse = 0; // N s, of the last iteration
 };
 

@@ -49,7 +49,7 @@ void addRoundContact(WorldData& data, std::uint32_t index, const Touch& touch, d
     Contact& kept = contactOf(data, pair);
     if (kept.count == 0 || kept.points[0].feature != touch.feature) {
         kept.count = 1;
-        kept.points[0] = {touch.feature, true, 0};
+        kept.points[0] = {touch.feature, 0};
         kept.tangentImpulse = 0;
     }
     Target target;

@@ -26,7 +26,7 @@ void matchPoints(Contact& contact, const Manifold& manifold) {
     contact.count = manifold.count;
     for (int i = 0; i < manifold.count; ++i) {
         ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
-        point = {manifold.points[static_cast<std::size_t>(i)].feature, true, 0};
+        point = {manifold.points[static_cast<std::size_t>(i)].feature, 0};
         for (int k = 0; k < oldCount; ++k) {
             if (old[static_cast<std::size_t>(k)].feature == point.feature) {
                 point = old[static_cast<std::size_t>(k)];

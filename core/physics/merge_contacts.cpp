@@ -73,15 +73,8 @@ ContactPoint& keptPoint(WorldData& data, const ConstraintPoint& p) {
     return data.contacts[p.contact].points[p.index];
 }
 
-/// Of two points at one place: the first goes on with what the second carried.
-void takeOver(WorldData& data, ConstraintPoint& p, const ConstraintPoint& gone) {
-    p.normalImpulse += gone.normalImpulse;
-    keptPoint(data, p).fresh &= keptPoint(data, gone).fresh;
-    keptPoint(data, gone).fresh = true;
-}
-
 /// Keeps the outermost two of the points of both; where two coincide, that of the contact with more points, which will
-/// still be there when the body has turned a little.
+/// still be there when the body has turned a little, with the impulses of both.
 void absorb(WorldData& data, Constraint& c, Constraint& d) {
     const Vec2 tangent = leftOf(c.normal);
     std::array<ConstraintPoint, 4> all;
@@ -107,9 +100,9 @@ void absorb(WorldData& data, Constraint& c, Constraint& d) {
     }
     for (std::size_t i = 0; i < count; ++i) {
         if (i != least && places[i] <= places[least] + coincident) {
-            takeOver(data, all[least], all[i]);
+            all[least].normalImpulse += all[i].normalImpulse;
         } else if (i != most && places[i] >= places[most] - coincident) {
-            takeOver(data, all[most], all[i]);
+            all[most].normalImpulse += all[i].normalImpulse;
         }
     }
     c.points[0] = all[least];

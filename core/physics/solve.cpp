@@ -114,13 +114,6 @@ double wayOut(double separation, double velocity, double normalMass, double dt) 
     return excess > 0 ? std::min(std::min(pushOutShare, pushOutRate * dt) * excess, pushOutSpeed * dt) * normalMass : 0;
 }
 
-/// An impulse that changes the velocity by no more than rounding does is none.
-void keepImpulse(ContactPoint& kept, double normalImpulse, double mass, bool bounces) {
-    const bool impact = bounces;
-    kept.normalImpulse = impact ? 0 : normalImpulse;
-    kept.fresh = normalImpulse <= 1e-9 * mass || bounces;
-}
-
 /// What it costs to push two bodies apart, J: the work against the forces that act on them.
 void noteWork(WorldData& data, Slot a, Slot b, const Vec2& push, double dt) {
     const ContactBatches& batches = data.batches;
@@ -153,9 +146,8 @@ void finish(WorldData& data, const RoundContact& c, double dt) {
         data.steps[c.a].bounced = data.steps[c.b].bounced = true;
     }
     Contact& kept = data.contacts[c.contact];
-    const bool impact = c.bounces;
-    kept.tangentImpulse = impact ? 0 : batch.tangentImpulse[i];
-    keepImpulse(kept.points[0], impulse, batch.normalMass[i], c.bounces);
+    kept.tangentImpulse = c.bounces ? 0 : batch.tangentImpulse[i]; // what stopped an impact is not carried on
+    kept.points[0].normalImpulse = c.bounces ? 0 : impulse;
     data.table.marks[c.pair].now = impulse > 0 || c.separation <= 0;
 }
 
@@ -173,7 +165,7 @@ void finish(WorldData& data, const Constraint& c, double dt) {
     const std::uint32_t lane = c.lane.lane;
     const std::array<double, 2> impulses{batch.impulse1[lane], batch.impulse2[lane]};
     const std::array<double, 2> velocities{batch.velocity1[lane], batch.velocity2[lane]};
-    bool impact = false;
+    bool bounces = false;
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
         const ConstraintPoint& p = c.points[i];
         if (p.separation < -linearSlop) {
@@ -185,11 +177,11 @@ void finish(WorldData& data, const Constraint& c, double dt) {
             data.steps[c.a].bounced = data.steps[c.b].bounced = true;
         }
         ContactPoint& kept = data.contacts[p.contact].points[p.index];
-        impact |= p.bounces;
-        keepImpulse(kept, impulses[i], p.normalMass, p.bounces);
+        bounces |= p.bounces;
+        kept.normalImpulse = p.bounces ? 0 : impulses[i];
         data.table.marks[p.pair].now |= impulses[i] > 0 || p.separation <= 0;
     }
-    data.contacts[c.points[0].contact].tangentImpulse = impact ? 0 : batch.tangentImpulse[lane];
+    data.contacts[c.points[0].contact].tangentImpulse = bounces ? 0 : batch.tangentImpulse[lane];
 }
 
 /// What is held back has less energy; and what has less energy may have to be held back.

@@ -59,7 +59,7 @@ void addPairState(StateHash& hash, const WorldData& data, const PairTable& table
     hash.add(contact.tangentImpulse);
     for (int i = 0; i < contact.count; ++i) {
         const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
-        hash.add(std::uint64_t{point.feature} | std::uint64_t{point.fresh} << 32);
+        hash.add(std::uint64_t{point.feature});
         hash.add(point.normalImpulse);
     }
     if (contact.manifold != Pair::none) {
