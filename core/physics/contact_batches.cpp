@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 // Everything in this file is inlined into functions for processors with and without wide registers. Both compute the
 // same bits: the operations are the same, and none is fused.
@@ -89,9 +90,6 @@ SPACETOW_INLINE void warm(Ends& ends, const ConstraintBatch& c) {
     ends.apply(c, x, y, c.impulse1 * c.leverA1 + c.impulse2 * c.leverA2 + c.tangentImpulse * c.tangentLeverA,
                c.impulse1 * c.leverB1 + c.impulse2 * c.leverB2 + c.tangentImpulse * c.tangentLeverB);
 }
-
-/// Lanes of which something is true.
-using Mask = decltype(Wide{} < Wide{});
 
 SPACETOW_INLINE bool any(Mask mask) {
     return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
@@ -187,7 +185,147 @@ SPACETOW_INLINE void solveOnce(Ends& ends, Batch& c) {
     }
 }
 
-enum class Task { WarmStart, Solve, Measure };
+/// What stays the same from the first lane to the last.
+struct Call {
+    BodyViews bodies{};
+    ContactRules rules{};
+};
+
+SPACETOW_INLINE LaneBits bits(Mask mask) {
+    return static_cast<LaneBits>((mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8));
+}
+
+SPACETOW_INLINE Wide root(Wide x) {
+    return Wide{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]), __builtin_sqrt(x[2]), __builtin_sqrt(x[3])};
+}
+
+SPACETOW_INLINE Wide magnitude(Wide x) {
+    return x < Wide{} ? -x : x;
+}
+
+SPACETOW_INLINE Wide row(const BodyRows& rows, Slot slot) {
+    Wide result;
+    std::memcpy(&result, static_cast<const char*>(rows.first) + slot * rows.stride, sizeof result);
+    return result;
+}
+
+SPACETOW_INLINE WidePace load(const BodyRows& rows, const std::array<Slot, 4>& slots) {
+    return transposed(row(rows, slots[0]), row(rows, slots[1]), row(rows, slots[2]), row(rows, slots[3]));
+}
+
+/// What the normal velocity is to be where nothing bounces.
+SPACETOW_INLINE Wide targetAt(Wide separation, const ContactRules& rules) {
+    return separation > Wide{} ? -separation * rules.perSecond : Wide{};
+}
+
+SPACETOW_INLINE Wide closingAt(Wide separation, const ContactRules& rules) {
+    return -rules.perSecond * greater(separation + rules.slop, Wide{} + 0.1 * rules.slop);
+}
+
+/// Which contacts are out of reach.
+SPACETOW_INLINE Mask refresh(RoundBatch& c, const RoundShapes& shapes, const Call& call) {
+    const WidePace a = load(call.bodies.poses, shapes.a);
+    const WidePace b = load(call.bodies.poses, shapes.b);
+    const Wide apartX = b.x - a.x;
+    const Wide apartY = b.y - a.y;
+    const Wide squared = apartX * apartX + apartY * apartY;
+    const WidePace wayA = load(call.bodies.ways, shapes.a);
+    const WidePace wayB = load(call.bodies.ways, shapes.b);
+    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y);
+    const Wide margin = call.rules.slop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
+    const Wide reach = shapes.radiusA + shapes.radiusB + margin;
+    const Wide distance = root(squared);
+    const Mask apart = distance > Wide{};
+    const Wide separation = distance - shapes.radiusA - shapes.radiusB;
+    const Wide leverA = shapes.radiusA + 0.5 * separation;
+    const Wide leverB = -shapes.radiusB - 0.5 * separation;
+    const Mask here = shapes.here;
+    c.normalX = here ? (apart ? apartX / distance : Wide{}) : c.normalX;
+    c.normalY = here ? (apart ? apartY / distance : Wide{} + 1) : c.normalY;
+    c.separation = here ? separation : c.separation;
+    c.leverA = here ? leverA : c.leverA;
+    c.leverB = here ? leverB : c.leverB;
+    const Wide mass = c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
+    c.tangentMass = here ? 1 / mass : c.tangentMass;
+    c.target = here ? targetAt(separation, call.rules) : c.target;
+    c.closing = here ? closingAt(separation, call.rules) : c.closing;
+    return here & (squared > reach * reach);
+}
+
+/// A point that stays with a body, in the world.
+SPACETOW_INLINE Wide worldX(const WidePace& pose, Wide x, Wide y) {
+    return pose.x + (pose.turn * x - pose.unused * y);
+}
+SPACETOW_INLINE Wide worldY(const WidePace& pose, Wide x, Wide y) {
+    return pose.y + (pose.unused * x + pose.turn * y);
+}
+
+/// None is: their manifolds tell how long they hold.
+SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, const Call& call) {
+    const WidePace a = load(call.bodies.poses, s.a);
+    WidePace b = load(call.bodies.poses, s.b);
+    b.x = s.still ? Wide{} : b.x;
+    b.y = s.still ? Wide{} : b.y;
+    b.turn = s.still ? Wide{} + 1 : b.turn;
+    b.unused = s.still ? Wide{} : b.unused;
+    const Wide cosine = s.ownedByA ? a.turn : b.turn;
+    const Wide sine = s.ownedByA ? a.unused : b.unused;
+    c.normalX = cosine * s.normalX - sine * s.normalY;
+    c.normalY = sine * s.normalX + cosine * s.normalY;
+    const Wide apart1X = worldX(b, s.onB1X, s.onB1Y) - worldX(a, s.onA1X, s.onA1Y);
+    const Wide apart1Y = worldY(b, s.onB1X, s.onB1Y) - worldY(a, s.onA1X, s.onA1Y);
+    const Wide apart2X = worldX(b, s.onB2X, s.onB2Y) - worldX(a, s.onA2X, s.onA2Y);
+    const Wide apart2Y = worldY(b, s.onB2X, s.onB2Y) - worldY(a, s.onA2X, s.onA2Y);
+    const Wide separation1 = apart1X * c.normalX + apart1Y * c.normalY;
+    const Wide separation2 = apart2X * c.normalX + apart2Y * c.normalY;
+    const Wide far = Wide{} + std::numeric_limits<double>::infinity();
+    const Wide never = Wide{} + noTarget;
+    c.separation1 = s.first ? separation1 : far;
+    c.separation2 = s.second ? separation2 : far;
+    c.target1 = s.acts1 ? targetAt(separation1, call.rules) : never;
+    c.target2 = s.acts2 ? targetAt(separation2, call.rules) : never;
+    c.closing1 = s.first ? closingAt(separation1, call.rules) : never;
+    c.closing2 = s.second ? closingAt(separation2, call.rules) : never;
+    return Mask{};
+}
+
+template <class Batch>
+SPACETOW_INLINE bool refreshAll(const Call& call, Batches<Batch>& batches) {
+    const std::size_t count = batches.size();
+    LaneBits distant = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        BatchNotes& notes = batches.notes(i);
+        notes.distant = bits(refresh(batches.begin()[i], batches.shapes(i), call));
+        distant |= notes.distant;
+    }
+    return distant != 0;
+}
+
+SPACETOW_INLINE Mask touching(const RoundBatch& c) {
+    return (c.normalImpulse > Wide{}) | (c.separation <= Wide{});
+}
+SPACETOW_INLINE Mask touching(const ConstraintBatch& c) {
+    return (c.impulse1 > Wide{}) | (c.separation1 <= Wide{}) | (c.impulse2 > Wide{}) | (c.separation2 <= Wide{});
+}
+SPACETOW_INLINE Mask overlapping(const RoundBatch& c, Wide slop) {
+    return c.separation < -slop;
+}
+SPACETOW_INLINE Mask overlapping(const ConstraintBatch& c, Wide slop) {
+    return (c.separation1 < -slop) | (c.separation2 < -slop);
+}
+
+template <class Batch>
+SPACETOW_INLINE void noteAll(const Call& call, Batches<Batch>& batches) {
+    const std::size_t count = batches.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Batch& batch = batches.begin()[i];
+        BatchNotes& notes = batches.notes(i);
+        notes.touches = bits(touching(batch)) & notes.occupied;
+        notes.overlaps = bits(overlapping(batch, Wide{} + call.rules.slop)) & notes.occupied;
+    }
+}
+
+enum class Task { Refresh, WarmStart, Solve, Measure, Note };
 
 template <class Batch>
 SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
@@ -226,43 +364,59 @@ SPACETOW_INLINE Mask measure(const Ends& ends, ConstraintBatch& c) {
 }
 
 template <class Batch>
-SPACETOW_INLINE Mask measureAll(const Pace* paces, Batches<Batch>& batches) {
+SPACETOW_INLINE bool measureAll(const Pace* paces, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
-    Mask closes{};
+    LaneBits closes = 0;
     for (std::size_t i = 0; i < count; ++i) {
         Batch& batch = batches.begin()[i];
-        closes |= measure(Ends{load(paces, batch.a), load(paces, batch.b)}, batch);
+        const Mask here = measure(Ends{load(paces, batch.a), load(paces, batch.b)}, batch);
+        BatchNotes& notes = batches.notes(i);
+        notes.closes = bits(here) & notes.occupied;
+        closes |= notes.closes;
     }
-    return closes;
+    return closes != 0;
 }
 
-SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task) {
+SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task, const Call& call) {
     Pace* paces = batches.paces.data();
-    if (task == Task::WarmStart) {
+    switch (task) {
+    case Task::Refresh:
+        refreshAll(call, batches.general);
+        return !refreshAll(call, batches.round);
+    case Task::WarmStart:
         warmAll(paces, batches.round);
         warmAll(paces, batches.general);
-    } else if (task == Task::Measure) {
-        return any(measureAll(paces, batches.round) | measureAll(paces, batches.general));
-    } else {
+        break;
+    case Task::Solve:
         solveAll(paces, batches.round);
         solveAll(paces, batches.general);
+        break;
+    case Task::Measure:
+        {
+        const bool roundCloses = measureAll(paces, batches.round);
+        return measureAll(paces, batches.general) || roundCloses;
+    }
+    case Task::Note:
+        noteAll(call, batches.round);
+        noteAll(call, batches.general);
+        break;
     }
     return false;
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) bool carryOutWide(ContactBatches& batches, Task task) {
-    return carryOut(batches, task);
+__attribute__((target("avx2"))) bool carryOutWide(ContactBatches& batches, Task task, const Call& call) {
+    return carryOut(batches, task, call);
 }
 #endif
 
-bool start(ContactBatches& batches, Task task, [[maybe_unused]] bool wide) {
+bool start(ContactBatches& batches, Task task, [[maybe_unused]] bool wide, const Call& call = {}) {
 #if defined(__x86_64__)
     if (wide) {
-        return carryOutWide(batches, task);
+        return carryOutWide(batches, task, call);
     }
 #endif
-    return carryOut(batches, task);
+    return carryOut(batches, task, call);
 }
 
 } // namespace
@@ -290,20 +444,24 @@ std::uint32_t BatchPlan::firstWithRoom(std::uint32_t from) {
     return from;
 }
 
-Lane BatchPlan::place(Slot a, bool movableA, Slot b, bool movableB) {
+std::uint32_t BatchPlan::place(Slot a, bool movableA, Slot b, bool movableB) {
     const std::uint32_t earliest = std::max(movableA ? m_free[a] : 0, movableB ? m_free[b] : 0);
     const std::uint32_t batch = firstWithRoom(earliest);
     while (batch >= m_filled.size()) {
         m_next.push_back(static_cast<std::uint32_t>(m_filled.size()));
         m_filled.push_back(0);
     }
-    const std::uint32_t lane = m_filled[batch]++;
-    if (m_filled[batch] == 4) {
+    if (++m_filled[batch] == 4) {
         m_next[batch] = batch + 1;
     }
     m_free[a] = batch + pause;
     m_free[b] = batch + pause;
-    return {batch, lane};
+    return batch;
+}
+
+void BatchPlan::release(std::uint32_t batch) {
+    --m_filled[batch];
+    m_next[batch] = batch;
 }
 
 bool hasWideRegisters() {
@@ -313,6 +471,10 @@ bool hasWideRegisters() {
 #else
     return false;
 #endif
+}
+
+bool refreshContacts(ContactBatches& batches, const BodyViews& bodies, const ContactRules& rules, bool wide) {
+    return start(batches, Task::Refresh, wide, {bodies, rules});
 }
 
 void warmStart(ContactBatches& batches, bool wide) {
@@ -325,6 +487,10 @@ void solvePass(ContactBatches& batches, bool wide) {
 
 bool measureVelocities(ContactBatches& batches, bool wide) {
     return start(batches, Task::Measure, wide);
+}
+
+void noteTouches(ContactBatches& batches, double slop, bool wide) {
+    start(batches, Task::Note, wide, {{}, {0, slop}});
 }
 
 } // namespace spacetow

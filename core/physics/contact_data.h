@@ -49,6 +49,7 @@ struct PairGate {
 struct TouchMarks {
     bool now = false;
     bool reported = false; // as events
+    bool listed = false;   // among the contacts that the solver has: their gate tells when to look at them again
 };
 
 /// A manifold that is kept while its parts move little against each other, in their own coordinates.
@@ -68,10 +69,11 @@ struct KeptManifold {
     double coupling = 0; // of the two points: the off-diagonal element of their inverse mass matrix
 };
 
-/// What the last iteration left of a pair's contact.
+/// What is left of a pair's contact when the solver no longer has it.
 struct Contact {
     std::int32_t count = 0;               // of points
     std::uint32_t manifold = 0xffffffffu; // index of the kept one, of general pairs
+    std::uint32_t place = 0;              // index among the contacts that the solver has, while it has it
     double friction = 0;
     double restitution = 0;
     double tangentImpulse = 0; // N s, of the last iteration
@@ -96,9 +98,32 @@ struct RoundContact {
     Slot a = 0, b = 0;
     std::uint32_t pair = 0, contact = 0;
     Lane lane;
-    bool bounces = false;
-    double separation = 0;
+    bool alone = false;   // made anew one by one: b is static, or they bounce
+    bool bounces = false; // in this iteration
 };
+
+/// Any other contact; likewise.
+struct GeneralContact {
+    struct Point {
+        std::uint32_t pair, contact, index; // where its impulse is kept
+        bool bounces;
+    };
+    Slot a = 0, b = 0;
+    Lane lane;
+    std::uint32_t count = 0; // of points
+    bool singular = false;   // one of its points acts for both
+    bool atWall = false;     // something else may share a plane with it
+    bool bounces = false;    // at any point in this iteration
+    std::array<Point, 2> points{};
+};
+
+/// By the index of which a contact is listed.
+inline std::uint32_t pairOf(const RoundContact& c) {
+    return c.pair;
+}
+inline std::uint32_t pairOf(const GeneralContact& c) {
+    return c.points[0].pair;
+}
 
 struct ConstraintPoint {
     double leverA, leverB; // cross products of the arms with the normal, m
@@ -112,13 +137,13 @@ struct ConstraintPoint {
     bool bounces;
 };
 
-/// Any other contact, for one iteration. Friction acts once for both points, as the velocity along a plane is the same
-/// at all of its points. Made by the thousand, it starts out with a second point that does nothing and nothing else.
+/// A general contact before it gets its lane. Friction acts once for both points, as the velocity along a plane is the
+/// same at all of its points. Made by the thousand, it starts out with a second point that does nothing and nothing
+/// else.
 struct Constraint {
     Slot a, b;
     int count = 0;
     bool alone;
-    Lane lane;   // of its batch
     Vec2 normal; // from a to b
     double friction;
     double restitution;

@@ -1,5 +1,7 @@
 #include "core/physics/contact_pool.h"
 
+#include "core/physics/contact_lanes.h"
+
 namespace spacetow {
 
 namespace {
@@ -55,6 +57,7 @@ void forgetContact(WorldData& data, Pair& pair) {
 }
 
 void beginPart(WorldData& data, double share) {
+    dropContacts(data);
     data.wholeImpulses.clear();
     for (Contact& contact : data.contacts) {
         data.wholeImpulses.push_back(
@@ -66,6 +69,7 @@ void beginPart(WorldData& data, double share) {
 }
 
 void endPart(WorldData& data, double share) {
+    dropContacts(data);
     for (std::size_t i = 0; i < data.wholeImpulses.size(); ++i) {
         Contact& contact = data.contacts[i];
         const auto& whole = data.wholeImpulses[i];

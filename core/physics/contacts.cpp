@@ -2,11 +2,13 @@
 
 #include "core/geometry/collide.h"
 #include "core/geometry/overlaps.h"
+#include "core/physics/contact_lanes.h"
 #include "core/physics/contact_pool.h"
 #include "core/physics/contact_rules.h"
 #include "core/physics/general_contacts.h"
 #include "core/physics/merge_contacts.h"
 
+#include <bit>
 #include <cmath>
 
 namespace spacetow {
@@ -17,22 +19,12 @@ Transform poseOfB(const WorldData& data, const Pair& pair) {
     return pair.staticB ? Transform{} : data.pose(pair.bodyB);
 }
 
-Lane roundLane(WorldData& data, const Pair& pair) {
-    return data.batches.round.open(pair.bodyA, data.motions[pair.bodyA].yields(), pair.bodyB,
-                                   !pair.staticB && data.motions[pair.bodyB].yields());
-}
-
-/// A round contact's surfaces.
-struct Touch {
-    Vec2 normal; // from a to b
-    double separation;
-    double radiusA, radiusB; // from the centres of mass to the surfaces along the normal; of static bodies 0
-    std::uint32_t feature;
-};
-
 /// Without a look at them until they may have met.
 void letGo(WorldData& data, std::uint32_t index, double separation) {
     Pair& pair = data.table.pairs[index];
+    if (data.table.marks[index].listed) {
+        unlist(data, index);
+    }
     forgetContact(data, pair);
     data.table.gates[index].apartUntil =
         data.steps[pair.bodyA].travelled + data.steps[pair.bodyB].travelled + separation;
@@ -44,50 +36,33 @@ Approach approach(const WorldData& data, const Pair& pair, const Vec2& normal) {
     return {-before.dot(normal), -after.dot(normal)};
 }
 
+/// Parts that are to bounce where they meet have no contact until then.
+void sweepRound(WorldData& data, std::uint32_t index, std::uint32_t feature) {
+    Pair& pair = data.table.pairs[index];
+    if (data.table.marks[index].listed) {
+        saveImpulses(data, data.roundContacts[data.contacts[pair.contact].place]);
+        unlist(data, index);
+    }
+    beginAt(data.contacts[pair.contact], feature);
+    pair.sweep = true;
+    data.anySweep = true;
+    data.steps[pair.bodyA].bouncing = data.steps[pair.bodyB].bouncing = true;
+}
+
 void addRoundContact(WorldData& data, std::uint32_t index, const Touch& touch, double perSecond) {
     Pair& pair = data.table.pairs[index];
-    Contact& kept = contactOf(data, pair);
-    if (kept.count == 0 || kept.points[0].feature != touch.feature) {
-        kept.count = 1;
-        kept.points[0] = {touch.feature, 0};
-        kept.tangentImpulse = 0;
-    }
-    Target target;
-    target.velocity = touch.separation > 0 ? -touch.separation * perSecond : 0;
+    const Contact& kept = contactOf(data, pair);
+    RoundTarget aim{touch.separation > 0 ? -touch.separation * perSecond : 0, false};
     if (kept.restitution > 0) {
-        target = targetOf(approach(data, pair, touch.normal), touch.separation, kept.restitution, perSecond);
+        const Target target =
+            targetOf(approach(data, pair, touch.normal), touch.separation, kept.restitution, perSecond);
         if (target.meeting == Meeting::WillBounce) {
-            pair.sweep = true;
-            data.anySweep = true;
-            data.steps[pair.bodyA].bouncing = data.steps[pair.bodyB].bouncing = true;
+            sweepRound(data, index, touch.feature);
             return;
         }
+        aim = {target.velocity, target.meeting == Meeting::Bounces};
     }
-    const BodyMotion& a = data.motions[pair.bodyA];
-    const BodyMotion& b = data.motions[pair.bodyB];
-    const Lane lane = roundLane(data, pair);
-    data.roundContacts.push_back(
-        {pair.bodyA, pair.bodyB, index, pair.contact, lane, target.meeting == Meeting::Bounces, touch.separation});
-    const double leverA = touch.radiusA + 0.5 * touch.separation;
-    const double leverB = -touch.radiusB - 0.5 * touch.separation;
-    const double inverseMass = a.inverseMass + b.inverseMass;
-    RoundBatch& batch = data.batches.round[lane.batch];
-    const std::uint32_t i = lane.lane;
-    batch.normalX[i] = touch.normal.x();
-    batch.normalY[i] = touch.normal.y();
-    batch.massA[i] = a.inverseMass;
-    batch.massB[i] = b.inverseMass;
-    batch.inertiaA[i] = a.inverseInertia;
-    batch.inertiaB[i] = b.inverseInertia;
-    batch.leverA[i] = leverA;
-    batch.leverB[i] = leverB;
-    batch.normalMass[i] = inverseMass > 0 ? 1 / inverseMass : 0;
-    batch.tangentMass[i] = 1 / (inverseMass + a.inverseInertia * leverA * leverA + b.inverseInertia * leverB * leverB);
-    batch.friction[i] = kept.friction;
-    batch.target[i] = target.velocity;
-    batch.closing[i] = -perSecond * roomToClose(touch.separation);
-    batch.normalImpulse[i] = kept.points[0].normalImpulse;
-    batch.tangentImpulse[i] = kept.tangentImpulse;
+    listRound(data, index, touch, aim, perSecond);
 }
 
 void meetRound(WorldData& data, std::uint32_t index, double perSecond) {
@@ -173,35 +148,104 @@ bool haveMet(const WorldData& data, const Pair& pair) {
     return false;
 }
 
-} // namespace
+// Beyond this share of all contacts they are listed anew, in the order of their pairs.
+constexpr std::size_t changesAllowed = 0;
 
-void findContacts(WorldData& data, const IterationStep& step) {
-    data.roundContacts.clear();
-    data.constraints.clear();
-    data.batches.round.reset(data.motions.size());
+void meet(WorldData& data, std::uint32_t index, double perSecond) {
+    const PairKind kind = data.table.pairs[index].kind;
+    if (kind == PairKind::RoundRound) {
+        meetRound(data, index, perSecond);
+    } else if (kind == PairKind::RoundEdge || kind == PairKind::RoundStatic) {
+        meetStatic(data, index, perSecond);
+    } else {
+        meetGeneral(data, index, perSecond);
+    }
+}
+
+void beginAnew(WorldData& data, std::uint32_t index) {
+    data.table.marks[index].now = data.table.marks[index].listed = false;
+    data.table.pairs[index].sweep = false;
+}
+
+void listContacts(WorldData& data, double perSecond) {
+    dropContacts(data);
+    clearContacts(data);
     data.anySweep = false;
-    const double perSecond = 1 / step.dt;
     const auto count = static_cast<std::uint32_t>(data.table.size());
     for (std::uint32_t i = 0; i < count; ++i) {
         fetchAhead(data, i);
-        if (!data.isGateOpen(i)) {
-            continue;
-        }
-        Pair& pair = data.table.pairs[i];
-        if (pair.kind == PairKind::Felt) {
-            continue;
-        }
-        data.table.marks[i].now = false;
-        pair.sweep = false;
-        if (pair.kind == PairKind::RoundRound) {
-            meetRound(data, i, perSecond);
-        } else if (pair.kind == PairKind::RoundEdge || pair.kind == PairKind::RoundStatic) {
-            meetStatic(data, i, perSecond);
-        } else {
-            meetGeneral(data, i, perSecond);
+        if ((data.isGateOpen(i) || data.table.marks[i].listed) && data.table.pairs[i].kind != PairKind::Felt) {
+            beginAnew(data, i);
+            meet(data, i, perSecond);
         }
     }
-    mergeContacts(data);
+    const bool merged = mergeContacts(data);
+    for (const Constraint& constraint : data.constraints) {
+        listGeneral(data, constraint, perSecond);
+    }
+    findNeighbours(data);
+    data.mergeDoubt = merged;
+}
+
+/// Those that the batches cannot renew by themselves.
+void renewAlone(WorldData& data, double perSecond) {
+    for (std::size_t i = data.roundContacts.size(); data.anyAlone && i-- > 0;) {
+        if (data.roundContacts[i].alone) {
+            meet(data, data.roundContacts[i].pair, perSecond);
+        }
+    }
+}
+
+void letDistantGo(WorldData& data, double perSecond) {
+    Batches<RoundBatch>& batches = data.batches.round;
+    for (std::size_t i = 0; i < batches.size(); ++i) {
+        for (unsigned distant = batches.notes(i).distant; distant != 0; distant &= distant - 1) {
+            const std::uint32_t owner = batches.shapes(i).owner[static_cast<std::size_t>(std::countr_zero(distant))];
+            meetRound(data, data.roundContacts[owner].pair, perSecond);
+        }
+    }
+}
+
+/// The contacts that there are, from where the bodies are now; then what may have come or gone. False when there are
+/// too many changes, or some contacts may lie in one plane.
+bool renewContacts(WorldData& data, double perSecond) {
+    if (!data.contactsListed || data.mergeDoubt) {
+        return false;
+    }
+    data.anySweep = data.anyBounce = false;
+    data.listChanges = 0;
+    const BodyViews bodies{{data.motions.data(), sizeof(BodyMotion)}, {data.steps.data(), sizeof(BodyStep)}};
+    if (!refreshContacts(data.batches, bodies, {perSecond, linearSlop})) {
+        letDistantGo(data, perSecond);
+    }
+    renewAlone(data, perSecond);
+    data.constraints.clear();
+    const auto count = static_cast<std::uint32_t>(data.table.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (data.isGateOpen(i) && data.table.pairs[i].kind != PairKind::Felt) {
+            if (!data.table.marks[i].listed) {
+                beginAnew(data, i);
+            }
+            meet(data, i, perSecond);
+        }
+    }
+    if (data.anySingular) {
+        renewSingular(data);
+    }
+    for (const Constraint& constraint : data.constraints) {
+        listGeneral(data, constraint, perSecond);
+    }
+    const std::size_t contacts = data.roundContacts.size() + data.generalContacts.size();
+    return !data.mergeDoubt && data.listChanges <= changesAllowed * contacts / 8 && !anyInOnePlane(data);
+}
+
+} // namespace
+
+void findContacts(WorldData& data, const IterationStep& step) {
+    const double perSecond = 1 / step.dt;
+    if (!renewContacts(data, perSecond)) {
+        listContacts(data, perSecond);
+    }
 }
 
 void findOverlaps(WorldData& data) {

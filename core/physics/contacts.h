@@ -5,8 +5,7 @@
 
 namespace spacetow {
 
-/// Fills `roundContacts` and `constraints`, and clears the marks of solid pairs, from the poses at the beginning of the
-/// iteration. Surfaces that could close their gap within the iteration count as in contact already; the solver lets
+/// Lists the contacts that the solver is to have, from the poses at the beginning of the iteration. Surfaces that could close their gap within the iteration count as in contact already; the solver lets
 /// them close it and no more. Those that will bounce are marked to be swept instead.
 void findContacts(WorldData& data, const IterationStep& step);
 

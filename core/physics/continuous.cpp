@@ -231,7 +231,7 @@ void findCarriers(WorldData& data) {
     for (const RoundContact& c : data.roundContacts) {
         findCarrier(data, c.a, c.b, c.pair);
     }
-    for (const Constraint& c : data.constraints) {
+    for (const GeneralContact& c : data.generalContacts) {
         findCarrier(data, c.a, c.b, c.points[0].pair);
     }
 }

@@ -107,7 +107,7 @@ void forLanesOf(WorldData& data, Question which, const Visit& visit) {
             visit(data.batches.round, data.islands.batches.round, c);
         }
     }
-    for (const Constraint& c : data.constraints) {
+    for (const GeneralContact& c : data.generalContacts) {
         if (which(balanceOf(data, moverOf(data, c.a, c.b)))) {
             visit(data.batches.general, data.islands.batches.general, c);
         }
@@ -180,12 +180,12 @@ void scaleImpulses(WorldData& data) {
     }
 }
 
-bool isDeep(const RoundContact& c) {
-    return c.separation < -deepOverlap;
+bool isDeep(const RoundBatch& batch, std::uint32_t lane) {
+    return batch.separation[lane] < -deepOverlap;
 }
 
-bool isDeep(const Constraint& c) {
-    return c.points[0].separation < -deepOverlap || (c.count == 2 && c.points[1].separation < -deepOverlap);
+bool isDeep(const ConstraintBatch& batch, std::uint32_t lane) {
+    return batch.separation1[lane] < -deepOverlap || batch.separation2[lane] < -deepOverlap;
 }
 
 /// Whenever there is something to solve again, it is not to allocate.
@@ -193,7 +193,7 @@ void reserveRoom(WorldData& data) {
     Islands& islands = data.islands;
     islands.changes.resize(data.motions.size());
     islands.balances.resize(data.motions.size());
-    const std::size_t contacts = data.roundContacts.capacity() + data.constraints.capacity();
+    const std::size_t contacts = data.roundContacts.capacity() + data.generalContacts.capacity();
     if (islands.lanes.capacity() < contacts) {
         islands.lanes.reserve(contacts);
         islands.batches.round.reserve(data.batches.round);
@@ -231,8 +231,8 @@ void limitPushes(WorldData& data) {
                      [&](Slot root) { return pushesTooMuch(balances[root]); })) {
         return;
     }
-    forLanesOf(data, pushesTooMuch, [&](auto&, auto&, const auto& c) {
-        if (isDeep(c)) {
+    forLanesOf(data, pushesTooMuch, [&](auto& batches, auto&, const auto& c) {
+        if (isDeep(batches[c.lane.batch], c.lane.lane)) {
             balanceOf(data, moverOf(data, c.a, c.b)).c = -infinite;
         }
     });

@@ -2,6 +2,7 @@
 
 #include "core/geometry/collide.h"
 #include "core/geometry/moved.h"
+#include "core/physics/contact_lanes.h"
 #include "core/physics/contact_pool.h"
 #include "core/physics/contact_rules.h"
 #include "core/physics/effective_mass.h"
@@ -163,9 +164,11 @@ bool outOfReach(const WorldData& data, const Pair& pair) {
     return (data.motions[pair.bodyB].center - data.motions[pair.bodyA].center).squaredNorm() > reach * reach;
 }
 
-void addConstraint(WorldData& data, std::uint32_t index, const Transform& poseA, const Transform& poseB,
-                   double perSecond) {
+/// False when there is none, as all of its points will bounce.
+bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
+    const Transform poseA = data.pose(pair.bodyA);
+    const Transform poseB = pair.staticB ? Transform{} : data.pose(pair.bodyB);
     const Contact& contact = data.contacts[pair.contact];
     const KeptManifold& kept = data.manifolds[contact.manifold];
     Constraint& c = data.constraints.emplace_back();
@@ -196,10 +199,35 @@ void addConstraint(WorldData& data, std::uint32_t index, const Transform& poseA,
     }
     if (c.count == 0) {
         data.constraints.pop_back();
-        return;
+        return false;
     }
     c.coupling = kept.coupling;
     setTangent(data, c);
+    return true;
+}
+
+/// Whether what is known of the manifold still holds; it is made anew where it does not. True when it was.
+bool look(WorldData& data, std::uint32_t index) {
+    const Pair& pair = data.table.pairs[index];
+    const Contact& contact = data.contacts[pair.contact];
+    const BodyStep& a = data.steps[pair.bodyA];
+    const double margin = pair.staticB ? contactMargin(a) : contactMargin(a, data.steps[pair.bodyB]);
+    const Poses poses = posesOf(data, pair);
+    double left = roomLeft(data.manifolds[contact.manifold], poses.relative, a.outerRadius);
+    const bool outdated = left < margin;
+    if (outdated) {
+        const bool listed = data.table.marks[index].listed;
+        if (listed) {
+            saveImpulses(data, data.generalContacts[contact.place]);
+        }
+        makeManifold(data, index, poses, margin);
+        left = data.manifolds[contact.manifold].room;
+        if (listed && contact.count == 0) {
+            unlist(data, index);
+        }
+    }
+    postpone(data, index, left);
+    return outdated;
 }
 
 } // namespace
@@ -217,28 +245,28 @@ void meetGeneral(WorldData& data, std::uint32_t index, double perSecond) {
     if (pair.contact == Pair::none && !pair.staticB && outOfReach(data, pair)) {
         return;
     }
+    const bool listed = data.table.marks[index].listed;
     const Contact& contact = contactOf(data, pair);
-    const PairGate& gate = data.table.gates[index];
+    PairGate& gate = data.table.gates[index];
     const double travelled = data.travelled[gate.moverA] + data.travelled[gate.moverB];
+    bool isNew = !listed;
     if (travelled + linearSlop >= data.manifolds[contact.manifold].holdsUntil) {
         if (contact.count == 0 && !pair.staticB && outOfReach(data, pair)) {
             forgetContact(data, pair);
             return;
         }
-        const BodyStep& a = data.steps[pair.bodyA];
-        const double margin = pair.staticB ? contactMargin(a) : contactMargin(a, data.steps[pair.bodyB]);
-        const Poses poses = posesOf(data, pair);
-        const KeptManifold& kept = data.manifolds[contact.manifold];
-        double left = roomLeft(kept, poses.relative, a.outerRadius);
-        if (left < margin) {
-            makeManifold(data, index, poses, margin);
-            left = kept.room;
-        }
-        postpone(data, index, left);
+        isNew |= look(data, index);
     }
-    if (contact.count > 0) {
-        addConstraint(data, index, data.pose(pair.bodyA), pair.staticB ? Transform{} : data.pose(pair.bodyB),
-                      perSecond);
+    if (!isNew) {
+        gate.apartUntil = data.manifolds[contact.manifold].holdsUntil;
+        return;
+    }
+    const bool any = contact.count > 0 && addConstraint(data, index, perSecond);
+    if (listed && any) {
+        renewGeneral(data, data.constraints.back(), perSecond);
+        data.constraints.pop_back();
+    } else if (data.table.marks[index].listed) {
+        unlist(data, index);
     }
 }
 

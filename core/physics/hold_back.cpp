@@ -51,37 +51,42 @@ double speedAlong(const Pace& pace, double normalX, double normalY, double lever
     return pace.x * normalX + pace.y * normalY + pace.turn * lever;
 }
 
-bool closesTooFast(const WorldData& data, const Constraint& c) {
-    const ConstraintBatch& batch = data.batches.general[c.lane.batch];
-    const std::uint32_t i = c.lane.lane;
-    return batch.velocity1[i] < batch.closing1[i] || batch.velocity2[i] < batch.closing2[i];
+bool holdBackAt(WorldData& data, const RoundBatch& batch, std::uint32_t i, double dt) {
+    const Slot a = batch.a[i];
+    const Slot b = batch.b[i];
+    const double x = batch.normalX[i];
+    const double y = batch.normalY[i];
+    const std::vector<Pace>& paces = data.batches.paces;
+    return limitClosing(
+        data, {a, b, speedAlong(paces[a], x, y, 0), speedAlong(paces[b], x, y, 0), batch.separation[i]}, dt);
+}
+
+bool holdBackAt(WorldData& data, const ConstraintBatch& batch, std::uint32_t i, double dt) {
+    const Slot a = batch.a[i];
+    const Slot b = batch.b[i];
+    const double x = batch.normalX[i];
+    const double y = batch.normalY[i];
+    const std::vector<Pace>& paces = data.batches.paces;
+    const auto limitPoint = [&](double leverA, double leverB, double separation) {
+        return limitClosing(
+            data, {a, b, speedAlong(paces[a], x, y, leverA), speedAlong(paces[b], x, y, leverB), separation}, dt);
+    };
+    const bool changed = limitPoint(batch.leverA1[i], batch.leverB1[i], batch.separation1[i]);
+    return limitPoint(batch.leverA2[i], batch.leverB2[i], batch.separation2[i]) || changed;
 }
 
 /// Visits what closes too fast at first, then only what touches bodies that are held back: no other can have changed.
-bool holdBackOnce(WorldData& data, double dt, bool first) {
-    const std::vector<Pace>& paces = data.batches.paces;
+template <class Batch>
+bool holdBackOnce(WorldData& data, const Batches<Batch>& batches, double dt, bool first) {
     const std::vector<std::uint8_t>& held = data.islands.held;
     bool changed = false;
-    for (const RoundContact& c : data.roundContacts) {
-        const RoundBatch& batch = data.batches.round[c.lane.batch];
-        const std::uint32_t i = c.lane.lane;
-        if ((first && batch.velocity[i] < batch.closing[i]) || held[c.a] != 0 || held[c.b] != 0) {
-            const double x = batch.normalX[i];
-            const double y = batch.normalY[i];
-            const Closing closing{c.a, c.b, speedAlong(paces[c.a], x, y, 0), speedAlong(paces[c.b], x, y, 0),
-                                  c.separation};
-            changed |= limitClosing(data, closing, dt);
-        }
-    }
-    for (const Constraint& c : data.constraints) {
-        if (held[c.a] == 0 && held[c.b] == 0 && !(first && closesTooFast(data, c))) {
-            continue;
-        }
-        for (std::size_t k = 0; k < static_cast<std::size_t>(c.count); ++k) {
-            const ConstraintPoint& p = c.points[k];
-            const Closing closing{c.a, c.b, speedAlong(paces[c.a], c.normal.x(), c.normal.y(), p.leverA),
-                                  speedAlong(paces[c.b], c.normal.x(), c.normal.y(), p.leverB), p.separation};
-            changed |= limitClosing(data, closing, dt);
+    for (std::uint32_t k = 0; k < batches.size(); ++k) {
+        const Batch& batch = batches[k];
+        const unsigned closes = first ? batches.notes(k).closes : 0;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            if (((closes >> i & 1) | held[batch.a[i]] | held[batch.b[i]]) != 0) {
+                changed |= holdBackAt(data, batch, i, dt);
+            }
         }
     }
     return changed;
@@ -115,11 +120,14 @@ void holdBack(WorldData& data, double dt) {
         const BodyMotion& m = data.motions[driver.slot];
         data.islands.driven[driver.pushed] |= m.angularVelocity != 0 || m.velocity != Vec2(0, 0) ? 1 : 0;
     }
-    data.islands.held.assign(data.motions.size(), 0);
+    data.islands.held.assign(data.motions.size() + 1, 0);
     for (const Slot slot : data.moving) {
         data.islands.held[slot] = data.steps[slot].fraction < 1 ? 1 : 0;
     }
-    for (int round = 0; round < roundsOfHolding && holdBackOnce(data, dt, round == 0); ++round) {
+    bool changed = true;
+    for (int round = 0; round < roundsOfHolding && changed; ++round) {
+        changed = holdBackOnce(data, data.batches.round, dt, round == 0);
+        changed |= holdBackOnce(data, data.batches.general, dt, round == 0);
     }
     takeBackAcceleration(data);
 }

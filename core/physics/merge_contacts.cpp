@@ -18,7 +18,7 @@ bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) 
     const bool sameBodies =
         c.b == d.b || (data.records[c.b].kind == BodyKind::Static && data.records[d.b].kind == BodyKind::Static);
     if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution ||
-        c.normal.dot(d.normal) < 1 - 1e-9) {
+        !areParallel(c.normal, d.normal)) {
         return false;
     }
     // Points lie half way between the surfaces; half the separation further on is the surface of b.
@@ -118,7 +118,7 @@ void absorb(WorldData& data, Constraint& c, Constraint& d) {
 
 } // namespace
 
-void mergeContacts(WorldData& data) {
+bool mergeContacts(WorldData& data) {
     std::vector<Constraint>& all = data.constraints;
     bool merged = false;
     for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
@@ -136,6 +136,7 @@ void mergeContacts(WorldData& data) {
     if (merged) {
         std::erase_if(all, [](const Constraint& c) { return c.count == 0; });
     }
+    return merged;
 }
 
 } // namespace spacetow

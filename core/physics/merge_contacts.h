@@ -7,6 +7,12 @@ namespace spacetow {
 
 /// Makes one contact of those of a body that lie in one plane: a flat face on several walls, or several parts of the
 /// body on one wall. The solver then finds its impulses at once, whatever the order of the walls and parts.
-void mergeContacts(WorldData& data);
+/// True when there were any.
+bool mergeContacts(WorldData& data);
+
+/// Whether contacts with these normals may be in one plane.
+inline bool areParallel(const Vec2& a, const Vec2& b) {
+    return a.dot(b) >= 1 - 1e-9;
+}
 
 } // namespace spacetow

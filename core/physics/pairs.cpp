@@ -1,6 +1,7 @@
 #include "core/physics/pairs.h"
 
 #include "core/geometry/bounds.h"
+#include "core/physics/contact_lanes.h"
 #include "core/physics/contact_pool.h"
 #include "core/physics/islands.h"
 #include "core/physics/statics.h"
@@ -325,6 +326,7 @@ void measureMotion(WorldData& data, double ahead) {
 }
 
 void findPairs(WorldData& data, const IterationStep& step) {
+    dropContacts(data);
     if (data.pairsStale) {
         listColliders(data);
         for (KeptManifold& manifold : data.manifolds) {

@@ -1,6 +1,7 @@
 #include "core/physics/sleep.h"
 
 #include "core/geometry/bounds.h"
+#include "core/physics/contact_lanes.h"
 #include "core/physics/integrate.h"
 #include "core/physics/islands.h"
 #include "core/physics/pairs.h"
@@ -57,6 +58,7 @@ void sortOutPairs(WorldData& data) {
 
 /// All lists that depend on who sleeps.
 void listAnew(WorldData& data) {
+    dropContacts(data);
     Sleep& sleep = data.sleep;
     sleep.sleepers.clear();
     for (Slot slot = 0; slot < data.records.size(); ++slot) {
@@ -146,13 +148,6 @@ void rewind(WorldData& data) {
     for (const Slot slot : data.moving) {
         data.motions[slot].velocity = data.steps[slot].startVelocity;
         data.motions[slot].angularVelocity = data.steps[slot].startAngularVelocity;
-    }
-    for (const Constraint& c : data.constraints) { // merging them has taken these away
-        for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-            const ConstraintPoint& p = c.points[i];
-            data.contacts[p.contact].points[p.index].normalImpulse = p.normalImpulse;
-        }
-        data.contacts[c.points[0].contact].tangentImpulse = c.tangentImpulse;
     }
 }
 
@@ -265,7 +260,7 @@ bool wakeTouched(WorldData& data, const IterationStep& step) {
         touch(c.a);
         touch(c.b);
     }
-    for (const Constraint& c : data.constraints) {
+    for (const GeneralContact& c : data.generalContacts) {
         touch(c.a);
         touch(c.b);
     }

@@ -5,6 +5,7 @@
 #include "core/physics/hold_back.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace spacetow {
@@ -22,12 +23,6 @@ constexpr int roundsOfSettling = 3;
 // anything that is not known.
 constexpr double smallDetour = 0.01;
 
-// What is known of contacts lies in the order in which they came about: it is fetched this long before it is needed.
-constexpr std::size_t contactsAhead = 8;
-
-// What no velocity falls short of.
-constexpr double noTarget = -1e30;
-
 void loadPaces(WorldData& data) {
     ContactBatches& batches = data.batches;
     batches.paces.resize(data.motions.size() + 1);
@@ -41,70 +36,6 @@ void loadPaces(WorldData& data) {
         // Not a copy of the other: reading at once what was just written in parts stalls.
         batches.planned[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
         batches.paces[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
-    }
-}
-
-/// Two points with nearly the same effect make the system singular: the one that overlaps more acts for both. A point
-/// at which no push can move anything does not act at all.
-void packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, double perSecond) {
-    const ConstraintPoint& p = c.points[0];
-    const ConstraintPoint& q = c.points[1];
-    const bool acts1 = p.normalMass > 0;
-    const bool acts2 = c.count == 2 && q.normalMass > 0;
-    const double mass1 = acts1 ? p.normalMass : 1;
-    const double mass2 = acts2 ? q.normalMass : mass1;
-    const double k11 = 1 / mass1;
-    const double k22 = 1 / mass2;
-    double coupling = acts1 && acts2 ? c.coupling : 0;
-    double determinant = k11 * k22 - coupling * coupling;
-    batch.target1[i] = acts1 ? p.target : noTarget;
-    batch.target2[i] = acts2 ? q.target : noTarget;
-    batch.impulse1[i] = p.normalImpulse;
-    batch.impulse2[i] = q.normalImpulse;
-    const double largest = std::max(k11, k22);
-    if (acts1 && acts2 && largest * largest >= 1000 * determinant) {
-        const bool first = p.separation <= q.separation;
-        (first ? batch.target2 : batch.target1)[i] = noTarget;
-        (first ? batch.impulse1 : batch.impulse2)[i] = p.normalImpulse + q.normalImpulse;
-        (first ? batch.impulse2 : batch.impulse1)[i] = 0;
-        coupling = 0;
-        determinant = k11 * k22;
-    }
-    batch.leverA1[i] = p.leverA;
-    batch.leverB1[i] = p.leverB;
-    batch.leverA2[i] = q.leverA;
-    batch.leverB2[i] = q.leverB;
-    batch.k11[i] = k11;
-    batch.k22[i] = k22;
-    batch.mass1[i] = mass1;
-    batch.mass2[i] = mass2;
-    batch.coupling[i] = coupling;
-    batch.inverseDeterminant[i] = 1 / determinant;
-    batch.closing1[i] = -perSecond * roomToClose(p.separation);
-    batch.closing2[i] = c.count == 2 ? -perSecond * roomToClose(q.separation) : noTarget;
-}
-
-void packGeneral(WorldData& data, double perSecond) {
-    Batches<ConstraintBatch>& batches = data.batches.general;
-    batches.reset(data.motions.size());
-    for (Constraint& c : data.constraints) {
-        const BodyMotion& a = data.motions[c.a];
-        const BodyMotion& b = data.motions[c.b];
-        c.lane = batches.open(c.a, a.yields(), c.b, b.yields());
-        ConstraintBatch& batch = batches[c.lane.batch];
-        const std::uint32_t i = c.lane.lane;
-        batch.normalX[i] = c.normal.x();
-        batch.normalY[i] = c.normal.y();
-        batch.massA[i] = a.inverseMass;
-        batch.massB[i] = b.inverseMass;
-        batch.inertiaA[i] = a.inverseInertia;
-        batch.inertiaB[i] = b.inverseInertia;
-        batch.tangentLeverA[i] = c.tangentLeverA;
-        batch.tangentLeverB[i] = c.tangentLeverB;
-        batch.tangentMass[i] = c.tangentMass;
-        batch.friction[i] = c.friction;
-        batch.tangentImpulse[i] = c.tangentImpulse;
-        packBlock(c, batch, i, perSecond);
     }
 }
 
@@ -126,62 +57,111 @@ void noteWork(WorldData& data, Slot a, Slot b, const Vec2& push, double dt) {
     data.islands.balances[data.islands.roots[data.motions[a].yields() ? a : b]].pushes += work / dt;
 }
 
-void pushApart(WorldData& data, const RoundContact& c, const RoundBatch& batch, double way) {
-    const std::uint32_t i = c.lane.lane;
-    const Vec2 push = way * Vec2(batch.normalX[i], batch.normalY[i]);
-    data.steps[c.a].push -= batch.massA[i] * push;
-    data.steps[c.b].push += batch.massB[i] * push;
-}
-
-void finish(WorldData& data, const RoundContact& c, double dt) {
+/// Pushes the bodies of an overlapping contact apart.
+void pushOut(WorldData& data, const RoundContact& c, double dt) {
     const RoundBatch& batch = data.batches.round[c.lane.batch];
     const std::uint32_t i = c.lane.lane;
-    const double impulse = batch.normalImpulse[i];
-    if (c.separation < -linearSlop) {
-        const double way = wayOut(c.separation, batch.velocity[i], batch.normalMass[i], dt);
-        pushApart(data, c, batch, way);
-        noteWork(data, c.a, c.b, way * Vec2(batch.normalX[i], batch.normalY[i]), dt);
-    }
-    if (c.bounces && impulse > 0) {
-        data.steps[c.a].bounced = data.steps[c.b].bounced = true;
-    }
-    Contact& kept = data.contacts[c.contact];
-    kept.tangentImpulse = c.bounces ? 0 : batch.tangentImpulse[i]; // what stopped an impact is not carried on
-    kept.points[0].normalImpulse = c.bounces ? 0 : impulse;
-    data.table.marks[c.pair].now = impulse > 0 || c.separation <= 0;
+    const Vec2 push = wayOut(batch.separation[i], batch.velocity[i], batch.normalMass[i], dt) *
+                      Vec2(batch.normalX[i], batch.normalY[i]);
+    data.steps[c.a].push -= batch.massA[i] * push;
+    data.steps[c.b].push += batch.massB[i] * push;
+    noteWork(data, c.a, c.b, push, dt);
 }
 
-void pushApart(WorldData& data, const Constraint& c, const ConstraintPoint& p, double push) {
-    const BodyMotion& a = data.motions[c.a];
-    const BodyMotion& b = data.motions[c.b];
-    data.steps[c.a].push -= push * a.inverseMass * c.normal;
-    data.steps[c.b].push += push * b.inverseMass * c.normal;
-    data.steps[c.a].pushTurn -= push * a.inverseInertia * p.leverA;
-    data.steps[c.b].pushTurn += push * b.inverseInertia * p.leverB;
-}
-
-void finish(WorldData& data, const Constraint& c, double dt) {
+void pushOut(WorldData& data, const GeneralContact& c, double dt) {
     const ConstraintBatch& batch = data.batches.general[c.lane.batch];
-    const std::uint32_t lane = c.lane.lane;
-    const std::array<double, 2> impulses{batch.impulse1[lane], batch.impulse2[lane]};
-    const std::array<double, 2> velocities{batch.velocity1[lane], batch.velocity2[lane]};
-    bool bounces = false;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-        const ConstraintPoint& p = c.points[i];
-        if (p.separation < -linearSlop) {
-            const double way = wayOut(p.separation, velocities[i], p.normalMass, dt);
-            pushApart(data, c, p, way);
-            noteWork(data, c.a, c.b, way * c.normal, dt);
-        }
-        if (p.bounces && impulses[i] > 0) {
-            data.steps[c.a].bounced = data.steps[c.b].bounced = true;
-        }
-        ContactPoint& kept = data.contacts[p.contact].points[p.index];
-        bounces |= p.bounces;
-        kept.normalImpulse = p.bounces ? 0 : impulses[i];
-        data.table.marks[p.pair].now |= impulses[i] > 0 || p.separation <= 0;
+    const ConstraintShapes& shapes = data.batches.general.shapes(c.lane.batch);
+    const std::uint32_t i = c.lane.lane;
+    const Vec2 normal(batch.normalX[i], batch.normalY[i]);
+    const auto pushAt = [&](double way, double leverA, double leverB) {
+        data.steps[c.a].push -= way * batch.massA[i] * normal;
+        data.steps[c.b].push += way * batch.massB[i] * normal;
+        data.steps[c.a].pushTurn -= way * batch.inertiaA[i] * leverA;
+        data.steps[c.b].pushTurn += way * batch.inertiaB[i] * leverB;
+        noteWork(data, c.a, c.b, way * normal, dt);
+    };
+    if (shapes.acts1[i] != 0 && batch.separation1[i] < -linearSlop) {
+        pushAt(wayOut(batch.separation1[i], batch.velocity1[i], batch.mass1[i], dt), batch.leverA1[i],
+               batch.leverB1[i]);
     }
-    data.contacts[c.points[0].contact].tangentImpulse = bounces ? 0 : batch.tangentImpulse[lane];
+    if (shapes.acts2[i] != 0 && batch.separation2[i] < -linearSlop) {
+        pushAt(wayOut(batch.separation2[i], batch.velocity2[i], batch.mass2[i], dt), batch.leverA2[i],
+               batch.leverB2[i]);
+    }
+}
+
+void markTouch(WorldData& data, const RoundContact& c, bool touches) {
+    data.table.marks[c.pair].now = touches;
+}
+
+/// Of the pairs of merged contacts each has its point.
+void markTouch(WorldData& data, const GeneralContact& c, bool touches) {
+    const ConstraintBatch& batch = data.batches.general[c.lane.batch];
+    const std::uint32_t i = c.lane.lane;
+    if (!touches) {
+        data.table.marks[c.points[0].pair].now = false;
+        return;
+    }
+    data.table.marks[c.points[0].pair].now |= batch.impulse1[i] > 0 || batch.separation1[i] <= 0;
+    if (c.count == 2) {
+        data.table.marks[c.points[1].pair].now |= batch.impulse2[i] > 0 || batch.separation2[i] <= 0;
+    }
+}
+
+template <class Batch, class Kind>
+void finishBatches(WorldData& data, Batches<Batch>& batches, const std::vector<Kind>& contacts, double dt) {
+    for (std::size_t i = 0; i < batches.size(); ++i) {
+        BatchNotes& notes = batches.notes(i);
+        const unsigned changed = notes.touches ^ notes.touched;
+        for (unsigned lanes = changed | notes.overlaps; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<unsigned>(std::countr_zero(lanes));
+            const Kind& c = contacts[batches.shapes(i).owner[lane]];
+            if ((changed >> lane & 1) != 0) {
+                markTouch(data, c, (notes.touches >> lane & 1) != 0);
+            }
+            if ((notes.overlaps >> lane & 1) != 0) {
+                pushOut(data, c, dt);
+            }
+        }
+        notes.touched = notes.touches;
+    }
+}
+
+/// What stopped an impact is not carried on.
+void finishBounces(WorldData& data) {
+    for (const RoundContact& c : data.roundContacts) {
+        if (c.bounces) {
+            RoundBatch& batch = data.batches.round[c.lane.batch];
+            data.steps[c.a].bounced |= batch.normalImpulse[c.lane.lane] > 0;
+            data.steps[c.b].bounced |= batch.normalImpulse[c.lane.lane] > 0;
+            batch.normalImpulse[c.lane.lane] = batch.tangentImpulse[c.lane.lane] = 0;
+        }
+    }
+    for (const GeneralContact& c : data.generalContacts) {
+        if (!c.bounces) {
+            continue;
+        }
+        ConstraintBatch& batch = data.batches.general[c.lane.batch];
+        for (std::size_t k = 0; k < c.count; ++k) {
+            Wide& impulse = k == 0 ? batch.impulse1 : batch.impulse2;
+            if (c.points[k].bounces) {
+                data.steps[c.a].bounced |= impulse[c.lane.lane] > 0;
+                data.steps[c.b].bounced |= impulse[c.lane.lane] > 0;
+                impulse[c.lane.lane] = 0;
+            }
+        }
+        batch.tangentImpulse[c.lane.lane] = 0;
+    }
+}
+
+/// Marks what touches and pushes apart what overlaps.
+void finishContacts(WorldData& data, double dt) {
+    noteTouches(data.batches, linearSlop);
+    finishBatches(data, data.batches.round, data.roundContacts, dt);
+    finishBatches(data, data.batches.general, data.generalContacts, dt);
+    if (data.anyBounce) {
+        finishBounces(data);
+    }
 }
 
 /// What is held back has less energy; and what has less energy may have to be held back.
@@ -229,22 +209,12 @@ void takePaces(WorldData& data, double dt) {
 
 void solveVelocities(WorldData& data, const IterationStep& step) {
     loadPaces(data);
-    packGeneral(data, 1 / step.dt);
     warmStart(data.batches);
     for (int pass = 0; pass < step.passes; ++pass) {
         solvePass(data.batches);
     }
     settle(data, step.dt);
-    const std::vector<RoundContact>& round = data.roundContacts;
-    for (std::size_t i = 0; i < round.size(); ++i) {
-        if (i + contactsAhead < round.size()) {
-            __builtin_prefetch(&data.contacts[round[i + contactsAhead].contact], 1);
-        }
-        finish(data, round[i], step.dt);
-    }
-    for (const Constraint& c : data.constraints) {
-        finish(data, c, step.dt);
-    }
+    finishContacts(data, step.dt);
     limitPushes(data);
     takePaces(data, step.dt);
 }

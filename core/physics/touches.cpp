@@ -1,5 +1,6 @@
 #include "core/physics/touches.h"
 
+#include "core/physics/contact_lanes.h"
 #include "core/physics/contact_pool.h"
 
 #include <algorithm>
@@ -119,6 +120,7 @@ void addTouchedTags(const WorldData& data, const PairTable& table, std::vector<T
 }
 
 void endTouches(WorldData& data, Slot slot, int iteration) {
+    dropContacts(data);
     for (std::size_t i = 0; i < data.table.size(); ++i) {
         const Pair& pair = data.table.pairs[i];
         if (pair.bodyA == slot || pair.bodyB == slot) {

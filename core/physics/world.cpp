@@ -3,6 +3,7 @@
 #include "core/base/contract.h"
 #include "core/geometry/bounds.h"
 #include "core/physics/changes.h"
+#include "core/physics/contact_lanes.h"
 #include "core/physics/contact_pool.h"
 #include "core/physics/contacts.h"
 #include "core/physics/continuous.h"
@@ -156,6 +157,7 @@ void World::update(const UpdateParameters& parameters) {
             prepareSteps(data, step);
         }
     }
+    saveImpulses(data);
     fallAsleep(data, parameters.seconds, parameters.iterations - 1);
     collectTouchedTags(data);
 }

@@ -239,6 +239,16 @@ struct WorldData {
     std::vector<std::uint32_t> freeContacts;
     std::vector<KeptManifold> manifolds; // of the general ones
     std::vector<std::uint32_t> freeManifolds;
+    std::vector<RoundContact> roundContacts; // that the solver has, see contact_lanes.h
+    std::vector<GeneralContact> generalContacts;
+    ContactBatches batches;
+    bool contactsListed = false;                // so that the above are those of the pairs
+    bool anyAlone = false, anySingular = false; // of these contacts
+    bool anyBounce = false;
+    std::vector<std::uint16_t> wallContacts; // by slot: general contacts with what others may share a plane with
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours; // contacts that may come to lie in one plane
+    bool mergeDoubt = false;                                         // whether some of the new ones do
+    std::size_t listChanges = 0;                                     // since the beginning of the iteration
     std::vector<TagMask> touchedTags; // by slot, of the last iteration
     Events events;
     std::vector<RemovedEvent> removedBefore; // since the last update
@@ -259,10 +269,8 @@ struct WorldData {
     std::vector<std::uint32_t> found;
     std::vector<std::uint32_t> felt;   // indices of felt pairs
     std::vector<std::uint32_t> onWays; // of those that may meet on their ways
-    std::vector<RoundContact> roundContacts;
-    std::vector<Constraint> constraints;
+    std::vector<Constraint> constraints; // general contacts that are not yet listed
     std::vector<std::array<double, 3>> wholeImpulses; // by contact, while an iteration is made in parts
-    ContactBatches batches;
     Islands islands;
     std::vector<std::uint64_t> droppedTouches; // body pairs whose boxes parted while they touched
     std::vector<Transform> trial;              // poses during sub-steps, by slot

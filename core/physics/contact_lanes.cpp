@@ -1,0 +1,329 @@
+#include "core/physics/contact_lanes.h"
+
+#include "core/physics/contact_rules.h"
+#include "core/physics/merge_contacts.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace spacetow {
+
+namespace {
+
+void setLane(Mask& mask, std::uint32_t lane, bool value) {
+    mask[lane] = value ? -1 : 0;
+}
+
+template <class Batch>
+Lane openLane(WorldData& data, Batches<Batch>& batches, Slot a, Slot b) {
+    const Lane lane = batches.open(a, data.motions[a].yields(), b, data.motions[b].yields());
+    typename Batch::Shapes& shapes = batches.shapes(lane.batch);
+    shapes.a[lane.lane] = a;
+    shapes.b[lane.lane] = b;
+    Batch& batch = batches[lane.batch];
+    batch.massA[lane.lane] = data.motions[a].inverseMass;
+    batch.massB[lane.lane] = data.motions[b].inverseMass;
+    batch.inertiaA[lane.lane] = data.motions[a].inverseInertia;
+    batch.inertiaB[lane.lane] = data.motions[b].inverseInertia;
+    return lane;
+}
+
+RoundContact& openRound(WorldData& data, std::uint32_t index) {
+    const Pair& pair = data.table.pairs[index];
+    Contact& kept = data.contacts[pair.contact];
+    Batches<RoundBatch>& batches = data.batches.round;
+    const Lane lane = openLane(data, batches, pair.bodyA, pair.bodyB);
+    kept.place = static_cast<std::uint32_t>(data.roundContacts.size());
+    data.table.marks[index].listed = true;
+    data.table.gates[index].apartUntil = std::numeric_limits<double>::infinity();
+    RoundContact& c = data.roundContacts.emplace_back();
+    c = {pair.bodyA, pair.bodyB, index, pair.contact, lane, pair.staticB || kept.restitution > 0, false};
+    RoundShapes& shapes = batches.shapes(lane.batch);
+    shapes.owner[lane.lane] = kept.place;
+    shapes.radiusA[lane.lane] = data.steps[c.a].outerRadius;
+    shapes.radiusB[lane.lane] = data.steps[c.b].outerRadius;
+    setLane(shapes.here, lane.lane, !pair.staticB);
+    RoundBatch& batch = batches[lane.batch];
+    const double inverseMass = data.motions[c.a].inverseMass + data.motions[c.b].inverseMass;
+    batch.normalMass[lane.lane] = inverseMass > 0 ? 1 / inverseMass : 0;
+    batch.friction[lane.lane] = kept.friction;
+    batch.normalImpulse[lane.lane] = kept.points[0].normalImpulse;
+    batch.tangentImpulse[lane.lane] = kept.tangentImpulse;
+    data.anyAlone |= c.alone;
+    ++data.listChanges;
+    return c;
+}
+
+/// Two points with nearly the same effect make the system singular: the one that overlaps more acts for both. A point
+/// at which no push can move anything does not act at all. Returns whether it is.
+bool packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, double perSecond) {
+    const ConstraintPoint& p = c.points[0];
+    const ConstraintPoint& q = c.points[1];
+    const bool acts1 = p.normalMass > 0;
+    const bool acts2 = c.count == 2 && q.normalMass > 0;
+    const double mass1 = acts1 ? p.normalMass : 1;
+    const double mass2 = acts2 ? q.normalMass : mass1;
+    const double k11 = 1 / mass1;
+    const double k22 = 1 / mass2;
+    double coupling = acts1 && acts2 ? c.coupling : 0;
+    double determinant = k11 * k22 - coupling * coupling;
+    batch.target1[i] = acts1 ? p.target : noTarget;
+    batch.target2[i] = acts2 ? q.target : noTarget;
+    batch.impulse1[i] = p.normalImpulse;
+    batch.impulse2[i] = q.normalImpulse;
+    const double largest = std::max(k11, k22);
+    const bool singular = acts1 && acts2 && largest * largest >= 1000 * determinant;
+    if (singular) {
+        coupling = 0;
+        determinant = k11 * k22;
+    }
+    batch.leverA1[i] = p.leverA;
+    batch.leverB1[i] = p.leverB;
+    batch.leverA2[i] = q.leverA;
+    batch.leverB2[i] = q.leverB;
+    batch.k11[i] = k11;
+    batch.k22[i] = k22;
+    batch.mass1[i] = mass1;
+    batch.mass2[i] = mass2;
+    batch.coupling[i] = coupling;
+    batch.inverseDeterminant[i] = 1 / determinant;
+    batch.separation1[i] = p.separation;
+    batch.separation2[i] = c.count == 2 ? q.separation : std::numeric_limits<double>::infinity();
+    batch.closing1[i] = -perSecond * roomToClose(p.separation);
+    batch.closing2[i] = c.count == 2 ? -perSecond * roomToClose(q.separation) : noTarget;
+    return singular;
+}
+
+void actForBoth(ConstraintBatch& batch, std::uint32_t i) {
+    const bool first = batch.separation1[i] <= batch.separation2[i];
+    const double impulse = batch.impulse1[i] + batch.impulse2[i];
+    (first ? batch.target2 : batch.target1)[i] = noTarget;
+    (first ? batch.impulse1 : batch.impulse2)[i] = impulse;
+    (first ? batch.impulse2 : batch.impulse1)[i] = 0;
+}
+
+void packShapes(const WorldData& data, const Constraint& c, ConstraintShapes& shapes, std::uint32_t i) {
+    const Pair& pair = data.table.pairs[c.points[0].pair];
+    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
+    setLane(shapes.still, i, pair.staticB);
+    setLane(shapes.ownedByA, i, kept.normalOfA);
+    setLane(shapes.acts1, i, c.points[0].normalMass > 0);
+    setLane(shapes.acts2, i, c.count == 2 && c.points[1].normalMass > 0);
+    setLane(shapes.first, i, true);
+    setLane(shapes.second, i, c.count == 2);
+    shapes.normalX[i] = kept.normal.x();
+    shapes.normalY[i] = kept.normal.y();
+    const KeptManifold::Point& p = kept.points[c.points[0].index];
+    shapes.onA1X[i] = p.onA.x();
+    shapes.onA1Y[i] = p.onA.y();
+    shapes.onB1X[i] = p.onB.x();
+    shapes.onB1Y[i] = p.onB.y();
+    const KeptManifold::Point& q = kept.points[c.count == 2 ? c.points[1].index : c.points[0].index];
+    shapes.onA2X[i] = q.onA.x();
+    shapes.onA2Y[i] = q.onA.y();
+    shapes.onB2X[i] = q.onB.x();
+    shapes.onB2Y[i] = q.onB.y();
+}
+
+void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double perSecond) {
+    const std::uint32_t i = contact.lane.lane;
+    ConstraintBatch& batch = data.batches.general[contact.lane.batch];
+    batch.normalX[i] = c.normal.x();
+    batch.normalY[i] = c.normal.y();
+    batch.tangentLeverA[i] = c.tangentLeverA;
+    batch.tangentLeverB[i] = c.tangentLeverB;
+    batch.tangentMass[i] = c.tangentMass;
+    batch.friction[i] = c.friction;
+    batch.tangentImpulse[i] = c.tangentImpulse;
+    contact.singular = packBlock(c, batch, i, perSecond);
+    if (contact.singular) {
+        actForBoth(batch, i);
+        data.anySingular = true;
+    }
+    packShapes(data, c, data.batches.general.shapes(contact.lane.batch), i);
+    contact.count = static_cast<std::uint32_t>(c.count);
+    contact.bounces = false;
+    for (std::size_t k = 0; k < contact.count; ++k) {
+        const ConstraintPoint& p = c.points[k];
+        contact.points[k] = {p.pair, p.contact, p.index, p.bounces};
+        contact.bounces |= p.bounces;
+    }
+    data.anyBounce |= contact.bounces;
+    data.table.gates[c.points[0].pair].apartUntil =
+        data.manifolds[data.contacts[c.points[0].contact].manifold].holdsUntil;
+}
+
+/// Fills the gap with the last of the list.
+template <class Kind, class Batch>
+void strike(WorldData& data, std::vector<Kind>& list, Batches<Batch>& batches, std::uint32_t place) {
+    batches.close(list[place].lane);
+    if (place + 1 < list.size()) {
+        list[place] = list.back();
+        const Lane lane = list[place].lane;
+        batches.shapes(lane.batch).owner[lane.lane] = place;
+        data.contacts[data.table.pairs[pairOf(list[place])].contact].place = place;
+    }
+    list.pop_back();
+}
+
+} // namespace
+
+void listRound(WorldData& data, std::uint32_t pair, const Touch& touch, const RoundTarget& target, double perSecond) {
+    Contact& kept = data.contacts[data.table.pairs[pair].contact];
+    const bool listed = data.table.marks[pair].listed;
+    RoundContact& c = listed ? data.roundContacts[kept.place] : openRound(data, pair);
+    const BodyMotion& a = data.motions[c.a];
+    const BodyMotion& b = data.motions[c.b];
+    RoundBatch& batch = data.batches.round[c.lane.batch];
+    const std::uint32_t i = c.lane.lane;
+    const double leverA = touch.radiusA + 0.5 * touch.separation;
+    const double leverB = -touch.radiusB - 0.5 * touch.separation;
+    const double inverseMass = a.inverseMass + b.inverseMass;
+    batch.normalX[i] = touch.normal.x();
+    batch.normalY[i] = touch.normal.y();
+    batch.leverA[i] = leverA;
+    batch.leverB[i] = leverB;
+    batch.tangentMass[i] = 1 / (inverseMass + a.inverseInertia * leverA * leverA + b.inverseInertia * leverB * leverB);
+    batch.separation[i] = touch.separation;
+    batch.target[i] = target.velocity;
+    batch.closing[i] = -perSecond * roomToClose(touch.separation);
+    if (beginAt(kept, touch.feature)) {
+        batch.normalImpulse[i] = batch.tangentImpulse[i] = 0;
+    }
+    c.bounces = target.bounces;
+    data.anyBounce |= c.bounces;
+}
+
+void listGeneral(WorldData& data, const Constraint& constraint, double perSecond) {
+    const ConstraintPoint& p = constraint.points[0];
+    data.table.marks[p.pair].listed = true;
+    data.contacts[p.contact].place = static_cast<std::uint32_t>(data.generalContacts.size());
+    GeneralContact& c = data.generalContacts.emplace_back();
+    c.a = constraint.a;
+    c.b = constraint.b;
+    c.atWall = !constraint.alone;
+    ++data.listChanges;
+    if (c.atWall) {
+        data.mergeDoubt |= data.wallContacts[c.a] > 0;
+        ++data.wallContacts[c.a];
+    }
+    c.lane = openLane(data, data.batches.general, c.a, c.b);
+    data.batches.general.shapes(c.lane.batch).owner[c.lane.lane] = data.contacts[p.contact].place;
+    pack(data, constraint, c, perSecond);
+}
+
+void renewGeneral(WorldData& data, const Constraint& constraint, double perSecond) {
+    GeneralContact& c = data.generalContacts[data.contacts[constraint.points[0].contact].place];
+    data.mergeDoubt |= c.atWall && data.wallContacts[c.a] > 1;
+    pack(data, constraint, c, perSecond);
+}
+
+void renewSingular(WorldData& data) {
+    for (const GeneralContact& c : data.generalContacts) {
+        if (c.singular) {
+            actForBoth(data.batches.general[c.lane.batch], c.lane.lane);
+        }
+    }
+}
+
+bool beginAt(Contact& contact, std::uint32_t feature) {
+    if (contact.count > 0 && contact.points[0].feature == feature) {
+        return false;
+    }
+    contact.count = 1;
+    contact.points[0] = {feature, 0};
+    contact.tangentImpulse = 0;
+    return true;
+}
+
+void unlist(WorldData& data, std::uint32_t pair) {
+    const Contact& kept = data.contacts[data.table.pairs[pair].contact];
+    data.table.marks[pair].listed = data.table.marks[pair].now = false;
+    data.table.gates[pair].apartUntil = 0;
+    ++data.listChanges;
+    if (kept.manifold == Pair::none) {
+        strike(data, data.roundContacts, data.batches.round, kept.place);
+        return;
+    }
+    const GeneralContact& c = data.generalContacts[kept.place];
+    if (c.atWall) {
+        data.mergeDoubt |= data.wallContacts[c.a] > 1;
+        --data.wallContacts[c.a];
+    }
+    strike(data, data.generalContacts, data.batches.general, kept.place);
+}
+
+void findNeighbours(WorldData& data) {
+    const std::vector<GeneralContact>& all = data.generalContacts;
+    const auto isStatic = [&](Slot slot) { return data.records[slot].kind == BodyKind::Static; };
+    data.neighbours.clear();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!all[i].atWall || data.wallContacts[all[i].a] < 2) {
+            continue;
+        }
+        for (std::size_t j = i + 1; j < all.size() && all[j].a == all[i].a; ++j) {
+            if (all[j].atWall && (all[i].b == all[j].b || (isStatic(all[i].b) && isStatic(all[j].b)))) {
+                data.neighbours.emplace_back(all[i].points[0].contact, all[j].points[0].contact);
+            }
+        }
+    }
+}
+
+bool anyInOnePlane(const WorldData& data) {
+    const auto normal = [&](std::uint32_t contact) {
+        const Lane lane = data.generalContacts[data.contacts[contact].place].lane;
+        const ConstraintBatch& batch = data.batches.general[lane.batch];
+        return Vec2(batch.normalX[lane.lane], batch.normalY[lane.lane]);
+    };
+    return std::any_of(data.neighbours.begin(), data.neighbours.end(),
+                       [&](const auto& both) { return areParallel(normal(both.first), normal(both.second)); });
+}
+
+void saveImpulses(WorldData& data, const RoundContact& contact) {
+    const RoundBatch& batch = data.batches.round[contact.lane.batch];
+    Contact& kept = data.contacts[contact.contact];
+    kept.points[0].normalImpulse = batch.normalImpulse[contact.lane.lane];
+    kept.tangentImpulse = batch.tangentImpulse[contact.lane.lane];
+}
+
+void saveImpulses(WorldData& data, const GeneralContact& contact) {
+    const ConstraintBatch& batch = data.batches.general[contact.lane.batch];
+    const std::uint32_t i = contact.lane.lane;
+    const std::array<double, 2> impulses{batch.impulse1[i], batch.impulse2[i]};
+    for (std::size_t k = 0; k < contact.count; ++k) {
+        const GeneralContact::Point& p = contact.points[k];
+        data.contacts[p.contact].points[p.index].normalImpulse = impulses[k];
+    }
+    data.contacts[contact.points[0].contact].tangentImpulse = batch.tangentImpulse[i];
+}
+
+void saveImpulses(WorldData& data) {
+    if (!data.contactsListed) {
+        return;
+    }
+    for (const RoundContact& c : data.roundContacts) {
+        saveImpulses(data, c);
+    }
+    for (const GeneralContact& c : data.generalContacts) {
+        saveImpulses(data, c);
+    }
+}
+
+void dropContacts(WorldData& data) {
+    saveImpulses(data);
+    data.contactsListed = false;
+}
+
+void clearContacts(WorldData& data) {
+    data.roundContacts.clear();
+    data.generalContacts.clear();
+    data.constraints.clear();
+    data.batches.round.reset(data.motions.size());
+    data.batches.general.reset(data.motions.size());
+    data.wallContacts.assign(data.motions.size(), 0);
+    data.anyAlone = data.anySingular = data.anyBounce = data.mergeDoubt = false;
+    data.listChanges = 0;
+    data.contactsListed = true;
+}
+
+} // namespace spacetow
