@@ -260,7 +260,27 @@ SPACETOW_INLINE Wide worldY(const WidePace& pose, Wide x, Wide y) {
     return pose.y + (pose.unused * x + pose.turn * y);
 }
 
-/// None is: their manifolds tell how long they hold.
+/// Whether the parts have moved against each other so far that their manifold may lack something.
+SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, const WidePace& b, const Call& call) {
+    const Wide apartX = a.x - b.x;
+    const Wide apartY = a.y - b.y;
+    const Wide movedX = b.turn * apartX + b.unused * apartY - s.relativeX;
+    const Wide movedY = b.turn * apartY - b.unused * apartX - s.relativeY;
+    const Wide turnedC = b.turn * a.turn + b.unused * a.unused - s.cosine;
+    const Wide turnedS = b.turn * a.unused - b.unused * a.turn - s.sine;
+    const Wide left = s.room - root(movedX * movedX + movedY * movedY) -
+                      root(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
+    const WidePace wayA = load(call.bodies.ways, s.a);
+    WidePace wayB = load(call.bodies.ways, s.b);
+    wayB.x = s.still ? Wide{} : wayB.x;
+    wayB.y = s.still ? Wide{} : wayB.y;
+    wayB.turn = s.still ? Wide{} : wayB.turn;
+    wayB.unused = s.still ? Wide{} : wayB.unused;
+    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y) + magnitude(wayA.turn) * s.radiusA +
+                     magnitude(wayB.turn) * s.radiusB;
+    return left < call.rules.slop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
+}
+
 SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, const Call& call) {
     const WidePace a = load(call.bodies.poses, s.a);
     WidePace b = load(call.bodies.poses, s.b);
@@ -286,19 +306,16 @@ SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, cons
     c.target2 = s.acts2 ? targetAt(separation2, call.rules) : never;
     c.closing1 = s.first ? closingAt(separation1, call.rules) : never;
     c.closing2 = s.second ? closingAt(separation2, call.rules) : never;
-    return Mask{};
+    return outdated(s, a, b, call);
 }
 
 template <class Batch>
-SPACETOW_INLINE bool refreshAll(const Call& call, Batches<Batch>& batches) {
+SPACETOW_INLINE void refreshAll(const Call& call, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
-    LaneBits distant = 0;
     for (std::size_t i = 0; i < count; ++i) {
         BatchNotes& notes = batches.notes(i);
-        notes.distant = bits(refresh(batches.begin()[i], batches.shapes(i), call));
-        distant |= notes.distant;
+        notes.outdated = bits(refresh(batches.begin()[i], batches.shapes(i), call)) & notes.occupied;
     }
-    return distant != 0;
 }
 
 SPACETOW_INLINE Mask touching(const RoundBatch& c) {
@@ -381,8 +398,9 @@ SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task, const Call& ca
     Pace* paces = batches.paces.data();
     switch (task) {
     case Task::Refresh:
+        refreshAll(call, batches.round);
         refreshAll(call, batches.general);
-        return !refreshAll(call, batches.round);
+        break;
     case Task::WarmStart:
         warmAll(paces, batches.round);
         warmAll(paces, batches.general);
@@ -473,8 +491,8 @@ bool hasWideRegisters() {
 #endif
 }
 
-bool refreshContacts(ContactBatches& batches, const BodyViews& bodies, const ContactRules& rules, bool wide) {
-    return start(batches, Task::Refresh, wide, {bodies, rules});
+void refreshContacts(ContactBatches& batches, const BodyViews& bodies, const ContactRules& rules, bool wide) {
+    start(batches, Task::Refresh, wide, {bodies, rules});
 }
 
 void warmStart(ContactBatches& batches, bool wide) {

@@ -58,6 +58,9 @@ struct alignas(32) ConstraintShapes {
     Mask first{}, second{};               // whether there is the point at all
     Wide normalX{}, normalY{};
     Wide onA1X{}, onA1Y{}, onB1X{}, onB1Y{}, onA2X{}, onA2Y{}, onB2X{}, onB2Y{};
+    Wide relativeX{}, relativeY{}, cosine{}, sine{}; // of a in the coordinates of b when the manifold was made
+    Wide room{};                                     // m that the parts may come closer before it is out of date
+    Wide radiusA{}, radiusB{};                       // around the bodies
 
     void vacate() {
         a.fill(0);
@@ -148,7 +151,7 @@ using LaneBits = std::uint8_t;
 /// What a look at all contacts has found.
 struct BatchNotes {
     LaneBits occupied = 0;
-    LaneBits distant = 0;  // out of reach
+    LaneBits outdated = 0; // out of reach, or the manifold no longer holds
     LaneBits closes = 0;   // faster than it may
     LaneBits touched = 0;  // when it was looked at before
     LaneBits touches = 0;  // with an impulse or without a gap
@@ -260,9 +263,8 @@ struct ContactRules {
 /// Whether the processor has registers for four doubles. What follows computes the same bits with them and without.
 bool hasWideRegisters();
 
-/// Normals, gaps, targets and what depends on them, from where bodies are now. Whether all round contacts are still
-/// within reach.
-bool refreshContacts(ContactBatches& batches, const BodyViews& bodies, const ContactRules& rules,
+/// Normals, gaps, targets and what depends on them, from where bodies are now; and notes of what is outdated.
+void refreshContacts(ContactBatches& batches, const BodyViews& bodies, const ContactRules& rules,
                      bool wide = hasWideRegisters());
 
 /// Applies the impulses that the contacts begin with.

@@ -54,9 +54,8 @@ struct TouchMarks {
 
 /// A manifold that is kept while its parts move little against each other, in their own coordinates.
 struct KeptManifold {
-    double holdsUntil = 0; // m that the bodies may have travelled together before it is looked at again
-    double room = -1;      // m that the parts may come closer before it is out of date; negative: nothing is known
-    Transform relative;    // of A in the coordinates of B when it was made
+    double room = -1;   // m that the parts may come closer before it is out of date; negative: nothing is known
+    Transform relative; // of A in the coordinates of B when it was made
     bool normalOfA = false;
     Vec2 normal{0, 1}; // in the coordinates of A or B
     struct Point {

@@ -123,6 +123,13 @@ void packShapes(const WorldData& data, const Constraint& c, ConstraintShapes& sh
     shapes.onA2Y[i] = q.onA.y();
     shapes.onB2X[i] = q.onB.x();
     shapes.onB2Y[i] = q.onB.y();
+    shapes.relativeX[i] = kept.relative.position.x();
+    shapes.relativeY[i] = kept.relative.position.y();
+    shapes.cosine[i] = kept.relative.rotation.c;
+    shapes.sine[i] = kept.relative.rotation.s;
+    shapes.room[i] = kept.room;
+    shapes.radiusA[i] = data.steps[c.a].round ? 0 : data.steps[c.a].outerRadius;
+    shapes.radiusB[i] = data.steps[c.b].round ? 0 : data.steps[c.b].outerRadius;
 }
 
 void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double perSecond) {
@@ -149,8 +156,13 @@ void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double 
         contact.bounces |= p.bounces;
     }
     data.anyBounce |= contact.bounces;
-    data.table.gates[c.points[0].pair].apartUntil =
-        data.manifolds[data.contacts[c.points[0].contact].manifold].holdsUntil;
+}
+
+void noteNeighbours(WorldData& data, const GeneralContact& c, const GeneralContact& d) {
+    const auto isStatic = [&](Slot slot) { return data.records[slot].kind == BodyKind::Static; };
+    if (c.atWall && d.atWall && (c.b == d.b || (isStatic(c.b) && isStatic(d.b)))) {
+        data.neighbours.emplace_back(c.points[0].contact, d.points[0].contact);
+    }
 }
 
 /// Fills the gap with the last of the list.
@@ -197,25 +209,21 @@ void listRound(WorldData& data, std::uint32_t pair, const Touch& touch, const Ro
 void listGeneral(WorldData& data, const Constraint& constraint, double perSecond) {
     const ConstraintPoint& p = constraint.points[0];
     data.table.marks[p.pair].listed = true;
+    data.table.gates[p.pair].apartUntil = std::numeric_limits<double>::infinity();
     data.contacts[p.contact].place = static_cast<std::uint32_t>(data.generalContacts.size());
     GeneralContact& c = data.generalContacts.emplace_back();
     c.a = constraint.a;
     c.b = constraint.b;
     c.atWall = !constraint.alone;
     ++data.listChanges;
-    if (c.atWall) {
-        data.mergeDoubt |= data.wallContacts[c.a] > 0;
-        ++data.wallContacts[c.a];
-    }
+    data.wallContacts[c.a] += c.atWall ? 1 : 0;
     c.lane = openLane(data, data.batches.general, c.a, c.b);
     data.batches.general.shapes(c.lane.batch).owner[c.lane.lane] = data.contacts[p.contact].place;
     pack(data, constraint, c, perSecond);
 }
 
 void renewGeneral(WorldData& data, const Constraint& constraint, double perSecond) {
-    GeneralContact& c = data.generalContacts[data.contacts[constraint.points[0].contact].place];
-    data.mergeDoubt |= c.atWall && data.wallContacts[c.a] > 1;
-    pack(data, constraint, c, perSecond);
+    pack(data, constraint, data.generalContacts[data.contacts[constraint.points[0].contact].place], perSecond);
 }
 
 void renewSingular(WorldData& data) {
@@ -247,24 +255,34 @@ void unlist(WorldData& data, std::uint32_t pair) {
     }
     const GeneralContact& c = data.generalContacts[kept.place];
     if (c.atWall) {
-        data.mergeDoubt |= data.wallContacts[c.a] > 1;
         --data.wallContacts[c.a];
+        const std::uint32_t gone = c.points[0].contact;
+        std::erase_if(data.neighbours, [&](const auto& both) { return both.first == gone || both.second == gone; });
     }
     strike(data, data.generalContacts, data.batches.general, kept.place);
 }
 
 void findNeighbours(WorldData& data) {
     const std::vector<GeneralContact>& all = data.generalContacts;
-    const auto isStatic = [&](Slot slot) { return data.records[slot].kind == BodyKind::Static; };
     data.neighbours.clear();
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].atWall || data.wallContacts[all[i].a] < 2) {
             continue;
         }
         for (std::size_t j = i + 1; j < all.size() && all[j].a == all[i].a; ++j) {
-            if (all[j].atWall && (all[i].b == all[j].b || (isStatic(all[i].b) && isStatic(all[j].b)))) {
-                data.neighbours.emplace_back(all[i].points[0].contact, all[j].points[0].contact);
-            }
+            noteNeighbours(data, all[i], all[j]);
+        }
+    }
+}
+
+void findNeighboursOfLast(WorldData& data) {
+    const GeneralContact& last = data.generalContacts.back();
+    if (!last.atWall || data.wallContacts[last.a] < 2) {
+        return;
+    }
+    for (const GeneralContact& other : data.generalContacts) {
+        if (other.a == last.a && &other != &last) {
+            noteNeighbours(data, other, last);
         }
     }
 }
@@ -309,6 +327,24 @@ void saveImpulses(WorldData& data) {
     }
 }
 
+void followPairs(WorldData& data) {
+    if (!data.contactsListed) {
+        return;
+    }
+    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
+        if (!data.table.marks[i].listed) {
+            continue;
+        }
+        const Pair& pair = data.table.pairs[i];
+        const std::uint32_t place = data.contacts[pair.contact].place;
+        if (pair.kind == PairKind::General) {
+            data.generalContacts[place].points[0].pair = data.generalContacts[place].points[1].pair = i;
+        } else {
+            data.roundContacts[place].pair = i;
+        }
+    }
+}
+
 void dropContacts(WorldData& data) {
     saveImpulses(data);
     data.contactsListed = false;
@@ -322,7 +358,6 @@ void clearContacts(WorldData& data) {
     data.batches.general.reset(data.motions.size());
     data.wallContacts.assign(data.motions.size(), 0);
     data.anyAlone = data.anySingular = data.anyBounce = data.mergeDoubt = false;
-    data.listChanges = 0;
     data.contactsListed = true;
 }
 

@@ -45,12 +45,18 @@ void saveImpulses(WorldData& data);
 /// A contact of other features than before begins without impulses. True when it does.
 bool beginAt(Contact& contact, std::uint32_t feature);
 
-/// Notes which general contacts might come to lie in one plane, after all have been listed.
+/// Notes which general contacts might come to lie in one plane: of all that are listed in the order of their pairs, or
+/// of the last one.
 void findNeighbours(WorldData& data);
+void findNeighboursOfLast(WorldData& data);
 /// Whether any of them do.
 bool anyInOnePlane(const WorldData& data);
 
-/// Saves all impulses; the next iteration lists all contacts anew. To be called before pairs change.
+/// The listed contacts keep their lanes when the table of pairs has changed.
+void followPairs(WorldData& data);
+
+/// Saves all impulses; the next iteration lists all contacts anew. To be called when contacts may no longer be those of the
+/// pairs.
 void dropContacts(WorldData& data);
 
 /// Begins a list without contacts.

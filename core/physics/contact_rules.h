@@ -29,7 +29,9 @@ inline double contactMargin(const BodyStep& a, const BodyStep& b) {
 
 /// The same against a static body.
 inline double contactMargin(const BodyStep& a) {
-    return linearSlop + std::min(a.reach(), 0.5 * a.innerRadius);
+    double way = std::abs(a.shift.x()) + std::abs(a.shift.y());
+    way += a.round ? 0 : std::abs(a.turn) * a.outerRadius;
+    return linearSlop + std::min(way, 0.5 * a.innerRadius);
 }
 
 /// How far surfaces may go into each other in this iteration where the solver has not converged, m: up to the slop.

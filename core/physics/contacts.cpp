@@ -26,8 +26,7 @@ void letGo(WorldData& data, std::uint32_t index, double separation) {
         unlist(data, index);
     }
     forgetContact(data, pair);
-    data.table.gates[index].apartUntil =
-        data.steps[pair.bodyA].travelled + data.steps[pair.bodyB].travelled + separation;
+    data.table.gates[index].apartUntil = data.milesOf(pair) + separation;
 }
 
 Approach approach(const WorldData& data, const Pair& pair, const Vec2& normal) {
@@ -148,8 +147,11 @@ bool haveMet(const WorldData& data, const Pair& pair) {
     return false;
 }
 
-// Beyond this share of all contacts they are listed anew, in the order of their pairs.
-constexpr std::size_t changesAllowed = 0;
+/// After that the contacts are listed anew, in the order of their pairs: bodies that are near each other are so in
+/// memory, too, and piles converge better.
+std::size_t mostChanges(const WorldData& data) {
+    return (data.roundContacts.size() + data.generalContacts.size()) / 8;
+}
 
 void meet(WorldData& data, std::uint32_t index, double perSecond) {
     const PairKind kind = data.table.pairs[index].kind;
@@ -185,6 +187,7 @@ void listContacts(WorldData& data, double perSecond) {
     }
     findNeighbours(data);
     data.mergeDoubt = merged;
+    data.listChanges = 0;
 }
 
 /// Those that the batches cannot renew by themselves.
@@ -196,12 +199,12 @@ void renewAlone(WorldData& data, double perSecond) {
     }
 }
 
-void letDistantGo(WorldData& data, double perSecond) {
-    Batches<RoundBatch>& batches = data.batches.round;
+/// Visits the pairs of outdated contacts.
+template <class Kind, class Batch, class Visit>
+void forOutdated(const std::vector<Kind>& list, const Batches<Batch>& batches, const Visit& visit) {
     for (std::size_t i = 0; i < batches.size(); ++i) {
-        for (unsigned distant = batches.notes(i).distant; distant != 0; distant &= distant - 1) {
-            const std::uint32_t owner = batches.shapes(i).owner[static_cast<std::size_t>(std::countr_zero(distant))];
-            meetRound(data, data.roundContacts[owner].pair, perSecond);
+        for (unsigned lanes = batches.notes(i).outdated; lanes != 0; lanes &= lanes - 1) {
+            visit(pairOf(list[batches.shapes(i).owner[static_cast<std::size_t>(std::countr_zero(lanes))]]));
         }
     }
 }
@@ -213,19 +216,18 @@ bool renewContacts(WorldData& data, double perSecond) {
         return false;
     }
     data.anySweep = data.anyBounce = false;
-    data.listChanges = 0;
     const BodyViews bodies{{data.motions.data(), sizeof(BodyMotion)}, {data.steps.data(), sizeof(BodyStep)}};
-    if (!refreshContacts(data.batches, bodies, {perSecond, linearSlop})) {
-        letDistantGo(data, perSecond);
-    }
-    renewAlone(data, perSecond);
     data.constraints.clear();
+    refreshContacts(data.batches, bodies, {perSecond, linearSlop});
+    forOutdated(data.roundContacts, data.batches.round,
+                [&](std::uint32_t pair) { meetRound(data, pair, perSecond); });
+    forOutdated(data.generalContacts, data.batches.general,
+                [&](std::uint32_t pair) { renewManifold(data, pair, perSecond); });
+    renewAlone(data, perSecond);
     const auto count = static_cast<std::uint32_t>(data.table.size());
     for (std::uint32_t i = 0; i < count; ++i) {
         if (data.isGateOpen(i) && data.table.pairs[i].kind != PairKind::Felt) {
-            if (!data.table.marks[i].listed) {
-                beginAnew(data, i);
-            }
+            beginAnew(data, i);
             meet(data, i, perSecond);
         }
     }
@@ -234,9 +236,9 @@ bool renewContacts(WorldData& data, double perSecond) {
     }
     for (const Constraint& constraint : data.constraints) {
         listGeneral(data, constraint, perSecond);
+        findNeighboursOfLast(data);
     }
-    const std::size_t contacts = data.roundContacts.size() + data.generalContacts.size();
-    return !data.mergeDoubt && data.listChanges <= changesAllowed * contacts / 8 && !anyInOnePlane(data);
+    return data.listChanges <= mostChanges(data) && !anyInOnePlane(data);
 }
 
 } // namespace

@@ -114,15 +114,11 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
     }
 }
 
-/// Until its bodies have travelled as far as is left of its room, a manifold need not be looked at; and without a
-/// point in it, nor need the pair.
+/// Until its bodies have travelled as far as is left of its room, a pair without a contact need not be looked at.
 void postpone(WorldData& data, std::uint32_t index, double left) {
     const Pair& pair = data.table.pairs[index];
-    const Contact& contact = data.contacts[pair.contact];
-    const double until = data.steps[pair.bodyA].travelled + data.steps[pair.bodyB].travelled + left;
-    data.manifolds[contact.manifold].holdsUntil = until;
-    if (contact.count == 0) {
-        data.table.gates[index].apartUntil = until;
+    if (data.contacts[pair.contact].count == 0) {
+        data.table.gates[index].apartUntil = data.milesOf(pair) + left;
     }
 }
 
@@ -156,12 +152,15 @@ bool setTarget(WorldData& data, Pair& pair, const Constraint& c, ConstraintPoint
     return true;
 }
 
-/// Whether the discs around the bodies tell already that they are apart.
-bool outOfReach(const WorldData& data, const Pair& pair) {
+/// How far apart the discs around the bodies are, m, when that is further than they may come nearer in this iteration; 0
+/// else.
+double gapOfDiscs(const WorldData& data, const Pair& pair) {
     const BodyStep& a = data.steps[pair.bodyA];
     const BodyStep& b = data.steps[pair.bodyB];
-    const double reach = a.outerRadius + b.outerRadius + contactMargin(a, b);
-    return (data.motions[pair.bodyB].center - data.motions[pair.bodyA].center).squaredNorm() > reach * reach;
+    const double radii = a.outerRadius + b.outerRadius;
+    const double reach = radii + contactMargin(a, b);
+    const double squared = (data.motions[pair.bodyB].center - data.motions[pair.bodyA].center).squaredNorm();
+    return squared > reach * reach ? std::sqrt(squared) - radii : 0;
 }
 
 /// False when there is none, as all of its points will bounce.
@@ -206,28 +205,23 @@ bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
     return true;
 }
 
-/// Whether what is known of the manifold still holds; it is made anew where it does not. True when it was.
-bool look(WorldData& data, std::uint32_t index) {
-    const Pair& pair = data.table.pairs[index];
-    const Contact& contact = data.contacts[pair.contact];
+double marginOf(const WorldData& data, const Pair& pair) {
     const BodyStep& a = data.steps[pair.bodyA];
-    const double margin = pair.staticB ? contactMargin(a) : contactMargin(a, data.steps[pair.bodyB]);
+    return pair.staticB ? contactMargin(a) : contactMargin(a, data.steps[pair.bodyB]);
+}
+
+/// Makes the manifold anew unless the one that is kept still holds.
+void look(WorldData& data, std::uint32_t index) {
+    const Pair& pair = data.table.pairs[index];
+    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
+    const double margin = marginOf(data, pair);
     const Poses poses = posesOf(data, pair);
-    double left = roomLeft(data.manifolds[contact.manifold], poses.relative, a.outerRadius);
-    const bool outdated = left < margin;
-    if (outdated) {
-        const bool listed = data.table.marks[index].listed;
-        if (listed) {
-            saveImpulses(data, data.generalContacts[contact.place]);
-        }
+    double left = roomLeft(kept, poses.relative, data.steps[pair.bodyA].outerRadius);
+    if (left < margin) {
         makeManifold(data, index, poses, margin);
-        left = data.manifolds[contact.manifold].room;
-        if (listed && contact.count == 0) {
-            unlist(data, index);
-        }
+        left = kept.room;
     }
     postpone(data, index, left);
-    return outdated;
 }
 
 } // namespace
@@ -242,31 +236,31 @@ double roomBetween(const WorldData& data, const Pair& pair) {
 
 void meetGeneral(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
-    if (pair.contact == Pair::none && !pair.staticB && outOfReach(data, pair)) {
+    const bool unknown = pair.contact == Pair::none || data.contacts[pair.contact].count == 0;
+    const double gap = unknown && !pair.staticB ? gapOfDiscs(data, pair) : 0;
+    if (gap > 0) {
+        forgetContact(data, pair);
+        data.table.gates[index].apartUntil = data.milesOf(pair) + gap;
         return;
     }
-    const bool listed = data.table.marks[index].listed;
     const Contact& contact = contactOf(data, pair);
-    PairGate& gate = data.table.gates[index];
-    const double travelled = data.travelled[gate.moverA] + data.travelled[gate.moverB];
-    bool isNew = !listed;
-    if (travelled + linearSlop >= data.manifolds[contact.manifold].holdsUntil) {
-        if (contact.count == 0 && !pair.staticB && outOfReach(data, pair)) {
-            forgetContact(data, pair);
-            return;
-        }
-        isNew |= look(data, index);
+    look(data, index);
+    if (contact.count > 0) {
+        addConstraint(data, index, perSecond);
     }
-    if (!isNew) {
-        gate.apartUntil = data.manifolds[contact.manifold].holdsUntil;
-        return;
-    }
-    const bool any = contact.count > 0 && addConstraint(data, index, perSecond);
-    if (listed && any) {
+}
+
+void renewManifold(WorldData& data, std::uint32_t index, double perSecond) {
+    const Pair& pair = data.table.pairs[index];
+    const Contact& contact = data.contacts[pair.contact];
+    saveImpulses(data, data.generalContacts[contact.place]);
+    makeManifold(data, index, posesOf(data, pair), marginOf(data, pair));
+    if (contact.count > 0 && addConstraint(data, index, perSecond)) {
         renewGeneral(data, data.constraints.back(), perSecond);
         data.constraints.pop_back();
-    } else if (data.table.marks[index].listed) {
+    } else {
         unlist(data, index);
+        postpone(data, index, data.manifolds[contact.manifold].room);
     }
 }
 

@@ -7,7 +7,10 @@
 namespace spacetow {
 
 /// Adds the contact of a pair to `constraints`, from its kept manifold or from a new one.
-void meetGeneral(WorldData& data, std::uint32_t index, double dt);
+void meetGeneral(WorldData& data, std::uint32_t index, double perSecond);
+
+/// Makes the manifold of a listed contact anew.
+void renewManifold(WorldData& data, std::uint32_t index, double perSecond);
 
 /// How much nearer the parts of a pair without a contact may come before they can have one, m; 0 when that is unknown.
 double roomBetween(const WorldData& data, const Pair& pair);

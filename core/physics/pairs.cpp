@@ -210,6 +210,9 @@ void keepOrDrop(WorldData& data, std::size_t index) {
     if (data.table.marks[index].reported) {
         data.droppedTouches.push_back(pair.bodies());
     }
+    if (data.contactsListed && data.table.marks[index].listed) {
+        unlist(data, static_cast<std::uint32_t>(index));
+    }
     forgetContact(data, data.table.pairs[index]);
 }
 
@@ -326,17 +329,19 @@ void measureMotion(WorldData& data, double ahead) {
 }
 
 void findPairs(WorldData& data, const IterationStep& step) {
-    dropContacts(data);
+    if (data.pairsStale || data.mergeDoubt) {
+        dropContacts(data);
+    }
     if (data.pairsStale) {
         listColliders(data);
         for (KeptManifold& manifold : data.manifolds) {
             manifold.room = -1;
-            manifold.holdsUntil = 0;
         }
     }
     giveRoom(data, step.remaining);
     collectPairs(data);
     mergePairs(data);
+    followPairs(data);
     listFelt(data);
     findIslands(data);
     data.pairsStale = false;

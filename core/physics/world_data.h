@@ -247,8 +247,8 @@ struct WorldData {
     bool anyBounce = false;
     std::vector<std::uint16_t> wallContacts; // by slot: general contacts with what others may share a plane with
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours; // contacts that may come to lie in one plane
-    bool mergeDoubt = false;                                         // whether some of the new ones do
-    std::size_t listChanges = 0;                                     // since the beginning of the iteration
+    bool mergeDoubt = false;                                         // whether some do
+    std::size_t listChanges = 0;                                     // since all were listed
     std::vector<TagMask> touchedTags; // by slot, of the last iteration
     Events events;
     std::vector<RemovedEvent> removedBefore; // since the last update
@@ -285,6 +285,8 @@ struct WorldData {
         const PairGate& gate = table.gates[pair];
         return travelled[gate.moverA] + travelled[gate.moverB] + linearSlop >= gate.apartUntil;
     }
+    /// What the bodies of the pair have travelled together before the iteration, m.
+    double milesOf(const Pair& pair) const { return steps[pair.bodyA].travelled + steps[pair.bodyB].travelled; }
     BodyId idOf(Slot slot) const { return {slot, records[slot].generation}; }
     Transform pose(Slot slot) const { return {motions[slot].center, motions[slot].rotation}; }
 };
