@@ -189,6 +189,7 @@ SPACETOW_INLINE void solveOnce(Ends& ends, Batch& c) {
 struct Call {
     BodyViews bodies{};
     ContactRules rules{};
+    PushRules pushes{};
 };
 
 SPACETOW_INLINE LaneBits bits(Mask mask) {
@@ -324,25 +325,51 @@ SPACETOW_INLINE Mask touching(const RoundBatch& c) {
 SPACETOW_INLINE Mask touching(const ConstraintBatch& c) {
     return (c.impulse1 > Wide{}) | (c.separation1 <= Wide{}) | (c.impulse2 > Wide{}) | (c.separation2 <= Wide{});
 }
-SPACETOW_INLINE Mask overlapping(const RoundBatch& c, Wide slop) {
-    return c.separation < -slop;
+/// The way that the surfaces at a point are pushed apart, as an impulse, kg m.
+SPACETOW_INLINE Wide wayOut(Wide separation, Wide velocity, Wide mass, const PushRules& rules) {
+    const Wide excess = -rules.slop - separation - rules.dt * greater(velocity, Wide{});
+    return excess > Wide{} ? lesser(rules.share * excess, Wide{} + rules.most) * mass : Wide{};
 }
-SPACETOW_INLINE Mask overlapping(const ConstraintBatch& c, Wide slop) {
-    return (c.separation1 < -slop) | (c.separation2 < -slop);
+
+SPACETOW_INLINE Mask overlapping(const RoundBatch& c, const RoundShapes&, double slop) {
+    return c.separation < Wide{} - slop;
+}
+SPACETOW_INLINE Mask overlapping(const ConstraintBatch& c, const ConstraintShapes& s, double slop) {
+    return (s.acts1 & (c.separation1 < Wide{} - slop)) | (s.acts2 & (c.separation2 < Wide{} - slop));
+}
+
+SPACETOW_INLINE void pushOut(Ends& ends, const RoundBatch& c, const RoundShapes&, const PushRules& rules) {
+    const Wide way = wayOut(c.separation, c.velocity, c.normalMass, rules);
+    ends.push(c, way * c.normalX, way * c.normalY);
+}
+
+SPACETOW_INLINE void pushOut(Ends& ends, const ConstraintBatch& c, const ConstraintShapes& s, const PushRules& rules) {
+    const Wide way1 = s.acts1 ? wayOut(c.separation1, c.velocity1, c.mass1, rules) : Wide{};
+    const Wide way2 = s.acts2 ? wayOut(c.separation2, c.velocity2, c.mass2, rules) : Wide{};
+    const Wide way = way1 + way2;
+    ends.apply(c, way * c.normalX, way * c.normalY, way1 * c.leverA1 + way2 * c.leverA2,
+               way1 * c.leverB1 + way2 * c.leverB2);
 }
 
 template <class Batch>
-SPACETOW_INLINE void noteAll(const Call& call, Batches<Batch>& batches) {
+SPACETOW_INLINE bool pushAll(Pace* pushes, Batches<Batch>& batches, const PushRules& rules) {
     const std::size_t count = batches.size();
+    bool any = false;
     for (std::size_t i = 0; i < count; ++i) {
         const Batch& batch = batches.begin()[i];
-        BatchNotes& notes = batches.notes(i);
-        notes.touches = bits(touching(batch)) & notes.occupied;
-        notes.overlaps = bits(overlapping(batch, Wide{} + call.rules.slop)) & notes.occupied;
+        if ((bits(overlapping(batch, batches.shapes(i), rules.slop)) & batches.notes(i).occupied) == 0) {
+            continue;
+        }
+        Ends ends{load(pushes, batch.a), load(pushes, batch.b)};
+        pushOut(ends, batch, batches.shapes(i), rules);
+        store(pushes, batch.a, ends.a);
+        store(pushes, batch.b, ends.b);
+        any = true;
     }
+    return any;
 }
 
-enum class Task { Refresh, WarmStart, Solve, Measure, Note };
+enum class Task { Refresh, WarmStart, Solve, Measure, PushApart };
 
 template <class Batch>
 SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
@@ -389,6 +416,7 @@ SPACETOW_INLINE bool measureAll(const Pace* paces, Batches<Batch>& batches) {
         const Mask here = measure(Ends{load(paces, batch.a), load(paces, batch.b)}, batch);
         BatchNotes& notes = batches.notes(i);
         notes.closes = bits(here) & notes.occupied;
+        notes.touches = bits(touching(batch)) & notes.occupied;
         closes |= notes.closes;
     }
     return closes != 0;
@@ -409,15 +437,14 @@ SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task, const Call& ca
         solveAll(paces, batches.round);
         solveAll(paces, batches.general);
         break;
-    case Task::Measure:
-        {
+    case Task::Measure: {
         const bool roundCloses = measureAll(paces, batches.round);
         return measureAll(paces, batches.general) || roundCloses;
     }
-    case Task::Note:
-        noteAll(call, batches.round);
-        noteAll(call, batches.general);
-        break;
+    case Task::PushApart: {
+        const bool round = pushAll(batches.pushes.data(), batches.round, call.pushes);
+        return pushAll(batches.pushes.data(), batches.general, call.pushes) || round;
+    }
     }
     return false;
 }
@@ -507,8 +534,8 @@ bool measureVelocities(ContactBatches& batches, bool wide) {
     return start(batches, Task::Measure, wide);
 }
 
-void noteTouches(ContactBatches& batches, double slop, bool wide) {
-    start(batches, Task::Note, wide, {{}, {0, slop}});
+bool pushApart(ContactBatches& batches, const PushRules& rules, bool wide) {
+    return start(batches, Task::PushApart, wide, {{}, {}, rules});
 }
 
 } // namespace spacetow

@@ -155,7 +155,6 @@ struct BatchNotes {
     LaneBits closes = 0;   // faster than it may
     LaneBits touched = 0;  // when it was looked at before
     LaneBits touches = 0;  // with an impulse or without a gap
-    LaneBits overlaps = 0; // by more than the slop
 };
 
 /// Batches are used again without being cleared: that takes longer than filling them.
@@ -238,6 +237,7 @@ struct ContactBatches {
     std::vector<Pace> paces;   // by slot, and one more for lanes without a contact
     std::vector<Pace> starts;  // by slot, at the beginning of the iteration
     std::vector<Pace> planned; // by slot, without the contacts' impulses
+    std::vector<Pace> pushes;  // by slot, and one more: out of overlaps, m and rad in the iteration
     Batches<RoundBatch> round;
     Batches<ConstraintBatch> general;
 };
@@ -273,10 +273,20 @@ void warmStart(ContactBatches& batches, bool wide = hasWideRegisters());
 /// One pass over all contacts.
 void solvePass(ContactBatches& batches, bool wide = hasWideRegisters());
 
-/// The normal velocities that are left, and notes of what closes faster than it may. Whether anything does.
+/// The normal velocities that are left, and notes of what touches and what closes faster than it may. Whether anything
+/// does.
 bool measureVelocities(ContactBatches& batches, bool wide = hasWideRegisters());
 
-/// Notes what touches and what overlaps by more than the slop, m.
-void noteTouches(ContactBatches& batches, double slop, bool wide = hasWideRegisters());
+/// How overlaps are reduced in an iteration of `dt` seconds.
+struct PushRules {
+    double dt;
+    double slop;  // m, which is left
+    double share; // of the rest
+    double most;  // m
+};
+
+/// Adds what pushes bodies out of overlaps to `pushes`, by the measured velocities: what parts anyway is pushed less.
+/// Whether anything overlaps.
+bool pushApart(ContactBatches& batches, const PushRules& rules, bool wide = hasWideRegisters());
 
 } // namespace spacetow

@@ -188,6 +188,22 @@ bool isDeep(const ConstraintBatch& batch, std::uint32_t lane) {
     return batch.separation1[lane] < -deepOverlap || batch.separation2[lane] < -deepOverlap;
 }
 
+/// What the pushes cost: the work against the forces that act on the bodies.
+void measurePushes(WorldData& data, double dt) {
+    for (const Slot slot : data.moving) {
+        const Pace& push = data.batches.pushes[slot];
+        if (push.x == 0 && push.y == 0 && push.turn == 0) {
+            continue;
+        }
+        const Pace& start = data.batches.starts[slot];
+        const Pace& planned = data.batches.planned[slot];
+        const double along = push.x * (start.x - planned.x) + push.y * (start.y - planned.y);
+        balanceOf(data, slot).pushes += data.islands.inertias[slot].x * along / dt;
+        data.steps[slot].push = {push.x, push.y};
+        data.steps[slot].pushTurn = push.turn;
+    }
+}
+
 /// Whenever there is something to solve again, it is not to allocate.
 void reserveRoom(WorldData& data) {
     Islands& islands = data.islands;
@@ -225,7 +241,8 @@ bool limitGain(WorldData& data) {
     return changed;
 }
 
-void limitPushes(WorldData& data) {
+void takePushes(WorldData& data, double dt) {
+    measurePushes(data, dt);
     const std::vector<EnergyBalance>& balances = data.islands.balances;
     if (std::none_of(data.islands.all.begin(), data.islands.all.end(),
                      [&](Slot root) { return pushesTooMuch(balances[root]); })) {

@@ -12,7 +12,8 @@ namespace spacetow {
 /// do any work. Leaves momentum as it is. True when velocities have changed.
 bool limitGain(WorldData& data);
 
-/// Pushes islands out of shallow overlaps with no more energy than contacts took from them in this iteration.
-void limitPushes(WorldData& data);
+/// Gives the bodies their pushes out of overlaps, but out of shallow ones with no more energy than contacts took from
+/// their island in this iteration of `dt` seconds.
+void takePushes(WorldData& data, double dt);
 
 } // namespace spacetow

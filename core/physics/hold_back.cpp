@@ -3,6 +3,8 @@
 #include "core/physics/contact_rules.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace spacetow {
 
@@ -14,35 +16,47 @@ constexpr int roundsOfHolding = 8;
 /// Two bodies at a point of contact.
 struct Closing {
     Slot a, b;
+    bool yieldsA, yieldsB;
     double speedA, speedB; // m/s along the normal
     double separation;
 };
 
+/// What is known of the bodies while they are held back, by slot.
+struct Holding {
+    std::vector<double>& fractions;
+    std::vector<std::uint8_t>& changed; // the round after that in which the fraction has changed; 1 at first if below 1
+    const std::vector<std::uint8_t>& driven;
+    double dt;
+    int round;
+};
+
 /// Where the solver has not converged, bodies in contact would still go into each other: they go as far as the slop.
 /// What is held back holds back what follows it.
-bool limitClosing(WorldData& data, const Closing& c, double dt) {
+bool limitClosing(const Holding& h, const Closing& c) {
     // What nothing holds back takes along what it holds back: both have the same part of their way to each other left.
-    const bool yieldsA = data.motions[c.a].yields();
-    const bool yieldsB = data.motions[c.b].yields();
-    const double fractionA = data.steps[yieldsA ? c.a : c.b].fraction;
-    const double fractionB = data.steps[yieldsB ? c.b : c.a].fraction;
-    if (yieldsA && yieldsB && data.islands.driven[data.islands.roots[c.a]] != 0) {
-        return false;
-    }
+    const double fractionA = h.fractions[c.yieldsA ? c.a : c.b];
+    const double fractionB = h.fractions[c.yieldsB ? c.b : c.a];
     const double room = roomToClose(c.separation);
-    if (dt * (fractionA * c.speedA - fractionB * c.speedB) <= room) {
+    if (h.dt * (fractionA * c.speedA - fractionB * c.speedB) <= room ||
+        (c.yieldsA && c.yieldsB && h.driven[c.a] != 0)) {
         return false;
     }
     const double both = std::min(fractionA, fractionB);
-    const double closing = dt * (c.speedA - c.speedB);
+    const double closing = h.dt * (c.speedA - c.speedB);
     const double fraction = closing * both > room ? room / closing : both;
     bool changed = false;
-    for (const Slot slot : {c.a, c.b}) {
-        if (data.motions[slot].yields() && fraction < data.steps[slot].fraction) {
-            data.steps[slot].fraction = fraction;
-            data.islands.held[slot] = 1;
+    const auto hold = [&](Slot slot) {
+        if (fraction < h.fractions[slot]) {
+            h.fractions[slot] = fraction;
+            h.changed[slot] = static_cast<std::uint8_t>(h.round + 1);
             changed = true;
         }
+    };
+    if (c.yieldsA) {
+        hold(c.a);
+    }
+    if (c.yieldsB) {
+        hold(c.b);
     }
     return changed;
 }
@@ -51,41 +65,49 @@ double speedAlong(const Pace& pace, double normalX, double normalY, double lever
     return pace.x * normalX + pace.y * normalY + pace.turn * lever;
 }
 
-bool holdBackAt(WorldData& data, const RoundBatch& batch, std::uint32_t i, double dt) {
-    const Slot a = batch.a[i];
-    const Slot b = batch.b[i];
-    const double x = batch.normalX[i];
-    const double y = batch.normalY[i];
-    const std::vector<Pace>& paces = data.batches.paces;
-    return limitClosing(
-        data, {a, b, speedAlong(paces[a], x, y, 0), speedAlong(paces[b], x, y, 0), batch.separation[i]}, dt);
-}
-
-bool holdBackAt(WorldData& data, const ConstraintBatch& batch, std::uint32_t i, double dt) {
-    const Slot a = batch.a[i];
-    const Slot b = batch.b[i];
-    const double x = batch.normalX[i];
-    const double y = batch.normalY[i];
-    const std::vector<Pace>& paces = data.batches.paces;
-    const auto limitPoint = [&](double leverA, double leverB, double separation) {
-        return limitClosing(
-            data, {a, b, speedAlong(paces[a], x, y, leverA), speedAlong(paces[b], x, y, leverB), separation}, dt);
-    };
-    const bool changed = limitPoint(batch.leverA1[i], batch.leverB1[i], batch.separation1[i]);
-    return limitPoint(batch.leverA2[i], batch.leverB2[i], batch.separation2[i]) || changed;
-}
-
-/// Visits what closes too fast at first, then only what touches bodies that are held back: no other can have changed.
 template <class Batch>
-bool holdBackOnce(WorldData& data, const Batches<Batch>& batches, double dt, bool first) {
-    const std::vector<std::uint8_t>& held = data.islands.held;
+Closing closingAt(const std::vector<Pace>& paces, const Batch& batch, std::uint32_t i) {
+    return {.a = batch.a[i],
+            .b = batch.b[i],
+            .yieldsA = batch.massA[i] > 0 || batch.inertiaA[i] > 0,
+            .yieldsB = batch.massB[i] > 0 || batch.inertiaB[i] > 0,
+            .speedA = speedAlong(paces[batch.a[i]], batch.normalX[i], batch.normalY[i], 0),
+            .speedB = speedAlong(paces[batch.b[i]], batch.normalX[i], batch.normalY[i], 0)};
+}
+
+bool holdBackAt(const std::vector<Pace>& paces, const Holding& h, const RoundBatch& batch, std::uint32_t i) {
+    Closing closing = closingAt(paces, batch, i);
+    closing.separation = batch.separation[i];
+    return limitClosing(h, closing);
+}
+
+bool holdBackAt(const std::vector<Pace>& paces, const Holding& h, const ConstraintBatch& batch, std::uint32_t i) {
+    const Closing center = closingAt(paces, batch, i);
+    const double turnA = paces[center.a].turn;
+    const double turnB = paces[center.b].turn;
+    const auto limitAt = [&](double leverA, double leverB, double separation) {
+        Closing closing = center;
+        closing.speedA += turnA * leverA;
+        closing.speedB += turnB * leverB;
+        closing.separation = separation;
+        return limitClosing(h, closing);
+    };
+    const bool changed = limitAt(batch.leverA1[i], batch.leverB1[i], batch.separation1[i]);
+    return limitAt(batch.leverA2[i], batch.leverB2[i], batch.separation2[i]) || changed;
+}
+
+/// Visits what closes too fast at first, then what touches bodies that have been held back since: no other can have
+/// changed.
+template <class Batch>
+bool holdBackOnce(const std::vector<Pace>& paces, const Holding& h, const Batches<Batch>& batches) {
+    const int since = std::max(h.round, 1);
     bool changed = false;
     for (std::uint32_t k = 0; k < batches.size(); ++k) {
         const Batch& batch = batches[k];
-        const unsigned closes = first ? batches.notes(k).closes : 0;
+        const unsigned closes = h.round == 0 ? batches.notes(k).closes : 0;
         for (std::uint32_t i = 0; i < 4; ++i) {
-            if (((closes >> i & 1) | held[batch.a[i]] | held[batch.b[i]]) != 0) {
-                changed |= holdBackAt(data, batch, i, dt);
+            if ((closes >> i & 1) != 0 || h.changed[batch.a[i]] >= since || h.changed[batch.b[i]] >= since) {
+                changed |= holdBackAt(paces, h, batch, i);
             }
         }
     }
@@ -96,6 +118,7 @@ bool holdBackOnce(WorldData& data, const Batches<Batch>& batches, double dt, boo
 void takeBackAcceleration(WorldData& data) {
     for (const Slot slot : data.moving) {
         BodyStep& s = data.steps[slot];
+        s.fraction = data.islands.fractions[slot];
         if (s.fraction < s.accounted) {
             const double lost = 1 - s.fraction / s.accounted;
             const Pace& start = data.batches.starts[slot];
@@ -112,22 +135,41 @@ void takeBackAcceleration(WorldData& data) {
     }
 }
 
+/// Bodies of islands that something drives which cannot be stopped.
+void findDriven(WorldData& data) {
+    Islands& islands = data.islands;
+    islands.driven.assign(data.motions.size() + 1, 0);
+    bool any = false;
+    for (const Islands::Driver& driver : islands.drivers) {
+        const BodyMotion& m = data.motions[driver.slot];
+        if (m.angularVelocity != 0 || m.velocity != Vec2(0, 0)) {
+            islands.driven[driver.pushed] = 1;
+            any = true;
+        }
+    }
+    if (any) { // a root is the lowest of its island, so that it comes first
+        for (Slot slot = 0; slot < data.motions.size(); ++slot) {
+            islands.driven[slot] = islands.driven[islands.roots[slot]];
+        }
+    }
+}
+
 } // namespace
 
 void holdBack(WorldData& data, double dt) {
-    data.islands.driven.assign(data.motions.size(), 0);
-    for (const Islands::Driver& driver : data.islands.drivers) {
-        const BodyMotion& m = data.motions[driver.slot];
-        data.islands.driven[driver.pushed] |= m.angularVelocity != 0 || m.velocity != Vec2(0, 0) ? 1 : 0;
-    }
-    data.islands.held.assign(data.motions.size() + 1, 0);
+    Islands& islands = data.islands;
+    findDriven(data);
+    islands.fractions.assign(data.motions.size() + 1, 1);
+    islands.held.assign(data.motions.size() + 1, 0);
     for (const Slot slot : data.moving) {
-        data.islands.held[slot] = data.steps[slot].fraction < 1 ? 1 : 0;
+        islands.fractions[slot] = data.steps[slot].fraction;
+        islands.held[slot] = data.steps[slot].fraction < 1 ? 1 : 0;
     }
     bool changed = true;
     for (int round = 0; round < roundsOfHolding && changed; ++round) {
-        changed = holdBackOnce(data, data.batches.round, dt, round == 0);
-        changed |= holdBackOnce(data, data.batches.general, dt, round == 0);
+        const Holding holding{islands.fractions, islands.held, islands.driven, dt, round};
+        changed = holdBackOnce(data.batches.paces, holding, data.batches.round);
+        changed |= holdBackOnce(data.batches.paces, holding, data.batches.general);
     }
     takeBackAcceleration(data);
 }

@@ -39,8 +39,9 @@ struct Islands {
     std::vector<EnergyBalance> balances; // likewise
     ContactBatches batches;              // of islands that are solved again
     std::vector<Lane> lanes;             // of their contacts there
-    std::vector<std::uint8_t> driven;    // by slot, of roots: whether something that cannot be stopped pushes it
-    std::vector<std::uint8_t> held;      // by slot: bodies that are held back
+    std::vector<std::uint8_t> driven;    // by slot: whether something that cannot be stopped pushes the island
+    std::vector<std::uint8_t> held;      // by slot: when bodies were held back
+    std::vector<double> fractions;       // by slot: of the way that they go
 };
 
 } // namespace spacetow

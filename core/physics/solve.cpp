@@ -28,6 +28,7 @@ void loadPaces(WorldData& data) {
     batches.paces.resize(data.motions.size() + 1);
     batches.planned.resize(data.motions.size());
     batches.starts.resize(data.motions.size());
+    batches.pushes.assign(data.motions.size() + 1, {});
     batches.paces.back() = {};
     for (const Slot slot : data.moving) {
         const BodyMotion& m = data.motions[slot];
@@ -36,57 +37,6 @@ void loadPaces(WorldData& data) {
         // Not a copy of the other: reading at once what was just written in parts stalls.
         batches.planned[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
         batches.paces[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
-    }
-}
-
-/// The way that the surfaces at a point are pushed apart in this iteration, as an impulse, kg m.
-double wayOut(double separation, double velocity, double normalMass, double dt) {
-    const double excess = -linearSlop - separation - dt * std::max(velocity, 0.0);
-    return excess > 0 ? std::min(std::min(pushOutShare, pushOutRate * dt) * excess, pushOutSpeed * dt) * normalMass : 0;
-}
-
-/// What it costs to push two bodies apart, J: the work against the forces that act on them.
-void noteWork(WorldData& data, Slot a, Slot b, const Vec2& push, double dt) {
-    const ContactBatches& batches = data.batches;
-    const Pace& startA = batches.starts[a];
-    const Pace& startB = batches.starts[b];
-    const Pace& plannedA = batches.planned[a];
-    const Pace& plannedB = batches.planned[b];
-    const double work = push.x() * (startB.x - plannedB.x - startA.x + plannedA.x) +
-                        push.y() * (startB.y - plannedB.y - startA.y + plannedA.y);
-    data.islands.balances[data.islands.roots[data.motions[a].yields() ? a : b]].pushes += work / dt;
-}
-
-/// Pushes the bodies of an overlapping contact apart.
-void pushOut(WorldData& data, const RoundContact& c, double dt) {
-    const RoundBatch& batch = data.batches.round[c.lane.batch];
-    const std::uint32_t i = c.lane.lane;
-    const Vec2 push = wayOut(batch.separation[i], batch.velocity[i], batch.normalMass[i], dt) *
-                      Vec2(batch.normalX[i], batch.normalY[i]);
-    data.steps[c.a].push -= batch.massA[i] * push;
-    data.steps[c.b].push += batch.massB[i] * push;
-    noteWork(data, c.a, c.b, push, dt);
-}
-
-void pushOut(WorldData& data, const GeneralContact& c, double dt) {
-    const ConstraintBatch& batch = data.batches.general[c.lane.batch];
-    const ConstraintShapes& shapes = data.batches.general.shapes(c.lane.batch);
-    const std::uint32_t i = c.lane.lane;
-    const Vec2 normal(batch.normalX[i], batch.normalY[i]);
-    const auto pushAt = [&](double way, double leverA, double leverB) {
-        data.steps[c.a].push -= way * batch.massA[i] * normal;
-        data.steps[c.b].push += way * batch.massB[i] * normal;
-        data.steps[c.a].pushTurn -= way * batch.inertiaA[i] * leverA;
-        data.steps[c.b].pushTurn += way * batch.inertiaB[i] * leverB;
-        noteWork(data, c.a, c.b, way * normal, dt);
-    };
-    if (shapes.acts1[i] != 0 && batch.separation1[i] < -linearSlop) {
-        pushAt(wayOut(batch.separation1[i], batch.velocity1[i], batch.mass1[i], dt), batch.leverA1[i],
-               batch.leverB1[i]);
-    }
-    if (shapes.acts2[i] != 0 && batch.separation2[i] < -linearSlop) {
-        pushAt(wayOut(batch.separation2[i], batch.velocity2[i], batch.mass2[i], dt), batch.leverA2[i],
-               batch.leverB2[i]);
     }
 }
 
@@ -109,19 +59,13 @@ void markTouch(WorldData& data, const GeneralContact& c, bool touches) {
 }
 
 template <class Batch, class Kind>
-void finishBatches(WorldData& data, Batches<Batch>& batches, const std::vector<Kind>& contacts, double dt) {
+void markTouches(WorldData& data, Batches<Batch>& batches, const std::vector<Kind>& contacts) {
     for (std::size_t i = 0; i < batches.size(); ++i) {
         BatchNotes& notes = batches.notes(i);
         const unsigned changed = notes.touches ^ notes.touched;
-        for (unsigned lanes = changed | notes.overlaps; lanes != 0; lanes &= lanes - 1) {
+        for (unsigned lanes = changed; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<unsigned>(std::countr_zero(lanes));
-            const Kind& c = contacts[batches.shapes(i).owner[lane]];
-            if ((changed >> lane & 1) != 0) {
-                markTouch(data, c, (notes.touches >> lane & 1) != 0);
-            }
-            if ((notes.overlaps >> lane & 1) != 0) {
-                pushOut(data, c, dt);
-            }
+            markTouch(data, contacts[batches.shapes(i).owner[lane]], (notes.touches >> lane & 1) != 0);
         }
         notes.touched = notes.touches;
     }
@@ -151,16 +95,6 @@ void finishBounces(WorldData& data) {
             }
         }
         batch.tangentImpulse[c.lane.lane] = 0;
-    }
-}
-
-/// Marks what touches and pushes apart what overlaps.
-void finishContacts(WorldData& data, double dt) {
-    noteTouches(data.batches, linearSlop);
-    finishBatches(data, data.batches.round, data.roundContacts, dt);
-    finishBatches(data, data.batches.general, data.generalContacts, dt);
-    if (data.anyBounce) {
-        finishBounces(data);
     }
 }
 
@@ -214,8 +148,15 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
         solvePass(data.batches);
     }
     settle(data, step.dt);
-    finishContacts(data, step.dt);
-    limitPushes(data);
+    markTouches(data, data.batches.round, data.roundContacts);
+    markTouches(data, data.batches.general, data.generalContacts);
+    if (data.anyBounce) {
+        finishBounces(data);
+    }
+    const double share = std::min(pushOutShare, pushOutRate * step.dt);
+    if (pushApart(data.batches, {step.dt, linearSlop, share, pushOutSpeed * step.dt})) {
+        takePushes(data, step.dt);
+    }
     takePaces(data, step.dt);
 }
 
