@@ -97,6 +97,15 @@ void meetStatic(WorldData& data, std::uint32_t index, double perSecond) {
     addRoundContact(data, index, {-manifold.normal, point.separation, circle.radius, 0, point.feature}, perSecond);
 }
 
+void fetchWall(const WorldData& data, const Pair& pair) {
+    if (pair.kind == PairKind::RoundEdge) {
+        const auto* address = reinterpret_cast<const char*>(&data.statics->colliders[pair.collider].side);
+        for (std::size_t line = 0; line < sizeof(WallSide); line += 64) {
+            __builtin_prefetch(address + line);
+        }
+    }
+}
+
 /// What is known of contacts lies in the order in which they came about, so the processor has to be told early.
 void fetchAhead(const WorldData& data, std::uint32_t index) {
     constexpr std::uint32_t ahead = 8;
@@ -192,7 +201,14 @@ void listContacts(WorldData& data, double perSecond) {
 
 /// Those that the batches cannot renew by themselves.
 void renewAlone(WorldData& data, double perSecond) {
+    constexpr std::size_t ahead = 8;
     for (std::size_t i = data.roundContacts.size(); data.anyAlone && i-- > 0;) {
+        if (i >= 2 * ahead) {
+            __builtin_prefetch(&data.table.pairs[data.roundContacts[i - 2 * ahead].pair]);
+        }
+        if (i >= ahead) {
+            fetchWall(data, data.table.pairs[data.roundContacts[i - ahead].pair]);
+        }
         if (data.roundContacts[i].alone) {
             meet(data, data.roundContacts[i].pair, perSecond);
         }
