@@ -242,13 +242,21 @@ void mergePairs(WorldData& data) {
     std::swap(data.table, data.newTable);
 }
 
+bool isDriven(const WorldData& data, const Pair& pair) {
+    return !pair.staticB && !(data.motions[pair.bodyA].yields() && data.motions[pair.bodyB].yields());
+}
+
 } // namespace
 
-void listFelt(WorldData& data) {
+void listKinds(WorldData& data) {
     data.felt.clear();
+    data.covered.clear();
     for (std::uint32_t i = 0; i < data.table.size(); ++i) {
-        if (data.table.pairs[i].kind == PairKind::Felt) {
+        const Pair& pair = data.table.pairs[i];
+        if (pair.kind == PairKind::Felt) {
             data.felt.push_back(i);
+        } else if (pair.kind == PairKind::General || isDriven(data, pair)) {
+            data.covered.push_back(i);
         }
     }
 }
@@ -335,7 +343,7 @@ void findPairs(WorldData& data, const IterationStep& step) {
     giveRoom(data, step.remaining);
     collectPairs(data);
     mergePairs(data);
-    listFelt(data);
+    listKinds(data);
     findIslands(data);
     data.pairsStale = false;
     data.anyEscaped = false;

@@ -210,6 +210,14 @@ struct Sleep {
     std::vector<std::uint8_t> marked; // by slot
 };
 
+/// A pair that may have to be stopped where it meets; see continuous.h.
+struct OnWay {
+    std::uint32_t pair = 0;
+    std::uint32_t lookedAt = 0; // 0: not yet
+    bool touches = false;       // then only its turns are limited
+    bool stopsA = false, stopsB = false;
+};
+
 struct WorldData {
     UpdateParameters parameters;
 
@@ -257,8 +265,7 @@ struct WorldData {
     std::vector<Pair> newPairs, sortedPairs;
     std::vector<std::uint32_t> pairEnds; // by slot, of the sorted pairs
     std::vector<std::uint32_t> found;
-    std::vector<std::uint32_t> felt;   // indices of felt pairs
-    std::vector<std::uint32_t> onWays; // of those that may meet on their ways
+    std::vector<std::uint32_t> felt; // indices of felt pairs
     std::vector<RoundContact> roundContacts;
     std::vector<Constraint> constraints;
     std::vector<std::array<double, 3>> wholeImpulses; // by contact, while an iteration is made in parts
@@ -271,6 +278,10 @@ struct WorldData {
     bool anyFast = false; // something moves further than anticipation covers
     bool anySweep = false;
     bool anyDiverted = false;
+    std::vector<std::uint32_t> covered; // indices of pairs of which anticipation may cover but a part of an iteration
+    std::vector<OnWay> onWays;
+    std::vector<std::uint32_t> shortenedAt; // by slot: the look at a pair that did so
+    std::uint32_t looks = 0;                // at pairs on their ways
 
     /// Whether the parts of the pair may meet in this iteration.
     bool isGateOpen(std::uint32_t pair) const {
