@@ -38,8 +38,9 @@ bool shorten(BodyStep& s, double fraction, Slot carrier) {
     return true;
 }
 
+/// Of circles nothing is known but of contacts, so that there is no need to look.
 bool hasContact(const WorldData& data, const Pair& pair) {
-    return pair.contact != Pair::none && data.contacts[pair.contact].count > 0;
+    return pair.contact != Pair::none && (pair.kind != PairKind::General || data.contacts[pair.contact].count > 0);
 }
 
 double turnedWay(const BodyStep& s) {
@@ -189,12 +190,12 @@ void listOnWays(WorldData& data) {
         // The solver keeps those that have a contact from closing their gap.
         if (!pair.sweep && hasContact(data, pair)) {
             if (data.anyFast && pair.kind == PairKind::General) {
-                data.onWays.push_back({i, 0, true});
+                data.onWays.push_back({i, pair.bodyA, pair.bodyB, 0, true});
             }
         } else if (waysMeet(data, pair)) {
             const Stoppable which = sweptOf(data, i);
             if (which.a || which.b) {
-                data.onWays.push_back({i, 0, false, which.a, which.b});
+                data.onWays.push_back({i, pair.bodyA, pair.bodyB, 0, false, which.a, which.b});
             }
         }
     }
@@ -202,13 +203,12 @@ void listOnWays(WorldData& data) {
 
 /// True when a motion was cut short.
 bool lookAgain(WorldData& data, OnWay& onWay) {
-    const Pair& pair = data.table.pairs[onWay.pair];
-    const std::uint32_t changed =
-        std::max(data.shortenedAt[pair.bodyA], pair.staticB ? 0 : data.shortenedAt[pair.bodyB]);
+    const std::uint32_t changed = std::max(data.shortenedAt[onWay.bodyA], data.shortenedAt[onWay.bodyB]);
     if (changed < onWay.lookedAt) {
         return false; // and would find the same
     }
     onWay.lookedAt = ++data.looks;
+    const Pair& pair = data.table.pairs[onWay.pair];
     if (onWay.touches) {
         return limitTurn(data, pair);
     }

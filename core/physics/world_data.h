@@ -229,6 +229,7 @@ struct Sleep {
 /// A pair that may have to be stopped where it meets; see continuous.h.
 struct OnWay {
     std::uint32_t pair = 0;
+    Slot bodyA = 0, bodyB = 0;
     std::uint32_t lookedAt = 0; // 0: not yet
     bool touches = false;       // then only its turns are limited
     bool stopsA = false, stopsB = false;
