@@ -1,77 +1,128 @@
 #include "core/geometry/moving_quadtree.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spacetow {
 
-namespace {
+std::uint32_t MovingQuadtree::cellAlong(const Level& level, int axis, double coordinate) const {
+    const double cell = (coordinate - m_bounds.min[axis]) * level.perMeter[axis];
+    return static_cast<std::uint32_t>(std::clamp(cell, 0.0, level.side - 1.0));
+}
 
-constexpr int maxDepth = 10; // a million leaves
+/// The cells that may hold the lower corner of a box that overlaps the area.
+MovingQuadtree::Range MovingQuadtree::rangeFor(const Level& level, const Aabb& area) const {
+    constexpr double rounding = 1e-15;
+    std::array<std::uint32_t, 2> first{}, last{};
+    for (int axis = 0; axis < 2; ++axis) {
+        const double size = level.largest[axis];
+        const double lowest = area.min[axis] - size - rounding * (std::abs(area.min[axis]) + size);
+        first[static_cast<std::size_t>(axis)] = cellAlong(level, axis, lowest);
+        last[static_cast<std::size_t>(axis)] = cellAlong(level, axis, area.max[axis]);
+    }
+    return {first[0], last[0], first[1], last[1]};
+}
 
-} // namespace
+int MovingQuadtree::levelFor(const Aabb& box) const {
+    const Vec2 size = box.size();
+    const Vec2& leaves = m_levels[static_cast<std::size_t>(m_depth)].perMeter;
+    double cells = std::max(size.x() * leaves.x(), size.y() * leaves.y());
+    int level = m_depth;
+    for (; cells > 2 && level > 0; --level) {
+        cells *= 0.5;
+    }
+    return level;
+}
 
-void MovingQuadtree::reset(const Aabb& bounds, std::uint32_t count) {
+/// Which level each box belongs to, and where the cells of the levels lie.
+void MovingQuadtree::layOut(std::span<const Aabb> boxes) {
+    m_levelOf.resize(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const int of = levelFor(boxes[i]);
+        m_levelOf[i] = static_cast<std::uint8_t>(of);
+        Level& level = m_levels[static_cast<std::size_t>(of)];
+        ++level.count;
+        level.largest = level.largest.cwiseMax(boxes[i].size());
+    }
+    std::uint32_t cells = 0;
+    for (Level& level : m_levels) {
+        level.first = cells;
+        cells += level.count > 0 ? level.side * level.side : 0;
+    }
+    m_starts.assign(cells + 1, 0);
+}
+
+void MovingQuadtree::fill(std::span<const Aabb> boxes) {
+    m_bounds = {};
+    for (const Aabb& box : boxes) {
+        m_bounds.include(box);
+    }
+    if (m_bounds.isEmpty()) {
+        m_bounds = {{0, 0}, {0, 0}};
+    }
     m_depth = 0;
-    for (std::uint64_t leaves = 1; leaves < count && m_depth < maxDepth; leaves *= 4) {
+    for (std::uint64_t leaves = 1; leaves < boxes.size() && m_depth < maxDepth; leaves *= 4) {
         ++m_depth;
     }
-    m_side = 1u << m_depth;
-    m_bounds = bounds.isEmpty() ? Aabb{{0, 0}, {0, 0}} : bounds;
     const Vec2 size = m_bounds.size();
-    for (int axis = 0; axis < 2; ++axis) {
-        m_perMeter[axis] = size[axis] > 0 ? m_side / size[axis] : 0;
-    }
-    m_leaves.assign(std::size_t{m_side} * m_side, none);
-    m_entries.clear();
-}
-
-std::uint32_t MovingQuadtree::cellAlong(int axis, double coordinate) const {
-    const double cell = (coordinate - m_bounds.min[axis]) * m_perMeter[axis];
-    return static_cast<std::uint32_t>(std::clamp(cell, 0.0, m_side - 1.0));
-}
-
-void MovingQuadtree::insert(std::uint32_t number, const Aabb& box) {
-    const std::uint32_t left = column(box.min.x());
-    const std::uint32_t right = column(box.max.x());
-    const std::uint32_t top = row(box.max.y());
-    for (std::uint32_t y = row(box.min.y()); y <= top; ++y) {
-        for (std::uint32_t x = left; x <= right; ++x) {
-            std::uint32_t& leaf = m_leaves[std::size_t{y} * m_side + x];
-            m_entries.push_back({number, leaf, box});
-            leaf = static_cast<std::uint32_t>(m_entries.size() - 1);
+    for (std::size_t i = 0; i < m_levels.size(); ++i) {
+        Level& level = m_levels[i];
+        level = {};
+        level.side = 1u << i;
+        for (int axis = 0; axis < 2; ++axis) {
+            level.perMeter[axis] = size[axis] > 0 ? level.side / size[axis] : 0;
         }
     }
+    layOut(boxes);
+    m_cellOf.resize(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Level& level = m_levels[m_levelOf[i]];
+        const std::uint32_t column = cellAlong(level, 0, boxes[i].min.x());
+        const std::uint32_t row = cellAlong(level, 1, boxes[i].min.y());
+        m_cellOf[i] = level.first + row * level.side + column;
+        ++m_starts[m_cellOf[i]];
+    }
+    std::uint32_t end = 0;
+    for (std::uint32_t& start : m_starts) {
+        end += start;
+        start = end;
+    }
+    m_entries.resize(boxes.size());
+    for (std::size_t i = boxes.size(); i-- > 0;) { // backwards, so that what ends a cell becomes its start
+        m_entries[--m_starts[m_cellOf[i]]] = {boxes[i], static_cast<std::uint32_t>(i)};
+    }
 }
 
-void MovingQuadtree::insertAndQuery(std::uint32_t number, const Aabb& box, std::vector<std::uint32_t>& out) {
-    const std::uint32_t left = column(box.min.x());
-    const std::uint32_t right = column(box.max.x());
-    const std::uint32_t bottom = row(box.min.y());
-    const std::uint32_t top = row(box.max.y());
-    for (std::uint32_t y = bottom; y <= top; ++y) {
-        for (std::uint32_t x = left; x <= right; ++x) {
-            std::uint32_t& leaf = m_leaves[std::size_t{y} * m_side + x];
-            for (std::uint32_t i = leaf; i != none; i = m_entries[i].next) {
-                const Entry& entry = m_entries[i];
-                // Boxes that share several leaves are paired in the one of their common lower corner.
-                if (entry.box.overlaps(box) && column(std::max(entry.box.min.x(), box.min.x())) == x &&
-                    row(std::max(entry.box.min.y(), box.min.y())) == y) {
-                    out.push_back(entry.number);
-                }
+void MovingQuadtree::query(const Aabb& area, std::vector<std::uint32_t>& out) const {
+    for (const Level& level : m_levels) {
+        if (level.count == 0) {
+            continue;
+        }
+        const Range range = rangeFor(level, area);
+        for (std::uint32_t row = range.bottom; row <= range.top; ++row) {
+            const std::uint32_t* starts = &m_starts[level.first + row * level.side];
+            const std::uint32_t first = starts[range.left];
+            const std::uint32_t end = starts[range.right + 1];
+            std::size_t size = out.size();
+            out.resize(size + end - first);
+            for (std::uint32_t i = first; i < end; ++i) { // without a branch that could not be foretold
+                const Aabb& box = m_entries[i].box;
+                out[size] = m_entries[i].number;
+                size += static_cast<std::size_t>(box.min.x() <= area.max.x()) & (area.min.x() <= box.max.x()) &
+                        (box.min.y() <= area.max.y()) & (area.min.y() <= box.max.y());
             }
-            m_entries.push_back({number, leaf, box});
-            leaf = static_cast<std::uint32_t>(m_entries.size() - 1);
+            out.resize(size);
         }
     }
 }
 
 std::vector<Aabb> MovingQuadtree::cells() const {
     std::vector<Aabb> result;
-    const Vec2 size = m_bounds.size() / m_side;
-    for (std::uint32_t y = 0; y < m_side; ++y) {
-        for (std::uint32_t x = 0; x < m_side; ++x) {
-            if (!m_leaves.empty() && m_leaves[std::size_t{y} * m_side + x] != none) {
-                const Vec2 corner = m_bounds.min + Vec2(x * size.x(), y * size.y());
+    for (const Level& level : m_levels) {
+        const Vec2 size = m_bounds.size() / level.side;
+        for (std::uint32_t i = 0; level.count > 0 && i < level.side * level.side; ++i) {
+            if (m_starts[level.first + i] < m_starts[level.first + i + 1]) {
+                const Vec2 corner = m_bounds.min + Vec2(i % level.side * size.x(), i / level.side * size.y());
                 result.push_back({corner, corner + size});
             }
         }

@@ -1,46 +1,59 @@
 #pragma once
-// A regular quadtree for boxes that move: all leaves lie at depth ⌈log₄ n⌉ of the bounds halved again and again. Being
-// regular it needs no nodes: a coordinate tells its leaf. Boxes are checked against earlier ones on their way in.
+// A regular, loose quadtree for boxes that move: depth ⌈log₄ n⌉, the bounds halved again and again. Being regular it
+// needs no nodes: a coordinate tells its cell. A box is held once, in the cell of its lower corner at the deepest level
+// whose cells are no smaller than it, and may stick out of that. Cells of a row lie one behind the other in memory.
+// T. Ulrich, "Loose Octrees", Game Programming Gems (2000).
 
 #include "core/math/aabb.h"
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace spacetow {
 
 class MovingQuadtree {
   public:
-    /// Empties the tree and lays it out for about `count` boxes within `bounds`; boxes outside go to the leaves at the
-    /// border. Keeps its memory: no allocation when it was as large before.
-    void reset(const Aabb& bounds, std::uint32_t count);
+    /// Holds these boxes, numbered in their order, and nothing else. O(n). Keeps its memory: no allocation when it was
+    /// as large before.
+    void fill(std::span<const Aabb> boxes);
 
-    void insert(std::uint32_t number, const Aabb& box);
-
-    /// Appends the numbers of the boxes inserted before that overlap `box`, borders included, each once; then inserts
-    /// it.
-    void insertAndQuery(std::uint32_t number, const Aabb& box, std::vector<std::uint32_t>& out);
+    /// Appends the numbers of the boxes that overlap `area`, borders included, each once and always in the same order.
+    void query(const Aabb& area, std::vector<std::uint32_t>& out) const;
 
     int depth() const { return m_depth; }
-    /// The rectangles of the leaves that hold a box.
+    /// The rectangles of the cells that hold a box.
     std::vector<Aabb> cells() const;
 
   private:
-    static constexpr std::uint32_t none = 0xffffffffu;
+    static constexpr int maxDepth = 10; // a million leaves
     struct Entry {
-        std::uint32_t number;
-        std::uint32_t next; // in the same leaf
         Aabb box;
+        std::uint32_t number;
     };
-    std::uint32_t column(double x) const { return cellAlong(0, x); }
-    std::uint32_t row(double y) const { return cellAlong(1, y); }
-    std::uint32_t cellAlong(int axis, double coordinate) const;
+    struct Level {
+        std::uint32_t count = 0; // of boxes
+        std::uint32_t side = 1;  // cells along each axis
+        std::uint32_t first = 0; // of its cells in m_starts
+        Vec2 perMeter{0, 0};     // cells a metre
+        Vec2 largest{0, 0};      // size of its boxes
+    };
+    /// Of a level's cells.
+    struct Range {
+        std::uint32_t left, right, bottom, top;
+    };
+    std::uint32_t cellAlong(const Level& level, int axis, double coordinate) const;
+    Range rangeFor(const Level& level, const Aabb& area) const;
+    int levelFor(const Aabb& box) const;
+    void layOut(std::span<const Aabb> boxes);
 
     Aabb m_bounds;
-    Vec2 m_perMeter{0, 0}; // leaves a metre
     int m_depth = 0;
-    std::uint32_t m_side = 1;            // leaves along each axis
-    std::vector<std::uint32_t> m_leaves; // first entry of each
+    std::array<Level, maxDepth + 1> m_levels;
+    std::vector<std::uint8_t> m_levelOf; // by number
+    std::vector<std::uint32_t> m_cellOf; // by number, while it is filled
+    std::vector<std::uint32_t> m_starts; // by cell: its first entry; those end where the next cell's start
     std::vector<Entry> m_entries;
 };
 

@@ -63,10 +63,6 @@ bool holds(const Aabb& region, const Vec2& p) { // half open, so that every poin
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Aabb everywhere() {
-    return {Vec2(-infinity, -infinity), Vec2(infinity, infinity)};
-}
-
 } // namespace
 
 struct StaticQuadtree::Builder {
@@ -103,7 +99,10 @@ struct StaticQuadtree::Builder {
     void makeLeaf(std::uint32_t node, const std::vector<std::uint32_t>& items) {
         tree.m_nodes[node].first = static_cast<std::uint32_t>(tree.m_items.size());
         tree.m_nodes[node].count = static_cast<std::uint32_t>(items.size());
-        tree.m_items.insert(tree.m_items.end(), items.begin(), items.end());
+        for (const std::uint32_t item : items) {
+            tree.m_items.push_back(item);
+            tree.m_itemBoxes.push_back(tree.m_boxes[item]);
+        }
     }
 
     /// `poor` counts the levels in a row that did not divide the boxes; each tries another kind of split point.
@@ -147,31 +146,35 @@ StaticQuadtree::StaticQuadtree(std::vector<Aabb> boxes) : m_boxes(std::move(boxe
 }
 
 void StaticQuadtree::query(const Aabb& area, std::vector<std::uint32_t>& out) const {
-    if (m_nodes.empty() || area.isEmpty()) {
+    if (!m_bounds.overlaps(area)) {
         return;
     }
-    struct Visit {
+    struct Visit { // without initial values: most of the stack is never used
         std::uint32_t node;
-        Aabb region;
+        double left, bottom, right, top;
+
+        Aabb region() const { return {Vec2(left, bottom), Vec2(right, top)}; }
     };
     std::array<Visit, 3 * maxDepth + 4> stack;
     std::size_t size = 0;
-    stack[size++] = {0, everywhere()};
+    stack[size++] = {0, -infinity, -infinity, infinity, infinity};
     while (size > 0) {
         const Visit visit = stack[--size];
         const Node& node = m_nodes[visit.node];
         if (!node.leaf) {
             for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
                 if (reaches(area, node.middle, quadrant)) {
-                    stack[size++] = {node.first + quadrant, quadrantOf(visit.region, node.middle, quadrant)};
+                    const Aabb part = quadrantOf(visit.region(), node.middle, quadrant);
+                    stack[size++] = {node.first + quadrant, part.min.x(), part.min.y(), part.max.x(), part.max.y()};
                 }
             }
             continue;
         }
+        const Aabb region = visit.region();
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const Aabb& box = m_boxes[m_items[i]];
+            const Aabb& box = m_itemBoxes[i];
             // A box in several leaves is found in the one that holds the lower corner of what it shares with the area.
-            if (box.overlaps(area) && holds(visit.region, box.min.cwiseMax(area.min))) {
+            if (box.overlaps(area) && holds(region, box.min.cwiseMax(area.min))) {
                 out.push_back(m_items[i]);
             }
         }

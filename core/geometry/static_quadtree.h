@@ -37,7 +37,8 @@ class StaticQuadtree {
     std::vector<Aabb> m_boxes;
     Aabb m_bounds;
     std::vector<Node> m_nodes;
-    std::vector<std::uint32_t> m_items;
+    std::vector<std::uint32_t> m_items; // leaf by leaf
+    std::vector<Aabb> m_itemBoxes;      // theirs, to be read in a row
     int m_depth = 0;
 };
 

@@ -38,8 +38,9 @@ bool shorten(BodyStep& s, double fraction, Slot carrier) {
     return true;
 }
 
+/// Of circles nothing is known but of contacts, so that there is no need to look.
 bool hasContact(const WorldData& data, const Pair& pair) {
-    return pair.contact != Pair::none && data.contacts[pair.contact].count > 0;
+    return pair.contact != Pair::none && (pair.kind != PairKind::General || data.contacts[pair.contact].count > 0);
 }
 
 double turnedWay(const BodyStep& s) {
@@ -105,11 +106,13 @@ Stoppable stoppable(const WorldData& data, const Pair& pair) {
 /// True when the motion of either body was cut short.
 bool stop(WorldData& data, const Pair& pair, const Stoppable& which, double fractionA, double fractionB) {
     bool changed = false;
-    if (which.a) {
-        changed |= shorten(data.steps[pair.bodyA], fractionA, which.carrierOfA);
+    if (which.a && shorten(data.steps[pair.bodyA], fractionA, which.carrierOfA)) {
+        data.shortenedAt[pair.bodyA] = data.looks;
+        changed = true;
     }
-    if (which.b) {
-        changed |= shorten(data.steps[pair.bodyB], fractionB, which.carrierOfB);
+    if (which.b && shorten(data.steps[pair.bodyB], fractionB, which.carrierOfB)) {
+        data.shortenedAt[pair.bodyB] = data.looks;
+        changed = true;
     }
     return changed;
 }
@@ -127,16 +130,18 @@ bool isDiverted(const WorldData& data, std::uint32_t index) {
            room;
 }
 
-/// Likewise.
-bool sweepPair(WorldData& data, std::uint32_t index) {
+/// Who is to be stopped where the parts of the pair meet.
+Stoppable sweptOf(const WorldData& data, std::uint32_t index) {
     const Pair& pair = data.table.pairs[index];
     Stoppable which = stoppable(data, pair);
     const bool all = pair.sweep || isRunInto(data, pair) || isDiverted(data, index);
     which.a = which.a && (all || isFast(data, pair.bodyA));
     which.b = which.b && (all || isFast(data, pair.bodyB));
-    if (!which.a && !which.b) {
-        return false;
-    }
+    return which;
+}
+
+/// True when the motion of either body was cut short.
+bool sweepPair(WorldData& data, const Pair& pair, const Stoppable& which) {
     const std::optional<double> hit = impactOf(data, pair);
     // What is near from the start and yet no contact is a corner that another part or wall answers for.
     if (!hit || *hit <= 0 || *hit >= 1) {
@@ -149,6 +154,68 @@ bool sweepPair(WorldData& data, std::uint32_t index) {
 bool limitTurn(WorldData& data, const Pair& pair) {
     const double covered = coveredTurn(data, pair);
     return covered < 1 && stop(data, pair, stoppable(data, pair), covered, covered);
+}
+
+/// Whether the bodies come near each other however much of their ways they go.
+bool waysMeet(const WorldData& data, const Pair& pair) {
+    const BodyStep& a = data.steps[pair.bodyA];
+    const Vec2& centerA = data.motions[pair.bodyA].center;
+    if (pair.staticB) {
+        const double reach = a.outerRadius + 2 * gap;
+        const Aabb& wall = data.statics->colliders[pair.collider].bounds;
+        Aabb way{centerA, centerA};
+        way.include(centerA + a.shift);
+        return way.grown(reach).overlaps(wall);
+    }
+    const BodyStep& b = data.steps[pair.bodyB];
+    const double wayA = std::abs(a.shift.x()) + std::abs(a.shift.y()); // no less than the length, and cheaper
+    const double wayB = std::abs(b.shift.x()) + std::abs(b.shift.y());
+    const double both = std::abs(a.shift.x() - b.shift.x()) + std::abs(a.shift.y() - b.shift.y());
+    const double reach = a.outerRadius + b.outerRadius + 2 * gap + std::max(both, std::max(wayA, wayB));
+    return !((data.motions[pair.bodyB].center - centerA).squaredNorm() > reach * reach);
+}
+
+/// The pairs whose bodies may have to be stopped, with all that does not change while they are.
+void listOnWays(WorldData& data) {
+    data.onWays.clear();
+    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
+        const PairGate& gate = data.table.gates[i];
+        if ((data.alert[gate.moverA] | data.alert[gate.moverB]) == 0) {
+            continue;
+        }
+        const Pair& pair = data.table.pairs[i];
+        if (pair.kind == PairKind::Felt) {
+            continue;
+        }
+        // The solver keeps those that have a contact from closing their gap.
+        if (!pair.sweep && hasContact(data, pair)) {
+            if (data.anyFast && pair.kind == PairKind::General) {
+                data.onWays.push_back({i, pair.bodyA, pair.bodyB, 0, true});
+            }
+        } else if (waysMeet(data, pair)) {
+            const Stoppable which = sweptOf(data, i);
+            if (which.a || which.b) {
+                data.onWays.push_back({i, pair.bodyA, pair.bodyB, 0, false, which.a, which.b});
+            }
+        }
+    }
+}
+
+/// True when a motion was cut short.
+bool lookAgain(WorldData& data, OnWay& onWay) {
+    const std::uint32_t changed = std::max(data.shortenedAt[onWay.bodyA], data.shortenedAt[onWay.bodyB]);
+    if (changed < onWay.lookedAt) {
+        return false; // and would find the same
+    }
+    onWay.lookedAt = ++data.looks;
+    const Pair& pair = data.table.pairs[onWay.pair];
+    if (onWay.touches) {
+        return limitTurn(data, pair);
+    }
+    Stoppable which = stoppable(data, pair);
+    which.a = onWay.stopsA;
+    which.b = onWay.stopsB;
+    return sweepPair(data, pair, which);
 }
 
 void findCarrier(WorldData& data, Slot a, Slot b, std::uint32_t pair) {
@@ -184,10 +251,8 @@ void carry(WorldData& data, Slot slot) {
 double coveredShare(const WorldData& data, double least) {
     double share = 1;
     double impact = 1;
-    for (const Pair& pair : data.table.pairs) {
-        if (pair.kind == PairKind::Felt) {
-            continue;
-        }
+    for (const std::uint32_t i : data.covered) {
+        const Pair& pair = data.table.pairs[i];
         bool touches = hasContact(data, pair);
         if (!touches && isRunInto(data, pair)) {
             const double hit = impactOf(data, pair).value_or(1);
@@ -202,24 +267,17 @@ double coveredShare(const WorldData& data, double least) {
 }
 
 void stopAtImpacts(WorldData& data) {
-    data.onWays.clear();
-    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
-        const PairGate& gate = data.table.gates[i];
-        if ((data.alert[gate.moverA] | data.alert[gate.moverB]) != 0 && data.table.pairs[i].kind != PairKind::Felt) {
-            data.onWays.push_back(i);
-        }
+    listOnWays(data);
+    if (data.onWays.empty()) {
+        return;
     }
+    data.shortenedAt.assign(data.steps.size(), 0);
+    data.looks = 0;
     bool changed = true;
     for (int round = 0; changed && round < maxRounds; ++round) {
         changed = false;
-        for (const std::uint32_t i : data.onWays) {
-            const Pair& pair = data.table.pairs[i];
-            // The solver keeps those that have a contact from closing their gap.
-            if (pair.sweep || !hasContact(data, pair)) {
-                changed |= sweepPair(data, i);
-            } else if (data.anyFast && pair.kind == PairKind::General) {
-                changed |= limitTurn(data, pair);
-            }
+        for (OnWay& onWay : data.onWays) {
+            changed |= lookAgain(data, onWay);
         }
     }
 }

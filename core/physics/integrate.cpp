@@ -60,8 +60,12 @@ void kick(WorldData& data, const IterationStep& step, Kick kick) {
     applyFields(data, kickTime(step.substep, kick), step.index);
 }
 
+bool anySubstepped(const WorldData& data) {
+    return data.connectors.size() != data.freeConnectors.size() || !data.fieldBodies.empty();
+}
+
 void integrateInSubsteps(WorldData& data, const IterationStep& step) {
-    if (data.connectors.size() == data.freeConnectors.size() && data.fieldBodies.empty()) {
+    if (!anySubstepped(data)) {
         return;
     }
     const auto substepped = [&](Slot slot) { return data.records[slot].substepped; };
@@ -122,6 +126,7 @@ void prepareSteps(WorldData& data, const IterationStep& step) {
 }
 
 void integrateVelocities(WorldData& data, const IterationStep& step) {
+    const bool substeps = anySubstepped(data); // else there is no need to look at the records
     for (const Slot slot : data.moving) {
         BodyMotion& m = data.motions[slot];
         BodyStep& s = data.steps[slot];
@@ -134,7 +139,7 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         s.push.setZero();
         s.pushTurn = 0;
         s.pushed = s.bounced = s.bouncing = s.diverted = false;
-        if (!data.records[slot].substepped) {
+        if (!substeps || !data.records[slot].substepped) {
             const Change change = integrated(m, s);
             s.shift = change.shift;
             s.turn = change.turn;

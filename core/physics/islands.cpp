@@ -15,6 +15,35 @@ void noteDriver(WorldData& data, Slot driver, Slot pushed) {
     }
 }
 
+/// All that is asked for is beside the pairs, in fewer bytes.
+void joinPairs(WorldData& data) {
+    std::vector<Slot>& roots = data.islands.roots;
+    auto felt = data.felt.begin();
+    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
+        const PairGate& gate = data.table.gates[i];
+        if (felt != data.felt.end() && *felt == i) {
+            ++felt;
+            continue;
+        }
+        if (gate.moverB == 0) {
+            continue;
+        }
+        const Slot a = gate.moverA - 1;
+        const Slot b = gate.moverB - 1;
+        const bool movableA = data.yields[gate.moverA] != 0;
+        const bool movableB = data.yields[gate.moverB] != 0;
+        if (movableA && movableB) {
+            if (roots[a] != roots[b]) {
+                joinSets(roots, a, b);
+            }
+        } else if (movableA) {
+            noteDriver(data, b, a);
+        } else if (movableB) {
+            noteDriver(data, a, b);
+        }
+    }
+}
+
 } // namespace
 
 Slot rootOf(std::vector<Slot>& parents, Slot slot) {
@@ -35,38 +64,33 @@ void findIslands(WorldData& data) {
     std::vector<Slot>& roots = data.islands.roots;
     roots.resize(data.motions.size());
     std::iota(roots.begin(), roots.end(), Slot{0});
-    data.islands.drivers.clear();
-    for (const Pair& pair : data.table.pairs) {
-        if (pair.staticB || pair.kind == PairKind::Felt) {
-            continue;
-        }
-        const bool movableA = data.motions[pair.bodyA].yields();
-        const bool movableB = data.motions[pair.bodyB].yields();
-        if (movableA && movableB) {
-            joinSets(roots, pair.bodyA, pair.bodyB);
-        } else if (movableA) {
-            noteDriver(data, pair.bodyB, pair.bodyA);
-        } else if (movableB) {
-            noteDriver(data, pair.bodyA, pair.bodyB);
-        }
-    }
+    std::vector<Islands::Driver>& drivers = data.islands.drivers;
+    drivers.clear();
+    joinPairs(data);
     data.islands.all.clear();
-    data.islands.inertias.resize(data.motions.size());
     for (const Slot slot : data.moving) {
         roots[slot] = rootOf(roots, slot);
         if (roots[slot] == slot) {
             data.islands.all.push_back(slot);
         }
-        const BodyMotion& m = data.motions[slot];
-        const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
-        data.islands.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
     }
-    std::vector<Islands::Driver>& drivers = data.islands.drivers;
     for (Islands::Driver& driver : drivers) {
         driver.pushed = roots[driver.pushed];
     }
+    drivers.erase(std::unique(drivers.begin(), drivers.end()), drivers.end()); // leaves little to sort
     std::sort(drivers.begin(), drivers.end());
     drivers.erase(std::unique(drivers.begin(), drivers.end()), drivers.end());
+}
+
+void weighBodies(WorldData& data) {
+    data.islands.inertias.resize(data.motions.size());
+    data.yields.assign(data.motions.size() + 1, 0);
+    for (Slot slot = 0; slot < data.motions.size(); ++slot) {
+        const BodyMotion& m = data.motions[slot];
+        const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
+        data.islands.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
+        data.yields[slot + 1] = m.yields() ? 1 : 0;
+    }
 }
 
 } // namespace spacetow

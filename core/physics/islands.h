@@ -9,6 +9,9 @@ namespace spacetow {
 Slot rootOf(std::vector<Slot>& parents, Slot slot);
 void joinSets(std::vector<Slot>& parents, Slot a, Slot b);
 
+/// Notes the inertia of every body, and which can be moved. They hold while pairs are not stale.
+void weighBodies(WorldData& data);
+
 /// By the pairs there are, so that islands hold until pairs are found anew.
 void findIslands(WorldData& data);
 

@@ -160,11 +160,27 @@ struct StaticGeometry {
     StaticQuadtree tree;
 };
 
-/// A part of a moving body with the box it cannot leave unnoticed.
+/// A part of a moving body.
 struct MovingCollider {
     Slot body;
     std::uint32_t part;
-    Aabb box;
+    bool escaped = false; // its body has, and is looking for pairs
+    bool astray = false;  // not where the tree has it
+};
+
+/// What the broad phase finds of a pair; sorted as pairs are.
+struct FoundPair {
+    Slot bodyA = 0, bodyB = 0;
+    std::uint32_t partA = 0, partB = 0;
+
+    FoundPair() = default;
+    FoundPair(Slot a, Slot b, std::uint32_t ofA, std::uint32_t ofB) : bodyA(a), bodyB(b), partA(ofA), partB(ofB) {}
+    explicit FoundPair(const Pair& pair) : FoundPair(pair.bodyA, pair.bodyB, pair.partA, pair.partB) {}
+    std::uint64_t bodies() const { return std::uint64_t{bodyA} << 32 | bodyB; }
+    std::uint64_t parts() const { return std::uint64_t{partA} << 32 | partB; }
+    bool operator<(const FoundPair& o) const {
+        return bodies() != o.bodies() ? bodies() < o.bodies() : parts() < o.parts();
+    }
 };
 
 struct ConnectorRecord {
@@ -208,6 +224,15 @@ struct Sleep {
     PairTable newTable;
     std::vector<Slot> parents;        // by slot: islands as trees
     std::vector<std::uint8_t> marked; // by slot
+};
+
+/// A pair that may have to be stopped where it meets; see continuous.h.
+struct OnWay {
+    std::uint32_t pair = 0;
+    Slot bodyA = 0, bodyB = 0;
+    std::uint32_t lookedAt = 0; // 0: not yet
+    bool touches = false;       // then only its turns are limited
+    bool stopsA = false, stopsB = false;
 };
 
 struct WorldData {
@@ -264,11 +289,10 @@ struct WorldData {
 
     // Working memory, kept so that a steady update allocates nothing.
     PairTable newTable;
-    std::vector<Pair> newPairs, sortedPairs;
+    std::vector<Pair> newPairs;
     std::vector<std::uint32_t> pairEnds; // by slot, of the sorted pairs
     std::vector<std::uint32_t> found;
-    std::vector<std::uint32_t> felt;   // indices of felt pairs
-    std::vector<std::uint32_t> onWays; // of those that may meet on their ways
+    std::vector<std::uint32_t> felt;     // indices of felt pairs
     std::vector<Constraint> constraints; // general contacts that are not yet listed
     std::vector<std::array<double, 3>> wholeImpulses; // by contact, while an iteration is made in parts
     Islands islands;
@@ -279,6 +303,21 @@ struct WorldData {
     bool anyFast = false; // something moves further than anticipation covers
     bool anySweep = false;
     bool anyDiverted = false;
+    bool islandsStale = true;                  // the pairs or who moves have changed
+    std::vector<std::uint8_t> yields;          // 0, then by slot: whether anything can move or turn it
+    std::vector<Aabb> boxes;                   // that colliders cannot leave unnoticed
+    std::vector<std::uint32_t> firstColliders; // by slot
+    std::vector<std::uint32_t> astray;         // colliders that are not where the tree has them
+    std::vector<Slot> escaped;                 // whose pairs are found anew
+    std::vector<FoundPair> foundPairs, sortedPairs;
+    std::vector<std::uint8_t> leaves;     // 0, then by slot: whether a body has escaped, while pairs are merged
+    std::vector<std::uint32_t> leaving;   // pairs of those who have
+    std::vector<std::uint32_t> dropped;   // of those, which were not found again
+    std::vector<std::uint32_t> newPlaces; // of new pairs: the index before which they belong
+    std::vector<std::uint32_t> covered;   // indices of pairs of which anticipation may cover but a part of an iteration
+    std::vector<OnWay> onWays;
+    std::vector<std::uint32_t> shortenedAt; // by slot: the look at a pair that did so
+    std::uint32_t looks = 0;                // at pairs on their ways
 
     /// Whether the parts of the pair may meet in this iteration.
     bool isGateOpen(std::uint32_t pair) const {

@@ -4,39 +4,34 @@
 #include "tests/support/test_main.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
 
 using namespace spacetow;
 using namespace spacetow::test;
 
 namespace {
 
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
-/// All pairs in the order in which the tree tells them, earlier box first.
-Pairs pairsOf(MovingQuadtree& tree, const std::vector<Aabb>& boxes) {
-    Pairs pairs;
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-        found.clear();
-        tree.insertAndQuery(i, boxes[i], found);
-        for (const std::uint32_t other : found) {
-            pairs.emplace_back(other, i);
-        }
-    }
-    return pairs;
+std::vector<std::uint32_t> found(const MovingQuadtree& tree, const Aabb& area) {
+    std::vector<std::uint32_t> numbers;
+    tree.query(area, numbers);
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
 }
 
-Pairs bruteForce(const std::vector<Aabb>& boxes) {
-    Pairs pairs;
+std::vector<std::uint32_t> bruteForce(const std::vector<Aabb>& boxes, const Aabb& area) {
+    std::vector<std::uint32_t> numbers;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-        for (std::uint32_t k = i + 1; k < boxes.size(); ++k) {
-            if (boxes[i].overlaps(boxes[k])) {
-                pairs.emplace_back(i, k);
-            }
+        if (boxes[i].overlaps(area)) {
+            numbers.push_back(i);
         }
     }
-    return pairs;
+    return numbers;
+}
+
+/// Whether each box finds all others that it overlaps.
+bool findsAllPairs(const MovingQuadtree& tree, const std::vector<Aabb>& boxes) {
+    return std::all_of(boxes.begin(), boxes.end(),
+                       [&](const Aabb& box) { return found(tree, box) == bruteForce(boxes, box); });
 }
 
 std::vector<Aabb> randomBoxes(Random& random, std::size_t count, bool onGrid) {
@@ -64,36 +59,58 @@ class MovingQuadtreeTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void pairsEqualBruteForceEachOnce();
-    void boxesOutsideTheBoundsAreFoundAsWell();
+    void queriesEqualBruteForceEachBoxOnce();
+    void boxesOfAllSizesAreFound();
+    void farFromTheOriginNothingIsMissed();
     void depthIsTheLogarithmOfTheCount_data();
     void depthIsTheLogarithmOfTheCount();
-    void aResetForgetsEverything();
+    void fillingForgetsEverything();
     void boundsWithoutExtentDoNoHarm();
     void cellsLieWithinTheBounds();
 };
 
-void MovingQuadtreeTest::pairsEqualBruteForceEachOnce() {
+void MovingQuadtreeTest::queriesEqualBruteForceEachBoxOnce() {
     MovingQuadtree tree; // used again and again, as in the step
     for (unsigned seed = 0; seed < 10000; ++seed) {
         Random random(seed);
         const std::vector<Aabb> boxes = randomBoxes(random, random.below(60), random.below(2) == 0);
-        tree.reset(boundsOfAll(boxes), static_cast<std::uint32_t>(boxes.size()));
-        Pairs pairs = pairsOf(tree, boxes);
-        std::sort(pairs.begin(), pairs.end());
-        QVERIFY2(pairs == bruteForce(boxes), "seed " + QByteArray::number(seed));
+        tree.fill(boxes);
+        QVERIFY2(findsAllPairs(tree, boxes), "seed " + QByteArray::number(seed));
+        for (const Aabb& area : randomBoxes(random, 10, random.below(2) == 0)) { // some of it outside of the bounds
+            QVERIFY2(found(tree, area) == bruteForce(boxes, area), "seed " + QByteArray::number(seed));
+        }
     }
 }
 
-void MovingQuadtreeTest::boxesOutsideTheBoundsAreFoundAsWell() {
+/// From a hundredth to a hundred times the usual one, and as thin as they are long.
+void MovingQuadtreeTest::boxesOfAllSizesAreFound() {
+    MovingQuadtree tree;
     for (unsigned seed = 0; seed < 1000; ++seed) {
         Random random(seed);
-        const std::vector<Aabb> boxes = randomBoxes(random, 50, random.below(2) == 0);
-        MovingQuadtree tree;
-        tree.reset({Vec2(1, 1), Vec2(3, 2)}, 50);
-        Pairs pairs = pairsOf(tree, boxes);
-        std::sort(pairs.begin(), pairs.end());
-        QVERIFY2(pairs == bruteForce(boxes), "seed " + QByteArray::number(seed));
+        std::vector<Aabb> boxes;
+        for (int i = 0; i < 100; ++i) {
+            const Vec2 min = randomPoint(random, 10);
+            const Vec2 size(std::pow(10, random.uniform(-2, 2)), std::pow(10, random.uniform(-2, 2)));
+            boxes.push_back({min, min + size});
+        }
+        tree.fill(boxes);
+        QVERIFY2(findsAllPairs(tree, boxes), "seed " + QByteArray::number(seed));
+    }
+}
+
+/// Where sizes and corners are rounded to what is no longer small beside a cell, boxes that only touch still do.
+void MovingQuadtreeTest::farFromTheOriginNothingIsMissed() {
+    MovingQuadtree tree;
+    for (unsigned seed = 0; seed < 1000; ++seed) {
+        Random random(seed);
+        const Vec2 far = std::pow(10, random.uniform(3, 12)) * randomPoint(random, 1);
+        std::vector<Aabb> boxes;
+        for (int i = 0; i < 60; ++i) {
+            const Vec2 min = far + 0.1 * Vec2(random.below(9), random.below(9));
+            boxes.push_back({min, min + 0.1 * Vec2(random.below(4), random.below(4))});
+        }
+        tree.fill(boxes);
+        QVERIFY2(findsAllPairs(tree, boxes), "seed " + QByteArray::number(seed));
     }
 }
 
@@ -119,40 +136,37 @@ void MovingQuadtreeTest::depthIsTheLogarithmOfTheCount() {
     QFETCH(std::uint32_t, count);
     QFETCH(int, depth);
     MovingQuadtree tree;
-    tree.reset({Vec2(0, 0), Vec2(1, 1)}, count);
+    tree.fill(std::vector<Aabb>(count, Aabb{Vec2(0, 0), Vec2(1, 1)}));
     QCOMPARE(tree.depth(), depth);
 }
 
-void MovingQuadtreeTest::aResetForgetsEverything() {
+void MovingQuadtreeTest::fillingForgetsEverything() {
     MovingQuadtree tree;
     const Aabb box{Vec2(0, 0), Vec2(1, 1)};
-    std::vector<std::uint32_t> found;
-    for (int i = 0; i < 3; ++i) {
-        tree.reset(box, 2);
-        tree.insertAndQuery(7, box, found);
-        QVERIFY(found.empty());
+    QVERIFY(found(tree, box).empty());
+    for (const std::size_t count : {3u, 1u, 2u, 0u}) {
+        tree.fill(std::vector<Aabb>(count, box));
+        QCOMPARE(found(tree, box).size(), count);
     }
-    tree.insertAndQuery(8, box, found);
-    QCOMPARE(found, std::vector<std::uint32_t>{7});
 }
 
 void MovingQuadtreeTest::boundsWithoutExtentDoNoHarm() {
     MovingQuadtree tree;
-    for (const Aabb& bounds : {Aabb{}, Aabb{Vec2(1, 1), Vec2(1, 1)}, Aabb{Vec2(0, 1), Vec2(5, 1)}}) {
-        tree.reset(bounds, 20);
-        const std::vector<Aabb> boxes(20, Aabb{Vec2(1, 1), Vec2(1, 1)});
-        QCOMPARE(pairsOf(tree, boxes).size(), std::size_t{190});
-    }
+    std::vector<Aabb> boxes(20, Aabb{Vec2(1, 1), Vec2(1, 1)});
+    tree.fill(boxes);
+    QVERIFY(findsAllPairs(tree, boxes));
+    boxes.push_back({Vec2(0, 1), Vec2(5, 1)});
+    tree.fill(boxes);
+    QVERIFY(findsAllPairs(tree, boxes));
 }
 
 void MovingQuadtreeTest::cellsLieWithinTheBounds() {
     Random random(4);
     const std::vector<Aabb> boxes = randomBoxes(random, 60, false);
     MovingQuadtree tree;
-    tree.reset(boundsOfAll(boxes), 60);
-    pairsOf(tree, boxes);
+    tree.fill(boxes);
     const std::vector<Aabb> cells = tree.cells();
-    QVERIFY(!cells.empty() && cells.size() <= 64);
+    QVERIFY(!cells.empty() && cells.size() <= 60);
     for (const Aabb& cell : cells) {
         QVERIFY(boundsOfAll(boxes).grown(1e-9).contains(cell));
         const bool used = std::any_of(boxes.begin(), boxes.end(), [&](const Aabb& b) { return b.overlaps(cell); });

@@ -1,0 +1,243 @@
+#include "core/physics/merge_pairs.h"
+
+#include "core/physics/contact_lanes.h"
+#include "core/physics/contact_pool.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+bool isRound(const Part& part) {
+    const auto* circle = std::get_if<Circle>(&part);
+    return circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
+}
+
+bool connectedApart(const WorldData& data, Slot a, Slot b) {
+    return !data.notColliding.empty() &&
+           std::binary_search(data.notColliding.begin(), data.notColliding.end(), SlotPair(std::minmax(a, b)));
+}
+
+bool mayMeet(const WorldData& data, Slot a, Slot b) {
+    const BodyRecord& ra = data.records[a];
+    const BodyRecord& rb = data.records[b];
+    const bool oneMoves = ra.kind == BodyKind::Dynamic || rb.kind == BodyKind::Dynamic;
+    const bool oneFeels = !ra.tangible || !rb.tangible;
+    return a != b && (oneMoves || oneFeels) && mayTouch(ra.filter, rb.filter) && !connectedApart(data, a, b);
+}
+
+PairKind kindOf(const WorldData& data, const Pair& pair) {
+    const bool tangible = data.records[pair.bodyA].tangible && data.records[pair.bodyB].tangible;
+    if (!tangible || (!data.motions[pair.bodyA].yields() && !data.motions[pair.bodyB].yields())) {
+        return PairKind::Felt;
+    }
+    if (isRound(*pair.shapeA)) {
+        if (pair.staticB) {
+            const auto* wall = std::get_if<WallPart>(pair.shapeB);
+            return wall != nullptr && wall->oneWay ? PairKind::RoundEdge : PairKind::RoundStatic;
+        }
+        return isRound(*pair.shapeB) ? PairKind::RoundRound : PairKind::General;
+    }
+    return PairKind::General;
+}
+
+Pair makePair(const WorldData& data, const FoundPair& found) {
+    const BodyRecord& ra = data.records[found.bodyA];
+    const BodyRecord& rb = data.records[found.bodyB];
+    Pair pair;
+    pair.staticB = rb.kind == BodyKind::Static;
+    pair.bodyA = found.bodyA;
+    pair.bodyB = found.bodyB;
+    pair.partA = found.partA;
+    pair.partB = found.partB;
+    pair.shapeA = &(*ra.parts)[pair.partA];
+    if (pair.staticB) {
+        pair.collider = rb.firstStatic + pair.partB;
+        pair.shapeB = &data.statics->colliders[pair.collider].shape;
+    } else {
+        pair.shapeB = &(*rb.parts)[pair.partB];
+    }
+    pair.kind = kindOf(data, pair);
+    pair.alone = !pair.staticB && ra.parts->size() == 1 && rb.parts->size() == 1;
+    return pair;
+}
+
+PairGate gateOf(const Pair& pair) {
+    return {pair.bodyA + 1, pair.staticB ? 0 : pair.bodyB + 1, 0};
+}
+
+void drop(WorldData& data, std::size_t index) {
+    if (data.table.marks[index].reported) {
+        data.droppedTouches.push_back(data.table.pairs[index].bodies());
+    }
+    if (data.contactsListed && data.table.marks[index].listed) {
+        unlist(data, static_cast<std::uint32_t>(index));
+    }
+    forgetContact(data, data.table.pairs[index]);
+}
+
+/// All pairs have been found; what is known of their contacts remains.
+void renewPairs(WorldData& data) {
+    PairTable& old = data.table;
+    PairTable& renewed = data.newTable;
+    renewed.clear();
+    std::size_t i = 0;
+    for (const FoundPair& found : data.foundPairs) {
+        if (!mayMeet(data, found.bodyA, found.bodyB)) {
+            continue;
+        }
+        for (; i < old.size() && FoundPair(old.pairs[i]) < found; ++i) {
+            drop(data, i);
+        }
+        renewed.add(makePair(data, found));
+        if (i == old.size() || found < FoundPair(old.pairs[i])) {
+            continue;
+        }
+        if (renewed.pairs.back().kind == old.pairs[i].kind) {
+            renewed.pairs.back().contact = old.pairs[i].contact;
+        } else {
+            forgetContact(data, old.pairs[i]);
+        }
+        renewed.marks.back() = old.marks[i++];
+    }
+    for (; i < old.size(); ++i) {
+        drop(data, i);
+    }
+    std::swap(data.table, data.newTable);
+}
+
+/// The pairs of those who have escaped.
+void listLeaving(WorldData& data) {
+    for (const Slot slot : data.escaped) {
+        data.leaves[slot + 1] = 1;
+    }
+    data.leaving.resize(data.table.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < data.table.size(); ++i) {
+        const PairGate& gate = data.table.gates[i];
+        data.leaving[count] = static_cast<std::uint32_t>(i);
+        count += data.leaves[gate.moverA] | data.leaves[gate.moverB];
+    }
+    data.leaving.resize(count);
+    for (const Slot slot : data.escaped) {
+        data.leaves[slot + 1] = 0;
+    }
+}
+
+/// What is to change in the table: `dropped` by index, and new pairs with the indices before which they belong.
+void compare(WorldData& data) {
+    const std::vector<Pair>& pairs = data.table.pairs;
+    data.dropped.clear();
+    data.newPairs.clear();
+    data.newPlaces.clear();
+    std::size_t i = 0;
+    std::size_t first = 0; // no new pair belongs before that
+    for (const FoundPair& found : data.foundPairs) {
+        for (; i < data.leaving.size() && FoundPair(pairs[data.leaving[i]]) < found; first = data.leaving[i++] + 1) {
+            data.dropped.push_back(data.leaving[i]);
+        }
+        const std::size_t end = i < data.leaving.size() ? data.leaving[i] : pairs.size();
+        if (end < pairs.size() && !(found < FoundPair(pairs[end]))) {
+            first = data.leaving[i++] + 1;
+        } else if (mayMeet(data, found.bodyA, found.bodyB)) {
+            const auto begin = pairs.begin();
+            const auto place =
+                std::lower_bound(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end),
+                                 found, [](const Pair& a, const FoundPair& b) { return FoundPair(a) < b; });
+            first = static_cast<std::size_t>(place - begin);
+            data.newPlaces.push_back(static_cast<std::uint32_t>(first));
+            data.newPairs.push_back(makePair(data, found));
+        }
+    }
+    for (; i < data.leaving.size(); ++i) {
+        data.dropped.push_back(data.leaving[i]);
+    }
+}
+
+template <typename T>
+void erase(std::vector<T>& from, const std::vector<std::uint32_t>& indices) {
+    const auto begin = from.begin();
+    auto to = begin + indices.front();
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const auto end = i + 1 < indices.size() ? begin + indices[i + 1] : from.end();
+        to = std::copy(begin + indices[i] + 1, end, to);
+    }
+    from.erase(to, from.end());
+}
+
+/// Before the elements at `places`, from the last one on.
+template <typename T, typename Get>
+void insert(std::vector<T>& into, const std::vector<std::uint32_t>& places, Get get) {
+    auto end = into.end() - into.begin();
+    into.resize(into.size() + places.size());
+    auto to = into.end();
+    for (std::size_t i = places.size(); i-- > 0;) {
+        to = std::copy_backward(into.begin() + places[i], into.begin() + end, to);
+        *--to = get(i);
+        end = places[i];
+    }
+}
+
+void dropPairs(WorldData& data) {
+    if (data.dropped.empty()) {
+        return;
+    }
+    for (const std::uint32_t i : data.dropped) {
+        drop(data, i);
+    }
+    erase(data.table.gates, data.dropped);
+    erase(data.table.marks, data.dropped);
+    erase(data.table.pairs, data.dropped);
+    std::uint32_t before = 0;
+    for (std::uint32_t& place : data.newPlaces) {
+        while (before < data.dropped.size() && data.dropped[before] < place) {
+            ++before;
+        }
+        place -= before;
+    }
+}
+
+void insertPairs(WorldData& data) {
+    if (data.newPairs.empty()) {
+        return;
+    }
+    insert(data.table.gates, data.newPlaces, [&](std::size_t i) { return gateOf(data.newPairs[i]); });
+    insert(data.table.marks, data.newPlaces, [](std::size_t) { return TouchMarks{}; });
+    insert(data.table.pairs, data.newPlaces, [&](std::size_t i) { return data.newPairs[i]; });
+}
+
+} // namespace
+
+void PairTable::clear() {
+    gates.clear();
+    marks.clear();
+    pairs.clear();
+}
+
+void PairTable::add(const Pair& pair) {
+    gates.push_back(gateOf(pair));
+    marks.emplace_back();
+    pairs.push_back(pair);
+}
+
+void PairTable::addFrom(const PairTable& other, std::size_t index) {
+    gates.push_back(other.gates[index]);
+    marks.push_back(other.marks[index]);
+    pairs.push_back(other.pairs[index]);
+}
+
+bool mergePairs(WorldData& data) {
+    data.leaves.resize(data.records.size() + 1, 0);
+    if (data.pairsStale) {
+        renewPairs(data);
+        return true;
+    }
+    listLeaving(data);
+    compare(data);
+    dropPairs(data);
+    insertPairs(data);
+    return !data.dropped.empty() || !data.newPairs.empty();
+}
+
+} // namespace spacetow
