@@ -106,22 +106,27 @@ void fetchWall(const WorldData& data, const Pair& pair) {
     }
 }
 
-/// What is known of contacts lies in the order in which they came about, so the processor has to be told early.
-void fetchAhead(const WorldData& data, std::uint32_t index) {
-    constexpr std::uint32_t ahead = 8;
-    const PairTable& table = data.table;
-    if (index + 2 * ahead < table.size() && table.pairs[index + 2 * ahead].contact != Pair::none) {
-        __builtin_prefetch(&data.contacts[table.pairs[index + 2 * ahead].contact]);
+/// What is known of contacts lies in the order in which they came about, so the processor has to be told early what will
+/// be looked at: first the pair, then its contact, then its manifold.
+void fetchAhead(const WorldData& data, const std::vector<std::uint32_t>& open, std::size_t at) {
+    constexpr std::size_t ahead = 6;
+    const std::vector<Pair>& pairs = data.table.pairs;
+    if (at + 3 * ahead < open.size()) {
+        __builtin_prefetch(&pairs[open[at + 3 * ahead]]);
     }
-    if (index + ahead >= table.size() || table.pairs[index + ahead].contact == Pair::none) {
+    const auto contactAt = [&](std::size_t index) {
+        return index < open.size() ? pairs[open[index]].contact : Pair::none;
+    };
+    if (const std::uint32_t contact = contactAt(at + 2 * ahead); contact != Pair::none) {
+        __builtin_prefetch(&data.contacts[contact]);
+    }
+    const std::uint32_t contact = contactAt(at + ahead);
+    if (contact == Pair::none || data.contacts[contact].manifold == Pair::none) {
         return;
     }
-    const std::uint32_t manifold = data.contacts[table.pairs[index + ahead].contact].manifold;
-    if (manifold != Pair::none) {
-        const auto* address = reinterpret_cast<const char*>(&data.manifolds[manifold]);
-        for (std::size_t line = 0; line < sizeof(KeptManifold); line += 64) {
-            __builtin_prefetch(address + line);
-        }
+    const auto* address = reinterpret_cast<const char*>(&data.manifolds[data.contacts[contact].manifold]);
+    for (std::size_t line = 0; line < sizeof(KeptManifold); line += 64) {
+        __builtin_prefetch(address + line);
     }
 }
 
@@ -178,18 +183,35 @@ void beginAnew(WorldData& data, std::uint32_t index) {
     data.table.pairs[index].sweep = false;
 }
 
-void listContacts(WorldData& data, double perSecond) {
-    dropContacts(data);
-    clearContacts(data);
-    data.anySweep = false;
+/// Looks at all pairs that are not listed and may have come into contact.
+void meetOpen(WorldData& data, double perSecond) {
+    data.open.clear();
     const auto count = static_cast<std::uint32_t>(data.table.size());
     for (std::uint32_t i = 0; i < count; ++i) {
-        fetchAhead(data, i);
-        if ((data.isGateOpen(i) || data.table.marks[i].listed) && data.table.pairs[i].kind != PairKind::Felt) {
+        if (data.isGateOpen(i)) {
+            data.open.push_back(i);
+        }
+    }
+    for (std::size_t k = 0; k < data.open.size(); ++k) {
+        fetchAhead(data, data.open, k);
+        const std::uint32_t i = data.open[k];
+        if (data.table.pairs[i].kind != PairKind::Felt) {
             beginAnew(data, i);
             meet(data, i, perSecond);
         }
     }
+}
+
+void listContacts(WorldData& data, double perSecond) {
+    dropContacts(data);
+    clearContacts(data);
+    data.anySweep = false;
+    for (std::size_t i = 0; i < data.table.size(); ++i) {
+        if (data.table.marks[i].listed) {
+            data.table.gates[i].apartUntil = 0;
+        }
+    }
+    meetOpen(data, perSecond);
     const bool merged = mergeContacts(data);
     for (const Constraint& constraint : data.constraints) {
         listGeneral(data, constraint, perSecond);
@@ -240,13 +262,7 @@ bool renewContacts(WorldData& data, double perSecond) {
     forOutdated(data.generalContacts, data.batches.general,
                 [&](std::uint32_t pair) { renewManifold(data, pair, perSecond); });
     renewAlone(data, perSecond);
-    const auto count = static_cast<std::uint32_t>(data.table.size());
-    for (std::uint32_t i = 0; i < count; ++i) {
-        if (data.isGateOpen(i) && data.table.pairs[i].kind != PairKind::Felt) {
-            beginAnew(data, i);
-            meet(data, i, perSecond);
-        }
-    }
+    meetOpen(data, perSecond);
     if (data.anySingular) {
         renewSingular(data);
     }

@@ -293,6 +293,7 @@ struct WorldData {
     std::vector<std::uint32_t> pairEnds; // by slot, of the sorted pairs
     std::vector<std::uint32_t> found;
     std::vector<std::uint32_t> felt;     // indices of felt pairs
+    std::vector<std::uint32_t> open;     // indices of pairs to be looked at
     std::vector<Constraint> constraints; // general contacts that are not yet listed
     std::vector<std::array<double, 3>> wholeImpulses; // by contact, while an iteration is made in parts
     Islands islands;
