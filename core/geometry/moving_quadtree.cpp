@@ -118,10 +118,26 @@ void MovingQuadtree::query(const Aabb& area, std::vector<std::uint32_t>& out) co
 
 std::vector<Aabb> MovingQuadtree::cells() const {
     std::vector<Aabb> result;
-    for (const Level& level : m_levels) {
+    for (std::size_t depth = 0; depth < m_levels.size(); ++depth) {
+        const Level& level = m_levels[depth];
+        if (level.count == 0) {
+            continue;
+        }
+        std::vector<bool> occupied(std::size_t{level.side} * level.side);
+        for (const Entry& entry : m_entries) {
+            if (m_levelOf[entry.number] != depth) {
+                continue;
+            }
+            const auto cell = [&](int axis, double at) { return cellAlong(level, axis, at); };
+            for (std::uint32_t y = cell(1, entry.box.min.y()); y <= cell(1, entry.box.max.y()); ++y) {
+                for (std::uint32_t x = cell(0, entry.box.min.x()); x <= cell(0, entry.box.max.x()); ++x) {
+                    occupied[std::size_t{y} * level.side + x] = true;
+                }
+            }
+        }
         const Vec2 size = m_bounds.size() / level.side;
-        for (std::uint32_t i = 0; level.count > 0 && i < level.side * level.side; ++i) {
-            if (m_starts[level.first + i] < m_starts[level.first + i + 1]) {
+        for (std::size_t i = 0; i < occupied.size(); ++i) {
+            if (occupied[i]) {
                 const Vec2 corner = m_bounds.min + Vec2(i % level.side * size.x(), i / level.side * size.y());
                 result.push_back({corner, corner + size});
             }

@@ -23,7 +23,7 @@ class MovingQuadtree {
     void query(const Aabb& area, std::vector<std::uint32_t>& out) const;
 
     int depth() const { return m_depth; }
-    /// The rectangles of the cells that hold a box.
+    /// The rectangles of the cells that a box of their level overlaps.
     std::vector<Aabb> cells() const;
 
   private:

@@ -346,7 +346,16 @@ void followPairs(WorldData& data) {
 }
 
 void dropContacts(WorldData& data) {
+    if (!data.contactsListed) {
+        return;
+    }
     saveImpulses(data);
+    const auto strikeOut = [&](const auto& c) {
+        data.table.marks[pairOf(c)].listed = false;
+        data.table.gates[pairOf(c)].apartUntil = 0;
+    };
+    std::for_each(data.roundContacts.begin(), data.roundContacts.end(), strikeOut);
+    std::for_each(data.generalContacts.begin(), data.generalContacts.end(), strikeOut);
     data.contactsListed = false;
 }
 

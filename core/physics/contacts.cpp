@@ -179,7 +179,7 @@ void meet(WorldData& data, std::uint32_t index, double perSecond) {
 }
 
 void beginAnew(WorldData& data, std::uint32_t index) {
-    data.table.marks[index].now = data.table.marks[index].listed = false;
+    data.table.marks[index].now = false;
     data.table.pairs[index].sweep = false;
 }
 
@@ -206,11 +206,6 @@ void listContacts(WorldData& data, double perSecond) {
     dropContacts(data);
     clearContacts(data);
     data.anySweep = false;
-    for (std::size_t i = 0; i < data.table.size(); ++i) {
-        if (data.table.marks[i].listed) {
-            data.table.gates[i].apartUntil = 0;
-        }
-    }
     meetOpen(data, perSecond);
     const bool merged = mergeContacts(data);
     for (const Constraint& constraint : data.constraints) {
