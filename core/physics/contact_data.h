@@ -86,6 +86,7 @@ struct PairTable {
     std::vector<Pair> pairs;
 
     std::size_t size() const { return pairs.size(); }
+    std::size_t capacity() const { return pairs.capacity(); }
     void clear();
     void add(const Pair& pair);
     void addFrom(const PairTable& other, std::size_t index);

@@ -112,6 +112,9 @@ void listLeaving(WorldData& data) {
     for (const Slot slot : data.escaped) {
         data.leaves[slot + 1] = 1;
     }
+    if (data.leaving.capacity() < data.table.size()) {
+        data.leaving.reserve(data.table.capacity()); // resizing would add no more than what is needed now
+    }
     data.leaving.resize(data.table.size());
     std::size_t count = 0;
     for (std::size_t i = 0; i < data.table.size(); ++i) {
