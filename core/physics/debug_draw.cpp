@@ -1,6 +1,5 @@
 #include "core/physics/debug_draw.h"
 
-#include "core/geometry/bounds.h"
 #include "core/geometry/polygon.h"
 
 #include <algorithm>
@@ -9,8 +8,6 @@
 namespace spacetow {
 
 namespace {
-
-constexpr double rounding = 1e-9; // m: boxes of the same body that differ by less are the same box
 
 bool isWall(const Shape& shape) {
     return std::holds_alternative<Edge>(shape) || std::holds_alternative<Line>(shape);
@@ -85,16 +82,6 @@ class ShapeDrawing {
     DebugDraw& m_draw;
 };
 
-/// The box of the broad phase, unless the body was put elsewhere since.
-Aabb currentBounds(const World& world, BodyId id, const Transform& pose) {
-    Aabb exact;
-    for (const Shape& shape : world.shapes(id)) {
-        exact.include(boundsOf(shape, pose));
-    }
-    const Aabb broad = world.bounds(id);
-    return broad.grown(rounding).contains(exact) ? broad : exact;
-}
-
 std::uint8_t channel(double share) {
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
 }
@@ -159,7 +146,7 @@ void drawWorld(const World& world, const DebugView& view, DebugDraw& draw) {
             if (state.kind != kind || (view.shows && !view.shows(id))) {
                 continue;
             }
-            const Aabb bounds = view.boxes ? currentBounds(world, id, state.pose) : Aabb{};
+            const Aabb bounds = view.boxes ? world.bounds(id) : Aabb{};
             drawBody({kind, world.shapes(id), state.pose, state.massCenter, state.velocity, bounds}, view, draw);
         }
     }

@@ -215,9 +215,10 @@ void World::setFrozen(BodyId body, bool position, bool rotation) {
 void World::setPose(BodyId body, const Vec2& position, double angle) {
     EXPECTS(contains(body) && isFinite(position) && std::isfinite(angle));
     BodyMotion& m = m_data->motions[body.index];
-    const BodyRecord& record = m_data->records[body.index];
+    BodyRecord& record = m_data->records[body.index];
     m.rotation = Rot::fromAngle(angle);
     m.center = position + m.rotation * record.localCenter;
+    record.bounds = Aabb{};
     m_data->pairsStale = true;
     m_data->staticsChanged |= record.kind == BodyKind::Static;
     disturb(*m_data, body.index);
@@ -319,10 +320,7 @@ const std::vector<Shape>& World::shapes(BodyId body) const {
 Aabb World::bounds(BodyId body) const {
     EXPECTS(contains(body));
     const BodyRecord& record = m_data->records[body.index];
-    if (!record.bounds.isEmpty()) {
-        return record.bounds;
-    }
-    Aabb box;
+    Aabb box = record.bounds; // what is pushed out of an overlap may leave it in the last iteration
     for (const Part& part : *record.parts) {
         box.include(boundsOf(part, m_data->pose(body.index)));
     }

@@ -93,7 +93,9 @@ class World {
     BodyState body(BodyId body) const;
     const std::vector<Shape>& shapes(BodyId body) const;
     ConnectorState connector(ConnectorId connector) const;
-    Aabb bounds(BodyId body) const; // of the last broad phase, padding included
+    /// Always contains the body's shapes where they are now. It is the box of the last broad phase, with room for the
+    /// whole way of the body in that update, or the exact one when the body has been added or put elsewhere since.
+    Aabb bounds(BodyId body) const;
     /// In the order in which they were added.
     std::vector<BodyId> bodies() const;
     std::vector<ConnectorId> connectors() const;

@@ -210,6 +210,51 @@ class BroadPhaseTest : public QObject {
         }
     }
 
+    void theBoxOfABodyIsNeverOutOfDate_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<Vec2>("to");
+        QTest::addColumn<double>("angle");
+        const char* const kinds[] = {"static", "kinematic", "dynamic"};
+        for (int kind = 0; kind < 3; ++kind) {
+            QTest::addRow("a %s body is put elsewhere", kinds[kind]) << kind << Vec2(7, -3) << 0.7;
+            QTest::addRow("a %s body is put a little aside", kinds[kind]) << kind << Vec2(0.001, 0) << 0.7;
+            QTest::addRow("a %s body is turned within its old box", kinds[kind]) << kind << Vec2(0, 0) << 0.0;
+        }
+    }
+    void theBoxOfABodyIsNeverOutOfDate() {
+        QFETCH(int, kind);
+        QFETCH(Vec2, to);
+        QFETCH(double, angle);
+        World world(withIterations(4, {0, 0}));
+        BodyDef def = test::box({0, 0}, 1, 0.5);
+        def.kind = static_cast<BodyKind>(kind);
+        def.angle = 0.7;
+        const BodyId id = add(world, def);
+        world.update();
+        world.setPose(id, to, angle);
+        const Aabb exact = boxAt(world, id);
+        const Aabb box = world.bounds(id);
+        QVERIFY((box.min - exact.min).norm() < 1e-12 && (box.max - exact.max).norm() < 1e-12);
+        world.update();
+        QVERIFY(world.bounds(id).grown(1e-12).contains(exact));
+        QVERIFY((world.bounds(id).size() - exact.size()).maxCoeff() < 0.5); // nothing is left of the old one
+    }
+
+    void theBoxOfABodyHoldsWhatIsPushedOutOfAnOverlap() {
+        for (const int iterations : iterationCounts) {
+            World world(withIterations(iterations, {0, 0}));
+            BodyDef post = ball({0, 0}, 2);
+            post.kind = BodyKind::Static;
+            add(world, post);
+            const BodyId id = add(world, ball({1, 0}, 0.5));
+            for (int i = 0; i < 50; ++i) {
+                world.update();
+                QVERIFY2(world.bounds(id).grown(1e-12).contains(boxAt(world, id)),
+                         qPrintable(QString("%1 iterations, update %2").arg(iterations).arg(i)));
+            }
+        }
+    }
+
     void thePairsFeltAreThoseOfBruteForce() {
         int found = 0;
         for (std::uint64_t seed = 1; seed <= (isFullRun() ? 10000u : 1000u); ++seed) {
