@@ -7,6 +7,7 @@
 #include "core/physics/contact_rules.h"
 #include "core/physics/general_contacts.h"
 #include "core/physics/merge_contacts.h"
+#include "core/physics/order_contacts.h"
 
 #include <bit>
 #include <cmath>
@@ -208,6 +209,7 @@ void listContacts(WorldData& data, double perSecond) {
     data.anySweep = false;
     meetOpen(data, perSecond);
     const bool merged = mergeContacts(data);
+    orderContacts(data);
     for (const Constraint& constraint : data.constraints) {
         listGeneral(data, constraint, perSecond);
     }
