@@ -269,8 +269,8 @@ SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, cons
     const Wide movedY = b.turn * apartY - b.unused * apartX - s.relativeY;
     const Wide turnedC = b.turn * a.turn + b.unused * a.unused - s.cosine;
     const Wide turnedS = b.turn * a.unused - b.unused * a.turn - s.sine;
-    const Wide left = s.room - root(movedX * movedX + movedY * movedY) -
-                      root(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
+    const Wide left =
+        s.room - root(movedX * movedX + movedY * movedY) - root(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
     const WidePace wayA = load(call.bodies.ways, s.a);
     WidePace wayB = load(call.bodies.ways, s.b);
     wayB.x = s.still ? Wide{} : wayB.x;

@@ -55,8 +55,8 @@ bool anyInOnePlane(const WorldData& data);
 /// The listed contacts keep their lanes when the table of pairs has changed.
 void followPairs(WorldData& data);
 
-/// Saves all impulses; the next iteration lists all contacts anew. To be called when contacts may no longer be those of the
-/// pairs.
+/// Saves all impulses; the next iteration lists all contacts anew. To be called when contacts may no longer be those of
+/// the pairs.
 void dropContacts(WorldData& data);
 
 /// Begins a list without contacts.

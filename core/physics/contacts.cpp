@@ -107,8 +107,8 @@ void fetchWall(const WorldData& data, const Pair& pair) {
     }
 }
 
-/// What is known of contacts lies in the order in which they came about, so the processor has to be told early what will
-/// be looked at: first the pair, then its contact, then its manifold.
+/// What is known of contacts lies in the order in which they came about, so the processor has to be told early what
+/// will be looked at: first the pair, then its contact, then its manifold.
 void fetchAhead(const WorldData& data, const std::vector<std::uint32_t>& open, std::size_t at) {
     constexpr std::size_t ahead = 6;
     const std::vector<Pair>& pairs = data.table.pairs;
@@ -254,8 +254,7 @@ bool renewContacts(WorldData& data, double perSecond) {
     const BodyViews bodies{{data.motions.data(), sizeof(BodyMotion)}, {data.steps.data(), sizeof(BodyStep)}};
     data.constraints.clear();
     refreshContacts(data.batches, bodies, {perSecond, linearSlop});
-    forOutdated(data.roundContacts, data.batches.round,
-                [&](std::uint32_t pair) { meetRound(data, pair, perSecond); });
+    forOutdated(data.roundContacts, data.batches.round, [&](std::uint32_t pair) { meetRound(data, pair, perSecond); });
     forOutdated(data.generalContacts, data.batches.general,
                 [&](std::uint32_t pair) { renewManifold(data, pair, perSecond); });
     renewAlone(data, perSecond);

@@ -5,8 +5,9 @@
 
 namespace spacetow {
 
-/// Lists the contacts that the solver is to have, from the poses at the beginning of the iteration. Surfaces that could close their gap within the iteration count as in contact already; the solver lets
-/// them close it and no more. Those that will bounce are marked to be swept instead.
+/// Lists the contacts that the solver is to have, from the poses at the beginning of the iteration. Surfaces that could
+/// close their gap within the iteration count as in contact already; the solver lets them close it and no more. Those
+/// that will bounce are marked to be swept instead.
 void findContacts(WorldData& data, const IterationStep& step);
 
 /// Marks the pairs that touch without force at the end of the iteration: intangible bodies, and such as nothing moves.

@@ -152,8 +152,8 @@ bool setTarget(WorldData& data, Pair& pair, const Constraint& c, ConstraintPoint
     return true;
 }
 
-/// How far apart the discs around the bodies are, m, when that is further than they may come nearer in this iteration; 0
-/// else.
+/// How far apart the discs around the bodies are, m, when that is further than they may come nearer in this iteration;
+/// 0 else.
 double gapOfDiscs(const WorldData& data, const Pair& pair) {
     const BodyStep& a = data.steps[pair.bodyA];
     const BodyStep& b = data.steps[pair.bodyB];

@@ -17,8 +17,7 @@ constexpr double coincident = 1e-9;
 bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) {
     const bool sameBodies =
         c.b == d.b || (data.records[c.b].kind == BodyKind::Static && data.records[d.b].kind == BodyKind::Static);
-    if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution ||
-        !areParallel(c.normal, d.normal)) {
+    if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution || !areParallel(c.normal, d.normal)) {
         return false;
     }
     // Points lie half way between the surfaces; half the separation further on is the surface of b.

@@ -274,7 +274,7 @@ struct WorldData {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours; // contacts that may come to lie in one plane
     bool mergeDoubt = false;                                         // whether some do
     std::size_t listChanges = 0;                                     // since all were listed
-    std::vector<TagMask> touchedTags; // by slot, of the last iteration
+    std::vector<TagMask> touchedTags;                                // by slot, of the last iteration
     Events events;
     std::vector<RemovedEvent> removedBefore; // since the last update
 
@@ -292,9 +292,9 @@ struct WorldData {
     std::vector<Pair> newPairs;
     std::vector<std::uint32_t> pairEnds; // by slot, of the sorted pairs
     std::vector<std::uint32_t> found;
-    std::vector<std::uint32_t> felt;     // indices of felt pairs
-    std::vector<std::uint32_t> open;     // indices of pairs to be looked at
-    std::vector<Constraint> constraints; // general contacts that are not yet listed
+    std::vector<std::uint32_t> felt;                  // indices of felt pairs
+    std::vector<std::uint32_t> open;                  // indices of pairs to be looked at
+    std::vector<Constraint> constraints;              // general contacts that are not yet listed
     std::vector<std::array<double, 3>> wholeImpulses; // by contact, while an iteration is made in parts
     Islands islands;
     std::vector<std::uint64_t> droppedTouches; // body pairs whose boxes parted while they touched
