@@ -115,6 +115,58 @@ ContactBatches packed(const std::vector<Body>& all, const std::vector<Contact>& 
     return batches;
 }
 
+void fill(Wide& wide, Random& random, double least, double most) {
+    for (int lane = 0; lane < 4; ++lane) {
+        wide[lane] = random.uniform(least, most);
+    }
+}
+
+/// Contacts of polygons with random manifolds, some of them with static bodies, some with one point.
+void addManifolds(ContactBatches& batches, Random& random) {
+    batches.general.reset(bodies);
+    for (int i = 0; i < 200; ++i) {
+        const auto a = static_cast<Slot>(random.uniform(4, bodies - 0.001));
+        const auto b = static_cast<Slot>(random.uniform(0, bodies - 0.001));
+        if (a != b) {
+            const Lane lane = batches.general.open(a, true, b, b >= 4);
+            ConstraintShapes& shapes = batches.general.shapes(lane.batch);
+            shapes.a[lane.lane] = a;
+            shapes.b[lane.lane] = b;
+            shapes.still[lane.lane] = b < 4 ? -1 : 0;
+            shapes.ownedByA[lane.lane] = i % 3 == 0 ? -1 : 0;
+            shapes.first[lane.lane] = shapes.acts1[lane.lane] = -1;
+            shapes.second[lane.lane] = shapes.acts2[lane.lane] = i % 4 != 0 ? -1 : 0;
+        }
+    }
+    for (std::uint32_t i = 0; i < batches.general.size(); ++i) {
+        ConstraintShapes& s = batches.general.shapes(i);
+        for (Wide* wide : {&s.normalX, &s.normalY, &s.onA1X, &s.onA1Y, &s.onB1X, &s.onB1Y, &s.onA2X, &s.onA2Y, &s.onB2X,
+                           &s.onB2Y, &s.relativeX, &s.relativeY, &s.cosine, &s.sine, &s.room, &s.radiusA, &s.radiusB}) {
+            fill(*wide, random, -1, 1);
+        }
+        ConstraintBatch& c = batches.general[i];
+        for (Wide* wide : {&c.massA, &c.massB, &c.inertiaA, &c.inertiaB, &c.mass1, &c.mass2, &c.leverA1, &c.leverB1,
+                           &c.leverA2, &c.leverB2, &c.velocity1, &c.velocity2}) {
+            fill(*wide, random, 0.1, 1);
+        }
+    }
+}
+
+/// Poses or ways of all bodies.
+std::vector<Pace> randomRows(Random& random) {
+    std::vector<Pace> rows;
+    for (Slot i = 0; i < bodies; ++i) {
+        const double x = random.uniform(-1, 1);
+        const double y = random.uniform(-1, 1);
+        rows.push_back({x, y, random.uniform(-1, 1), random.uniform(0, 1)});
+    }
+    return rows;
+}
+
+bool sameBits(const Wide& a, const Wide& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
 } // namespace
 
 class ContactBatchesTest : public QObject {
@@ -151,6 +203,55 @@ class ContactBatchesTest : public QObject {
                 QCOMPARE(batch.tangentImpulse[lanes[i].lane], contacts[i].tangent);
             }
         }
+    }
+
+    void contactsAreRenewedToTheSameBitsWithAnyRegisters() {
+        if (!hasWideRegisters()) {
+            return; // both are the same code
+        }
+        for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+            Random random(seed);
+            ContactBatches narrow;
+            addManifolds(narrow, random);
+            narrow.pushes.resize(bodies + 1);
+            ContactBatches wide = narrow;
+            const std::vector<Pace> poses = randomRows(random);
+            const std::vector<Pace> ways = randomRows(random);
+            const BodyViews views{{poses.data(), sizeof(Pace)}, {ways.data(), sizeof(Pace)}};
+            int outdated = 0;
+            for (ContactBatches* batches : {&narrow, &wide}) {
+                refreshContacts(*batches, views, {240, 0.0004}, batches == &wide);
+                QVERIFY(pushApart(*batches, {1.0 / 240, 0.0004, 0.2, 0.1}, batches == &wide));
+            }
+            for (std::uint32_t i = 0; i < narrow.general.size(); ++i) {
+                const ConstraintBatch& a = narrow.general[i];
+                const ConstraintBatch& b = wide.general[i];
+                QVERIFY2(sameBits(a.normalX, b.normalX) && sameBits(a.separation1, b.separation1) &&
+                             sameBits(a.separation2, b.separation2) && sameBits(a.target2, b.target2) &&
+                             sameBits(a.closing1, b.closing1),
+                         qPrintable(QString("seed %1, batch %2").arg(seed).arg(i)));
+                QCOMPARE(narrow.general.notes(i).outdated, wide.general.notes(i).outdated);
+                outdated += narrow.general.notes(i).outdated != 0 ? 1 : 0;
+            }
+            QVERIFY(outdated > 0);
+            for (Slot i = 0; i < bodies; ++i) {
+                QCOMPARE(narrow.pushes[i].x, wide.pushes[i].x);
+                QCOMPARE(narrow.pushes[i].turn, wide.pushes[i].turn);
+            }
+        }
+    }
+
+    void aLaneThatWasGivenUpIsUsedAgain() {
+        ContactBatches batches;
+        batches.round.reset(10);
+        const Lane first = batches.round.open(0, true, 1, true);
+        batches.round.open(2, true, 3, true);
+        batches.round.close(first);
+        QCOMPARE(int{batches.round.notes(first.batch).occupied}, 2);
+        const Lane again = batches.round.open(4, true, 5, true);
+        QCOMPARE(again.batch, first.batch);
+        QCOMPARE(again.lane, first.lane);
+        QCOMPARE(batches.round.size(), std::size_t{1});
     }
 
     void noBodyThatMovesIsTwiceInABatch() {
