@@ -1,0 +1,164 @@
+#include "core/physics/lanes.h"
+
+#include <limits>
+
+namespace spacetow {
+
+namespace {
+
+using namespace lanes;
+
+/// What stays the same from the first lane to the last.
+struct Call {
+    BodyViews bodies;
+    ContactRules rules;
+};
+
+SPACETOW_INLINE Wide root(Wide x) {
+    return Wide{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]), __builtin_sqrt(x[2]), __builtin_sqrt(x[3])};
+}
+
+SPACETOW_INLINE Wide magnitude(Wide x) {
+    return x < Wide{} ? -x : x;
+}
+
+SPACETOW_INLINE Wide row(const BodyRows& rows, Slot slot) {
+    Wide result;
+    std::memcpy(&result, static_cast<const char*>(rows.first) + slot * rows.stride, sizeof result);
+    return result;
+}
+
+SPACETOW_INLINE WidePace load(const BodyRows& rows, const std::array<Slot, 4>& slots) {
+    return transposed(row(rows, slots[0]), row(rows, slots[1]), row(rows, slots[2]), row(rows, slots[3]));
+}
+
+/// What the normal velocity is to be where nothing bounces.
+SPACETOW_INLINE Wide targetAt(Wide separation, const ContactRules& rules) {
+    return separation > Wide{} ? -separation * rules.perSecond : Wide{};
+}
+
+SPACETOW_INLINE Wide closingAt(Wide separation, const ContactRules& rules) {
+    return -rules.perSecond * greater(separation + rules.slop, Wide{} + 0.1 * rules.slop);
+}
+
+/// Which contacts are out of reach.
+SPACETOW_INLINE Mask refresh(RoundBatch& c, const RoundShapes& shapes, const Call& call) {
+    const WidePace a = load(call.bodies.poses, shapes.a);
+    const WidePace b = load(call.bodies.poses, shapes.b);
+    const Wide apartX = b.x - a.x;
+    const Wide apartY = b.y - a.y;
+    const Wide squared = apartX * apartX + apartY * apartY;
+    const WidePace wayA = load(call.bodies.ways, shapes.a);
+    const WidePace wayB = load(call.bodies.ways, shapes.b);
+    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y);
+    const Wide margin = call.rules.slop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
+    const Wide reach = shapes.radiusA + shapes.radiusB + margin;
+    const Wide distance = root(squared);
+    const Mask apart = distance > Wide{};
+    const Wide separation = distance - shapes.radiusA - shapes.radiusB;
+    const Wide leverA = shapes.radiusA + 0.5 * separation;
+    const Wide leverB = -shapes.radiusB - 0.5 * separation;
+    const Mask here = shapes.here;
+    c.normalX = here ? (apart ? apartX / distance : Wide{}) : c.normalX;
+    c.normalY = here ? (apart ? apartY / distance : Wide{} + 1) : c.normalY;
+    c.separation = here ? separation : c.separation;
+    c.leverA = here ? leverA : c.leverA;
+    c.leverB = here ? leverB : c.leverB;
+    const Wide mass = c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
+    c.tangentMass = here ? 1 / mass : c.tangentMass;
+    c.target = here ? targetAt(separation, call.rules) : c.target;
+    c.closing = here ? closingAt(separation, call.rules) : c.closing;
+    return here & (squared > reach * reach);
+}
+
+/// A point that stays with a body, in the world.
+SPACETOW_INLINE Wide worldX(const WidePace& pose, Wide x, Wide y) {
+    return pose.x + (pose.turn * x - pose.unused * y);
+}
+SPACETOW_INLINE Wide worldY(const WidePace& pose, Wide x, Wide y) {
+    return pose.y + (pose.unused * x + pose.turn * y);
+}
+
+/// Whether the parts have moved against each other so far that their manifold may lack something.
+SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, const WidePace& b, const Call& call) {
+    const Wide apartX = a.x - b.x;
+    const Wide apartY = a.y - b.y;
+    const Wide movedX = b.turn * apartX + b.unused * apartY - s.relativeX;
+    const Wide movedY = b.turn * apartY - b.unused * apartX - s.relativeY;
+    const Wide turnedC = b.turn * a.turn + b.unused * a.unused - s.cosine;
+    const Wide turnedS = b.turn * a.unused - b.unused * a.turn - s.sine;
+    const Wide left =
+        s.room - root(movedX * movedX + movedY * movedY) - root(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
+    const WidePace wayA = load(call.bodies.ways, s.a);
+    WidePace wayB = load(call.bodies.ways, s.b);
+    wayB.x = s.still ? Wide{} : wayB.x;
+    wayB.y = s.still ? Wide{} : wayB.y;
+    wayB.turn = s.still ? Wide{} : wayB.turn;
+    wayB.unused = s.still ? Wide{} : wayB.unused;
+    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y) + magnitude(wayA.turn) * s.radiusA +
+                     magnitude(wayB.turn) * s.radiusB;
+    return left < call.rules.slop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
+}
+
+SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, const Call& call) {
+    const WidePace a = load(call.bodies.poses, s.a);
+    WidePace b = load(call.bodies.poses, s.b);
+    b.x = s.still ? Wide{} : b.x;
+    b.y = s.still ? Wide{} : b.y;
+    b.turn = s.still ? Wide{} + 1 : b.turn;
+    b.unused = s.still ? Wide{} : b.unused;
+    const Wide cosine = s.ownedByA ? a.turn : b.turn;
+    const Wide sine = s.ownedByA ? a.unused : b.unused;
+    c.normalX = cosine * s.normalX - sine * s.normalY;
+    c.normalY = sine * s.normalX + cosine * s.normalY;
+    const Wide apart1X = worldX(b, s.onB1X, s.onB1Y) - worldX(a, s.onA1X, s.onA1Y);
+    const Wide apart1Y = worldY(b, s.onB1X, s.onB1Y) - worldY(a, s.onA1X, s.onA1Y);
+    const Wide apart2X = worldX(b, s.onB2X, s.onB2Y) - worldX(a, s.onA2X, s.onA2Y);
+    const Wide apart2Y = worldY(b, s.onB2X, s.onB2Y) - worldY(a, s.onA2X, s.onA2Y);
+    const Wide separation1 = apart1X * c.normalX + apart1Y * c.normalY;
+    const Wide separation2 = apart2X * c.normalX + apart2Y * c.normalY;
+    const Wide far = Wide{} + std::numeric_limits<double>::infinity();
+    const Wide never = Wide{} + noTarget;
+    c.separation1 = s.first ? separation1 : far;
+    c.separation2 = s.second ? separation2 : far;
+    c.target1 = s.acts1 ? targetAt(separation1, call.rules) : never;
+    c.target2 = s.acts2 ? targetAt(separation2, call.rules) : never;
+    c.closing1 = s.first ? closingAt(separation1, call.rules) : never;
+    c.closing2 = s.second ? closingAt(separation2, call.rules) : never;
+    return outdated(s, a, b, call);
+}
+
+template <class Batch>
+SPACETOW_INLINE void refreshAll(const Call& call, Batches<Batch>& batches) {
+    const std::size_t count = batches.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        BatchNotes& notes = batches.notes(i);
+        notes.outdated = bits(refresh(batches.begin()[i], batches.shapes(i), call)) & notes.occupied;
+    }
+}
+
+SPACETOW_INLINE void refreshBoth(ContactBatches& batches, const Call& call) {
+    refreshAll(call, batches.round);
+    refreshAll(call, batches.general);
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) void refreshWide(ContactBatches& batches, const Call& call) {
+    refreshBoth(batches, call);
+}
+#endif
+
+} // namespace
+
+void refreshContacts(ContactBatches& batches, const BodyViews& bodies, const ContactRules& rules,
+                     [[maybe_unused]] bool wide) {
+#if defined(__x86_64__)
+    if (wide) {
+        refreshWide(batches, {bodies, rules});
+        return;
+    }
+#endif
+    refreshBoth(batches, {bodies, rules});
+}
+
+} // namespace spacetow
