@@ -49,7 +49,7 @@ struct PairGate {
 struct TouchMarks {
     bool now = false;
     bool reported = false; // as events
-    bool listed = false;   // among the contacts that the solver has: their gate tells when to look at them again
+    bool listed = false;   // among the contacts that the solver has: their gates are shut until they are struck off
 };
 
 /// A manifold that is kept while its parts move little against each other, in their own coordinates.
@@ -68,7 +68,7 @@ struct KeptManifold {
     double coupling = 0; // of the two points: the off-diagonal element of their inverse mass matrix
 };
 
-/// What is left of a pair's contact when the solver no longer has it.
+/// What is known of a pair's contact, and its impulses while the solver does not have it.
 struct Contact {
     std::int32_t count = 0;               // of points
     std::uint32_t manifold = 0xffffffffu; // index of the kept one, of general pairs
@@ -98,7 +98,7 @@ struct RoundContact {
     Slot a = 0, b = 0;
     std::uint32_t pair = 0, contact = 0;
     Lane lane;
-    bool alone = false;   // made anew one by one: b is static, or they bounce
+    bool single = false;  // made anew one by one: b is static, or they bounce
     bool bounces = false; // in this iteration
 };
 

@@ -49,7 +49,7 @@ RoundContact& openRound(WorldData& data, std::uint32_t index) {
     batch.friction[lane.lane] = kept.friction;
     batch.normalImpulse[lane.lane] = kept.points[0].normalImpulse;
     batch.tangentImpulse[lane.lane] = kept.tangentImpulse;
-    data.anyAlone |= c.alone;
+    data.anySingle |= c.single;
     ++data.listChanges;
     return c;
 }
@@ -366,7 +366,7 @@ void clearContacts(WorldData& data) {
     data.batches.round.reset(data.motions.size());
     data.batches.general.reset(data.motions.size());
     data.wallContacts.assign(data.motions.size(), 0);
-    data.anyAlone = data.anySingular = data.anyBounce = data.mergeDoubt = false;
+    data.anySingle = data.anySingular = data.anyBounce = data.mergeDoubt = false;
     data.contactsListed = true;
 }
 

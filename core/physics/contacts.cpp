@@ -98,12 +98,17 @@ void meetStatic(WorldData& data, std::uint32_t index, double perSecond) {
     addRoundContact(data, index, {-manifold.normal, point.separation, circle.radius, 0, point.feature}, perSecond);
 }
 
+template <class T>
+void fetch(const T& what) {
+    const auto* address = reinterpret_cast<const char*>(&what);
+    for (std::size_t line = 0; line < sizeof(T); line += 64) {
+        __builtin_prefetch(address + line);
+    }
+}
+
 void fetchWall(const WorldData& data, const Pair& pair) {
     if (pair.kind == PairKind::RoundEdge) {
-        const auto* address = reinterpret_cast<const char*>(&data.statics->colliders[pair.collider].side);
-        for (std::size_t line = 0; line < sizeof(WallSide); line += 64) {
-            __builtin_prefetch(address + line);
-        }
+        fetch(data.statics->colliders[pair.collider].side);
     }
 }
 
@@ -122,12 +127,8 @@ void fetchAhead(const WorldData& data, const std::vector<std::uint32_t>& open, s
         __builtin_prefetch(&data.contacts[contact]);
     }
     const std::uint32_t contact = contactAt(at + ahead);
-    if (contact == Pair::none || data.contacts[contact].manifold == Pair::none) {
-        return;
-    }
-    const auto* address = reinterpret_cast<const char*>(&data.manifolds[data.contacts[contact].manifold]);
-    for (std::size_t line = 0; line < sizeof(KeptManifold); line += 64) {
-        __builtin_prefetch(address + line);
+    if (contact != Pair::none && data.contacts[contact].manifold != Pair::none) {
+        fetch(data.manifolds[data.contacts[contact].manifold]);
     }
 }
 
@@ -219,16 +220,16 @@ void listContacts(WorldData& data, double perSecond) {
 }
 
 /// Those that the batches cannot renew by themselves.
-void renewAlone(WorldData& data, double perSecond) {
+void renewSingle(WorldData& data, double perSecond) {
     constexpr std::size_t ahead = 8;
-    for (std::size_t i = data.roundContacts.size(); data.anyAlone && i-- > 0;) {
+    for (std::size_t i = data.roundContacts.size(); data.anySingle && i-- > 0;) {
         if (i >= 2 * ahead) {
             __builtin_prefetch(&data.table.pairs[data.roundContacts[i - 2 * ahead].pair]);
         }
         if (i >= ahead) {
             fetchWall(data, data.table.pairs[data.roundContacts[i - ahead].pair]);
         }
-        if (data.roundContacts[i].alone) {
+        if (data.roundContacts[i].single) {
             meet(data, data.roundContacts[i].pair, perSecond);
         }
     }
@@ -257,7 +258,7 @@ bool renewContacts(WorldData& data, double perSecond) {
     forOutdated(data.roundContacts, data.batches.round, [&](std::uint32_t pair) { meetRound(data, pair, perSecond); });
     forOutdated(data.generalContacts, data.batches.general,
                 [&](std::uint32_t pair) { renewManifold(data, pair, perSecond); });
-    renewAlone(data, perSecond);
+    renewSingle(data, perSecond);
     meetOpen(data, perSecond);
     if (data.anySingular) {
         renewSingular(data);

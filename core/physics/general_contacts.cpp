@@ -251,8 +251,9 @@ void meetGeneral(WorldData& data, std::uint32_t index, double perSecond) {
 }
 
 void renewManifold(WorldData& data, std::uint32_t index, double perSecond) {
-    const Pair& pair = data.table.pairs[index];
+    Pair& pair = data.table.pairs[index];
     const Contact& contact = data.contacts[pair.contact];
+    pair.sweep = false;
     saveImpulses(data, data.generalContacts[contact.place]);
     makeManifold(data, index, posesOf(data, pair), marginOf(data, pair));
     if (contact.count > 0 && addConstraint(data, index, perSecond)) {

@@ -267,8 +267,8 @@ struct WorldData {
     std::vector<RoundContact> roundContacts; // that the solver has, see contact_lanes.h
     std::vector<GeneralContact> generalContacts;
     ContactBatches batches;
-    bool contactsListed = false;                // so that the above are those of the pairs
-    bool anyAlone = false, anySingular = false; // of these contacts
+    bool contactsListed = false;                 // so that the above are those of the pairs
+    bool anySingle = false, anySingular = false; // of these contacts
     bool anyBounce = false;
     std::vector<std::uint16_t> wallContacts; // by slot: general contacts with what others may share a plane with
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours; // contacts that may come to lie in one plane
