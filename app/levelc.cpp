@@ -51,17 +51,17 @@ int main(int argc, char** argv) {
     QStringList arguments = QCoreApplication::arguments();
     if (arguments.size() < 2) {
         complain(QStringLiteral("a command is missing\n") + usage());
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     const QString name = arguments.takeAt(1);
     if (name == QLatin1String("--help") || name == QLatin1String("-h")) {
         printLine(usage());
-        return exitStatus::good;
+        return exit_status::good;
     }
     const auto found = std::ranges::find_if(commands, [&name](const Command& c) { return name == c.name; });
     if (found == std::end(commands)) {
         complain(QStringLiteral("there is no command “%1”\n").arg(name) + usage());
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     return found->run(arguments);
 }

@@ -42,22 +42,22 @@ int checkCommand(const QStringList& arguments) {
     line.parser.addOption({QStringLiteral("json"), QStringLiteral("Prints a JSON array instead of lines.")});
     line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level files."), QStringLiteral("FILE…"));
     if (!line.read(arguments, 1, -1)) {
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     if (line.helpWanted()) {
         printLine(line.helpText());
-        return exitStatus::good;
+        return exit_status::good;
     }
     const bool json = line.parser.isSet(QStringLiteral("json"));
     JsonText all = JsonText::array();
-    int status = exitStatus::good;
+    int status = exit_status::good;
     for (const QString& file : line.parser.positionalArguments()) {
         const auto problems = problemsOf(file);
         if (!problems) {
-            status = exitStatus::unusable;
+            status = exit_status::unusable;
             continue;
         }
-        status = std::max(status, hasErrors(*problems) ? exitStatus::bad : exitStatus::good);
+        status = std::max(status, hasErrors(*problems) ? exit_status::bad : exit_status::good);
         for (const Problem& problem : *problems) {
             if (json) {
                 all.append(problemJson(file, problem));

@@ -6,11 +6,11 @@
 
 namespace spacetow {
 
-namespace exitStatus {
+namespace exit_status {
 constexpr int good = 0;
 constexpr int bad = 1;      // the level has errors, or the flight was not won
 constexpr int unusable = 2; // bad usage, or a file that cannot be read or written
-} // namespace exitStatus
+} // namespace exit_status
 
 int checkCommand(const QStringList& arguments);
 int infoCommand(const QStringList& arguments);

@@ -100,18 +100,18 @@ int infoCommand(const QStringList& arguments) {
     CommandLine line(QStringLiteral("info"), QStringLiteral("Says what is in a level."));
     line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level file."), QStringLiteral("FILE"));
     if (!line.read(arguments, 1, 1)) {
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     if (line.helpWanted()) {
         printLine(line.helpText());
-        return exitStatus::good;
+        return exit_status::good;
     }
     const std::optional<Level> level = loadedLevel(line.parser.positionalArguments().front());
     if (!level) {
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     printInfo(*level);
-    return exitStatus::good;
+    return exit_status::good;
 }
 
 } // namespace spacetow

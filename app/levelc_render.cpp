@@ -100,7 +100,7 @@ int write(const QString& file, const Picture& picture) {
     const QString kind = QFileInfo(file).suffix().toLower();
     if (kind != QLatin1String("png") && kind != QLatin1String("svg")) {
         complain(QStringLiteral("the picture must be named *.png or *.svg"));
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     QSaveFile out(file);
     bool good = out.open(QIODevice::WriteOnly);
@@ -111,9 +111,9 @@ int write(const QString& file, const Picture& picture) {
     }
     if (!good || !out.commit()) {
         complain(Error{"cannot-write", {file.toStdString(), out.errorString().toStdString()}});
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
-    return exitStatus::good;
+    return exit_status::good;
 }
 
 } // namespace
@@ -132,11 +132,11 @@ int renderCommand(const QStringList& arguments) {
                            QStringLiteral("REPLAY")});
     line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level file."), QStringLiteral("FILE"));
     if (!line.read(arguments, 1, 1)) {
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     if (line.helpWanted()) {
         printLine(line.helpText());
-        return exitStatus::good;
+        return exit_status::good;
     }
     const auto size = sizeFromText(line.parser.value(QStringLiteral("size")));
     const auto overlays = overlaysFromText(line.parser.value(QStringLiteral("overlays")));
@@ -145,15 +145,15 @@ int renderCommand(const QStringList& arguments) {
         complain(!size       ? QStringLiteral("--size needs width and height in pixels, such as 1600x1200")
                  : !overlays ? QStringLiteral("--overlays has a name that is not known; see levelc render --help")
                              : QStringLiteral("the picture to write is missing: -o OUT.png or -o OUT.svg"));
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     const std::optional<Level> level = loadedLevel(line.parser.positionalArguments().front());
     if (!level) {
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     const QString replay = line.parser.value(QStringLiteral("replay"));
     Picture picture{*level, *size, *overlays, wantedFlight(*level, replay)};
-    return replay.isEmpty() || picture.flight ? write(output, picture) : exitStatus::unusable;
+    return replay.isEmpty() || picture.flight ? write(output, picture) : exit_status::unusable;
 }
 
 } // namespace spacetow

@@ -30,21 +30,21 @@ int replayCommand(const QStringList& arguments) {
     line.parser.addPositionalArgument(QStringLiteral("replay"), QStringLiteral("Recorded flight."),
                                       QStringLiteral("REPLAY"));
     if (!line.read(arguments, 2, 2)) {
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     if (line.helpWanted()) {
         printLine(line.helpText());
-        return exitStatus::good;
+        return exit_status::good;
     }
     const QStringList files = line.parser.positionalArguments();
     const std::optional<Level> level = loadedLevel(files[0]);
     if (!level) {
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     const Result<Replay> replay = readReplay(files[1].toStdString());
     if (!replay) {
         complain(replay.error());
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     const Outcome outcome = replayed(*level, replay.value());
     if (outcome.levelChanged) {
@@ -58,9 +58,9 @@ int replayCommand(const QStringList& arguments) {
                   .arg(hashText(outcome.hash)));
     const QString dump = line.parser.value(QStringLiteral("dump"));
     if (!dump.isEmpty() && !dumpEnd(dump, *level, replay.value())) {
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
-    return outcome.won() ? exitStatus::good : exitStatus::bad;
+    return outcome.won() ? exit_status::good : exit_status::bad;
 }
 
 } // namespace spacetow

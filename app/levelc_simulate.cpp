@@ -15,21 +15,21 @@ int simulateCommand(const QStringList& arguments) {
     line.parser.addOption({QStringLiteral("hash"), QStringLiteral("Prints the hash of the state at the end.")});
     line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level file."), QStringLiteral("FILE"));
     if (!line.read(arguments, 1, 1)) {
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     if (line.helpWanted()) {
         printLine(line.helpText());
-        return exitStatus::good;
+        return exit_status::good;
     }
     bool isNumber = false;
     const int updates = line.parser.value(QStringLiteral("updates")).toInt(&isNumber);
     if (!isNumber || updates < 0 || updates > mostUpdates) {
         complain(QStringLiteral("--updates needs a number from 0 to %1").arg(mostUpdates));
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     const std::optional<Level> level = loadedLevel(line.parser.positionalArguments().front());
     if (!level) {
-        return exitStatus::unusable;
+        return exit_status::unusable;
     }
     World world = builtWorld(*level).world;
     for (int i = 0; i < updates; ++i) {
@@ -45,7 +45,7 @@ int simulateCommand(const QStringList& arguments) {
     }
     printLine(summary);
     const QString dump = line.parser.value(QStringLiteral("dump"));
-    return dump.isEmpty() || writeDump(dump, *level, world, updates) ? exitStatus::good : exitStatus::unusable;
+    return dump.isEmpty() || writeDump(dump, *level, world, updates) ? exit_status::good : exit_status::unusable;
 }
 
 } // namespace spacetow

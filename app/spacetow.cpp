@@ -11,19 +11,19 @@
 
 namespace {
 
-void installTranslations(QApplication& application, QTranslator& own, QTranslator& toolkit) {
+void installTranslations(QTranslator& own, QTranslator& toolkit) {
     const QLocale locale;
     const QString resources = QStringLiteral(":/translations");
     if (own.load(locale, QStringLiteral("spacetow"), QStringLiteral("_"), resources)) {
         // Only with our own, so that two languages never mix in one window.
         const QString folder = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
         if (toolkit.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), folder)) {
-            application.installTranslator(&toolkit);
+            QCoreApplication::installTranslator(&toolkit);
         }
     } else if (!own.load(QStringLiteral("spacetow_en"), resources)) {
         return;
     }
-    application.installTranslator(&own);
+    QCoreApplication::installTranslator(&own);
 }
 
 } // namespace
@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
 
     QTranslator own;
     QTranslator toolkit;
-    installTranslations(application, own, toolkit);
+    installTranslations(own, toolkit);
 
     QCommandLineParser parser;
     parser.setApplicationDescription(

@@ -18,7 +18,7 @@ Clock::time_point timePoint(double time) {
 } // namespace
 
 Runner::Runner(const Level& level, Mode mode, std::uint64_t seed)
-    : m_mode(mode), m_seed(seed), m_start(level, seed), m_session(m_start), m_last(m_session.snapshot()),
+    : m_mode(mode), m_start(level, seed), m_session(m_start), m_last(m_session.snapshot()),
       m_pacer(m_session.updateSeconds()) {
     m_recording.seed = seed;
     post(m_last);

@@ -66,7 +66,6 @@ class Runner {
     void post(std::shared_ptr<const Snapshot> before);
 
     const Mode m_mode;
-    const std::uint64_t m_seed;
 
     // Of the runner's thread, or of the caller's when manual.
     const Session m_start;

@@ -265,6 +265,7 @@ Transform Motion::at(double fraction) const {
     return pose;
 }
 
+// NOLINTNEXTLINE(readability-function-size): two parts on their ways, and how near
 std::optional<double> timeOfImpact(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
                                    double targetGap) {
     const Cast cast{{a, motionA}, {b, motionB}, targetGap, false};

@@ -80,8 +80,13 @@ bool coresOverlap(const Core& a, const Core& b) {
     return !(a.count == 2 && isBesideLine(a, b)) && !(b.count == 2 && isBesideLine(b, a));
 }
 
+struct Nearest {
+    double squared = std::numeric_limits<double>::infinity(); // m²
+    Vec2 onA{0, 0}, onB{0, 0};
+};
+
 /// Looks at the points of `part` over the sides of `sides`.
-void includePoints(const Core& sides, const Core& part, bool sidesAreA, double& nearest, ClosestPoints& closest) {
+void includePoints(const Core& sides, const Core& part, bool sidesAreA, Nearest& nearest) {
     const int sideCount = sides.count == 2 ? 1 : sides.count;
     for (int i = 0; i < sideCount; ++i) {
         const Vec2& from = pointOf(sides, i);
@@ -90,10 +95,8 @@ void includePoints(const Core& sides, const Core& part, bool sidesAreA, double& 
             const Vec2& p = pointOf(part, k);
             const Vec2 on = closestOnSegment(from, to, p);
             const double squared = (p - on).squaredNorm();
-            if (squared < nearest) {
-                nearest = squared;
-                closest.onA = sidesAreA ? on : p;
-                closest.onB = sidesAreA ? p : on;
+            if (squared < nearest.squared) {
+                nearest = {squared, sidesAreA ? on : p, sidesAreA ? p : on};
             }
         }
     }
@@ -110,10 +113,12 @@ ClosestPoints closestOfCores(const Core& a, const Core& b) {
     if (coresOverlap(a, b)) {
         return closest;
     }
-    double nearest = std::numeric_limits<double>::infinity();
-    includePoints(a, b, true, nearest, closest);
-    includePoints(b, a, false, nearest, closest);
-    closest.distance = std::sqrt(nearest);
+    Nearest nearest;
+    includePoints(a, b, true, nearest);
+    includePoints(b, a, false, nearest);
+    closest.onA = nearest.onA;
+    closest.onB = nearest.onB;
+    closest.distance = std::sqrt(nearest.squared);
     if (closest.distance > 0) {
         closest.normal = (closest.onB - closest.onA) / closest.distance;
     }

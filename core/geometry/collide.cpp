@@ -89,6 +89,7 @@ Manifold collideCircle(const Part& part, const Circle& circle, double margin) {
     return std::visit(CircleCollider{circle, margin}, part);
 }
 
+// NOLINTNEXTLINE(readability-function-size): two parts where they are, and how near
 Manifold collide(const Part& a, const Transform& poseA, const Part& b, const Transform& poseB, double margin) {
     return std::visit(PairCollider{poseA, poseB, margin}, a, b);
 }

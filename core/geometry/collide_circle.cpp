@@ -5,7 +5,7 @@ namespace spacetow {
 
 namespace {
 
-enum Feature : unsigned { wallFace, wallPoint, convexFace, convexPoint };
+enum Feature : unsigned { WallFace, WallPoint, ConvexFace, ConvexPoint };
 
 /// Contact of a circle with a point; `fallback` is the normal when the centre is on it.
 Manifold pointAgainstCircle(const Vec2& point, const Circle& circle, const Vec2& fallback, double margin) {
@@ -33,7 +33,7 @@ Manifold faceAgainstCircle(const WallSide& side, const Circle& circle, double ma
         manifold.normal = side.normal;
         const double toMiddle = 0.5 * (above + circle.radius);
         addPoint(manifold, circle.center - toMiddle * side.normal, above - circle.radius,
-                 featureId(wallFace, side.turned ? 1 : 0, 0));
+                 featureId(WallFace, side.turned ? 1 : 0, 0));
     }
     return manifold;
 }
@@ -54,7 +54,7 @@ Manifold endsAgainstCircle(const WallSide& side, const Circle& circle, double ma
         const Vec2 outward = circle.center - side.end.point;
         const bool mine = side.end.nextDirection.dot(outward) <= 1e-9;
         return mine ? named(pointAgainstCircle(side.end.point, circle, side.normal, margin),
-                            featureId(wallPoint, turned, 1))
+                            featureId(WallPoint, turned, 1))
                     : Manifold{};
     }
     // Over the span the face is open from here (from behind, deeper than its depth): only the nearer end is left.
@@ -64,7 +64,7 @@ Manifold endsAgainstCircle(const WallSide& side, const Circle& circle, double ma
         const bool beyondTheOther = useEnd ? t < 0 : t > side.length;
         if (end.kind == WallEnd::Kind::Free && !beyondTheOther) {
             return named(pointAgainstCircle(end.point, circle, side.normal, margin),
-                         featureId(wallPoint, turned, useEnd ? 1 : 0));
+                         featureId(WallPoint, turned, useEnd ? 1 : 0));
         }
     }
     return {};
@@ -143,7 +143,7 @@ Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, dou
             const Vec2 fallback = normalOf(convex, best);
             manifold = pointAgainstCircle(cornerOf(convex, corner), circle, fallback, margin);
             const bool allowed = cornerAllows(convex, corner, manifold.normal);
-            return allowed ? named(manifold, featureId(convexPoint, corner, 0)) : Manifold{};
+            return allowed ? named(manifold, featureId(ConvexPoint, corner, 0)) : Manifold{};
         }
         if (!isOuterFace(convex, best)) {
             return manifold; // the centre is in the part beyond the cut
@@ -154,7 +154,7 @@ Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, dou
     if (bestOuter >= 0) {
         manifold.normal = normalOf(convex, bestOuter);
         const Vec2 middle = circle.center - 0.5 * (outerSeparation + circle.radius) * manifold.normal;
-        addPoint(manifold, middle, outerSeparation - circle.radius, featureId(convexFace, bestOuter, 0));
+        addPoint(manifold, middle, outerSeparation - circle.radius, featureId(ConvexFace, bestOuter, 0));
     }
     return manifold;
 }

@@ -138,7 +138,9 @@ std::vector<Aabb> MovingQuadtree::cells() const {
         const Vec2 size = m_bounds.size() / level.side;
         for (std::size_t i = 0; i < occupied.size(); ++i) {
             if (occupied[i]) {
-                const Vec2 corner = m_bounds.min + Vec2(i % level.side * size.x(), i / level.side * size.y());
+                const auto column = static_cast<double>(i % level.side);
+                const std::size_t row = i / level.side;
+                const Vec2 corner = m_bounds.min + Vec2(column * size.x(), static_cast<double>(row) * size.y());
                 result.push_back({corner, corner + size});
             }
         }

@@ -154,8 +154,7 @@ Level reversed(Level level, std::span<const Key> keys) {
     });
 }
 
-Level duplicated(Level level, std::span<const Key> keys, const Vec2& delta, std::uint64_t seed,
-                 std::vector<Key>& copies) {
+Level duplicated(Level level, std::span<const Key> keys, const CopyPlace& place, std::vector<Key>& copies) {
     const KeyIndex index(level.objects);
     std::vector<Object> originals;
     for (const Key key : keys) {
@@ -164,12 +163,11 @@ Level duplicated(Level level, std::span<const Key> keys, const Vec2& delta, std:
             originals.push_back(*object);
         }
     }
-    return pasted(std::move(level), originals, delta, seed, copies);
+    return pasted(std::move(level), originals, place, copies);
 }
 
-Level pasted(Level level, const std::vector<Object>& objects, const Vec2& delta, std::uint64_t seed,
-             std::vector<Key>& copies) {
-    KeySource source(level, seed);
+Level pasted(Level level, const std::vector<Object>& objects, const CopyPlace& place, std::vector<Key>& copies) {
+    KeySource source(level, place.seed);
     std::map<Key, Key> copyOf;
     for (const Object& object : objects) {
         if (std::holds_alternative<BodyObject>(object.data)) {
@@ -194,7 +192,7 @@ Level pasted(Level level, const std::vector<Object>& objects, const Vec2& delta,
         }
         const auto planned = copyOf.find(object.key);
         copy.key = planned != copyOf.end() ? planned->second : source.next();
-        move(copy.data, delta);
+        move(copy.data, place.delta);
         copies.push_back(copy.key);
         level.objects.append(std::move(copy));
     }

@@ -19,14 +19,17 @@ Level moved(Level level, std::span<const Key> keys, const Vec2& delta);
 Level rotated(Level level, std::span<const Key> keys, const Vec2& pivot, double radians);
 /// Turns the solid side of edge chains round, and the winding of lines; other shapes stay.
 Level reversed(Level level, std::span<const Key> keys);
-/// Copies with fresh keys (from `seed`), shifted by `delta`; connectors are copied when both ends are.
+/// Where copies go, and what their fresh keys are made from.
+struct CopyPlace {
+    Vec2 delta{0, 0}; // m, from the originals
+    std::uint64_t seed = 0;
+};
+/// Copies with fresh keys; connectors are copied when both ends are.
 /// The keys of the copies come out in `copies`, in the order of `keys`. Ship, payload and finish are not copied.
-Level duplicated(Level level, std::span<const Key> keys, const Vec2& delta, std::uint64_t seed,
-                 std::vector<Key>& copies);
-/// Objects from elsewhere (the clipboard), treated likewise: fresh keys, shifted, a ship, payload or finish only when
+Level duplicated(Level level, std::span<const Key> keys, const CopyPlace& place, std::vector<Key>& copies);
+/// Objects from elsewhere (the clipboard), treated likewise, but a ship, payload or finish only when
 /// the level has none. Connectors follow their ends, and are left out when an end is not among the objects.
-Level pasted(Level level, const std::vector<Object>& objects, const Vec2& delta, std::uint64_t seed,
-             std::vector<Key>& copies);
+Level pasted(Level level, const std::vector<Object>& objects, const CopyPlace& place, std::vector<Key>& copies);
 /// The object with the same key is replaced; the key must exist.
 Level withObject(Level level, Object object);
 Level renamed(Level level, Key key, std::string name);

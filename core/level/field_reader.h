@@ -33,6 +33,13 @@ struct ReadState {
     std::string unknownFields;    // collected so far: members of a JSON object, without the braces
 };
 
+/// What is wrong with a field, without where.
+struct Finding {
+    Severity severity = Severity::Error;
+    std::string code;
+    std::vector<std::string> arguments;
+};
+
 class FieldReader {
   public:
     FieldReader(ReadState& state, JsonView object, const Place& place);
@@ -63,8 +70,7 @@ class FieldReader {
     /// To be called after all fields: what is left is unknown, kept and reported.
     void finish();
 
-    void report(Severity severity, std::string code, std::vector<std::string> arguments, JsonView at,
-                const Place& place);
+    void report(Finding finding, JsonView at, const Place& place);
     /// Reports that `value` of the field is not what `code` says.
     void reject(std::string code, const Place& place, JsonView value);
 

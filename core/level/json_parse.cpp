@@ -131,6 +131,7 @@ std::optional<Problem> rawProblem(std::string_view text) {
 
 } // namespace
 
+// NOLINTBEGIN(readability-identifier-naming): the names are the library's
 /// Receives nlohmann-json's events.
 class JsonTreeBuilder {
   public:
@@ -253,6 +254,7 @@ class JsonTreeBuilder {
     int m_vertexCount = 0;
     std::optional<Problem> m_problem;
 };
+// NOLINTEND(readability-identifier-naming)
 
 std::variant<JsonTree, Problem> JsonTree::parsed(std::string_view text) {
     if (std::optional<Problem> problem = rawProblem(text)) {

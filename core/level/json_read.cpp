@@ -35,9 +35,9 @@ void readTag(ReadState& state, JsonView entry, const Place& place) {
     if (name && !name->isText()) {
         reader.reject("not-a-text", {&place, "name"}, *name);
     } else if (name && state.tags.indexOf(name->text())) {
-        reader.report(Severity::Error, "duplicate-tag", {name->text()}, *name, {&place, "name"});
+        reader.report({Severity::Error, "duplicate-tag", {std::string(name->text())}}, *name, {&place, "name"});
     } else if (name && unnamedTag(name->text()) >= 0) {
-        reader.report(Severity::Error, "bad-tag-name", {name->text()}, *name, {&place, "name"});
+        reader.report({Severity::Error, "bad-tag-name", {std::string(name->text())}}, *name, {&place, "name"});
     } else if (name) {
         info.name = name->text();
     }
@@ -56,7 +56,7 @@ void readTag(ReadState& state, JsonView entry, const Place& place) {
     }
     const int position = static_cast<int>(number);
     if (!(state.tags[position] == TagInfo())) {
-        reader.report(Severity::Error, "duplicate-tag-index", {std::to_string(position)}, *index, {&place, "index"});
+        reader.report({Severity::Error, "duplicate-tag-index", {std::to_string(position)}}, *index, {&place, "index"});
     }
     state.tags.set(position, std::move(info));
     state.owner = &place;
@@ -120,15 +120,16 @@ std::optional<Object> readObject(ReadState& state, JsonView json, const Place& p
     return object;
 }
 
-/// Calls `take(object)` for each object that could be read without an error.
+/// Calls `take(object)` for each object of the member "objects" that could be read without an error.
 template <class Take>
-void readObjectList(ReadState& state, FieldReader& owner, JsonView list, const Place& place, const Take& take) {
+void readObjectList(ReadState& state, FieldReader& document, JsonView list, const Take& take) {
+    const Place place{&documentPlace, "objects"};
     std::map<Key, int> lines;
     int index = 0;
     for (const JsonView item : list) {
         const Place here{&place, {}, index++};
         if (!item.isObject()) {
-            owner.reject("not-an-object", here, item);
+            document.reject("not-an-object", here, item);
             continue;
         }
         const bool errorsBefore = std::exchange(state.hasErrors, false);
@@ -136,8 +137,9 @@ void readObjectList(ReadState& state, FieldReader& owner, JsonView list, const P
         if (object && object->key != 0) {
             const auto [first, isNew] = lines.emplace(object->key, item.line());
             if (!isNew) {
-                owner.report(Severity::Error, "duplicate-key", {keyText(object->key), std::to_string(first->second)},
-                             item, here);
+                document.report(
+                    {Severity::Error, "duplicate-key", {keyText(object->key), std::to_string(first->second)}}, item,
+                    here);
             }
         }
         if (object && !state.hasErrors) {
@@ -205,8 +207,7 @@ LevelReading readTree(const JsonTree& tree) {
     level.unknownFields = takeUnknownFields(state);
     level.tags = state.tags;
     if (objects) {
-        readObjectList(state, reader, *objects, {&documentPlace, "objects"},
-                       [&level](Object object) { level.objects.append(std::move(object)); });
+        readObjectList(state, reader, *objects, [&level](Object object) { level.objects.append(std::move(object)); });
     }
     LevelReading reading;
     reading.problems = std::move(state.problems);
@@ -224,8 +225,7 @@ std::vector<Object> readObjects(const JsonTree& tree, const TagTable& tags, std:
     if (checkDocument(state, tree)) {
         FieldReader reader(state, tree.root(), documentPlace);
         if (const auto objects = objectsMember(reader, documentPlace)) {
-            readObjectList(state, reader, *objects, {&documentPlace, "objects"},
-                           [&result](Object object) { result.push_back(std::move(object)); });
+            readObjectList(state, reader, *objects, [&result](Object object) { result.push_back(std::move(object)); });
         }
     }
     std::ranges::move(state.problems, std::back_inserter(problems));

@@ -132,6 +132,7 @@ void JsonText::insert(const std::vector<std::string>& segments, JsonText value) 
         }
         if (last && next == nullptr && place->m_kind == Kind::Object) {
             place->append(segment, std::move(value));
+            return;
         }
         if (last || next == nullptr) {
             return;

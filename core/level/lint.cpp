@@ -12,12 +12,11 @@ bool hasErrors(const std::vector<Problem>& problems) {
     return std::ranges::any_of(problems, [](const Problem& p) { return p.severity == Severity::Error; });
 }
 
-void Findings::add(Severity severity, const char* code, std::vector<std::string> arguments, int index, Key key,
-                   const std::string& path) {
-    const std::string start = index < 0 ? std::string() : "/objects/" + std::to_string(index);
-    m_found.emplace_back(index, Problem{severity, code, std::move(arguments), start + path, 0, key});
+void Findings::add(Severity severity, const char* code, std::vector<std::string> arguments, const FindingPlace& place) {
+    const std::string start = place.index < 0 ? std::string() : "/objects/" + std::to_string(place.index);
+    m_found.emplace_back(place.index, Problem{severity, code, std::move(arguments), start + place.path, 0, place.key});
     if (severity == Severity::Error) {
-        m_bad.insert(index);
+        m_bad.insert(place.index);
     }
 }
 
@@ -35,9 +34,9 @@ void checkTags(const Level& level, Findings& findings) {
     for (int i = 0; i < TagTable::size; ++i) {
         const std::string& name = level.tags[i].name;
         if (unnamedTag(name) >= 0) {
-            findings.add(Severity::Error, "bad-tag-name", {name}, -1, 0, "/tags");
+            findings.add(Severity::Error, "bad-tag-name", {name}, {.path = "/tags"});
         } else if (!name.empty() && *level.tags.indexOf(name) != i) {
-            findings.add(Severity::Error, "duplicate-tag", {name}, -1, 0, "/tags");
+            findings.add(Severity::Error, "duplicate-tag", {name}, {.path = "/tags"});
         }
     }
 }
@@ -48,7 +47,7 @@ void checkKeys(const Level& level, Findings& findings) {
         const Key key = level.objects[i].key;
         const auto [owner, isNew] = owners.emplace(key, i);
         if (!isNew || key == 0) {
-            findings.add(Severity::Error, "key-taken", {keyText(key)}, i, key, "/key");
+            findings.add(Severity::Error, "key-taken", {keyText(key)}, {i, key, "/key"});
         }
     }
 }
@@ -84,7 +83,7 @@ void checkFilters(const Level& level, Findings& findings) {
     for (int i = 0; i < level.objects.size(); ++i) {
         const auto* body = std::get_if<BodyObject>(&level.objects[i].data);
         if (body != nullptr && body->tangible && alone[{body->filter.tags.bits, body->filter.touches.bits}]) {
-            findings.add(Severity::Warning, "touches-nothing", {}, i, level.objects[i].key, "/touches");
+            findings.add(Severity::Warning, "touches-nothing", {}, {i, level.objects[i].key, "/touches"});
         }
     }
 }

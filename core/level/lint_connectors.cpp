@@ -39,14 +39,14 @@ class ConnectorChecker {
         const BodyObject* a = end(index, key, connector.a, "a");
         const BodyObject* b = end(index, key, connector.b, "b");
         if (connector.a == connector.b) {
-            m_findings.add(Severity::Error, "connector-same-ends", {}, index, key, "/b");
+            m_findings.add(Severity::Error, "connector-same-ends", {}, {index, key, "/b"});
             return;
         }
         if (a == nullptr || b == nullptr || m_findings.isBad(index)) {
             return;
         }
         if (a->kind != BodyKind::Dynamic && b->kind != BodyKind::Dynamic) {
-            m_findings.add(Severity::Warning, "connector-moves-nothing", {}, index, key);
+            m_findings.add(Severity::Warning, "connector-moves-nothing", {}, {index, key, {}});
             return;
         }
         checkStiffness(index, key, connector, yielding(*a, connector.anchorA) + yielding(*b, connector.anchorB));
@@ -58,7 +58,7 @@ class ConnectorChecker {
         const auto* body = object == nullptr ? nullptr : std::get_if<BodyObject>(&object->data);
         if (body == nullptr) {
             const char* code = object == nullptr ? "connector-end-missing" : "connector-end-no-body";
-            m_findings.add(Severity::Error, code, {name, keyText(wanted)}, index, key, std::string("/") + name);
+            m_findings.add(Severity::Error, code, {name, keyText(wanted)}, {index, key, std::string("/") + name});
         }
         return body;
     }
@@ -68,14 +68,14 @@ class ConnectorChecker {
         const double turn = std::sqrt(stiffness * compliance) * m_substep;
         if (turn > 1) {
             m_findings.add(Severity::Warning, "spring-too-stiff",
-                           {spelledNumber(connector.stiffness), spelledNumber(m_substeps * std::ceil(turn))}, index,
-                           key, "/stiffness");
+                           {spelledNumber(connector.stiffness), spelledNumber(m_substeps * std::ceil(turn))},
+                           {index, key, "/stiffness"});
         }
         const double decay = connector.damping * compliance * m_substep;
         if (decay > 1) {
             m_findings.add(Severity::Warning, "damping-too-strong",
-                           {spelledNumber(connector.damping), spelledNumber(m_substeps * std::ceil(decay))}, index, key,
-                           "/damping");
+                           {spelledNumber(connector.damping), spelledNumber(m_substeps * std::ceil(decay))},
+                           {index, key, "/damping"});
         }
     }
 

@@ -10,11 +10,16 @@
 
 namespace spacetow {
 
+/// What a problem is about: an object (its place in the level) or, with index −1, the level.
+struct FindingPlace {
+    int index = -1;
+    Key key = 0;
+    std::string path; // continues the pointer
+};
+
 class Findings {
   public:
-    /// About an object (its place in the level) or, with index −1, about the level; `path` continues the pointer.
-    void add(Severity severity, const char* code, std::vector<std::string> arguments, int index, Key key,
-             const std::string& path = {});
+    void add(Severity severity, const char* code, std::vector<std::string> arguments, const FindingPlace& place = {});
     /// Whether an error was found in this object so far: its numbers and shapes are then not to be trusted.
     bool isBad(int index) const { return m_bad.contains(index); }
     /// In the order of the objects, those of the level first.

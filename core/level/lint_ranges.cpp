@@ -65,16 +65,15 @@ class RangeChecker {
             return;
         }
         const std::string list = m_shape < 0 ? m_part : '/' + std::string(m_list) + '/' + std::to_string(m_shape);
-        const std::string pointer = list + '/' + field.name + path;
+        const FindingPlace place{m_index, m_key, list + '/' + field.name + path};
         if (!std::isfinite(value)) {
-            m_findings.add(Severity::Error, "not-finite", {field.name}, m_index, m_key, pointer);
+            m_findings.add(Severity::Error, "not-finite", {field.name}, place);
         } else if (field.openMin && value <= field.min) {
-            m_findings.add(Severity::Error, "not-positive", {field.name, spelledNumber(value)}, m_index, m_key,
-                           pointer);
+            m_findings.add(Severity::Error, "not-positive", {field.name, spelledNumber(value)}, place);
         } else {
             m_findings.add(Severity::Error, "out-of-range",
                            {field.name, spelledNumber(value), spelledNumber(field.min), spelledNumber(field.max)},
-                           m_index, m_key, pointer);
+                           place);
         }
     }
 

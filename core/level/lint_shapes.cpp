@@ -84,7 +84,7 @@ class ShapeChecker {
 
   private:
     void add(Severity severity, const char* code, std::vector<std::string> arguments, const std::string& path = {}) {
-        m_findings.add(severity, code, std::move(arguments), m_object, m_key, m_path + path);
+        m_findings.add(severity, code, std::move(arguments), {m_object, m_key, m_path + path});
     }
     void checkChain(const std::vector<Vec2>& vertices, bool closed) {
         if (vertices.size() < 2) {
@@ -131,7 +131,7 @@ void checkShapes(const Level& level, Findings& findings) {
         const Object& object = level.objects[i];
         if (const auto* body = std::get_if<BodyObject>(&object.data)) {
             if (body->shapes.empty()) {
-                findings.add(Severity::Error, "no-shape", {}, i, object.key, "/shapes");
+                findings.add(Severity::Error, "no-shape", {}, {i, object.key, "/shapes"});
             }
             checker.enter(i, object.key);
             checker.check(body->shapes);

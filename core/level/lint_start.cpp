@@ -33,7 +33,7 @@ Found counted(const Level& level, Findings& findings, const char* codeOfMore) {
             if (++found.count == 1) {
                 found.first = i;
             } else {
-                findings.add(Severity::Error, codeOfMore, {}, i, level.objects[i].key);
+                findings.add(Severity::Error, codeOfMore, {}, {i, level.objects[i].key, {}});
             }
         }
     }
@@ -87,7 +87,7 @@ void checkFree(const Level& level, const std::vector<Starter>& starters, Finding
         }
         for (const Starter& starter : starters) {
             if (mayTouch(starter.filter, body->filter) && touches(starter, *body)) {
-                findings.add(Severity::Error, starter.code, {object.name}, starter.index, starter.key, "/position");
+                findings.add(Severity::Error, starter.code, {object.name}, {starter.index, starter.key, "/position"});
             }
         }
     }
@@ -106,7 +106,7 @@ void checkStart(const Level& level, Findings& findings) {
                              std::pair(finish.count, "finish-missing")};
     for (const auto& [count, code] : missing) {
         if (count == 0) {
-            findings.add(Severity::Error, code, {}, -1, 0);
+            findings.add(Severity::Error, code, {});
         }
     }
     const TagMask wall = TagMask::bit(wallTag);

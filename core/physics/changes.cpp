@@ -110,7 +110,7 @@ void refreshConnections(WorldData& data) {
     data.notColliding.clear();
     for (const ConnectorRecord& c : data.connectors) {
         if (c.used && !c.bodiesCollide) {
-            data.notColliding.push_back(std::minmax(c.a, c.b));
+            data.notColliding.emplace_back(std::minmax(c.a, c.b));
         }
     }
     std::sort(data.notColliding.begin(), data.notColliding.end());

@@ -103,14 +103,19 @@ Stoppable stoppable(const WorldData& data, const Pair& pair) {
     return {a, b, b || pair.staticB ? noSlot : pair.bodyB, a ? noSlot : pair.bodyA};
 }
 
+/// What is left of the ways of a pair.
+struct Fractions {
+    double a, b;
+};
+
 /// True when the motion of either body was cut short.
-bool stop(WorldData& data, const Pair& pair, const Stoppable& which, double fractionA, double fractionB) {
+bool stop(WorldData& data, const Pair& pair, const Stoppable& which, const Fractions& left) {
     bool changed = false;
-    if (which.a && shorten(data.steps[pair.bodyA], fractionA, which.carrierOfA)) {
+    if (which.a && shorten(data.steps[pair.bodyA], left.a, which.carrierOfA)) {
         data.shortenedAt[pair.bodyA] = data.looks;
         changed = true;
     }
-    if (which.b && shorten(data.steps[pair.bodyB], fractionB, which.carrierOfB)) {
+    if (which.b && shorten(data.steps[pair.bodyB], left.b, which.carrierOfB)) {
         data.shortenedAt[pair.bodyB] = data.looks;
         changed = true;
     }
@@ -147,13 +152,13 @@ bool sweepPair(WorldData& data, const Pair& pair, const Stoppable& which) {
     if (!hit || *hit <= 0 || *hit >= 1) {
         return false;
     }
-    return stop(data, pair, which, data.steps[pair.bodyA].fraction * *hit, data.steps[pair.bodyB].fraction * *hit);
+    return stop(data, pair, which, {data.steps[pair.bodyA].fraction * *hit, data.steps[pair.bodyB].fraction * *hit});
 }
 
 /// Likewise.
 bool limitTurn(WorldData& data, const Pair& pair) {
     const double covered = coveredTurn(data, pair);
-    return covered < 1 && stop(data, pair, stoppable(data, pair), covered, covered);
+    return covered < 1 && stop(data, pair, stoppable(data, pair), {covered, covered});
 }
 
 /// Whether the bodies come near each other however much of their ways they go.

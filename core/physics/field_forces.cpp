@@ -42,12 +42,18 @@ FieldSample sampleOf(const WorldData& data, Slot slot) {
             .inertia = record.inertia};
 }
 
+/// For how long, and when, fields act.
+struct FieldTime {
+    double seconds;
+    int iteration;
+};
+
 struct Gain {
     Vec2 velocity{0, 0};
     double angularVelocity = 0;
 };
 
-Gain gainOf(WorldData& data, Slot slot, const FieldSample& sample, double seconds, int iteration) {
+Gain gainOf(WorldData& data, Slot slot, const FieldSample& sample, const FieldTime& time) {
     FieldForce sum;
     for (std::uint32_t i = 0; i < data.fields.size(); ++i) {
         if (feels(data, data.fields[i], slot)) {
@@ -56,17 +62,17 @@ Gain gainOf(WorldData& data, Slot slot, const FieldSample& sample, double second
                 sum.force += f.force;
                 sum.torque += f.torque;
             } else {
-                refuse(data, i, slot, iteration);
+                refuse(data, i, slot, time.iteration);
             }
         }
     }
     const BodyRecord& record = data.records[slot];
     Gain gain;
     if (!record.positionFrozen) {
-        gain.velocity = seconds * sum.force / record.mass;
+        gain.velocity = time.seconds * sum.force / record.mass;
     }
     if (!record.rotationFrozen && record.inertia > 0) {
-        gain.angularVelocity = seconds * sum.torque / record.inertia;
+        gain.angularVelocity = time.seconds * sum.torque / record.inertia;
     }
     return gain;
 }
@@ -107,10 +113,10 @@ void applyFields(WorldData& data, double seconds, int iteration) {
         }
         // The midpoint rule: second order for what depends on the velocity, too.
         FieldSample sample = sampleOf(data, slot);
-        const Gain first = gainOf(data, slot, sample, seconds, iteration);
+        const Gain first = gainOf(data, slot, sample, {seconds, iteration});
         sample.velocity += 0.5 * first.velocity;
         sample.angularVelocity += 0.5 * first.angularVelocity;
-        const Gain gain = gainOf(data, slot, sample, seconds, iteration);
+        const Gain gain = gainOf(data, slot, sample, {seconds, iteration});
         data.motions[slot].velocity += gain.velocity;
         data.motions[slot].angularVelocity += gain.angularVelocity;
     }

@@ -29,8 +29,8 @@ struct Change {
 
 /// Inlined, as its result would else go through memory in parts and be read as a whole, which stalls.
 [[gnu::always_inline]] inline Change integrated(BodyMotion& m, const BodyStep& s) {
-    const Change change{s.linear.gain * m.velocity + s.linear.lag * s.acceleration,
-                        s.angular.gain * m.angularVelocity + s.angular.lag * s.angularAcceleration};
+    Change change{s.linear.gain * m.velocity + s.linear.lag * s.acceleration,
+                  s.angular.gain * m.angularVelocity + s.angular.lag * s.angularAcceleration};
     m.velocity = s.linear.decay * m.velocity + s.linear.gain * s.acceleration;
     m.angularVelocity = s.angular.decay * m.angularVelocity + s.angular.gain * s.angularAcceleration;
     return change;

@@ -27,7 +27,7 @@ struct Islands {
     /// A body that nothing can move, next to an island, by the root of that.
     struct Driver {
         Slot slot = 0, pushed = 0;
-        auto operator<=>(const Driver&) const = default;
+        auto operator<=>(const Driver&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
     };
     std::vector<Slot> roots; // by slot: the lowest of its island
     std::vector<Driver> drivers;

@@ -64,6 +64,7 @@ std::vector<BodyId> inOrder(const WorldData& data, std::vector<Slot>& slots) {
               [&](Slot a, Slot b) { return data.records[a].serial < data.records[b].serial; });
     slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
     std::vector<BodyId> ids;
+    ids.reserve(slots.size());
     for (const Slot slot : slots) {
         ids.push_back(data.idOf(slot));
     }
@@ -152,7 +153,7 @@ std::optional<NearestPoint> closestBody(const World& world, const Vec2& point, c
     }
     // Wider and wider, as long as nothing is found: most of what is asked for is near.
     for (double reach = 1; reach < limits.reach && reach < 1e12; reach *= 4) {
-        if (const auto found = closestWithin(data, point, reach, limits.mask)) {
+        if (auto found = closestWithin(data, point, reach, limits.mask)) {
             return found;
         }
     }

@@ -20,13 +20,14 @@ TouchEvent touchEvent(const WorldData& data, std::uint64_t bodies, int iteration
 
 /// All pairs of the same two bodies.
 struct Group {
+    std::uint64_t bodies = 0;
     std::size_t first = 0, end = 0;
 };
 
 Group groupAround(const WorldData& data, std::size_t index) {
     const std::vector<Pair>& pairs = data.table.pairs;
     const std::uint64_t bodies = pairs[index].bodies();
-    Group group{index, index + 1};
+    Group group{bodies, index, index + 1};
     while (group.first > 0 && pairs[group.first - 1].bodies() == bodies) {
         --group.first;
     }
@@ -36,7 +37,7 @@ Group groupAround(const WorldData& data, std::size_t index) {
     return group;
 }
 
-void report(WorldData& data, const Group& group, std::uint64_t bodies, bool before, int iteration) {
+void report(WorldData& data, const Group& group, bool before, int iteration) {
     bool now = false;
     for (std::size_t i = group.first; i < group.end; ++i) {
         TouchMarks& marks = data.table.marks[i];
@@ -45,7 +46,7 @@ void report(WorldData& data, const Group& group, std::uint64_t bodies, bool befo
         marks.reported = marks.now;
     }
     if (now != before) {
-        (now ? data.events.began : data.events.ended).push_back(touchEvent(data, bodies, iteration));
+        (now ? data.events.began : data.events.ended).push_back(touchEvent(data, group.bodies, iteration));
     }
 }
 
@@ -54,11 +55,11 @@ void reportDropped(WorldData& data, int iteration) {
     for (const std::uint64_t bodies : data.droppedTouches) {
         const auto found = std::lower_bound(data.table.pairs.begin(), data.table.pairs.end(), bodies,
                                             [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });
-        Group group;
+        Group group{bodies};
         if (found != data.table.pairs.end() && found->bodies() == bodies) {
             group = groupAround(data, static_cast<std::size_t>(found - data.table.pairs.begin()));
         }
-        report(data, group, bodies, true, iteration);
+        report(data, group, true, iteration);
     }
     data.droppedTouches.clear();
 }
@@ -67,7 +68,7 @@ void reportChanged(WorldData& data, int iteration) {
     for (std::size_t i = 0; i < data.table.size(); ++i) {
         const TouchMarks& marks = data.table.marks[i];
         if (marks.now != marks.reported) {
-            report(data, groupAround(data, i), data.table.pairs[i].bodies(), false, iteration);
+            report(data, groupAround(data, i), false, iteration);
         }
     }
 }
@@ -129,7 +130,7 @@ void endTouches(WorldData& data, Slot slot, int iteration) {
                 forgetContact(data, data.table.pairs[i]);
             }
             --i;
-            report(data, groupAround(data, i), pair.bodies(), false, iteration);
+            report(data, groupAround(data, i), false, iteration);
         }
     }
 }

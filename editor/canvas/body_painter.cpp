@@ -110,17 +110,18 @@ void paintShape(const Stage& stage, const Shape& shape, const Transform& pose, c
         paintPolygon(stage, *polygon, pose, style);
     } else if (const auto* edge = std::get_if<Edge>(&shape)) {
         const std::array<Vec2, 2> ends{pose.toWorld(edge->a), pose.toWorld(edge->b)};
-        paintChain(stage, ends, false, style, true);
+        paintChain(stage, ends, false, {style, WallKind::OneWay});
     } else if (const auto* line = std::get_if<Line>(&shape)) {
         const std::array<Vec2, 2> ends{pose.toWorld(line->a), pose.toWorld(line->b)};
-        paintChain(stage, ends, false, style, false);
+        paintChain(stage, ends, false, {style, WallKind::TwoWay});
     }
 }
 
-void paintChain(const Stage& stage, std::span<const Vec2> world, bool closed, const BodyStyle& style, bool oneWay) {
-    const BodyColors colors = stage.theme.body(style.kind, oneWay ? Shape(Edge{}) : Shape(Line{}));
-    QPen pen = outlinePen(colors, style);
-    if (!oneWay && style.tangible) {
+void paintChain(const Stage& stage, std::span<const Vec2> world, bool closed, const ChainStyle& style) {
+    const bool oneWay = style.kind == WallKind::OneWay;
+    const BodyColors colors = stage.theme.body(style.body.kind, oneWay ? Shape(Edge{}) : Shape(Line{}));
+    QPen pen = outlinePen(colors, style.body);
+    if (!oneWay && style.body.tangible) {
         // A wall that is solid from both sides is drawn as two rails with a dark core.
         pen.setWidthF(pen.widthF() + 2.6);
         stage.painter.setPen(pen);

@@ -5,6 +5,7 @@
 #include "core/math/transform.h"
 #include "editor/canvas/stage.h"
 
+#include <cstdint>
 #include <span>
 
 namespace spacetow {
@@ -17,7 +18,12 @@ struct BodyStyle {
 
 /// One shape; one-way walls without their rim.
 void paintShape(const Stage& stage, const Shape& shape, const Transform& pose, const BodyStyle& style);
-void paintChain(const Stage& stage, std::span<const Vec2> world, bool closed, const BodyStyle& style, bool oneWay);
+enum class WallKind : std::uint8_t { OneWay, TwoWay };
+struct ChainStyle {
+    BodyStyle body;
+    WallKind kind = WallKind::OneWay;
+};
+void paintChain(const Stage& stage, std::span<const Vec2> world, bool closed, const ChainStyle& style);
 /// The cross of arrows that marks a body moved by rails, not by forces.
 void paintKinematicMark(const Stage& stage, const Vec2& at);
 

@@ -57,13 +57,13 @@ void paintLevelShape(const Stage& stage, const LevelShape& shape, const Transfor
         if (style.kind != BodyKind::Static && style.tangible) {
             paintRims(stage, std::span(&run, 1), stage.theme.body(style.kind, Edge{}).line);
         }
-        paintChain(stage, run.points, run.closed, style, true);
+        paintChain(stage, run.points, run.closed, {style, WallKind::OneWay});
     } else if (const auto* lines = std::get_if<LineChain>(&shape)) {
         std::vector<Vec2> world;
         for (const Vec2& vertex : lines->vertices) {
             world.push_back(pose.toWorld(vertex));
         }
-        paintChain(stage, world, lines->closed && world.size() > 2, style, false);
+        paintChain(stage, world, lines->closed && world.size() > 2, {style, WallKind::TwoWay});
     } else if (const auto* polygon = std::get_if<Polygon>(&shape)) {
         paintShape(stage, *polygon, pose, style);
     } else {
@@ -157,7 +157,7 @@ void paintPicture(const Stage& stage, const BodyPicture& body) {
         }
     }
     for (const WallRun& run : wallRuns(look.shapes, body.pose)) {
-        paintChain(stage, run.points, run.closed, style, true);
+        paintChain(stage, run.points, run.closed, {style, WallKind::OneWay});
     }
 }
 

@@ -43,15 +43,29 @@ Aabb boxOf(const Segment& segment) {
     return box;
 }
 
+/// What is filled behind walls.
+struct Bands {
+    const Stage& stage;
+    double depth; // m
+    QPainterPath path{};
+
+    void clear() {
+        path.clear();
+        path.setFillRule(Qt::WindingFill);
+    }
+};
+
 /// Adds the band behind the segment, clockwise in the world like every piece, so that overlaps stay filled.
-void addBand(const Stage& stage, const Segment& s, double depth, QPainterPath& path) {
+void addBand(Bands& bands, const Segment& s) {
+    const double depth = bands.depth;
     const std::array<Vec2, 4> corners{s.a, s.b, s.b - depth * s.free, s.a - depth * s.free};
-    path.addPolygon(stage.at(corners));
-    path.closeSubpath();
+    bands.path.addPolygon(bands.stage.at(corners));
+    bands.path.closeSubpath();
 }
 
 /// Fills the gap between two bands at a corner that points to the solid side.
-void addCorner(const Stage& stage, const Segment& before, const Segment& after, double depth, QPainterPath& path) {
+void addCorner(Bands& bands, const Segment& before, const Segment& after) {
+    const double depth = bands.depth;
     if (cross(before.free, after.free) <= 0) {
         return;
     }
@@ -60,8 +74,8 @@ void addCorner(const Stage& stage, const Segment& before, const Segment& after, 
     const Vec2 middle = length > 1e-9 ? Vec2(sum / length) : Vec2(leftOf(before.free));
     const std::array<Vec2, 4> corners{before.b, before.b - depth * after.free, before.b - depth * middle,
                                       before.b - depth * before.free};
-    path.addPolygon(stage.at(corners));
-    path.closeSubpath();
+    bands.path.addPolygon(bands.stage.at(corners));
+    bands.path.closeSubpath();
 }
 
 /// Fills the band piece by piece: one path over a whole cave would take time with the square of its length.
@@ -69,23 +83,22 @@ void fillRim(const Stage& stage, const WallRun& run, double depth, const QColor&
     constexpr std::size_t pieceLength = 128; // segments
     const std::vector<Segment> segments = segmentsOf(run);
     const Aabb visible = stage.view.visible().grown(depth + stage.view.pixel());
-    QPainterPath path;
-    path.setFillRule(Qt::WindingFill);
+    Bands bands{stage, depth};
+    bands.clear();
     for (std::size_t i = 0; i < segments.size(); ++i) {
         if (visible.overlaps(boxOf(segments[i]))) {
-            addBand(stage, segments[i], depth, path);
+            addBand(bands, segments[i]);
             const bool joined = i + 1 < segments.size() || run.closed;
             if (joined) {
-                addCorner(stage, segments[i], segments[(i + 1) % segments.size()], depth, path);
+                addCorner(bands, segments[i], segments[(i + 1) % segments.size()]);
             }
         }
         if (i % pieceLength == pieceLength - 1) {
-            stage.painter.fillPath(path, color);
-            path.clear();
-            path.setFillRule(Qt::WindingFill);
+            stage.painter.fillPath(bands.path, color);
+            bands.clear();
         }
     }
-    stage.painter.fillPath(path, color);
+    stage.painter.fillPath(bands.path, color);
 }
 
 /// Where the backs of two neighbouring walls meet.

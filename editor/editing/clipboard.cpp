@@ -40,7 +40,7 @@ std::optional<FinishedEdit> pasted(const ToolContext& context, std::string_view 
     std::vector<Problem> problems;
     const std::vector<Object> objects = parseObjects(text, before.tags, problems);
     std::vector<Key> copies;
-    Level level = pasted(before, objects, {0, 0}, context.seed, copies);
+    Level level = pasted(before, objects, {{0, 0}, context.seed}, copies);
     if (copies.empty()) {
         return {};
     }

@@ -89,8 +89,8 @@ struct Toolbox::State {
             document.select(edit.selection);
         }
     }
-    ToolContext context(const SnapSettings& snap) const {
-        return {document.current(), snap, seed, gesture ? std::nullopt : pressed};
+    ToolContext context(const SnapSettings& settings) const {
+        return {document.current(), settings, seed, gesture ? std::nullopt : pressed};
     }
 };
 

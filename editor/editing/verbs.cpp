@@ -49,7 +49,7 @@ std::optional<FinishedEdit> removeSelected(const ToolContext& context) {
 std::optional<FinishedEdit> duplicateSelected(const ToolContext& context) {
     const Vec2 delta(context.snap.step, -context.snap.step);
     std::vector<Key> copies;
-    Level level = duplicated(*context.edit.level, context.edit.selection.keys(), delta, context.seed, copies);
+    Level level = duplicated(*context.edit.level, context.edit.selection.keys(), {delta, context.seed}, copies);
     if (copies.empty()) {
         return {};
     }

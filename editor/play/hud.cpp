@@ -58,9 +58,8 @@ QFont sized(const QFont& base, double pixels, QFont::Weight weight) {
     return font;
 }
 
-/// The largest font up to `pixels` in which the text fits.
-QFont fitted(const QString& text, const QSizeF& room, double pixels, const QFont& base, QFont::Weight weight) {
-    QFont font = sized(base, pixels, weight);
+/// The largest font up to the one given in which the text fits.
+QFont fitted(const QString& text, const QSizeF& room, QFont font) {
     while (font.pixelSize() > smallest) {
         const QSizeF needed = extent(text, font, room.width());
         if (needed.width() <= room.width() && needed.height() <= room.height()) {
@@ -94,7 +93,7 @@ class Layout {
         for (const auto& [role, text] : readings) {
             const QSizeF room(width, height);
             const double pixels = std::clamp(0.34 * m_unit, 9.0, 26.0);
-            const QFont font = fitted(text, room, pixels, m_base, QFont::DemiBold);
+            const QFont font = fitted(text, room, sized(m_base, pixels, QFont::DemiBold));
             const QSizeF needed = extent(text, font, width);
             double left = x;
             if (role == HudText::Role::Time) {
@@ -107,16 +106,21 @@ class Layout {
         }
     }
 
-    /// One text centred in a band of the view; `top` and `height` as shares of it.
-    void addCentred(HudText::Role role, const QString& text, double top, double height, double pixels) {
+    /// A band across the view.
+    struct Band {
+        double top, height; // as shares of it
+    };
+
+    /// One text centred in the band, at most `pixels` high.
+    void addCentred(HudText::Role role, const QString& text, const Band& band, double pixels) {
         if (text.isEmpty()) {
             return;
         }
-        const QSizeF room(0.92 * m_size.width(), height * m_size.height());
-        const QFont font = fitted(text, room, pixels, m_base, QFont::Bold);
+        const QSizeF room(0.92 * m_size.width(), band.height * m_size.height());
+        const QFont font = fitted(text, room, sized(m_base, pixels, QFont::Bold));
         const QSizeF needed = extent(text, font, room.width());
         const QPointF corner((m_size.width() - needed.width()) / 2,
-                             top * m_size.height() + (room.height() - needed.height()) / 2);
+                             band.top * m_size.height() + (room.height() - needed.height()) / 2);
         m_texts.push_back({role, text, QRectF(corner, needed), font});
     }
 
@@ -154,14 +158,15 @@ std::vector<HudText> hudLayout(const HudInput& input, const QSizeF& size, const 
         layout.addReadings(input.hud);
     }
     const Message message = messageOf(input);
-    layout.addCentred(HudText::Role::Title, message.title, 0.13, 0.13, std::clamp(0.75 * layout.unit(), 12.0, 56.0));
-    layout.addCentred(HudText::Role::Advice, message.advice, 0.27, 0.12, std::clamp(0.36 * layout.unit(), 10.0, 28.0));
+    layout.addCentred(HudText::Role::Title, message.title, {0.13, 0.13}, std::clamp(0.75 * layout.unit(), 12.0, 56.0));
+    layout.addCentred(HudText::Role::Advice, message.advice, {0.27, 0.12},
+                      std::clamp(0.36 * layout.unit(), 10.0, 28.0));
     if (input.hud.gravityFlippedFor >= 0 && input.hud.gravityFlippedFor < bannerSeconds) {
-        layout.addCentred(HudText::Role::Banner, HudWords::tr("Gravity is upside down!"), 0.70, 0.12,
+        layout.addCentred(HudText::Role::Banner, HudWords::tr("Gravity is upside down!"), {0.70, 0.12},
                           std::clamp(0.5 * layout.unit(), 11.0, 38.0));
     }
     if (input.hud.towInRange && !input.paused) {
-        layout.addCentred(HudText::Role::Hint, HudWords::tr("In range. Space: tow"), 0.84, 0.12,
+        layout.addCentred(HudText::Role::Hint, HudWords::tr("In range. Space: tow"), {0.84, 0.12},
                           std::clamp(0.4 * layout.unit(), 10.0, 30.0));
     }
     return layout.take();

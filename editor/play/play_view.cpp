@@ -20,11 +20,19 @@ const Vec2 classicView(40.0 / 3, 10); // m
 constexpr double rockSeen = 0.6;      // m, of what lies beyond the level's bounds
 constexpr double sideKept = 1.5;      // m, between the ship and the edge of the view
 
-/// The middle of the view along one axis: as little as possible beyond low … high is in sight, but `kept` always is.
-double framedAxis(double camera, double low, double high, double half, double kept) {
-    const double wanted = high - low > 2 * half ? std::clamp(camera, low + half, high - half) : (low + high) / 2;
-    const double room = std::max(0.0, half - sideKept);
-    return std::clamp(wanted, kept - room, kept + room);
+/// Along one axis, m.
+struct Framing {
+    double low, high; // of the level
+    double half;      // of the view
+    double kept;      // always in sight
+};
+
+/// The middle of the view along one axis: as little as possible beyond the level is in sight.
+double framedAxis(double camera, const Framing& f) {
+    const double wanted =
+        f.high - f.low > 2 * f.half ? std::clamp(camera, f.low + f.half, f.high - f.half) : (f.low + f.high) / 2;
+    const double room = std::max(0.0, f.half - sideKept);
+    return std::clamp(wanted, f.kept - room, f.kept + room);
 }
 
 /// Where the ship is, or else what the camera looks at.
@@ -159,8 +167,8 @@ Vec2 PlayView::framed(const Snapshot& snapshot, double scale) const {
     const Aabb all = m_bounds.grown(rockSeen);
     const Vec2 lead = leadOf(snapshot);
     const Vec2& camera = snapshot.camera;
-    return {framedAxis(camera.x(), all.min.x(), all.max.x(), width() / scale / 2, lead.x()),
-            framedAxis(camera.y(), all.min.y(), all.max.y(), height() / scale / 2, lead.y())};
+    return {framedAxis(camera.x(), {all.min.x(), all.max.x(), width() / scale / 2, lead.x()}),
+            framedAxis(camera.y(), {all.min.y(), all.max.y(), height() / scale / 2, lead.y()})};
 }
 
 Phase PlayView::phase() const {

@@ -17,8 +17,15 @@ const BodyPicture* find(const Snapshot& snapshot, BodyRole role) {
     return found == snapshot.bodies.end() ? nullptr : &*found;
 }
 
-void paintTongue(const Stage& stage, const Transform& pose, double length, double width, const QColor& hot,
-                 const QColor& cold) {
+/// Part of a flame.
+struct Tongue {
+    double length, width; // m
+    QColor hot, cold;     // at its root and its tip
+};
+
+void paintTongue(const Stage& stage, const Transform& pose, const Tongue& tongue) {
+    const double width = tongue.width;
+    const double length = tongue.length;
     const Vec2 root = shipNotch() + Vec2(0, 0.02);
     const Vec2 tip = root - Vec2(0, length);
     const auto at = [&](const Vec2& local) { return stage.at(pose.toWorld(local)); };
@@ -27,9 +34,9 @@ void paintTongue(const Stage& stage, const Transform& pose, double length, doubl
     path.quadTo(at(root + Vec2(1.3 * width, -0.45 * length)), at(root + Vec2(width, 0)));
     path.closeSubpath();
     QLinearGradient gradient(at(root), at(tip));
-    gradient.setColorAt(0, hot);
-    gradient.setColorAt(0.35, hot);
-    gradient.setColorAt(1, cold);
+    gradient.setColorAt(0, tongue.hot);
+    gradient.setColorAt(0.35, tongue.hot);
+    gradient.setColorAt(1, tongue.cold);
     stage.painter.fillPath(path, gradient);
 }
 
@@ -45,8 +52,8 @@ void paintFlame(const Stage& stage, const Snapshot& snapshot) {
     const double flicker = random.uniform(0.8, 1.15);
     stage.painter.save();
     stage.painter.setRenderHint(QPainter::Antialiasing);
-    paintTongue(stage, ship->pose, 0.62 * flicker, 0.095, QColor(255, 176, 60), QColor(255, 70, 30, 0));
-    paintTongue(stage, ship->pose, 0.36 * flicker, 0.055, QColor(255, 255, 235), QColor(255, 200, 90, 0));
+    paintTongue(stage, ship->pose, {0.62 * flicker, 0.095, QColor(255, 176, 60), QColor(255, 70, 30, 0)});
+    paintTongue(stage, ship->pose, {0.36 * flicker, 0.055, QColor(255, 255, 235), QColor(255, 200, 90, 0)});
     stage.painter.restore();
 }
 

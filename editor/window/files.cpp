@@ -173,7 +173,10 @@ std::optional<LevelFile> Files::readable(const QString& path) {
         m_tell(MessageBar::Tone::Error, sentence(file.error()));
         return {};
     }
-    return holdsLevel(file.value(), QFileInfo(path).fileName()) ? std::optional(std::move(file.value())) : std::nullopt;
+    if (!holdsLevel(file.value(), QFileInfo(path).fileName())) {
+        return {};
+    }
+    return std::move(file).value();
 }
 
 bool Files::holdsLevel(const LevelFile& file, const QString& shownName) {

@@ -78,8 +78,8 @@ void MainWindow::connectFiles() {
             m_status.showMessage(tr("Saved %1").arg(m_files.path()), 4000);
         }
     };
-    m_actions.on(Act::Save, [this, saved] { saved(&Files::save); });
-    m_actions.on(Act::SaveAs, [this, saved] { saved(&Files::saveAs); });
+    m_actions.on(Act::Save, [saved] { saved(&Files::save); });
+    m_actions.on(Act::SaveAs, [saved] { saved(&Files::saveAs); });
     m_actions.on(Act::Quit, [this] { close(); });
 }
 

@@ -79,7 +79,7 @@ class EditsTest : public QObject {
         std::vector<Key> copies{1};
         QVERIFY(removed(level, keys) == level);
         QVERIFY(moved(level, keys, {1, 1}) == level);
-        QVERIFY(duplicated(level, keys, {1, 1}, 1, copies) == level);
+        QVERIFY(duplicated(level, keys, {{1, 1}, 1}, copies) == level);
         QVERIFY(copies.empty());
         QVERIFY(renamed(level, 77, "x") == level);
     }
@@ -152,7 +152,7 @@ class EditsTest : public QObject {
     void copiesHaveFreshKeysAndTheirOwnConnectors() {
         const std::vector<Key> keys{1, 3, 2};
         std::vector<Key> copies;
-        const Level level = duplicated(twoBoxesAndARope(), keys, {10, 0}, 42, copies);
+        const Level level = duplicated(twoBoxesAndARope(), keys, {{10, 0}, 42}, copies);
         QCOMPARE(level.objects.size(), 6);
         QCOMPARE(copies.size(), std::size_t{3});
         const auto& connector = std::get<ConnectorObject>(level.objects.find(copies[1])->data);
@@ -166,7 +166,7 @@ class EditsTest : public QObject {
     void aConnectorIsCopiedOnlyWithBothEnds() {
         const std::vector<Key> keys{1, 3};
         std::vector<Key> copies;
-        const Level level = duplicated(twoBoxesAndARope(), keys, {10, 0}, 42, copies);
+        const Level level = duplicated(twoBoxesAndARope(), keys, {{10, 0}, 42}, copies);
         QCOMPARE(level.objects.size(), 4);
         QCOMPARE(copies.size(), std::size_t{1});
     }
@@ -175,7 +175,7 @@ class EditsTest : public QObject {
         const Level level = populatedLevel();
         const std::vector<Key> keys{3, 4, 5};
         std::vector<Key> copies;
-        QVERIFY(duplicated(level, keys, {1, 1}, 1, copies) == level);
+        QVERIFY(duplicated(level, keys, {{1, 1}, 1}, copies) == level);
     }
 
     void pastingBringsAShipOnlyWhereThereIsNone() {
@@ -185,9 +185,9 @@ class EditsTest : public QObject {
             objects.push_back(object);
         }
         std::vector<Key> copies;
-        const Level first = pasted(Level(), objects, {0, 0}, 1, copies);
+        const Level first = pasted(Level(), objects, {{0, 0}, 1}, copies);
         QCOMPARE(first.objects.size(), 6);
-        const Level second = pasted(first, objects, {0, 0}, 2, copies);
+        const Level second = pasted(first, objects, {{0, 0}, 2}, copies);
         QCOMPARE(second.objects.size(), 9);
         QCOMPARE(copies.size(), std::size_t{3});
     }
