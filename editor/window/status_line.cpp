@@ -20,9 +20,25 @@ QString metres(double value) {
     return locale.toString(std::abs(value) < 0.005 ? 0 : value, 'f', 2);
 }
 
+/// As many of its clauses as there is room for, or of the first one as many letters.
+QString fitted(const QString& hint, const QFontMetrics& metrics, int room) {
+    const QString between = QStringLiteral(" · ");
+    if (metrics.horizontalAdvance(hint) <= room) {
+        return hint;
+    }
+    for (auto end = hint.lastIndexOf(between); end > 0; end = hint.lastIndexOf(between, end - 1)) {
+        const QString part = hint.left(end) + between + QStringLiteral("…");
+        if (metrics.horizontalAdvance(part) <= room) {
+            return part;
+        }
+    }
+    return metrics.elidedText(hint, Qt::ElideRight, room);
+}
+
 } // namespace
 
 StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_steps(tr("Grid S&tep")), m_stepGroup(nullptr) {
+    m_hintLabel.setObjectName(QStringLiteral("hint"));
     m_hintLabel.setTextFormat(Qt::PlainText);
     m_hintLabel.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hintLabel.setContentsMargins(6, 0, 6, 0);
@@ -82,7 +98,7 @@ void StatusLine::setHint(const QString& sentence) {
 
 void StatusLine::elide() {
     const int room = m_hintLabel.width() - 12;
-    m_hintLabel.setText(m_hintLabel.fontMetrics().elidedText(m_hint, Qt::ElideRight, std::max(room, 20)));
+    m_hintLabel.setText(fitted(m_hint, m_hintLabel.fontMetrics(), std::max(room, 20)));
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
