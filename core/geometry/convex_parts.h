@@ -18,7 +18,8 @@ std::vector<Part> partsOf(const Shape& shape);
 void joinWalls(std::span<WallPart* const> walls);
 
 /// Finds faces that parts share, corner to corner: all in the same coordinates. They become inner faces, as if the
-/// parts had been cut from one polygon, so that a row of boxes is as smooth as one long box. O(n log n).
+/// parts had been cut from one polygon, so that a row of boxes is as smooth as one long box. What is beyond the corners
+/// of parts is found, too. O(n log n).
 void joinConvexParts(std::span<ConvexPart* const> parts);
 
 } // namespace spacetow

@@ -86,8 +86,8 @@ struct Face {
     int index;
 };
 
-/// Where the outline of the joined parts arrives at a point.
-struct Arrival {
+/// Where a face of the joined parts' outline arrives at a point or leaves it.
+struct OutlineEnd {
     Vec2 point;
     Vec2 normal;
     std::size_t part;
@@ -137,6 +137,37 @@ void hideSharedFaces(std::span<ConvexPart* const> parts) {
     }
 }
 
+std::vector<OutlineEnd> outlineEnds(std::span<ConvexPart* const> parts, bool arriving) {
+    std::vector<OutlineEnd> ends;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        for (int i = 0; i < parts[p]->count; ++i) {
+            if (isOuter(*parts[p], i)) {
+                const Vec2& point = corner(*parts[p], arriving ? nextCorner(*parts[p], i) : i);
+                ends.push_back({point, parts[p]->normals[static_cast<std::size_t>(i)], p});
+            }
+        }
+    }
+    std::sort(ends.begin(), ends.end(), [](const OutlineEnd& s, const OutlineEnd& t) {
+        return s.point != t.point ? pointLess(s.point, t.point) : s.part < t.part;
+    });
+    return ends;
+}
+
+/// The normal of the face that continues one with this normal most nearly, its own where nothing does.
+Vec2 straightest(const std::vector<OutlineEnd>& ends, const Vec2& point, const Vec2& own) {
+    const auto first = std::lower_bound(ends.begin(), ends.end(), point,
+                                        [](const OutlineEnd& s, const Vec2& p) { return pointLess(s.point, p); });
+    Vec2 normal = own;
+    double best = -2;
+    for (auto it = first; it != ends.end() && it->point == point && it - first < std::ptrdiff_t{crowd}; ++it) {
+        if (it->normal.dot(own) > best) {
+            best = it->normal.dot(own);
+            normal = it->normal;
+        }
+    }
+    return normal;
+}
+
 } // namespace
 
 void joinWalls(std::span<WallPart* const> walls) {
@@ -161,33 +192,18 @@ void joinWalls(std::span<WallPart* const> walls) {
 
 void joinConvexParts(std::span<ConvexPart* const> parts) {
     hideSharedFaces(parts);
-    std::vector<Arrival> arrivals;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-        for (int i = 0; i < parts[p]->count; ++i) {
-            if (isOuter(*parts[p], i)) {
-                const Vec2& end = corner(*parts[p], nextCorner(*parts[p], i));
-                arrivals.push_back({end, parts[p]->normals[static_cast<std::size_t>(i)], p});
-            }
-        }
-    }
-    std::sort(arrivals.begin(), arrivals.end(), [](const Arrival& s, const Arrival& t) {
-        return s.point != t.point ? pointLess(s.point, t.point) : s.part < t.part;
-    });
+    const std::vector<OutlineEnd> arrivals = outlineEnds(parts, true);
+    const std::vector<OutlineEnd> departures = outlineEnds(parts, false);
     for (ConvexPart* const part : parts) {
         for (int i = 0; i < part->count; ++i) {
             const int before = i > 0 ? i - 1 : part->count - 1;
-            if (!isOuter(*part, i) || isOuter(*part, before)) {
-                continue; // only corners at the end of an inner face may have got a new predecessor
-            }
-            const auto first = std::lower_bound(arrivals.begin(), arrivals.end(), corner(*part, i),
-                                                [](const Arrival& s, const Vec2& p) { return pointLess(s.point, p); });
             const Vec2& own = part->normals[static_cast<std::size_t>(i)];
-            double straightest = -2;
-            for (auto it = first; it != arrivals.end() && it->point == corner(*part, i) && it - first < 200; ++it) {
-                if (it->normal.dot(own) > straightest) {
-                    straightest = it->normal.dot(own);
-                    part->normalsBeyond[static_cast<std::size_t>(i)] = it->normal;
-                }
+            const Vec2& ownBefore = part->normals[static_cast<std::size_t>(before)];
+            Vec2& beyond = part->normalsBeyond[static_cast<std::size_t>(i)];
+            if (isOuter(*part, i)) {
+                beyond = isOuter(*part, before) ? ownBefore : straightest(arrivals, corner(*part, i), own);
+            } else if (isOuter(*part, before)) {
+                beyond = straightest(departures, corner(*part, i), ownBefore);
             }
         }
     }

@@ -104,6 +104,7 @@ class ConvexPartsTest : public QObject {
     void aClosedLoopIsJoinedAllRound();
     void joiningDoesNotDependOnTheOrder();
     void aRowOfBoxesIsAsSmoothAsOne();
+    void joinedPartsKnowTheOutlineBeyondTheirCorners();
 };
 
 void ConvexPartsTest::roundAndThinShapesStayWhatTheyAre() {
@@ -325,6 +326,37 @@ void ConvexPartsTest::aRowOfBoxesIsAsSmoothAsOne() {
             }
             QVERIFY2(contacts > 0, QByteArray::number(i));
         }
+    }
+}
+
+void ConvexPartsTest::joinedPartsKnowTheOutlineBeyondTheirCorners() {
+    // An L: one box beside another that carries a third. Parts that were moved before their faces became inner ones
+    // know nothing of what is beyond.
+    std::vector<Part> boxes{box(0.5, 0.5, Vec2(-0.5, 0.5)), box(0.5, 0.5, Vec2(0.5, 0.5)),
+                            box(0.5, 0.5, Vec2(0.5, 1.5))};
+    std::vector<ConvexPart*> parts;
+    for (Part& part : boxes) {
+        parts.push_back(&std::get<ConvexPart>(part));
+        parts.back()->normalsBeyond.fill(Vec2(0.6, -0.8));
+    }
+    joinConvexParts(parts);
+    const Vec2 left(-1, 0);
+    const Vec2 right(1, 0);
+    const Vec2 up(0, 1);
+    const Vec2 down(0, -1);
+    struct Expected {
+        std::size_t part, corner;
+        Vec2 normal;
+    };
+    const Expected all[] = {
+        {0, 0, left}, {0, 1, down},  {0, 2, left},  {0, 3, up}, // 2: in the notch
+        {1, 0, down}, {1, 1, down},  {1, 2, right},             // 3 is inside
+        {2, 0, up},   {2, 1, right}, {2, 2, right}, {2, 3, up}, // 0: in the notch
+    };
+    for (const Expected& expected : all) {
+        const Vec2& normal = parts[expected.part]->normalsBeyond[expected.corner];
+        QVERIFY2(isNear(normal, expected.normal),
+                 qPrintable(QString("part %1, corner %2").arg(expected.part).arg(expected.corner)));
     }
 }
 
