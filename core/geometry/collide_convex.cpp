@@ -15,6 +15,8 @@ constexpr double tie = 1e-6; // m: separations nearer than this count as equal
 constexpr double littleWay = 0.02; // m
 constexpr double farAway = 0.002;  // m beyond twice the way
 
+constexpr double notchTurn = 1e-6; // sine: the outline turns inwards
+
 constexpr double none = -std::numeric_limits<double>::infinity();
 
 struct Axis {
@@ -161,15 +163,8 @@ bool isOverFace(const ConvexPart& reference, int face, const ConvexPart& other) 
     return 0 <= t && t <= faceLength(reference, face);
 }
 
-Manifold apartManifold(const ConvexPart& a, const ConvexPart& b, double margin) {
-    Nearest nearest;
-    includeCorners(a, b, true, nearest);
-    includeCorners(b, a, false, nearest);
+Manifold nearestManifold(const ConvexPart& a, const ConvexPart& b, const Nearest& nearest, double margin) {
     Manifold manifold;
-    const double distance = std::sqrt(nearest.squared);
-    if (!(distance <= margin) || !std::isfinite(distance)) { // coordinates that are no numbers have no nearest ones
-        return manifold;
-    }
     if (nearest.faceA >= 0) {
         const Vec2& normal = normalOf(a, nearest.faceA);
         const bool allowed = isOuterFace(a, nearest.faceA) && cornerBears(b, nearest.cornerB, -normal);
@@ -182,10 +177,94 @@ Manifold apartManifold(const ConvexPart& a, const ConvexPart& b, double margin) 
     }
     const Vec2& onA = cornerOf(a, nearest.cornerA);
     const Vec2& onB = cornerOf(b, nearest.cornerB);
+    const double distance = std::sqrt(nearest.squared);
     manifold.normal = (onB - onA) / distance;
     if (distance > 0 && cornerAllows(a, nearest.cornerA, manifold.normal) &&
         cornerAllows(b, nearest.cornerB, -manifold.normal)) {
         addPoint(manifold, 0.5 * (onA + onB), distance, featureId(cornerToCorner, nearest.cornerA, nearest.cornerB));
+    }
+    return manifold;
+}
+
+/// How far two parts are apart, and may be for a contact; `swapped` when the reference is the second of them.
+struct Reach {
+    double distance, margin;
+    bool swapped;
+};
+
+/// Whether the outline turns inwards at a corner where an outer face of the part meets a cut, and so goes on with a
+/// face of another part. -1 where it does not, else that outer face.
+int faceAtNotch(const ConvexPart& part, int corner) {
+    const int before = corner > 0 ? corner - 1 : part.count - 1;
+    if (isOuterFace(part, corner) == isOuterFace(part, before)) {
+        return -1;
+    }
+    const Vec2& beyond = part.normalsBeyond[static_cast<std::size_t>(corner)];
+    const double turn =
+        isOuterFace(part, corner) ? cross(beyond, normalOf(part, corner)) : cross(normalOf(part, before), beyond);
+    return turn < -notchTurn ? (isOuterFace(part, corner) ? corner : before) : -1;
+}
+
+/// What is at the corner of a notch may slide along its other flank and meet this one, whose plane bounds what is free
+/// beside it as well.
+Manifold notchManifold(const ConvexPart& reference, int corner, const ConvexPart& other, const Reach& reach) {
+    Manifold manifold;
+    const int face = faceAtNotch(reference, corner);
+    if (face < 0) {
+        return manifold;
+    }
+    const Vec2& normal = normalOf(reference, face);
+    const int deepest = deepestCorner(other, normal);
+    const Vec2 from = cornerOf(other, deepest) - cornerOf(reference, corner);
+    const double separation = normal.dot(from);
+    if (!(from.squaredNorm() <= reach.margin * reach.margin) || separation < -2 * reach.distance - farAway ||
+        !cornerBears(other, deepest, -normal)) {
+        return manifold;
+    }
+    manifold.normal = reach.swapped ? Vec2(-normal) : normal;
+    manifold.normalOf = reach.swapped ? NormalOf::SecondFace : NormalOf::FirstFace;
+    addPoint(manifold, cornerOf(other, deepest) - 0.5 * separation * normal, separation,
+             featureId(reach.swapped ? cornerOfFirst : cornerOfSecond, deepest, 0));
+    return manifold;
+}
+
+/// What of a part is nearest to another one: a face, or a corner and no face.
+struct NearestOn {
+    int face, corner;
+};
+
+/// The same where the nearest feature is a corner, or the cut that ends there and behind which something is in the
+/// part on its other side.
+Manifold notchManifold(const ConvexPart& reference, const NearestOn& nearest, const ConvexPart& other,
+                       const Reach& reach) {
+    if (!isCut(reference) || (nearest.face >= 0 && isOuterFace(reference, nearest.face))) {
+        return {};
+    }
+    if (nearest.face < 0) {
+        return notchManifold(reference, nearest.corner, other, reach);
+    }
+    const Manifold atStart = notchManifold(reference, nearest.face, other, reach);
+    const Manifold atEnd = notchManifold(reference, cornerAfter(reference, nearest.face), other, reach);
+    if (atStart.count == 0 || atEnd.count == 0) {
+        return atStart.count > 0 ? atStart : atEnd;
+    }
+    return atStart.points[0].separation <= atEnd.points[0].separation ? atStart : atEnd;
+}
+
+Manifold apartManifold(const ConvexPart& a, const ConvexPart& b, double margin) {
+    Nearest nearest;
+    includeCorners(a, b, true, nearest);
+    includeCorners(b, a, false, nearest);
+    const double distance = std::sqrt(nearest.squared);
+    if (!(distance <= margin) || !std::isfinite(distance)) { // coordinates that are no numbers have no nearest ones
+        return {};
+    }
+    Manifold manifold = nearestManifold(a, b, nearest, margin);
+    if (manifold.count == 0) {
+        manifold = notchManifold(a, {nearest.faceA, nearest.cornerA}, b, {distance, margin, false});
+    }
+    if (manifold.count == 0) {
+        manifold = notchManifold(b, {nearest.faceB, nearest.cornerB}, a, {distance, margin, true});
     }
     return manifold;
 }

@@ -98,6 +98,8 @@ class CutsTest : public QObject {
     void cornersOnACutGiveNormalsOfTheOutlineOnly();
     void cutsNeverThrowAnythingOutTheLongWay();
     void theBackOfACombHoldsTheToothOfAnother();
+    void aTipInANotchIsAnticipatedByBothFlanks_data();
+    void aTipInANotchIsAnticipatedByBothFlanks();
 };
 
 void CutsTest::theNotchOfTheShipIsHollow() {
@@ -208,6 +210,41 @@ void CutsTest::theBackOfACombHoldsTheToothOfAnother() {
         }
     }
     QVERIFY2(isNear(deepest, 0.07, 0.001), QByteArray::number(deepest));
+}
+
+void CutsTest::aTipInANotchIsAnticipatedByBothFlanks_data() {
+    QTest::addColumn<double>("along");
+    QTest::addColumn<double>("above");
+    QTest::newRow("on the left flank") << -0.01 << 0.001;
+    QTest::newRow("on the right flank") << 0.01 << 0.001;
+    QTest::newRow("in the middle") << 0.0 << 0.002;
+    QTest::newRow("sunk into the left flank, where the cut is") << -0.0005 << -0.001;
+    QTest::newRow("sunk into the right flank, where the cut is") << 0.0005 << -0.001;
+}
+
+void CutsTest::aTipInANotchIsAnticipatedByBothFlanks() {
+    QFETCH(double, along);
+    QFETCH(double, above);
+    const std::vector<Part> ship = partsOf(Polygon{{Vec2(0, 0.2), Vec2(-0.2, -0.2), Vec2(0, -0.1), Vec2(0.2, -0.2)}});
+    // The nose of another one, `above` the flank in the direction out of the notch.
+    const Vec2 tip(along, -0.1 - 0.5 * std::fabs(along) - above);
+    const Transform pose{tip - Vec2(0, 0.2), {}};
+    for (const double side : {-1.0, 1.0}) {
+        const Vec2 normal = Vec2(-side, -2).normalized(); // of the right flank for 1
+        const double expected = normal.dot(tip - Vec2(0, -0.1));
+        bool anticipated = false;
+        for (const Part& part : ship) {
+            for (const Part& other : ship) {
+                const Manifold manifold = collide(part, {}, other, pose, 0.02);
+                const Manifold turned = collide(other, pose, part, {}, 0.02);
+                QCOMPARE(turned.count, manifold.count);
+                QVERIFY(manifold.count == 0 || isNear(turned.normal, -manifold.normal));
+                anticipated |= manifold.count > 0 && isNear(manifold.normal, normal) &&
+                               isNear(leastSeparation(manifold), expected);
+            }
+        }
+        QVERIFY2(anticipated, side < 0 ? "left" : "right");
+    }
 }
 
 SPACETOW_TEST(CutsTest)
