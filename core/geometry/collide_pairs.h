@@ -33,6 +33,13 @@ inline bool isCut(const ConvexPart& part) {
     return part.outerFaces != (1u << part.count) - 1;
 }
 
+/// The margin for both ends of a side, the nearer of which is so far from what it faces. Parts of a concave polygon are
+/// thin, and the margin is no longer than that: what lands on one end turns about it, and gets down on the other from
+/// farther away before anything sweeps it.
+inline double marginOfEnds(const ConvexPart& part, double nearest, double margin) {
+    return isCut(part) && nearest <= margin ? 2 * margin : margin;
+}
+
 /// Whether `u` lies between the normals of two faces that meet at a corner that sticks out.
 inline bool liesBetween(const Vec2& before, const Vec2& after, const Vec2& u) {
     constexpr double slack = 1e-9;

@@ -43,10 +43,12 @@ Manifold faceManifold(const Pair& pair, int face) {
     Manifold manifold;
     manifold.normal = side.normal;
     manifold.normalOf = NormalOf::FirstFace;
+    const double lowest = std::min(side.above(clipped.points[0].point), side.above(clipped.points[1].point));
+    const double margin = marginOfEnds(convex, lowest, pair.margin);
     for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
         const ClippedPoint& clip = clipped.points[i];
         const double separation = side.above(clip.point);
-        if (separation > pair.margin) {
+        if (separation > margin) {
             continue;
         }
         const std::uint32_t id = clip.cutAt < 0 ? pair.id(onFace, corners[i], 0) : pair.id(onFaceCut, face, clip.cutAt);

@@ -100,6 +100,7 @@ class CutsTest : public QObject {
     void theBackOfACombHoldsTheToothOfAnother();
     void aTipInANotchIsAnticipatedByBothFlanks_data();
     void aTipInANotchIsAnticipatedByBothFlanks();
+    void aSideThatLandsOnOneEndIsAnticipatedAtTheOther();
 };
 
 void CutsTest::theNotchOfTheShipIsHollow() {
@@ -245,6 +246,25 @@ void CutsTest::aTipInANotchIsAnticipatedByBothFlanks() {
         }
         QVERIFY2(anticipated, side < 0 ? "left" : "right");
     }
+}
+
+void CutsTest::aSideThatLandsOnOneEndIsAnticipatedAtTheOther() {
+    // A margin of 2 cm, and ends that are 1 mm and 3 cm over the floor.
+    const std::vector<Part> ship = partsOf(Polygon{{Vec2(0, 0.2), Vec2(-0.2, -0.2), Vec2(0, -0.1), Vec2(0.2, -0.2)}});
+    const Vec2 side = Vec2(-0.2, -0.4);
+    const double length = side.norm();
+    const double turn = std::asin(0.029 / length) - std::atan2(side.y(), side.x());
+    const Rot rotation = Rot::fromAngle(turn);
+    const Vec2 nose = rotation * Vec2(0, 0.2);
+    bool anticipated = false;
+    for (const Part& part : ship) {
+        const Transform pose{Vec2(0, 0.001) - nose, rotation};
+        const Manifold manifold = collide(edge(Vec2(-5, 0), Vec2(5, 0)), {}, part, pose, 0.02);
+        for (int i = 0; i < manifold.count; ++i) {
+            anticipated |= isNear(manifold.points[static_cast<std::size_t>(i)].separation, 0.03);
+        }
+    }
+    QVERIFY(anticipated);
 }
 
 SPACETOW_TEST(CutsTest)
