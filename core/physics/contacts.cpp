@@ -7,6 +7,7 @@
 #include "core/physics/contact_rules.h"
 #include "core/physics/general_contacts.h"
 #include "core/physics/merge_contacts.h"
+#include "core/physics/open_pairs.h"
 #include "core/physics/order_contacts.h"
 
 #include <bit>
@@ -187,13 +188,7 @@ void beginAnew(WorldData& data, std::uint32_t index) {
 
 /// Looks at all pairs that are not listed and may have come into contact.
 void meetOpen(WorldData& data, double perSecond) {
-    data.open.clear();
-    const auto count = static_cast<std::uint32_t>(data.table.size());
-    for (std::uint32_t i = 0; i < count; ++i) {
-        if (data.isGateOpen(i)) {
-            data.open.push_back(i);
-        }
-    }
+    listOpen(data);
     for (std::size_t k = 0; k < data.open.size(); ++k) {
         fetchAhead(data, data.open, k);
         const std::uint32_t i = data.open[k];

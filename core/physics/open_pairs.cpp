@@ -1,0 +1,63 @@
+#include "core/physics/open_pairs.h"
+
+#include "core/physics/contact_rules.h"
+
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+void listOpenGates(WorldData& data) {
+    const auto count = static_cast<std::uint32_t>(data.table.size());
+    if (data.open.capacity() < count) {
+        data.open.reserve(data.table.capacity()); // resizing would add no more than what is needed now
+    }
+    data.open.resize(count);
+    std::size_t size = 0;
+    for (std::uint32_t i = 0; i < count; ++i) { // without a branch that could not be foretold
+        data.open[size] = i;
+        size += data.isGateOpen(i) ? 1 : 0;
+    }
+    data.open.resize(size);
+}
+
+/// Whether the discs around the bodies are all that there is to go by.
+bool isUnknown(const Pair& pair) {
+    return !pair.staticB && pair.contact == Pair::none && pair.kind != PairKind::Felt;
+}
+
+/// Half of the open pairs end here, one as likely as the next: no branch could be foretold.
+void shutWhereDiscsAreApart(WorldData& data) {
+    constexpr std::size_t ahead = 16;
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < data.open.size(); ++k) {
+        if (k + ahead < data.open.size()) {
+            __builtin_prefetch(&data.table.pairs[data.open[k + ahead]]);
+        }
+        const std::uint32_t i = data.open[k];
+        const Pair& pair = data.table.pairs[i];
+        const BodyStep& a = data.steps[pair.bodyA];
+        const BodyStep& b = data.steps[pair.bodyB];
+        const double radii = a.outerRadius + b.outerRadius;
+        const double reach = radii + contactMargin(a, b);
+        const double squared = (data.motions[pair.bodyB].center - data.motions[pair.bodyA].center).squaredNorm();
+        const bool apart = isUnknown(pair) & (squared > reach * reach);
+        const double until = data.milesOf(pair) + (std::sqrt(squared) - radii);
+        double& apartUntil = data.table.gates[i].apartUntil;
+        apartUntil = apart ? until : apartUntil;
+        data.table.marks[i].now &= !apart;
+        data.open[left] = i;
+        left += apart ? 0 : 1;
+    }
+    data.open.resize(left);
+}
+
+} // namespace
+
+void listOpen(WorldData& data) {
+    listOpenGates(data);
+    shutWhereDiscsAreApart(data);
+}
+
+} // namespace spacetow
