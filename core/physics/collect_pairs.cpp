@@ -143,6 +143,10 @@ void sortNearlySorted(std::span<FoundPair> pairs) {
 
 /// By their first bodies in linear time, then the few of each body, which come nearly sorted.
 void sortFound(WorldData& data) {
+    if (4 * data.foundPairs.size() < data.records.size()) {
+        std::sort(data.foundPairs.begin(), data.foundPairs.end());
+        return;
+    }
     std::vector<std::uint32_t>& ends = data.pairEnds;
     ends.assign(data.records.size() + 1, 0);
     for (const FoundPair& pair : data.foundPairs) {

@@ -50,6 +50,7 @@ struct TouchMarks {
     bool now = false;
     bool reported = false; // as events
     bool listed = false;   // among the contacts that the solver has: their gates are shut until they are struck off
+    bool covered = false;  // anticipation may cover but a part of an iteration; holds while pairs are not stale
 };
 
 /// A manifold that is kept while its parts move little against each other, in their own coordinates.

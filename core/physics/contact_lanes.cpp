@@ -327,11 +327,8 @@ void saveImpulses(WorldData& data) {
     }
 }
 
-void followPairs(WorldData& data) {
-    if (!data.contactsListed) {
-        return;
-    }
-    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
+void followPairs(WorldData& data, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i) {
         if (!data.table.marks[i].listed) {
             continue;
         }

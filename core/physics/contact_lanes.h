@@ -53,7 +53,7 @@ void findNeighboursOfLast(WorldData& data);
 bool anyInOnePlane(const WorldData& data);
 
 /// The listed contacts keep their lanes when the table of pairs has changed.
-void followPairs(WorldData& data);
+void followPairs(WorldData& data, std::uint32_t begin, std::uint32_t end);
 
 /// Saves all impulses; the next iteration lists all contacts anew. To be called when contacts may no longer be those of
 /// the pairs.

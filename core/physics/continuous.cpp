@@ -256,7 +256,10 @@ void carry(WorldData& data, Slot slot) {
 double coveredShare(const WorldData& data, double least) {
     double share = 1;
     double impact = 1;
-    for (const std::uint32_t i : data.covered) {
+    for (std::size_t i = 0; i < data.table.size(); ++i) {
+        if (!data.table.marks[i].covered) {
+            continue;
+        }
         const Pair& pair = data.table.pairs[i];
         bool touches = hasContact(data, pair);
         if (!touches && isRunInto(data, pair)) {

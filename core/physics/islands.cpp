@@ -61,6 +61,10 @@ void joinSets(std::vector<Slot>& parents, Slot a, Slot b) {
 }
 
 void findIslands(WorldData& data) {
+    if (!data.islandsStale) {
+        return;
+    }
+    data.islandsStale = false;
     std::vector<Slot>& roots = data.islands.roots;
     roots.resize(data.motions.size());
     std::iota(roots.begin(), roots.end(), Slot{0});

@@ -12,7 +12,7 @@ void joinSets(std::vector<Slot>& parents, Slot a, Slot b);
 /// Notes the inertia of every body, and which can be moved. They hold while pairs are not stale.
 void weighBodies(WorldData& data);
 
-/// By the pairs there are, so that islands hold until pairs are found anew.
+/// By the pairs there are, when these have changed since the last time.
 void findIslands(WorldData& data);
 
 } // namespace spacetow

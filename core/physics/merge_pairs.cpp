@@ -63,6 +63,13 @@ Pair makePair(const WorldData& data, const FoundPair& found) {
     return pair;
 }
 
+/// Whether anticipation may cover but a part of an iteration.
+bool isCovered(const WorldData& data, const Pair& pair) {
+    const bool driven =
+        !pair.staticB && !(data.motions[pair.bodyA].yields() && data.motions[pair.bodyB].yields());
+    return pair.kind == PairKind::General || (driven && pair.kind != PairKind::Felt);
+}
+
 PairGate gateOf(const Pair& pair) {
     return {pair.bodyA + 1, pair.staticB ? 0 : pair.bodyB + 1, 0};
 }
@@ -91,6 +98,8 @@ void renewPairs(WorldData& data) {
             drop(data, i);
         }
         renewed.add(makePair(data, found));
+        const bool covered = isCovered(data, renewed.pairs.back());
+        renewed.marks.back().covered = covered;
         if (i == old.size() || found < FoundPair(old.pairs[i])) {
             continue;
         }
@@ -100,6 +109,7 @@ void renewPairs(WorldData& data) {
             forgetContact(data, old.pairs[i]);
         }
         renewed.marks.back() = old.marks[i++];
+        renewed.marks.back().covered = covered;
     }
     for (; i < old.size(); ++i) {
         drop(data, i);
@@ -158,56 +168,71 @@ void compare(WorldData& data) {
     }
 }
 
+/// Between what is dropped and what is new the table stays as it is. The places of new pairs become those in the table
+/// as it will be.
+void listStretches(WorldData& data) {
+    std::vector<std::uint32_t>& places = data.newPlaces;
+    const auto size = static_cast<std::uint32_t>(data.table.size());
+    data.stretches.clear();
+    std::uint32_t begin = 0;
+    std::uint32_t added = 0;
+    std::uint32_t removed = 0;
+    while (begin < size || added < places.size()) {
+        const std::uint32_t nextDropped = removed < data.dropped.size() ? data.dropped[removed] : size;
+        const std::uint32_t end = added < places.size() ? std::min(places[added], nextDropped) : nextDropped;
+        data.stretches.push_back({begin, end, begin + added - removed});
+        begin = end;
+        for (; added < places.size() && places[added] == end; ++added) {
+            places[added] = end + added - removed;
+        }
+        if (removed < data.dropped.size() && nextDropped == end) {
+            ++removed;
+            ++begin;
+        }
+    }
+}
+
+/// Moves each stretch once, those that go down from the first one on, those that go up from the last: none comes to lie
+/// where another one still is.
 template <typename T>
-void erase(std::vector<T>& from, const std::vector<std::uint32_t>& indices) {
-    const auto begin = from.begin();
-    auto to = begin + indices.front();
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        const auto end = i + 1 < indices.size() ? begin + indices[i + 1] : from.end();
-        to = std::copy(begin + indices[i] + 1, end, to);
+void rearrange(std::vector<T>& list, const std::vector<Stretch>& stretches, std::size_t newSize) {
+    list.resize(std::max(list.size(), newSize));
+    const auto at = [&](std::uint32_t index) { return list.begin() + static_cast<std::ptrdiff_t>(index); };
+    for (const Stretch& s : stretches) {
+        if (s.to < s.begin) {
+            std::copy(at(s.begin), at(s.end), at(s.to));
+        }
     }
-    from.erase(to, from.end());
+    for (auto s = stretches.rbegin(); s != stretches.rend(); ++s) {
+        if (s->to > s->begin) {
+            std::copy_backward(at(s->begin), at(s->end), at(s->to + s->end - s->begin));
+        }
+    }
+    list.resize(newSize);
 }
 
-/// Before the elements at `places`, from the last one on.
-template <typename T, typename Get>
-void insert(std::vector<T>& into, const std::vector<std::uint32_t>& places, Get get) {
-    auto end = into.end() - into.begin();
-    into.resize(into.size() + places.size());
-    auto to = into.end();
-    for (std::size_t i = places.size(); i-- > 0;) {
-        to = std::copy_backward(into.begin() + places[i], into.begin() + end, to);
-        *--to = get(i);
-        end = places[i];
-    }
-}
-
-void dropPairs(WorldData& data) {
-    if (data.dropped.empty()) {
-        return;
-    }
+void changeTable(WorldData& data) {
     for (const std::uint32_t i : data.dropped) {
         drop(data, i);
     }
-    erase(data.table.gates, data.dropped);
-    erase(data.table.marks, data.dropped);
-    erase(data.table.pairs, data.dropped);
-    std::uint32_t before = 0;
-    for (std::uint32_t& place : data.newPlaces) {
-        while (before < data.dropped.size() && data.dropped[before] < place) {
-            ++before;
+    listStretches(data);
+    PairTable& table = data.table;
+    const std::size_t newSize = table.size() + data.newPairs.size() - data.dropped.size();
+    rearrange(table.gates, data.stretches, newSize);
+    rearrange(table.marks, data.stretches, newSize);
+    rearrange(table.pairs, data.stretches, newSize);
+    for (std::size_t i = 0; i < data.newPairs.size(); ++i) {
+        const Pair& pair = data.newPairs[i];
+        const std::uint32_t place = data.newPlaces[i];
+        table.gates[place] = gateOf(pair);
+        table.marks[place] = {.covered = isCovered(data, pair)};
+        table.pairs[place] = pair;
+    }
+    for (const Stretch& s : data.stretches) {
+        if (data.contactsListed && s.to != s.begin) {
+            followPairs(data, s.to, s.to + s.end - s.begin);
         }
-        place -= before;
     }
-}
-
-void insertPairs(WorldData& data) {
-    if (data.newPairs.empty()) {
-        return;
-    }
-    insert(data.table.gates, data.newPlaces, [&](std::size_t i) { return gateOf(data.newPairs[i]); });
-    insert(data.table.marks, data.newPlaces, [](std::size_t) { return TouchMarks{}; });
-    insert(data.table.pairs, data.newPlaces, [&](std::size_t i) { return data.newPairs[i]; });
 }
 
 } // namespace
@@ -238,9 +263,11 @@ bool mergePairs(WorldData& data) {
     }
     listLeaving(data);
     compare(data);
-    dropPairs(data);
-    insertPairs(data);
-    return !data.dropped.empty() || !data.newPairs.empty();
+    if (data.dropped.empty() && data.newPairs.empty()) {
+        return false;
+    }
+    changeTable(data);
+    return true;
 }
 
 } // namespace spacetow

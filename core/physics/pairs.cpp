@@ -13,21 +13,17 @@ namespace spacetow {
 
 namespace {
 
-bool isDriven(const WorldData& data, const Pair& pair) {
-    return !pair.staticB && !(data.motions[pair.bodyA].yields() && data.motions[pair.bodyB].yields());
+bool isFelt(const Pair& pair) {
+    return pair.kind == PairKind::Felt;
 }
 
 } // namespace
 
-void listKinds(WorldData& data) {
+void listFelt(WorldData& data) {
     data.felt.clear();
-    data.covered.clear();
     for (std::uint32_t i = 0; i < data.table.size(); ++i) {
-        const Pair& pair = data.table.pairs[i];
-        if (pair.kind == PairKind::Felt) {
+        if (isFelt(data.table.pairs[i])) {
             data.felt.push_back(i);
-        } else if (pair.kind == PairKind::General || isDriven(data, pair)) {
-            data.covered.push_back(i);
         }
     }
     data.islandsStale = true;
@@ -104,12 +100,10 @@ void findPairs(WorldData& data, const IterationStep& step) {
     giveRoom(data, step.remaining);
     collectPairs(data);
     if (mergePairs(data)) {
-        followPairs(data);
-        listKinds(data);
-    }
-    if (data.islandsStale) {
-        findIslands(data);
-        data.islandsStale = false;
+        data.islandsStale = true;
+        if (data.pairsStale || !data.felt.empty() || std::any_of(data.newPairs.begin(), data.newPairs.end(), isFelt)) {
+            listFelt(data);
+        }
     }
     data.pairsStale = false;
     data.anyEscaped = false;

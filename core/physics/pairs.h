@@ -9,10 +9,9 @@ namespace spacetow {
 /// Lists the moving bodies and, when static bodies have changed, builds their tree anew.
 void prepareStructure(WorldData& data);
 
-/// The active bodies that are awake; and the pairs that are felt only or that limit how much of an iteration is made in
-/// one go. For who changes these by himself.
+/// The active bodies that are awake, and the pairs that are felt only. For who changes these by himself.
 void listMoving(WorldData& data);
-void listKinds(WorldData& data);
+void listFelt(WorldData& data);
 
 /// How far each moving body would go in this iteration: notes what travels far, and what would leave its room now or,
 /// as it is going, within `ahead` seconds more.

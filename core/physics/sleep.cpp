@@ -68,7 +68,7 @@ void listAnew(WorldData& data) {
     }
     sortOutPairs(data);
     listMoving(data);
-    listKinds(data);
+    listFelt(data);
     sleep.touchedTags.assign(sleep.sleepers.empty() ? 0 : data.touchedTags.size(), TagMask{});
     addTouchedTags(data, sleep.table, sleep.touchedTags);
 }

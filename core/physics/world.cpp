@@ -9,6 +9,7 @@
 #include "core/physics/continuous.h"
 #include "core/physics/field_forces.h"
 #include "core/physics/integrate.h"
+#include "core/physics/islands.h"
 #include "core/physics/make_body.h"
 #include "core/physics/pairs.h"
 #include "core/physics/sleep.h"
@@ -58,6 +59,7 @@ void makeMotion(WorldData& data, const IterationStep& step) {
         planMotion(data, step, false);
         findContacts(data, step);
     }
+    findIslands(data);
     solveVelocities(data, step);
     findCarriers(data);
     if (data.anyFast || data.anySweep || data.anyDiverted) {

@@ -183,6 +183,12 @@ struct FoundPair {
     }
 };
 
+/// Elements of a table that stay together when it changes.
+struct Stretch {
+    std::uint32_t begin = 0, end = 0; // in the table as it was
+    std::uint32_t to = 0;             // where they begin in the table as it becomes
+};
+
 struct ConnectorRecord {
     std::uint32_t generation = 0;
     bool used = false;
@@ -315,7 +321,7 @@ struct WorldData {
     std::vector<std::uint32_t> leaving;   // pairs of those who have
     std::vector<std::uint32_t> dropped;   // of those, which were not found again
     std::vector<std::uint32_t> newPlaces; // of new pairs: the index before which they belong
-    std::vector<std::uint32_t> covered;   // indices of pairs of which anticipation may cover but a part of an iteration
+    std::vector<Stretch> stretches;       // of the table that remain
     std::vector<OnWay> onWays;
     std::vector<std::uint32_t> shortenedAt; // by slot: the look at a pair that did so
     std::uint32_t looks = 0;                // at pairs on their ways
