@@ -6,6 +6,7 @@
 #include "core/physics/contact_pool.h"
 #include "core/physics/contact_rules.h"
 #include "core/physics/general_contacts.h"
+#include "core/physics/lanes.h"
 #include "core/physics/merge_contacts.h"
 #include "core/physics/open_pairs.h"
 #include "core/physics/order_contacts.h"
@@ -99,15 +100,16 @@ void meetStatic(WorldData& data, std::uint32_t index, double perSecond) {
     addRoundContact(data, index, {-manifold.normal, point.separation, circle.radius, 0, point.feature}, perSecond);
 }
 
+/// Inlined by force: GCC takes a function that only fetches for one without effect, and leaves out its calls.
 template <class T>
-void fetch(const T& what) {
+SPACETOW_INLINE void fetch(const T& what) {
     const auto* address = reinterpret_cast<const char*>(&what);
     for (std::size_t line = 0; line < sizeof(T); line += 64) {
         __builtin_prefetch(address + line);
     }
 }
 
-void fetchWall(const WorldData& data, const Pair& pair) {
+SPACETOW_INLINE void fetchWall(const WorldData& data, const Pair& pair) {
     if (pair.kind == PairKind::RoundEdge) {
         fetch(data.statics->colliders[pair.collider].side);
     }
@@ -115,7 +117,7 @@ void fetchWall(const WorldData& data, const Pair& pair) {
 
 /// What is known of contacts lies in the order in which they came about, so the processor has to be told early what
 /// will be looked at: first the pair, then its contact, then its manifold.
-void fetchAhead(const WorldData& data, const std::vector<std::uint32_t>& open, std::size_t at) {
+SPACETOW_INLINE void fetchAhead(const WorldData& data, const std::vector<std::uint32_t>& open, std::size_t at) {
     constexpr std::size_t ahead = 6;
     const std::vector<Pair>& pairs = data.table.pairs;
     if (at + 3 * ahead < open.size()) {
