@@ -5,8 +5,8 @@
 #include "core/physics/contact_lanes.h"
 #include "core/physics/contact_pool.h"
 #include "core/physics/contact_rules.h"
+#include "core/physics/fetch.h"
 #include "core/physics/general_contacts.h"
-#include "core/physics/lanes.h"
 #include "core/physics/merge_contacts.h"
 #include "core/physics/open_pairs.h"
 #include "core/physics/order_contacts.h"
@@ -100,16 +100,7 @@ void meetStatic(WorldData& data, std::uint32_t index, double perSecond) {
     addRoundContact(data, index, {-manifold.normal, point.separation, circle.radius, 0, point.feature}, perSecond);
 }
 
-/// Inlined by force: GCC takes a function that only fetches for one without effect, and leaves out its calls.
-template <class T>
-SPACETOW_INLINE void fetch(const T& what) {
-    const auto* address = reinterpret_cast<const char*>(&what);
-    for (std::size_t line = 0; line < sizeof(T); line += 64) {
-        __builtin_prefetch(address + line);
-    }
-}
-
-SPACETOW_INLINE void fetchWall(const WorldData& data, const Pair& pair) {
+SPACETOW_FETCHES void fetchWall(const WorldData& data, const Pair& pair) {
     if (pair.kind == PairKind::RoundEdge) {
         fetch(data.statics->colliders[pair.collider].side);
     }
@@ -117,7 +108,7 @@ SPACETOW_INLINE void fetchWall(const WorldData& data, const Pair& pair) {
 
 /// What is known of contacts lies in the order in which they came about, so the processor has to be told early what
 /// will be looked at: first the pair, then its contact, then its manifold.
-SPACETOW_INLINE void fetchAhead(const WorldData& data, const std::vector<std::uint32_t>& open, std::size_t at) {
+SPACETOW_FETCHES void fetchAhead(const WorldData& data, const std::vector<std::uint32_t>& open, std::size_t at) {
     constexpr std::size_t ahead = 6;
     const std::vector<Pair>& pairs = data.table.pairs;
     if (at + 3 * ahead < open.size()) {
@@ -132,6 +123,16 @@ SPACETOW_INLINE void fetchAhead(const WorldData& data, const std::vector<std::ui
     const std::uint32_t contact = contactAt(at + ahead);
     if (contact != Pair::none && data.contacts[contact].manifold != Pair::none) {
         fetch(data.manifolds[data.contacts[contact].manifold]);
+    }
+}
+
+/// The same for the surfaces of pairs whose manifolds are made anew.
+SPACETOW_FETCHES void fetchShapes(const WorldData& data, const std::vector<std::uint32_t>& open, std::size_t at) {
+    constexpr std::size_t ahead = 3;
+    if (at + ahead < open.size() && data.table.pairs[open[at + ahead]].kind == PairKind::General) {
+        const Pair& pair = data.table.pairs[open[at + ahead]];
+        fetch(*pair.shapeA);
+        fetch(*pair.shapeB);
     }
 }
 
@@ -232,12 +233,29 @@ void renewSingle(WorldData& data, double perSecond) {
     }
 }
 
-/// Visits the pairs of outdated contacts.
-template <class Kind, class Batch, class Visit>
-void forOutdated(const std::vector<Kind>& list, const Batches<Batch>& batches, const Visit& visit) {
+/// Adds the pairs of outdated contacts to those that are to be looked at.
+template <class Kind, class Batch>
+void openOutdated(WorldData& data, const std::vector<Kind>& list, const Batches<Batch>& batches) {
     for (std::size_t i = 0; i < batches.size(); ++i) {
         for (unsigned lanes = batches.notes(i).outdated; lanes != 0; lanes &= lanes - 1) {
-            visit(pairOf(list[batches.shapes(i).owner[static_cast<std::size_t>(std::countr_zero(lanes))]]));
+            data.open.push_back(
+                pairOf(list[batches.shapes(i).owner[static_cast<std::size_t>(std::countr_zero(lanes))]]));
+        }
+    }
+}
+
+void meetOutdated(WorldData& data, double perSecond) {
+    data.open.clear();
+    openOutdated(data, data.roundContacts, data.batches.round);
+    openOutdated(data, data.generalContacts, data.batches.general);
+    for (std::size_t k = 0; k < data.open.size(); ++k) {
+        fetchAhead(data, data.open, k);
+        fetchShapes(data, data.open, k);
+        const std::uint32_t pair = data.open[k];
+        if (data.table.pairs[pair].kind == PairKind::General) {
+            renewManifold(data, pair, perSecond);
+        } else {
+            meetRound(data, pair, perSecond);
         }
     }
 }
@@ -252,9 +270,7 @@ bool renewContacts(WorldData& data, double perSecond) {
     const BodyViews bodies{{data.motions.data(), sizeof(BodyMotion)}, {data.steps.data(), sizeof(BodyStep)}};
     data.constraints.clear();
     refreshContacts(data.batches, bodies, {perSecond, linearSlop});
-    forOutdated(data.roundContacts, data.batches.round, [&](std::uint32_t pair) { meetRound(data, pair, perSecond); });
-    forOutdated(data.generalContacts, data.batches.general,
-                [&](std::uint32_t pair) { renewManifold(data, pair, perSecond); });
+    meetOutdated(data, perSecond);
     renewSingle(data, perSecond);
     meetOpen(data, perSecond);
     if (data.anySingular) {
