@@ -56,20 +56,22 @@ struct alignas(32) ConstraintShapes {
     Mask ownedByA{};                      // the normal is in the coordinates of a
     Mask acts1{}, acts2{};                // whether a push at the point can move anything
     Mask first{}, second{};               // whether there is the point at all
+    Mask singular{};                      // one of the points acts for both
     Wide normalX{}, normalY{};
     Wide onA1X{}, onA1Y{}, onB1X{}, onB1Y{}, onA2X{}, onA2Y{}, onB2X{}, onB2Y{};
     Wide relativeX{}, relativeY{}, cosine{}, sine{}; // of a in the coordinates of b when the manifold was made
     Wide room{};                                     // m that the parts may come closer before it is out of date
     Wide radiusA{}, radiusB{};                       // around the bodies
+    Wide least{};                                    // 1/kg: what yields no more to a push does not yield to it
 
     void vacate() {
         a.fill(0);
         b.fill(0);
-        acts1 = acts2 = first = second = Mask{};
+        acts1 = acts2 = first = second = singular = Mask{};
     }
     void close(std::uint32_t lane) {
         a[lane] = b[lane] = 0;
-        acts1[lane] = acts2[lane] = first[lane] = second[lane] = 0;
+        acts1[lane] = acts2[lane] = first[lane] = second[lane] = singular[lane] = 0;
     }
 };
 
@@ -241,6 +243,10 @@ struct ContactBatches {
     Batches<RoundBatch> round;
     Batches<ConstraintBatch> general;
 };
+
+/// Of the largest element of two points' inverse mass matrix, squared, to the determinant: from here on the points have
+/// so nearly the same effect that one acts for both.
+constexpr double singularRatio = 1000;
 
 /// Where something is kept of each body, by slot: four doubles at the beginning of `stride` bytes each.
 struct BodyRows {

@@ -61,12 +61,8 @@ struct KeptManifold {
     Vec2 normal{0, 1}; // in the coordinates of A or B
     struct Point {
         Vec2 onA{0, 0}, onB{0, 0}; // in the coordinates of A and B
-        double leverA = 0, leverB = 0;
-        double tangentLeverA = 0, tangentLeverB = 0;
-        double normalMass = 0;
     };
     std::array<Point, 2> points;
-    double coupling = 0; // of the two points: the off-diagonal element of their inverse mass matrix
 };
 
 /// What is known of a pair's contact, and its impulses while the solver does not have it.

@@ -1,6 +1,7 @@
 #include "core/physics/contact_lanes.h"
 
 #include "core/physics/contact_rules.h"
+#include "core/physics/effective_mass.h"
 #include "core/physics/merge_contacts.h"
 
 #include <algorithm>
@@ -72,7 +73,7 @@ bool packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, dou
     batch.impulse1[i] = p.normalImpulse;
     batch.impulse2[i] = q.normalImpulse;
     const double largest = std::max(k11, k22);
-    const bool singular = acts1 && acts2 && largest * largest >= 1000 * determinant;
+    const bool singular = acts1 && acts2 && largest * largest >= singularRatio * determinant;
     if (singular) {
         coupling = 0;
         determinant = k11 * k22;
@@ -130,6 +131,7 @@ void packShapes(const WorldData& data, const Constraint& c, ConstraintShapes& sh
     shapes.room[i] = kept.room;
     shapes.radiusA[i] = data.steps[c.a].round ? 0 : data.steps[c.a].outerRadius;
     shapes.radiusB[i] = data.steps[c.b].round ? 0 : data.steps[c.b].outerRadius;
+    shapes.least[i] = leastInverseMass(data, c.a, c.b);
 }
 
 void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double perSecond) {
@@ -147,6 +149,7 @@ void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double 
         actForBoth(batch, i);
         data.anySingular = true;
     }
+    setLane(data.batches.general.shapes(contact.lane.batch).singular, i, contact.singular);
     packShapes(data, c, data.batches.general.shapes(contact.lane.batch), i);
     contact.count = static_cast<std::uint32_t>(c.count);
     contact.bounces = false;

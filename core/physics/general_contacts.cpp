@@ -14,8 +14,8 @@ namespace spacetow {
 namespace {
 
 // How far parts may move against each other, as a share of the smaller inner radius, before their manifold is made
-// anew.
-constexpr double keptShare = 0.02;
+// anew. Until then its points go with them; what ends at an edge ends that much too early or too late.
+constexpr double keptShare = 0.08;
 // Against walls: on which side of one something is may be a matter of little.
 constexpr double keptShareAtWalls = 0.0002;
 
@@ -62,32 +62,17 @@ double roomLeft(const KeptManifold& kept, const Transform& now, double outerRadi
     return kept.room - moved - std::sqrt(turned.squaredNorm()) * outerRadius; // by the chord of the turn
 }
 
-void keep(const WorldData& data, const Pair& pair, const Poses& poses, const Manifold& manifold, KeptManifold& kept) {
-    const BodyMotion& a = data.motions[pair.bodyA];
-    const BodyMotion& b = data.motions[pair.bodyB];
+void keep(const Poses& poses, const Manifold& manifold, KeptManifold& kept) {
     kept.relative = poses.relative;
     kept.normalOfA = manifold.normalOf == NormalOf::FirstFace;
     const Transform& owner = kept.normalOfA ? poses.a : poses.b;
     kept.normal = owner.rotation.inverse() * manifold.normal;
-    const Vec2 tangent = leftOf(manifold.normal);
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
         const ManifoldPoint& from = manifold.points[i];
         KeptManifold::Point& point = kept.points[i];
         const Vec2 half = 0.5 * from.separation * manifold.normal;
         point.onA = poses.a.toLocal(from.point - half);
         point.onB = poses.b.toLocal(from.point + half);
-        const Vec2 armA = from.point - a.center;
-        const Vec2 armB = from.point - b.center;
-        point.leverA = cross(armA, manifold.normal);
-        point.leverB = cross(armB, manifold.normal);
-        point.tangentLeverA = cross(armA, tangent);
-        point.tangentLeverB = cross(armB, tangent);
-        point.normalMass = massOf(data, pair.bodyA, pair.bodyB, {point.leverA, point.leverB});
-    }
-    if (manifold.count == 2) {
-        const KeptManifold::Point& p = kept.points[0];
-        const KeptManifold::Point& q = kept.points[1];
-        kept.coupling = couplingOf(a, b, {p.leverA, p.leverB}, {q.leverA, q.leverB});
     }
 }
 
@@ -106,7 +91,7 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
         kept.relative = poses.relative;
         kept.room = manifold.apart > 0 ? manifold.apart : -1; // what is not a matter of distance may change at once
     } else {
-        keep(data, pair, poses, manifold, kept);
+        keep(poses, manifold, kept);
         // The normal between two corners turns with every move, and a bounce wants the normal of its moment.
         if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0) {
             kept.room = -1;
@@ -185,11 +170,7 @@ bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
         ConstraintPoint& p = c.points[static_cast<std::size_t>(c.count)];
         p.separation = (onB - onA).dot(c.normal);
         p.armA = 0.5 * (onA + onB) - poseA.position;
-        p.leverA = from.leverA;
-        p.leverB = from.leverB;
-        p.tangentLeverA = from.tangentLeverA;
-        p.tangentLeverB = from.tangentLeverB;
-        p.normalMass = from.normalMass;
+        setLevers(data, c, p);
         p.normalImpulse = contact.points[i].normalImpulse;
         p.pair = index;
         p.contact = pair.contact;
@@ -200,8 +181,7 @@ bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
         data.constraints.pop_back();
         return false;
     }
-    c.coupling = kept.coupling;
-    setTangent(data, c);
+    couple(data, c);
     return true;
 }
 

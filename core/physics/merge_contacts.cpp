@@ -46,26 +46,11 @@ bool isFlat(const Constraint& c, const Constraint& d) {
     });
 }
 
-/// Levers and masses from the arms.
 void prepareAgain(const WorldData& data, Constraint& c) {
-    const BodyMotion& a = data.motions[c.a];
-    const BodyMotion& b = data.motions[c.b];
-    const Vec2 tangent = leftOf(c.normal);
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-        ConstraintPoint& p = c.points[i];
-        const Vec2 armB = p.armA + a.center - b.center;
-        p.leverA = cross(p.armA, c.normal);
-        p.leverB = cross(armB, c.normal);
-        p.tangentLeverA = cross(p.armA, tangent);
-        p.tangentLeverB = cross(armB, tangent);
-        p.normalMass = massOf(data, c.a, c.b, {p.leverA, p.leverB});
+        setLevers(data, c, c.points[i]);
     }
-    if (c.count == 2) {
-        const ConstraintPoint& p = c.points[0];
-        const ConstraintPoint& q = c.points[1];
-        c.coupling = couplingOf(a, b, {p.leverA, p.leverB}, {q.leverA, q.leverB});
-    }
-    setTangent(data, c);
+    couple(data, c);
 }
 
 ContactPoint& keptPoint(WorldData& data, const ConstraintPoint& p) {

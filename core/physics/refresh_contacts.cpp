@@ -100,6 +100,49 @@ SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, cons
     return left < call.rules.slop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
 }
 
+/// From the centres of mass to a contact point.
+struct Arms {
+    Wide aX, aY, bX, bY;
+    SPACETOW_INLINE Arms(const WidePace& a, const WidePace& b, Wide x, Wide y)
+        : aX(x - a.x), aY(y - a.y), bX(x - b.x), bY(y - b.y) {}
+};
+
+SPACETOW_INLINE Wide inverseMass(const ConstraintBatch& c, Wide leverA, Wide leverB) {
+    return c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
+}
+
+SPACETOW_INLINE void setFriction(ConstraintBatch& c, const Arms& arms1, const Arms& arms2, Wide least) {
+    c.tangentLeverA =
+        0.5 * (arms1.aX * c.normalX + arms1.aY * c.normalY + (arms2.aX * c.normalX + arms2.aY * c.normalY));
+    c.tangentLeverB =
+        0.5 * (arms1.bX * c.normalX + arms1.bY * c.normalY + (arms2.bX * c.normalX + arms2.bY * c.normalY));
+    const Wide inverse = inverseMass(c, c.tangentLeverA, c.tangentLeverB);
+    c.tangentMass = inverse > least ? 1 / inverse : Wide{};
+}
+
+/// Which contacts have points that begin or cease to act.
+SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ConstraintShapes& s, const Arms& arms1, const Arms& arms2) {
+    c.leverA1 = arms1.aX * c.normalY - arms1.aY * c.normalX;
+    c.leverB1 = arms1.bX * c.normalY - arms1.bY * c.normalX;
+    c.leverA2 = arms2.aX * c.normalY - arms2.aY * c.normalX;
+    c.leverB2 = arms2.bX * c.normalY - arms2.bY * c.normalX;
+    const Wide k11 = inverseMass(c, c.leverA1, c.leverB1);
+    const Wide k22 = inverseMass(c, c.leverA2, c.leverB2);
+    const Mask acts1 = s.first & (k11 > s.least);
+    const Mask acts2 = s.second & (k22 > s.least);
+    c.k11 = acts1 ? k11 : Wide{} + 1;
+    c.k22 = acts2 ? k22 : c.k11;
+    c.mass1 = 1 / c.k11;
+    c.mass2 = 1 / c.k22;
+    const Wide coupling = c.massA + c.massB + c.inertiaA * c.leverA1 * c.leverA2 + c.inertiaB * c.leverB1 * c.leverB2;
+    const Mask both = acts1 & acts2;
+    const Wide largest = greater(c.k11, c.k22);
+    const Mask singular = both & (largest * largest >= singularRatio * (c.k11 * c.k22 - coupling * coupling));
+    c.coupling = both & ~singular ? coupling : Wide{};
+    c.inverseDeterminant = 1 / (c.k11 * c.k22 - c.coupling * c.coupling);
+    return (acts1 ^ s.acts1) | (acts2 ^ s.acts2) | (singular ^ s.singular);
+}
+
 SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, const Call& call) {
     const WidePace a = load(call.bodies.poses, s.a);
     WidePace b = load(call.bodies.poses, s.b);
@@ -111,10 +154,14 @@ SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, cons
     const Wide sine = s.ownedByA ? a.unused : b.unused;
     c.normalX = cosine * s.normalX - sine * s.normalY;
     c.normalY = sine * s.normalX + cosine * s.normalY;
-    const Wide apart1X = worldX(b, s.onB1X, s.onB1Y) - worldX(a, s.onA1X, s.onA1Y);
-    const Wide apart1Y = worldY(b, s.onB1X, s.onB1Y) - worldY(a, s.onA1X, s.onA1Y);
-    const Wide apart2X = worldX(b, s.onB2X, s.onB2Y) - worldX(a, s.onA2X, s.onA2Y);
-    const Wide apart2Y = worldY(b, s.onB2X, s.onB2Y) - worldY(a, s.onA2X, s.onA2Y);
+    const Wide onA1X = worldX(a, s.onA1X, s.onA1Y);
+    const Wide onA1Y = worldY(a, s.onA1X, s.onA1Y);
+    const Wide onA2X = worldX(a, s.onA2X, s.onA2Y);
+    const Wide onA2Y = worldY(a, s.onA2X, s.onA2Y);
+    const Wide apart1X = worldX(b, s.onB1X, s.onB1Y) - onA1X;
+    const Wide apart1Y = worldY(b, s.onB1X, s.onB1Y) - onA1Y;
+    const Wide apart2X = worldX(b, s.onB2X, s.onB2Y) - onA2X;
+    const Wide apart2Y = worldY(b, s.onB2X, s.onB2Y) - onA2Y;
     const Wide separation1 = apart1X * c.normalX + apart1Y * c.normalY;
     const Wide separation2 = apart2X * c.normalX + apart2Y * c.normalY;
     const Wide far = Wide{} + std::numeric_limits<double>::infinity();
@@ -125,7 +172,10 @@ SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, cons
     c.target2 = s.acts2 ? targetAt(separation2, call.rules) : never;
     c.closing1 = s.first ? closingAt(separation1, call.rules) : never;
     c.closing2 = s.second ? closingAt(separation2, call.rules) : never;
-    return outdated(s, a, b, call);
+    const Arms arms1(a, b, onA1X + 0.5 * apart1X, onA1Y + 0.5 * apart1Y);
+    const Arms arms2(a, b, onA2X + 0.5 * apart2X, onA2Y + 0.5 * apart2Y);
+    setFriction(c, arms1, arms2, s.least);
+    return setBlock(c, s, arms1, arms2) | outdated(s, a, b, call);
 }
 
 template <class Batch>

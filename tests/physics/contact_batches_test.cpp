@@ -135,13 +135,14 @@ void addManifolds(ContactBatches& batches, Random& random) {
             shapes.still[lane.lane] = b < 4 ? -1 : 0;
             shapes.ownedByA[lane.lane] = i % 3 == 0 ? -1 : 0;
             shapes.first[lane.lane] = shapes.acts1[lane.lane] = -1;
+            shapes.singular[lane.lane] = i % 7 == 0 ? -1 : 0;
             shapes.second[lane.lane] = shapes.acts2[lane.lane] = i % 4 != 0 ? -1 : 0;
         }
     }
     for (std::uint32_t i = 0; i < batches.general.size(); ++i) {
         ConstraintShapes& s = batches.general.shapes(i);
         for (Wide* wide : {&s.normalX, &s.normalY, &s.onA1X, &s.onA1Y, &s.onB1X, &s.onB1Y, &s.onA2X, &s.onA2Y, &s.onB2X,
-                           &s.onB2Y, &s.relativeX, &s.relativeY, &s.cosine, &s.sine, &s.room, &s.radiusA, &s.radiusB}) {
+                           &s.onB2Y, &s.relativeX, &s.relativeY, &s.cosine, &s.sine, &s.room, &s.radiusA, &s.radiusB, &s.least}) {
             fill(*wide, random, -1, 1);
         }
         ConstraintBatch& c = batches.general[i];
@@ -228,7 +229,11 @@ class ContactBatchesTest : public QObject {
                 const ConstraintBatch& b = wide.general[i];
                 QVERIFY2(sameBits(a.normalX, b.normalX) && sameBits(a.separation1, b.separation1) &&
                              sameBits(a.separation2, b.separation2) && sameBits(a.target2, b.target2) &&
-                             sameBits(a.closing1, b.closing1),
+                             sameBits(a.closing1, b.closing1) && sameBits(a.leverA1, b.leverA1) &&
+                             sameBits(a.leverB2, b.leverB2) && sameBits(a.tangentLeverA, b.tangentLeverA) &&
+                             sameBits(a.tangentMass, b.tangentMass) && sameBits(a.mass1, b.mass1) &&
+                             sameBits(a.k22, b.k22) && sameBits(a.coupling, b.coupling) &&
+                             sameBits(a.inverseDeterminant, b.inverseDeterminant),
                          qPrintable(QString("seed %1, batch %2").arg(seed).arg(i)));
                 QCOMPARE(narrow.general.notes(i).outdated, wide.general.notes(i).outdated);
                 outdated += narrow.general.notes(i).outdated != 0 ? 1 : 0;

@@ -46,6 +46,15 @@ bool samePlaces(const World& a, const World& b) {
     return true;
 }
 
+double angularMomentum(const World& world) {
+    double sum = 0;
+    for (const BodyId id : world.bodies()) {
+        const BodyState s = world.body(id);
+        sum += s.mass * cross(s.massCenter, s.velocity) + s.inertia * s.angularVelocity;
+    }
+    return sum;
+}
+
 } // namespace
 
 class KeptContactsTest : public QObject {
@@ -83,6 +92,32 @@ class KeptContactsTest : public QObject {
                 QVERIFY2(samePlaces(keeping, forgetting), qPrintable(QString("seed %1, update %2").arg(seed).arg(i)));
             }
         }
+    }
+
+    /// The points of a kept manifold move with the bodies, and the impulses act where they are.
+    void whatSlidesKeepsItsAngularMomentum_data() {
+        QTest::addColumn<double>("speed");
+        QTest::newRow("slowly") << 0.1;
+        QTest::newRow("faster") << 0.3;
+        QTest::newRow("fast") << 1.0;
+    }
+    void whatSlidesKeepsItsAngularMomentum() {
+        QFETCH(double, speed);
+        World world({.gravity = {0, 0}, .seconds = 1.0 / 60, .iterations = 4});
+        BodyDef carrier = box({0, 0}, 1, 1);
+        BodyDef rider = box({0.4, 1.52}, 0.5, 0.5);
+        carrier.friction = rider.friction = 0.4;
+        rider.velocity = {speed, -speed};
+        rider.angularVelocity = 0.3;
+        add(world, carrier);
+        const BodyId id = add(world, rider);
+        const double before = angularMomentum(world);
+        for (int i = 0; i < 240; ++i) {
+            world.update();
+            const double change = angularMomentum(world) - before;
+            QVERIFY2(std::abs(change) < 1e-12, qPrintable(QString("update %1: %2").arg(i).arg(change)));
+        }
+        QVERIFY(world.body(id).velocity != rider.velocity);
     }
 };
 
