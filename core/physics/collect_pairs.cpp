@@ -1,6 +1,7 @@
 #include "core/physics/collect_pairs.h"
 
 #include "core/geometry/bounds.h"
+#include "core/physics/in_front.h"
 #include "core/physics/statics.h"
 
 #include <algorithm>
@@ -50,8 +51,9 @@ Aabb roomyBox(const BodyStep& s, const BodyMotion& m, const Part& part) {
 
 void listCollidersOf(WorldData& data, Slot slot) {
     data.firstColliders[slot] = static_cast<std::uint32_t>(data.colliders.size());
-    for (std::uint32_t i = 0; i < data.records[slot].parts->size(); ++i) {
-        data.colliders.push_back({slot, i});
+    const std::vector<Part>& parts = *data.records[slot].parts;
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        data.colliders.push_back({slot, i, isSlender(parts[i])});
     }
 }
 
@@ -62,11 +64,18 @@ void add(WorldData& data, const MovingCollider& a, const MovingCollider& b) {
     data.foundPairs.push_back({first.body, second.body, first.part, second.part});
 }
 
+/// Whether the box of another stays clear of a long part.
+bool staysClear(const WorldData& data, const MovingCollider& of, const Aabb& box) {
+    return of.slender && staysInFront(box, std::get<ConvexPart>((*data.records[of.body].parts)[of.part]),
+                                      data.motions[of.body].rotation, data.steps[of.body].room);
+}
+
 /// Of two that have both escaped, the later one finds the other.
 void consider(WorldData& data, std::uint32_t index, std::uint32_t other) {
     const MovingCollider& a = data.colliders[index];
     const MovingCollider& b = data.colliders[other];
-    if (a.body != b.body && (other < index || !b.escaped)) {
+    if (a.body != b.body && (other < index || !b.escaped) && !staysClear(data, a, data.boxes[other]) &&
+        !staysClear(data, b, data.boxes[index])) {
         add(data, a, b);
     }
 }

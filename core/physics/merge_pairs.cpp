@@ -65,8 +65,7 @@ Pair makePair(const WorldData& data, const FoundPair& found) {
 
 /// Whether anticipation may cover but a part of an iteration.
 bool isCovered(const WorldData& data, const Pair& pair) {
-    const bool driven =
-        !pair.staticB && !(data.motions[pair.bodyA].yields() && data.motions[pair.bodyB].yields());
+    const bool driven = !pair.staticB && !(data.motions[pair.bodyA].yields() && data.motions[pair.bodyB].yields());
     return pair.kind == PairKind::General || (driven && pair.kind != PairKind::Felt);
 }
 

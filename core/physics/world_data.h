@@ -164,6 +164,7 @@ struct StaticGeometry {
 struct MovingCollider {
     Slot body;
     std::uint32_t part;
+    bool slender = false; // its box is mostly empty
     bool escaped = false; // its body has, and is looking for pairs
     bool astray = false;  // not where the tree has it
 };

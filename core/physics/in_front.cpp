@@ -1,0 +1,42 @@
+#include "core/physics/in_front.h"
+
+#include <cmath>
+
+namespace spacetow {
+
+bool isSlender(const Part& part) {
+    const auto* convex = std::get_if<ConvexPart>(&part);
+    if (convex == nullptr) {
+        return false;
+    }
+    const auto count = static_cast<std::size_t>(convex->count);
+    double area = 0;
+    double longest = 0; // squared
+    for (std::size_t i = 0; i < count; ++i) {
+        area += 0.5 * cross(convex->corners[i], convex->corners[(i + 1) % count]);
+        longest = std::max(longest, (convex->corners[i] - convex->corners[0]).squaredNorm());
+    }
+    return longest > 8 * area;
+}
+
+bool staysInFront(const Aabb& box, const ConvexPart& part, const Rot& rotation, const Room& room) {
+    const Aabb from{box.min - room.centers.max, box.max - room.centers.min}; // the centre of mass
+    const Vec2 center = from.center();
+    const Vec2 half = 0.5 * from.size();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
+        const Vec2 normal = rotation * part.normals[i];
+        const double width = std::abs(normal.x()) * half.x() + std::abs(normal.y()) * half.y();
+        const double length = std::abs(normal.y()) * half.x() + std::abs(normal.x()) * half.y();
+        const double height = normal.dot(center);
+        const double aside = std::abs(cross(normal, center)) + length;
+        // As the face sees it, what is aside comes nearer when it turns, and what is above hardly.
+        const double turn = room.turnLeft;
+        const double nearer = turn * aside + 0.5 * turn * turn * (std::abs(height) + width);
+        if (height - width - part.normals[i].dot(part.corners[i]) - nearer > linearSlop) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace spacetow
