@@ -52,7 +52,7 @@ void findNeighboursOfLast(WorldData& data);
 /// Whether any of them do.
 bool anyInOnePlane(const WorldData& data);
 
-/// The listed contacts keep their lanes when the table of pairs has changed.
+/// The listed contacts keep their lanes when pairs have moved in the table: to the indices from begin on, before end.
 void followPairs(WorldData& data, std::uint32_t begin, std::uint32_t end);
 
 /// Saves all impulses; the next iteration lists all contacts anew. To be called when contacts may no longer be those of
