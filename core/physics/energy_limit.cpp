@@ -3,6 +3,7 @@
 #include "core/physics/contact_rules.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -38,7 +39,7 @@ EnergyBalance& balanceOf(WorldData& data, Slot slot) {
 /// With a share x of its impulses an iteration changes a body's energy by a·x²/2 + b·x + c: a velocity v after it costs
 /// m·(v²/2 − d·v), where d is what the forces added to the velocity v₀ that it began with; their work on the way v·dt
 /// is in it.
-void measureBody(WorldData& data, Slot slot) {
+void measureBody(const WorldData& data, Slot slot, EnergyChange& change) {
     const Wide planned = WideVelocity(data.batches.planned[slot]).value;
     const Wide push = WideVelocity(data.batches.paces[slot]).value - planned;
     if (!isPush({push[0], push[1]}, push[2] * data.steps[slot].outerRadius)) {
@@ -47,10 +48,29 @@ void measureBody(WorldData& data, Slot slot) {
     const Wide start = WideVelocity(data.batches.starts[slot]).value;
     const Wide forced = planned - start;
     const Wide inertia = WideVelocity(data.islands.inertias[slot]).value;
-    EnergyChange& change = data.islands.changes[data.islands.roots[slot]];
     change.a += inertia * push * push;
     change.b += inertia * push * start;
     change.c -= 0.5 * inertia * forced * forced;
+}
+
+/// The sum of an island stays in registers while the bodies are its: through memory each would wait for the last.
+void measureBodies(WorldData& data) {
+    std::vector<EnergyChange>& changes = data.islands.changes;
+    EnergyChange sum;
+    Slot root = noSlot;
+    for (const Slot slot : data.moving) {
+        if (data.islands.roots[slot] != root) {
+            if (root != noSlot) {
+                changes[root] = sum;
+            }
+            root = data.islands.roots[slot];
+            sum = changes[root];
+        }
+        measureBody(data, slot, sum);
+    }
+    if (root != noSlot) {
+        changes[root] = sum;
+    }
 }
 
 enum class Gain : std::uint8_t { None, Little, Much };
@@ -66,9 +86,7 @@ Gain measureIslands(WorldData& data) {
     for (const Slot root : data.islands.all) {
         data.islands.changes[root] = {};
     }
-    for (const Slot slot : data.moving) {
-        measureBody(data, slot);
-    }
+    measureBodies(data);
     for (const Slot root : data.islands.all) {
         const EnergyChange& change = data.islands.changes[root];
         data.islands.balances[root] = {sum(change.a), sum(change.b), sum(change.c), 0};
@@ -188,6 +206,22 @@ bool isDeep(const ConstraintBatch& batch, std::uint32_t lane) {
     return batch.separation1[lane] < -deepOverlap || batch.separation2[lane] < -deepOverlap;
 }
 
+/// Lets the islands of deep contacts pay whatever the pushes cost. Hardly a contact is: the batches are looked through,
+/// and not the list.
+template <class Kind, class Batch>
+void allowDeep(WorldData& data, const std::vector<Kind>& contacts, const Batches<Batch>& batches) {
+    for (std::uint32_t i = 0; i < batches.size(); ++i) {
+        for (unsigned lanes = batches.notes(i).occupied; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+            if (isDeep(batches[i], lane)) {
+                const Kind& c = contacts[batches.shapes(i).owner[lane]];
+                EnergyBalance& balance = balanceOf(data, moverOf(data, c.a, c.b));
+                balance.c = pushesTooMuch(balance) ? -infinite : balance.c;
+            }
+        }
+    }
+}
+
 /// What the pushes cost: the work against the forces that act on the bodies.
 void measurePushes(WorldData& data, double dt) {
     for (const Slot slot : data.moving) {
@@ -248,11 +282,8 @@ void takePushes(WorldData& data, double dt) {
                      [&](Slot root) { return pushesTooMuch(balances[root]); })) {
         return;
     }
-    forLanesOf(data, pushesTooMuch, [&](auto& batches, auto&, const auto& c) {
-        if (isDeep(batches[c.lane.batch], c.lane.lane)) {
-            balanceOf(data, moverOf(data, c.a, c.b)).c = -infinite;
-        }
-    });
+    allowDeep(data, data.roundContacts, data.batches.round);
+    allowDeep(data, data.generalContacts, data.batches.general);
     for (const Slot slot : data.moving) {
         const EnergyBalance& balance = balanceOf(data, slot);
         if (pushesTooMuch(balance)) {
