@@ -141,8 +141,9 @@ void addManifolds(ContactBatches& batches, Random& random) {
     }
     for (std::uint32_t i = 0; i < batches.general.size(); ++i) {
         ConstraintShapes& s = batches.general.shapes(i);
-        for (Wide* wide : {&s.normalX, &s.normalY, &s.onA1X, &s.onA1Y, &s.onB1X, &s.onB1Y, &s.onA2X, &s.onA2Y, &s.onB2X,
-                           &s.onB2Y, &s.relativeX, &s.relativeY, &s.cosine, &s.sine, &s.room, &s.radiusA, &s.radiusB, &s.least}) {
+        for (Wide* wide :
+             {&s.normalX, &s.normalY, &s.onA1X, &s.onA1Y, &s.onB1X, &s.onB1Y, &s.onA2X, &s.onA2Y, &s.onB2X, &s.onB2Y,
+              &s.relativeX, &s.relativeY, &s.cosine, &s.sine, &s.room, &s.radiusA, &s.radiusB, &s.least}) {
             fill(*wide, random, -1, 1);
         }
         ConstraintBatch& c = batches.general[i];
