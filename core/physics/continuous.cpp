@@ -224,7 +224,8 @@ bool lookAgain(WorldData& data, OnWay& onWay) {
 }
 
 void findCarrier(WorldData& data, Slot a, Slot b, std::uint32_t pair) {
-    if (!data.table.marks[pair].now || data.table.pairs[pair].staticB) {
+    if ((data.yields[a + 1] & data.yields[b + 1]) != 0 || !data.table.marks[pair].now ||
+        data.table.pairs[pair].staticB) {
         return;
     }
     if (!data.motions[a].yields()) {

@@ -37,8 +37,7 @@ bool limitClosing(const Holding& h, const Closing& c) {
     const double fractionA = h.fractions[c.yieldsA ? c.a : c.b];
     const double fractionB = h.fractions[c.yieldsB ? c.b : c.a];
     const double room = roomToClose(c.separation);
-    if (h.dt * (fractionA * c.speedA - fractionB * c.speedB) <= room ||
-        (c.yieldsA && c.yieldsB && h.driven[c.a] != 0)) {
+    if (h.dt * (fractionA * c.speedA - fractionB * c.speedB) <= room) {
         return false;
     }
     const double both = std::min(fractionA, fractionB);
@@ -106,7 +105,10 @@ bool holdBackOnce(const std::vector<Pace>& paces, const Holding& h, const Batche
         const Batch& batch = batches[k];
         const unsigned closes = h.round == 0 ? batches.notes(k).closes : 0;
         for (std::uint32_t i = 0; i < 4; ++i) {
-            if ((closes >> i & 1) != 0 || h.changed[batch.a[i]] >= since || h.changed[batch.b[i]] >= since) {
+            const Slot a = batch.a[i];
+            const Slot b = batch.b[i];
+            const bool isNew = (closes >> i & 1) != 0 || h.changed[a] >= since || h.changed[b] >= since;
+            if (isNew && (h.driven[a] & h.driven[b]) == 0) {
                 changed |= holdBackAt(paces, h, batch, i);
             }
         }
