@@ -6,7 +6,7 @@ namespace spacetow {
 
 namespace {
 
-enum Feature : unsigned { cornerOfFirst = 16, cornerOfSecond, cornerToCorner };
+enum Feature : unsigned { CornerOfFirst = 16, CornerOfSecond, CornerToCorner };
 
 constexpr double tie = 1e-6; // m: separations nearer than this count as equal
 
@@ -61,9 +61,18 @@ double faceLength(const ConvexPart& part, int face) {
     return leftOf(normalOf(part, face)).dot(cornerOf(part, cornerAfter(part, face)) - cornerOf(part, face));
 }
 
-/// Contact with the normal of a face of `reference`. A point is named after the corner that ends the stretch on which
+/// A face of one part, which keeps still while the other part is clipped to it.
+struct Reference {
+    const ConvexPart& part;
+    int face;
+    bool swapped; // it is the second of the parts
+};
+
+/// Contact with the normal of the face. A point is named after the corner that ends the stretch on which
 /// the two sides face each other, so that the name does not depend on which of the parts is the reference.
-Manifold faceManifold(const ConvexPart& reference, int face, const ConvexPart& other, double margin, bool swapped) {
+Manifold faceManifold(const Reference& of, const ConvexPart& other, double margin) {
+    const ConvexPart& reference = of.part;
+    const int face = of.face;
     const Vec2& normal = normalOf(reference, face);
     const Vec2& from = cornerOf(reference, face);
     const int opposite = facing(other, normal);
@@ -72,8 +81,8 @@ Manifold faceManifold(const ConvexPart& reference, int face, const ConvexPart& o
     const auto clipped = clipToFace(from, leftOf(normal), faceLength(reference, face),
                                     {cornerOf(other, corners[0]), cornerOf(other, corners[1])});
     Manifold manifold;
-    manifold.normal = swapped ? Vec2(-normal) : normal;
-    manifold.normalOf = swapped ? NormalOf::SecondFace : NormalOf::FirstFace;
+    manifold.normal = of.swapped ? Vec2(-normal) : normal;
+    manifold.normalOf = of.swapped ? NormalOf::SecondFace : NormalOf::FirstFace;
     for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
         const ClippedPoint& clip = clipped.points[i];
         const double separation = normal.dot(clip.point - from);
@@ -82,7 +91,7 @@ Manifold faceManifold(const ConvexPart& reference, int face, const ConvexPart& o
         }
         const bool ofOther = clip.cutAt < 0;
         const int corner = ofOther ? corners[i] : ends[static_cast<std::size_t>(clip.cutAt)];
-        const unsigned kind = ofOther != swapped ? cornerOfSecond : cornerOfFirst;
+        const unsigned kind = ofOther != of.swapped ? CornerOfSecond : CornerOfFirst;
         addPoint(manifold, clip.point - 0.5 * separation * normal, separation, featureId(kind, corner, 0));
     }
     if (manifold.count == 2 && (manifold.points[0].point - manifold.points[1].point).squaredNorm() < 1e-18) {
@@ -91,13 +100,14 @@ Manifold faceManifold(const ConvexPart& reference, int face, const ConvexPart& o
     return manifold;
 }
 
-/// The same with any outer face of the plane of `face`: cuts may divide it, and not every piece is under the other
+/// The same with any outer face of the plane: cuts may divide it, and not every piece is under the other
 /// part.
-Manifold planeManifold(const ConvexPart& reference, int face, const ConvexPart& other, double margin, bool swapped) {
-    Manifold manifold = faceManifold(reference, face, other, margin, swapped);
+Manifold planeManifold(const Reference& of, const ConvexPart& other, double margin) {
+    const ConvexPart& reference = of.part;
+    Manifold manifold = faceManifold(of, other, margin);
     for (int i = 0; manifold.count == 0 && isCut(reference) && i < reference.count; ++i) {
-        if (isOuterFace(reference, i) && normalOf(reference, i).dot(normalOf(reference, face)) > 1 - 1e-9) {
-            manifold = faceManifold(reference, i, other, margin, swapped);
+        if (isOuterFace(reference, i) && normalOf(reference, i).dot(normalOf(reference, of.face)) > 1 - 1e-9) {
+            manifold = faceManifold({reference, i, of.swapped}, other, margin);
         }
     }
     return manifold;
@@ -105,16 +115,15 @@ Manifold planeManifold(const ConvexPart& reference, int face, const ConvexPart& 
 
 /// Whether the first face is the one to keep still while the other is clipped. Ties go to the longer face, then to
 /// the lower part, so that swapping the parts changes nothing.
-bool firstIsReference(const ConvexPart& a, int faceA, double separationA, const ConvexPart& b, int faceB,
-                      double separationB) {
-    if (faceA < 0 || faceB < 0) {
-        return faceB < 0;
+bool firstIsReference(const ConvexPart& a, const Axis& ofA, const ConvexPart& b, const Axis& ofB) {
+    if (ofA.allowedFace < 0 || ofB.allowedFace < 0) {
+        return ofB.allowedFace < 0;
     }
-    if (std::fabs(separationA - separationB) > tie) {
-        return separationA > separationB;
+    if (std::fabs(ofA.allowed - ofB.allowed) > tie) {
+        return ofA.allowed > ofB.allowed;
     }
-    const double lengthA = faceLength(a, faceA);
-    const double lengthB = faceLength(b, faceB);
+    const double lengthA = faceLength(a, ofA.allowedFace);
+    const double lengthB = faceLength(b, ofB.allowedFace);
     if (std::fabs(lengthA - lengthB) > tie) {
         return lengthA > lengthB;
     }
@@ -168,12 +177,12 @@ Manifold nearestManifold(const ConvexPart& a, const ConvexPart& b, const Nearest
     if (nearest.faceA >= 0) {
         const Vec2& normal = normalOf(a, nearest.faceA);
         const bool allowed = isOuterFace(a, nearest.faceA) && cornerBears(b, nearest.cornerB, -normal);
-        return allowed ? faceManifold(a, nearest.faceA, b, margin, false) : manifold;
+        return allowed ? faceManifold({a, nearest.faceA, false}, b, margin) : manifold;
     }
     if (nearest.faceB >= 0) {
         const Vec2& normal = normalOf(b, nearest.faceB);
         const bool allowed = isOuterFace(b, nearest.faceB) && cornerBears(a, nearest.cornerA, -normal);
-        return allowed ? faceManifold(b, nearest.faceB, a, margin, true) : manifold;
+        return allowed ? faceManifold({b, nearest.faceB, true}, a, margin) : manifold;
     }
     const Vec2& onA = cornerOf(a, nearest.cornerA);
     const Vec2& onB = cornerOf(b, nearest.cornerB);
@@ -181,7 +190,7 @@ Manifold nearestManifold(const ConvexPart& a, const ConvexPart& b, const Nearest
     manifold.normal = (onB - onA) / distance;
     if (distance > 0 && cornerAllows(a, nearest.cornerA, manifold.normal) &&
         cornerAllows(b, nearest.cornerB, -manifold.normal)) {
-        addPoint(manifold, 0.5 * (onA + onB), distance, featureId(cornerToCorner, nearest.cornerA, nearest.cornerB));
+        addPoint(manifold, 0.5 * (onA + onB), distance, featureId(CornerToCorner, nearest.cornerA, nearest.cornerB));
     }
     return manifold;
 }
@@ -224,7 +233,7 @@ Manifold notchManifold(const ConvexPart& reference, int corner, const ConvexPart
     manifold.normal = reach.swapped ? Vec2(-normal) : normal;
     manifold.normalOf = reach.swapped ? NormalOf::SecondFace : NormalOf::FirstFace;
     addPoint(manifold, cornerOf(other, deepest) - 0.5 * separation * normal, separation,
-             featureId(reach.swapped ? cornerOfFirst : cornerOfSecond, deepest, 0));
+             featureId(reach.swapped ? CornerOfFirst : CornerOfSecond, deepest, 0));
     return manifold;
 }
 
@@ -283,10 +292,10 @@ Manifold convexAgainstConvex(const ConvexPart& a, const ConvexPart& b, double ma
     if (std::max(ofA.separation, ofB.separation) > tie) {
         if (!isCut(a) && !isCut(b)) {
             if (ofA.separation >= ofB.separation && isOverFace(a, ofA.face, b)) {
-                return faceManifold(a, ofA.face, b, margin, false);
+                return faceManifold({a, ofA.face, false}, b, margin);
             }
             if (ofB.separation >= ofA.separation && isOverFace(b, ofB.face, a)) {
-                return faceManifold(b, ofB.face, a, margin, true);
+                return faceManifold({b, ofB.face, true}, a, margin);
             }
         }
         return apartManifold(a, b, margin);
@@ -297,9 +306,8 @@ Manifold convexAgainstConvex(const ConvexPart& a, const ConvexPart& b, double ma
     if (throughCut || (ofA.allowedFace < 0 && ofB.allowedFace < 0)) {
         return {};
     }
-    const bool first = firstIsReference(a, ofA.allowedFace, ofA.allowed, b, ofB.allowedFace, ofB.allowed);
-    return first ? planeManifold(a, ofA.allowedFace, b, margin, false)
-                 : planeManifold(b, ofB.allowedFace, a, margin, true);
+    return firstIsReference(a, ofA, b, ofB) ? planeManifold({a, ofA.allowedFace, false}, b, margin)
+                                            : planeManifold({b, ofB.allowedFace, true}, a, margin);
 }
 
 } // namespace spacetow

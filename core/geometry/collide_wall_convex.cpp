@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-enum Feature : unsigned { onFace = 4, onFaceCut, underFace, underFaceCut, onPoint };
+enum Feature : unsigned { OnFace = 4, OnFaceCut, UnderFace, UnderFaceCut, OnPoint };
 
 // How much shallower a way out has to be before it is preferred to the wall's own normal.
 constexpr double preference = 1e-4; // m
@@ -51,7 +51,7 @@ Manifold faceManifold(const Pair& pair, int face) {
         if (separation > margin) {
             continue;
         }
-        const std::uint32_t id = clip.cutAt < 0 ? pair.id(onFace, corners[i], 0) : pair.id(onFaceCut, face, clip.cutAt);
+        const std::uint32_t id = clip.cutAt < 0 ? pair.id(OnFace, corners[i], 0) : pair.id(OnFaceCut, face, clip.cutAt);
         addPoint(manifold, clip.point - 0.5 * separation * side.normal, separation, id);
     }
     if (manifold.count == 2 && (manifold.points[0].point - manifold.points[1].point).squaredNorm() < 1e-18) {
@@ -63,7 +63,7 @@ Manifold faceManifold(const Pair& pair, int face) {
 /// The same with the side that faces the wall most, or, when that is not over the wall, the one beside it.
 Manifold faceManifold(const Pair& pair) {
     const int lowest = facing(pair.convex, pair.side.normal);
-    const Manifold manifold = faceManifold(pair, lowest);
+    Manifold manifold = faceManifold(pair, lowest);
     if (manifold.count > 0) {
         return manifold;
     }
@@ -80,7 +80,7 @@ Manifold heldManifold(const Pair& pair) {
         const Vec2& point = cornerOf(pair.convex, corner);
         const double separation = pair.side.above(point);
         if (separation <= pair.margin) {
-            addPoint(manifold, point - 0.5 * separation * pair.side.normal, separation, pair.id(onFace, corner, 0));
+            addPoint(manifold, point - 0.5 * separation * pair.side.normal, separation, pair.id(OnFace, corner, 0));
         }
     }
     return manifold;
@@ -93,7 +93,7 @@ Manifold pointUnderFace(const Pair& pair, const WallEnd& end, int face) {
     manifold.normalOf = NormalOf::SecondFace;
     const double separation = normalOf(pair.convex, face).dot(end.point - cornerOf(pair.convex, face));
     addPoint(manifold, end.point + 0.5 * separation * manifold.normal, separation,
-             pair.id(underFace, face, &end == &pair.side.end ? 1 : 0));
+             pair.id(UnderFace, face, &end == &pair.side.end ? 1 : 0));
     return manifold;
 }
 
@@ -115,7 +115,7 @@ Manifold wallUnderFace(const Pair& pair, const WallEnd& end, int face) {
             continue;
         }
         const std::uint32_t id =
-            clip.cutAt < 0 ? pair.id(underFace, face, static_cast<int>(i)) : pair.id(underFaceCut, face, clip.cutAt);
+            clip.cutAt < 0 ? pair.id(UnderFace, face, static_cast<int>(i)) : pair.id(UnderFaceCut, face, clip.cutAt);
         addPoint(manifold, clip.point - 0.5 * separation * normal, separation, id);
     }
     if (manifold.count == 2 && (manifold.points[0].point - manifold.points[1].point).squaredNorm() < 1e-18) {
@@ -151,7 +151,7 @@ Manifold cornerManifold(const Pair& pair, const WallEnd& end, int corner, const 
         !cornerAllows(pair.convex, corner, -manifold.normal)) {
         return manifold;
     }
-    addPoint(manifold, end.point + 0.5 * apart, distance, pair.id(onPoint, corner, &end == &pair.side.end ? 1 : 0));
+    addPoint(manifold, end.point + 0.5 * apart, distance, pair.id(OnPoint, corner, &end == &pair.side.end ? 1 : 0));
     return manifold;
 }
 
@@ -189,7 +189,7 @@ Manifold apartManifold(const Pair& pair) {
     }
     const double above = side.above(cornerOf(convex, deepestCorner(convex, side.normal)));
     if (above >= std::sqrt(nearest) - onTheFace || (end != nullptr && end->kind == WallEnd::Kind::Smooth)) {
-        const Manifold manifold = faceManifold(pair);
+        Manifold manifold = faceManifold(pair);
         if (manifold.count > 0) {
             return manifold;
         }
@@ -280,7 +280,7 @@ Manifold frontManifold(const Pair& pair) {
         return {};
     }
     if (!clearlyAbove(choice.separation, above)) {
-        const Manifold manifold = faceManifold(pair);
+        Manifold manifold = faceManifold(pair);
         if (manifold.count > 0) {
             return manifold;
         }
@@ -294,7 +294,7 @@ Manifold endManifold(const Pair& pair, const WallEnd& end) {
         Manifold manifold = convexAgainstCircle(pair.convex, {end.point, 0}, pair.margin);
         manifold.normal = -manifold.normal;
         const int which = &end == &pair.side.end ? 1 : 0;
-        manifold.points[0].feature = pair.id(onPoint, static_cast<int>(manifold.points[0].feature >> 8 & 0xffu), which);
+        manifold.points[0].feature = pair.id(OnPoint, static_cast<int>(manifold.points[0].feature >> 8 & 0xffu), which);
         return manifold;
     }
     if (!reports(pair, end) || end.kind != WallEnd::Kind::Convex) {

@@ -61,7 +61,7 @@ void add(WorldData& data, const MovingCollider& a, const MovingCollider& b) {
     const bool ordered = a.body < b.body;
     const MovingCollider& first = ordered ? a : b;
     const MovingCollider& second = ordered ? b : a;
-    data.foundPairs.push_back({first.body, second.body, first.part, second.part});
+    data.foundPairs.emplace_back(first.body, second.body, first.part, second.part);
 }
 
 /// Whether the box of another stays clear of a long part.
@@ -98,7 +98,7 @@ void findPairsOf(WorldData& data, std::uint32_t index) {
     const MovingCollider& collider = data.colliders[index];
     for (const std::uint32_t other : data.found) {
         const StaticGeometry::Collider& wall = data.statics->colliders[other];
-        data.foundPairs.push_back({collider.body, wall.body, collider.part, wall.part});
+        data.foundPairs.emplace_back(collider.body, wall.body, collider.part, wall.part);
     }
 }
 

@@ -16,51 +16,58 @@ constexpr std::uint32_t pause = 2;
 SPACETOW_INLINE void warm(Ends& ends, const RoundBatch& c) {
     const Wide x = c.normalImpulse * c.normalX - c.tangentImpulse * c.normalY;
     const Wide y = c.normalImpulse * c.normalY + c.tangentImpulse * c.normalX;
-    ends.apply(c, x, y, c.tangentImpulse * c.leverA, c.tangentImpulse * c.leverB);
+    ends.apply(c, {x, y, c.tangentImpulse * c.leverA, c.tangentImpulse * c.leverB});
 }
 
 SPACETOW_INLINE void warm(Ends& ends, const ConstraintBatch& c) {
     const Wide normal = c.impulse1 + c.impulse2;
     const Wide x = normal * c.normalX - c.tangentImpulse * c.normalY;
     const Wide y = normal * c.normalY + c.tangentImpulse * c.normalX;
-    ends.apply(c, x, y, c.impulse1 * c.leverA1 + c.impulse2 * c.leverA2 + c.tangentImpulse * c.tangentLeverA,
-               c.impulse1 * c.leverB1 + c.impulse2 * c.leverB2 + c.tangentImpulse * c.tangentLeverB);
+    ends.apply(c, {x, y, c.impulse1 * c.leverA1 + c.impulse2 * c.leverA2 + c.tangentImpulse * c.tangentLeverA,
+                   c.impulse1 * c.leverB1 + c.impulse2 * c.leverB2 + c.tangentImpulse * c.tangentLeverB});
 }
+
+/// Of the bodies of a batch about a point.
+struct Levers {
+    Wide a, b; // m
+};
 
 /// Friction: what it takes to stop the sliding along the tangent (−y, x) of the normal, as far as `limit` reaches.
 template <class Batch>
-SPACETOW_INLINE Wide friction(const Ends& ends, const Batch& c, Wide leverA, Wide leverB, Wide limit) {
-    const Wide sliding = ends.along(-c.normalY, c.normalX) + ends.turning(leverA, leverB);
+SPACETOW_INLINE Wide friction(const Ends& ends, const Batch& c, const Levers& levers, Wide limit) {
+    const Wide sliding = ends.along(-c.normalY, c.normalX) + ends.turning(levers.a, levers.b);
     return lesser(greater(c.tangentImpulse - c.tangentMass * sliding, -limit), limit);
 }
 
 template <class Batch>
-SPACETOW_INLINE void rub(Ends& ends, Batch& c, Wide leverA, Wide leverB, Wide impulse) {
+SPACETOW_INLINE void rub(Ends& ends, Batch& c, const Levers& levers, Wide impulse) {
     const Wide change = impulse - c.tangentImpulse;
     c.tangentImpulse = impulse;
-    ends.apply(c, -change * c.normalY, change * c.normalX, change * leverA, change * leverB);
+    ends.apply(c, {-change * c.normalY, change * c.normalX, change * levers.a, change * levers.b});
 }
 
+SPACETOW_INLINE Levers tangentLeversOf(const RoundBatch& c) {
+    return {c.leverA, c.leverB};
+}
+SPACETOW_INLINE Levers tangentLeversOf(const ConstraintBatch& c) {
+    return {c.tangentLeverA, c.tangentLeverB};
+}
 SPACETOW_INLINE Wide normalOf(const RoundBatch& c) {
     return c.normalImpulse;
 }
 SPACETOW_INLINE Wide normalOf(const ConstraintBatch& c) {
     return c.impulse1 + c.impulse2;
 }
-SPACETOW_INLINE void solveFriction(Ends& ends, RoundBatch& c) {
-    rub(ends, c, c.leverA, c.leverB, friction(ends, c, c.leverA, c.leverB, c.friction * normalOf(c)));
+template <class Batch>
+SPACETOW_INLINE void solveFriction(Ends& ends, Batch& c) {
+    const Levers levers = tangentLeversOf(c);
+    rub(ends, c, levers, friction(ends, c, levers, c.friction * normalOf(c)));
 }
-SPACETOW_INLINE void solveFriction(Ends& ends, ConstraintBatch& c) {
-    rub(ends, c, c.tangentLeverA, c.tangentLeverB,
-        friction(ends, c, c.tangentLeverA, c.tangentLeverB, c.friction * normalOf(c)));
-}
-SPACETOW_INLINE void solveFriction(Ends& ends, RoundBatch& c, Mask which) {
-    const Wide impulse = friction(ends, c, c.leverA, c.leverB, c.friction * normalOf(c));
-    rub(ends, c, c.leverA, c.leverB, which ? impulse : c.tangentImpulse);
-}
-SPACETOW_INLINE void solveFriction(Ends& ends, ConstraintBatch& c, Mask which) {
-    const Wide impulse = friction(ends, c, c.tangentLeverA, c.tangentLeverB, c.friction * normalOf(c));
-    rub(ends, c, c.tangentLeverA, c.tangentLeverB, which ? impulse : c.tangentImpulse);
+template <class Batch>
+SPACETOW_INLINE void solveFriction(Ends& ends, Batch& c, Mask which) {
+    const Levers levers = tangentLeversOf(c);
+    const Wide impulse = friction(ends, c, levers, c.friction * normalOf(c));
+    rub(ends, c, levers, which ? impulse : c.tangentImpulse);
 }
 
 SPACETOW_INLINE void solveNormals(Ends& ends, RoundBatch& c) {
@@ -73,17 +80,16 @@ SPACETOW_INLINE void solveNormals(Ends& ends, RoundBatch& c) {
 
 /// The impulses x ≥ 0 with K x + b ≥ 0 and x·(K x + b) = 0, found by trying which of them act. The order of the
 /// points does not matter, so that mirrored scenes stay mirrored.
-SPACETOW_INLINE void complementary(const ConstraintBatch& c, Wide b1, Wide b2, Wide& x1, Wide& x2) {
+SPACETOW_INLINE std::array<Wide, 2> complementary(const ConstraintBatch& c, Wide b1, Wide b2) {
     const Wide none{};
-    x1 = (c.coupling * b2 - c.k22 * b1) * c.inverseDeterminant;
-    x2 = (c.coupling * b1 - c.k11 * b2) * c.inverseDeterminant;
+    const Wide x1 = (c.coupling * b2 - c.k22 * b1) * c.inverseDeterminant;
+    const Wide x2 = (c.coupling * b1 - c.k11 * b2) * c.inverseDeterminant;
     const auto both = (x1 >= none) & (x2 >= none);
     const Wide only1 = -b1 * c.mass1;
     const auto first = (only1 >= none) & (c.coupling * only1 + b2 >= none);
     const Wide only2 = -b2 * c.mass2;
     const auto second = (only2 >= none) & (c.coupling * only2 + b1 >= none);
-    x1 = both ? x1 : (first ? only1 : none);
-    x2 = both ? x2 : (first ? none : (second ? only2 : none));
+    return {both ? x1 : (first ? only1 : none), both ? x2 : (first ? none : (second ? only2 : none))};
 }
 
 SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c) {
@@ -92,16 +98,14 @@ SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c) {
         closing + ends.turning(c.leverA1, c.leverB1) - c.target1 - (c.k11 * c.impulse1 + c.coupling * c.impulse2);
     const Wide b2 =
         closing + ends.turning(c.leverA2, c.leverB2) - c.target2 - (c.coupling * c.impulse1 + c.k22 * c.impulse2);
-    Wide x1;
-    Wide x2;
-    complementary(c, b1, b2, x1, x2);
+    const auto [x1, x2] = complementary(c, b1, b2);
     const Wide d1 = x1 - c.impulse1;
     const Wide d2 = x2 - c.impulse2;
     c.impulse1 = x1;
     c.impulse2 = x2;
     const Wide change = d1 + d2;
-    ends.apply(c, change * c.normalX, change * c.normalY, d1 * c.leverA1 + d2 * c.leverA2,
-               d1 * c.leverB1 + d2 * c.leverB2);
+    ends.apply(
+        c, {change * c.normalX, change * c.normalY, d1 * c.leverA1 + d2 * c.leverA2, d1 * c.leverB1 + d2 * c.leverB2});
 }
 
 /// Friction first, so that the normal velocities come out right. What is hit in this pass has no normal impulse to

@@ -183,7 +183,7 @@ void strike(WorldData& data, std::vector<Kind>& list, Batches<Batch>& batches, s
 
 } // namespace
 
-void listRound(WorldData& data, std::uint32_t pair, const Touch& touch, const RoundTarget& target, double perSecond) {
+void listRound(WorldData& data, std::uint32_t pair, const Touch& touch, const RoundTarget& target) {
     Contact& kept = data.contacts[data.table.pairs[pair].contact];
     const bool listed = data.table.marks[pair].listed;
     RoundContact& c = listed ? data.roundContacts[kept.place] : openRound(data, pair);
@@ -201,7 +201,7 @@ void listRound(WorldData& data, std::uint32_t pair, const Touch& touch, const Ro
     batch.tangentMass[i] = 1 / (inverseMass + a.inverseInertia * leverA * leverA + b.inverseInertia * leverB * leverB);
     batch.separation[i] = touch.separation;
     batch.target[i] = target.velocity;
-    batch.closing[i] = -perSecond * roomToClose(touch.separation);
+    batch.closing[i] = target.closing;
     if (beginAt(kept, touch.feature)) {
         batch.normalImpulse[i] = batch.tangentImpulse[i] = 0;
     }

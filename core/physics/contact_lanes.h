@@ -18,11 +18,12 @@ struct Touch {
 /// What the normal velocity is to be, see contact_rules.h.
 struct RoundTarget {
     double velocity = 0; // m/s
+    double closing = 0;  // m/s: faster than they may come nearer to each other
     bool bounces = false;
 };
 
 /// Lists a round contact, or renews it where it is listed.
-void listRound(WorldData& data, std::uint32_t pair, const Touch& touch, const RoundTarget& target, double perSecond);
+void listRound(WorldData& data, std::uint32_t pair, const Touch& touch, const RoundTarget& target);
 
 /// Lists a general contact.
 void listGeneral(WorldData& data, const Constraint& constraint, double perSecond);

@@ -54,7 +54,8 @@ void sweepRound(WorldData& data, std::uint32_t index, std::uint32_t feature) {
 void addRoundContact(WorldData& data, std::uint32_t index, const Touch& touch, double perSecond) {
     Pair& pair = data.table.pairs[index];
     const Contact& kept = contactOf(data, pair);
-    RoundTarget aim{touch.separation > 0 ? -touch.separation * perSecond : 0, false};
+    const double closing = -perSecond * roomToClose(touch.separation);
+    RoundTarget aim{touch.separation > 0 ? -touch.separation * perSecond : 0, closing, false};
     if (kept.restitution > 0) {
         const Target target =
             targetOf(approach(data, pair, touch.normal), touch.separation, kept.restitution, perSecond);
@@ -62,9 +63,9 @@ void addRoundContact(WorldData& data, std::uint32_t index, const Touch& touch, d
             sweepRound(data, index, touch.feature);
             return;
         }
-        aim = {target.velocity, target.meeting == Meeting::Bounces};
+        aim = {target.velocity, closing, target.meeting == Meeting::Bounces};
     }
-    listRound(data, index, touch, aim, perSecond);
+    listRound(data, index, touch, aim);
 }
 
 void meetRound(WorldData& data, std::uint32_t index, double perSecond) {

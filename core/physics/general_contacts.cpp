@@ -120,15 +120,15 @@ Approach approach(const WorldData& data, const Constraint& c, const ConstraintPo
 }
 
 /// Sets what the normal velocity at a point is to be; false when it is to be swept instead.
-bool setTarget(WorldData& data, Pair& pair, const Constraint& c, ConstraintPoint& p, double perSecond) {
+bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double perSecond) {
     p.bounces = false;
     p.target = p.separation > 0 ? -p.separation * perSecond : 0;
     if (c.restitution > 0) {
         const Target target = targetOf(approach(data, c, p), p.separation, c.restitution, perSecond);
         if (target.meeting == Meeting::WillBounce) {
-            pair.sweep = true;
+            data.table.pairs[p.pair].sweep = true;
             data.anySweep = true;
-            data.steps[pair.bodyA].bouncing = data.steps[pair.bodyB].bouncing = true;
+            data.steps[c.a].bouncing = data.steps[c.b].bouncing = true;
             return false;
         }
         p.target = target.velocity;
@@ -175,7 +175,7 @@ bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
         p.pair = index;
         p.contact = pair.contact;
         p.index = i;
-        c.count += setTarget(data, pair, c, p, perSecond) ? 1 : 0;
+        c.count += setTarget(data, c, p, perSecond) ? 1 : 0;
     }
     if (c.count == 0) {
         data.constraints.pop_back();

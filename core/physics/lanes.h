@@ -52,18 +52,22 @@ SPACETOW_INLINE void store(Pace* paces, const std::array<Slot, 4>& slots, const 
     std::memcpy(static_cast<void*>(&paces[slots[3]]), &rows.unused, sizeof(Wide));
 }
 
+/// An impulse (x, y) on b and its opposite on a, and the angular impulses by which it twists them.
+struct Impulse {
+    Wide x, y, twistA, twistB;
+};
+
 /// The bodies of a batch's contacts.
 struct Ends {
     WidePace a, b;
 
     SPACETOW_INLINE Wide along(Wide x, Wide y) const { return (b.x - a.x) * x + (b.y - a.y) * y; }
     SPACETOW_INLINE Wide turning(Wide leverA, Wide leverB) const { return b.turn * leverB - a.turn * leverA; }
-    /// An impulse (x, y) on b and its opposite on a, which twist them by these angular impulses.
     template <class Batch>
-    SPACETOW_INLINE void apply(const Batch& c, Wide x, Wide y, Wide twistA, Wide twistB) {
-        push(c, x, y);
-        a.turn -= c.inertiaA * twistA;
-        b.turn += c.inertiaB * twistB;
+    SPACETOW_INLINE void apply(const Batch& c, const Impulse& impulse) {
+        push(c, impulse.x, impulse.y);
+        a.turn -= c.inertiaA * impulse.twistA;
+        b.turn += c.inertiaB * impulse.twistB;
     }
     template <class Batch>
     SPACETOW_INLINE void push(const Batch& c, Wide x, Wide y) {

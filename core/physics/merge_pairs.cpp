@@ -202,9 +202,10 @@ void rearrange(std::vector<T>& list, const std::vector<Stretch>& stretches, std:
             std::copy(at(s.begin), at(s.end), at(s.to));
         }
     }
-    for (auto s = stretches.rbegin(); s != stretches.rend(); ++s) {
-        if (s->to > s->begin) {
-            std::copy_backward(at(s->begin), at(s->end), at(s->to + s->end - s->begin));
+    for (std::size_t i = stretches.size(); i-- > 0;) {
+        const Stretch& s = stretches[i];
+        if (s.to > s.begin) {
+            std::copy_backward(at(s.begin), at(s.end), at(s.to + s.end - s.begin));
         }
     }
     list.resize(newSize);

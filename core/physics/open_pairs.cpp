@@ -15,13 +15,14 @@ void listOpenGates(WorldData& data) {
     }
     data.open.resize(count);
     std::size_t size = 0;
+    const auto opens = [&](std::uint32_t i) { return data.isGateOpen(i) ? 1U : 0U; };
     const auto note = [&](std::uint32_t i) { // without a branch that could not be foretold
         data.open[size] = i;
-        size += data.isGateOpen(i) ? 1 : 0;
+        size += opens(i);
     };
     std::uint32_t i = 0;
     for (; i + 4 <= count; i += 4) { // where all is at rest, all four are shut
-        if (data.isGateOpen(i) | data.isGateOpen(i + 1) | data.isGateOpen(i + 2) | data.isGateOpen(i + 3)) {
+        if ((opens(i) | opens(i + 1) | opens(i + 2) | opens(i + 3)) != 0) {
             for (std::uint32_t k = i; k < i + 4; ++k) {
                 note(k);
             }

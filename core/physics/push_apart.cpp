@@ -28,8 +28,8 @@ SPACETOW_INLINE void pushOut(Ends& ends, const ConstraintBatch& c, const Constra
     const Wide way1 = s.acts1 ? wayOut(c.separation1, c.velocity1, c.mass1, rules) : Wide{};
     const Wide way2 = s.acts2 ? wayOut(c.separation2, c.velocity2, c.mass2, rules) : Wide{};
     const Wide way = way1 + way2;
-    ends.apply(c, way * c.normalX, way * c.normalY, way1 * c.leverA1 + way2 * c.leverA2,
-               way1 * c.leverB1 + way2 * c.leverB2);
+    ends.apply(c, {way * c.normalX, way * c.normalY, way1 * c.leverA1 + way2 * c.leverA2,
+                   way1 * c.leverB1 + way2 * c.leverB2});
 }
 
 template <class Batch>
