@@ -62,7 +62,7 @@ DebrisPiece pieceOf(const BodyState& source, Random& random) {
 std::vector<DebrisPiece> debrisOf(const BodyState& source, int least, Random& random) {
     std::vector<DebrisPiece> pieces;
     const int count = least + static_cast<int>(random.below(5));
-    pieces.reserve(static_cast<std::size_t>(std::max(count, 0)));
+    pieces.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         pieces.push_back(pieceOf(source, random));
     }

@@ -35,17 +35,17 @@ FieldReader::FieldReader(ReadState& state, JsonView object, const Place& place)
     EXPECTS(object.isObject());
 }
 
-void FieldReader::report(Finding finding, JsonView at, const Place& place) {
-    m_state.hasErrors = m_state.hasErrors || finding.severity == Severity::Error;
+void FieldReader::report(Severity severity, Error error, JsonView at, const Place& place) {
+    m_state.hasErrors = m_state.hasErrors || severity == Severity::Error;
     if (m_state.problems.size() < maxProblems) {
-        m_state.problems.push_back({finding.severity, std::move(finding.code), std::move(finding.arguments),
-                                    place.pointer(), at.line(), m_state.object});
+        m_state.problems.push_back(
+            {severity, std::move(error.code), std::move(error.arguments), place.pointer(), at.line(), m_state.object});
     }
 }
 
 void FieldReader::reject(std::string code, const Place& place, JsonView value) {
     std::string name = place.index >= 0 ? std::string(place.parent->name) : std::string(place.name);
-    report({Severity::Error, std::move(code), {std::move(name), value.spelled(excerpt)}}, value, place);
+    report(Severity::Error, {std::move(code), {std::move(name), value.spelled(excerpt)}}, value, place);
 }
 
 std::optional<JsonView> FieldReader::member(const char* name, bool required) {
@@ -64,7 +64,7 @@ std::optional<JsonView> FieldReader::member(const char* name, bool required) {
         }
     }
     if (required) {
-        report({Severity::Error, "missing-field", {name}}, m_object, m_place);
+        report(Severity::Error, {"missing-field", {name}}, m_object, m_place);
     }
     return {};
 }
@@ -90,10 +90,10 @@ void FieldReader::integer(const Field& field, int& value, int byDefault) {
     if (!json->isNumber() || json->number() != std::floor(json->number())) {
         reject("not-an-integer", place, *json);
     } else if (json->number() < field.min || json->number() > field.max) {
-        report({Severity::Error,
-                "out-of-range",
-                {field.name, json->spelled(excerpt), spelledNumber(field.min), spelledNumber(field.max)}},
-               *json, place);
+        report(
+            Severity::Error,
+            {"out-of-range", {field.name, json->spelled(excerpt), spelledNumber(field.min), spelledNumber(field.max)}},
+            *json, place);
     } else {
         value = static_cast<int>(json->number());
     }
@@ -202,10 +202,8 @@ TagMask FieldReader::maskOf(JsonView list, const Place& place) {
         if (named || unnamed >= 0) {
             mask = mask | TagMask::bit(named ? *named : unnamed);
         } else {
-            report({m_state.keepUnknownTags ? Severity::Error : Severity::Warning,
-                    "unknown-tag",
-                    {std::string(tag.text())}},
-                   tag, here);
+            report(m_state.keepUnknownTags ? Severity::Error : Severity::Warning,
+                   {"unknown-tag", {std::string(tag.text())}}, tag, here);
         }
     }
     return mask;
@@ -253,7 +251,7 @@ int FieldReader::spelling(JsonView value, std::string_view name, std::span<const
     if (found != names.end()) {
         return static_cast<int>(found - names.begin());
     }
-    report({Severity::Error, "unknown-choice", {std::string(name), value.spelled(excerpt), joined(names)}}, value,
+    report(Severity::Error, {"unknown-choice", {std::string(name), value.spelled(excerpt), joined(names)}}, value,
            {&m_place, name});
     return -1;
 }
@@ -306,7 +304,7 @@ void FieldReader::finish() {
         }
         const Place place{&m_place, value.name()};
         const std::string pointer = m_state.ownerPointer + place.pointer().substr(m_state.owner->pointer().size());
-        report({Severity::Warning, "unknown-field", {std::string(value.name())}}, value, place);
+        report(Severity::Warning, {"unknown-field", {std::string(value.name())}}, value, place);
         m_state.unknownFields += m_state.unknownFields.empty() ? "" : ", ";
         m_state.unknownFields += spelledText(pointer) + ": " + value.spelled(std::string::npos);
     }

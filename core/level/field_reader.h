@@ -1,6 +1,7 @@
 #pragma once
 // Reads the fields of one JSON object into a struct: the visitor of core/level/fields.h that json_read uses.
 
+#include "core/base/result.h"
 #include "core/level/fields.h"
 #include "core/level/json_tree.h"
 #include "core/level/key_text.h"
@@ -33,13 +34,6 @@ struct ReadState {
     std::string unknownFields;    // collected so far: members of a JSON object, without the braces
 };
 
-/// What is wrong with a field, without where.
-struct Finding {
-    Severity severity = Severity::Error;
-    std::string code;
-    std::vector<std::string> arguments;
-};
-
 class FieldReader {
   public:
     FieldReader(ReadState& state, JsonView object, const Place& place);
@@ -70,7 +64,7 @@ class FieldReader {
     /// To be called after all fields: what is left is unknown, kept and reported.
     void finish();
 
-    void report(Finding finding, JsonView at, const Place& place);
+    void report(Severity severity, Error error, JsonView at, const Place& place);
     /// Reports that `value` of the field is not what `code` says.
     void reject(std::string code, const Place& place, JsonView value);
 

@@ -35,9 +35,9 @@ void readTag(ReadState& state, JsonView entry, const Place& place) {
     if (name && !name->isText()) {
         reader.reject("not-a-text", {&place, "name"}, *name);
     } else if (name && state.tags.indexOf(name->text())) {
-        reader.report({Severity::Error, "duplicate-tag", {std::string(name->text())}}, *name, {&place, "name"});
+        reader.report(Severity::Error, {"duplicate-tag", {std::string(name->text())}}, *name, {&place, "name"});
     } else if (name && unnamedTag(name->text()) >= 0) {
-        reader.report({Severity::Error, "bad-tag-name", {std::string(name->text())}}, *name, {&place, "name"});
+        reader.report(Severity::Error, {"bad-tag-name", {std::string(name->text())}}, *name, {&place, "name"});
     } else if (name) {
         info.name = name->text();
     }
@@ -56,7 +56,7 @@ void readTag(ReadState& state, JsonView entry, const Place& place) {
     }
     const int position = static_cast<int>(number);
     if (!(state.tags[position] == TagInfo())) {
-        reader.report({Severity::Error, "duplicate-tag-index", {std::to_string(position)}}, *index, {&place, "index"});
+        reader.report(Severity::Error, {"duplicate-tag-index", {std::to_string(position)}}, *index, {&place, "index"});
     }
     state.tags.set(position, std::move(info));
     state.owner = &place;
@@ -137,9 +137,8 @@ void readObjectList(ReadState& state, FieldReader& document, JsonView list, cons
         if (object && object->key != 0) {
             const auto [first, isNew] = lines.emplace(object->key, item.line());
             if (!isNew) {
-                document.report(
-                    {Severity::Error, "duplicate-key", {keyText(object->key), std::to_string(first->second)}}, item,
-                    here);
+                document.report(Severity::Error,
+                                {"duplicate-key", {keyText(object->key), std::to_string(first->second)}}, item, here);
             }
         }
         if (object && !state.hasErrors) {

@@ -34,6 +34,24 @@ inline double contactMargin(const BodyStep& a) {
     return linearSlop + std::min(way, 0.5 * a.innerRadius);
 }
 
+/// The discs around the bodies of a pair.
+struct Discs {
+    double radii;   // m, of both together
+    double reach;   // m: further apart they do not meet in this iteration
+    double squared; // m², of the distance of their centres
+
+    bool areApart() const { return squared > reach * reach; }
+    double gap() const { return std::sqrt(squared) - radii; } // m
+};
+
+inline Discs discsOf(const WorldData& data, const Pair& pair) {
+    const BodyStep& a = data.steps[pair.bodyA];
+    const BodyStep& b = data.steps[pair.bodyB];
+    const double radii = a.outerRadius + b.outerRadius;
+    return {radii, radii + contactMargin(a, b),
+            (data.motions[pair.bodyB].center - data.motions[pair.bodyA].center).squaredNorm()};
+}
+
 /// How far surfaces may go into each other in this iteration where the solver has not converged, m: up to the slop.
 inline double roomToClose(double separation) {
     return std::max(separation + linearSlop, 0.1 * linearSlop);

@@ -92,8 +92,7 @@ Gain measureIslands(WorldData& data) {
         data.islands.balances[root] = {sum(change.a), sum(change.b), sum(change.c), 0};
     }
     for (const Islands::Driver& driver : data.islands.drivers) {
-        const BodyMotion& m = data.motions[driver.slot];
-        if (m.angularVelocity != 0 || m.velocity != Vec2(0, 0)) {
+        if (data.motions[driver.slot].isMoving()) {
             data.islands.balances[driver.pushed] = {0, 0, -infinite, 0};
         }
     }

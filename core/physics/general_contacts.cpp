@@ -137,17 +137,6 @@ bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double 
     return true;
 }
 
-/// How far apart the discs around the bodies are, m, when that is further than they may come nearer in this iteration;
-/// 0 else.
-double gapOfDiscs(const WorldData& data, const Pair& pair) {
-    const BodyStep& a = data.steps[pair.bodyA];
-    const BodyStep& b = data.steps[pair.bodyB];
-    const double radii = a.outerRadius + b.outerRadius;
-    const double reach = radii + contactMargin(a, b);
-    const double squared = (data.motions[pair.bodyB].center - data.motions[pair.bodyA].center).squaredNorm();
-    return squared > reach * reach ? std::sqrt(squared) - radii : 0;
-}
-
 /// False when there is none, as all of its points will bounce.
 bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
@@ -217,11 +206,13 @@ double roomBetween(const WorldData& data, const Pair& pair) {
 void meetGeneral(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
     const bool unknown = pair.contact == Pair::none || data.contacts[pair.contact].count == 0;
-    const double gap = unknown && !pair.staticB ? gapOfDiscs(data, pair) : 0;
-    if (gap > 0) {
-        forgetContact(data, pair);
-        data.table.gates[index].apartUntil = data.milesOf(pair) + gap;
-        return;
+    if (unknown && !pair.staticB) {
+        const Discs discs = discsOf(data, pair);
+        if (discs.areApart()) {
+            forgetContact(data, pair);
+            data.table.gates[index].apartUntil = data.milesOf(pair) + discs.gap();
+            return;
+        }
     }
     const Contact& contact = contactOf(data, pair);
     look(data, index);

@@ -143,8 +143,7 @@ void findDriven(WorldData& data) {
     islands.driven.assign(data.motions.size() + 1, 0);
     bool any = false;
     for (const Islands::Driver& driver : islands.drivers) {
-        const BodyMotion& m = data.motions[driver.slot];
-        if (m.angularVelocity != 0 || m.velocity != Vec2(0, 0)) {
+        if (data.motions[driver.slot].isMoving()) {
             islands.driven[driver.pushed] = 1;
             any = true;
         }

@@ -1,6 +1,10 @@
 #include "core/physics/in_front.h"
 
+#include "core/geometry/polygon.h"
+
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace spacetow {
 
@@ -9,14 +13,12 @@ bool isSlender(const Part& part) {
     if (convex == nullptr) {
         return false;
     }
-    const auto count = static_cast<std::size_t>(convex->count);
-    double area = 0;
+    const std::span corners(convex->corners.data(), static_cast<std::size_t>(convex->count));
     double longest = 0; // squared
-    for (std::size_t i = 0; i < count; ++i) {
-        area += 0.5 * cross(convex->corners[i], convex->corners[(i + 1) % count]);
-        longest = std::max(longest, (convex->corners[i] - convex->corners[0]).squaredNorm());
+    for (const Vec2& corner : corners) {
+        longest = std::max(longest, (corner - corners.front()).squaredNorm());
     }
-    return longest > 8 * area;
+    return longest > 8 * signedArea(corners);
 }
 
 bool staysInFront(const Aabb& box, const ConvexPart& part, const Rot& rotation, const Room& room) {

@@ -49,13 +49,9 @@ void shutWhereDiscsAreApart(WorldData& data) {
         }
         const std::uint32_t i = data.open[k];
         const Pair& pair = data.table.pairs[i];
-        const BodyStep& a = data.steps[pair.bodyA];
-        const BodyStep& b = data.steps[pair.bodyB];
-        const double radii = a.outerRadius + b.outerRadius;
-        const double reach = radii + contactMargin(a, b);
-        const double squared = (data.motions[pair.bodyB].center - data.motions[pair.bodyA].center).squaredNorm();
-        const bool apart = isUnknown(pair) & (squared > reach * reach);
-        const double until = data.milesOf(pair) + (std::sqrt(squared) - radii);
+        const Discs discs = discsOf(data, pair);
+        const bool apart = isUnknown(pair) & discs.areApart();
+        const double until = data.milesOf(pair) + discs.gap();
         double& apartUntil = data.table.gates[i].apartUntil;
         apartUntil = apart ? until : apartUntil;
         data.table.marks[i].now &= !apart;

@@ -36,6 +36,7 @@ struct BodyMotion {
     double inverseMass = 0;    // as contacts and connectors feel it: 0 for what they cannot move
     double inverseInertia = 0; // likewise
 
+    bool isMoving() const { return angularVelocity != 0 || velocity != Vec2(0, 0); }
     /// Whether anything can move or turn it.
     bool yields() const { return inverseMass > 0 || inverseInertia > 0; }
 };
@@ -283,7 +284,6 @@ struct WorldData {
     std::size_t listChanges = 0;                                     // since all were listed
     std::vector<TagMask> touchedTags;                                // by slot, of the last iteration
     Events events;
-    std::vector<RemovedEvent> removedBefore; // since the last update
 
     Sleep sleep;
 
