@@ -9,8 +9,8 @@ namespace spacetow {
 
 } // namespace spacetow
 
-#define EXPECTS(condition)                                                                                     \
-    do {                                                                                                       \
-        if (!(condition)) [[unlikely]]                                                                         \
-            ::spacetow::contractBroken(#condition, __FILE__, __LINE__);                                        \
+#define EXPECTS(condition)                                                                                             \
+    do {                                                                                                               \
+        if (!(condition)) [[unlikely]]                                                                                 \
+            ::spacetow::contractBroken(#condition, __FILE__, __LINE__);                                                \
     } while (false)

@@ -15,6 +15,6 @@ bool registerTest(const char* file, std::function<std::unique_ptr<QObject>()> ma
 
 } // namespace spacetow::test
 
-#define SPACETOW_TEST(Class)                                                                                   \
-    static const bool registered##Class =                                                                      \
+#define SPACETOW_TEST(Class)                                                                                           \
+    static const bool registered##Class =                                                                              \
         spacetow::test::registerTest(__FILE__, [] { return std::unique_ptr<QObject>(new Class); });
