@@ -5,6 +5,16 @@
 
 namespace spacetow {
 
+namespace {
+
+/// 1 or 0: without a branch, which could not be foretold.
+std::size_t overlap(const Aabb& a, const Aabb& b) {
+    return static_cast<std::size_t>(a.min.x() <= b.max.x()) & (b.min.x() <= a.max.x()) & (a.min.y() <= b.max.y()) &
+           (b.min.y() <= a.max.y());
+}
+
+} // namespace
+
 std::uint32_t MovingQuadtree::cellAlong(const Level& level, int axis, double coordinate) const {
     const double cell = (coordinate - m_bounds.min[axis]) * level.perMeter[axis];
     return static_cast<std::uint32_t>(std::clamp(cell, 0.0, level.side - 1.0));
@@ -21,6 +31,11 @@ MovingQuadtree::Range MovingQuadtree::rangeFor(const Level& level, const Aabb& a
         last[static_cast<std::size_t>(axis)] = cellAlong(level, axis, area.max[axis]);
     }
     return {first[0], last[0], first[1], last[1]};
+}
+
+MovingQuadtree::Entries MovingQuadtree::entriesIn(const Level& level, std::uint32_t row, const Range& range) const {
+    const std::uint32_t* starts = &m_starts[level.first + row * level.side];
+    return {starts[range.left], starts[range.right + 1]};
 }
 
 int MovingQuadtree::levelFor(const Aabb& box) const {
@@ -100,18 +115,60 @@ void MovingQuadtree::query(const Aabb& area, std::vector<std::uint32_t>& out) co
         }
         const Range range = rangeFor(level, area);
         for (std::uint32_t row = range.bottom; row <= range.top; ++row) {
-            const std::uint32_t* starts = &m_starts[level.first + row * level.side];
-            const std::uint32_t first = starts[range.left];
-            const std::uint32_t end = starts[range.right + 1];
+            const Entries entries = entriesIn(level, row, range);
             std::size_t size = out.size();
-            out.resize(size + end - first);
-            for (std::uint32_t i = first; i < end; ++i) { // without a branch that could not be foretold
-                const Aabb& box = m_entries[i].box;
+            out.resize(size + entries.end - entries.first);
+            for (std::uint32_t i = entries.first; i < entries.end; ++i) {
                 out[size] = m_entries[i].number;
-                size += static_cast<std::size_t>(box.min.x() <= area.max.x()) & (area.min.x() <= box.max.x()) &
-                        (box.min.y() <= area.max.y()) & (area.min.y() <= box.max.y());
+                size += overlap(m_entries[i].box, area);
             }
             out.resize(size);
+        }
+    }
+}
+
+void MovingQuadtree::appendOverlapping(const Entry& entry, Entries with, std::vector<Two>& out) const {
+    std::size_t size = out.size();
+    out.resize(size + with.end - with.first);
+    for (std::uint32_t i = with.first; i < with.end; ++i) {
+        out[size] = {entry.number, m_entries[i].number};
+        size += overlap(m_entries[i].box, entry.box);
+    }
+    out.resize(size);
+}
+
+/// What the boxes of a row overlap of those that come after them on their level.
+void MovingQuadtree::appendLater(const Level& level, std::uint32_t row, std::vector<Two>& out) const {
+    const Entries own = entriesIn(level, row, {0, level.side - 1, row, row});
+    for (std::uint32_t i = own.first; i < own.end; ++i) {
+        const Range range = rangeFor(level, m_entries[i].box);
+        appendOverlapping(m_entries[i], {i + 1, entriesIn(level, row, range).end}, out);
+        for (std::uint32_t above = row + 1; above <= range.top; ++above) {
+            appendOverlapping(m_entries[i], entriesIn(level, above, range), out);
+        }
+    }
+}
+
+void MovingQuadtree::queryAll(std::vector<Two>& out) const {
+    for (std::size_t depth = 0; depth < m_levels.size(); ++depth) {
+        const Level& level = m_levels[depth];
+        if (level.count == 0) {
+            continue;
+        }
+        for (std::uint32_t row = 0; row < level.side; ++row) {
+            appendLater(level, row, out);
+        }
+        const Entries all{m_starts[level.first], m_starts[level.first] + level.count};
+        for (std::size_t k = 0; k < depth; ++k) { // its boxes with larger ones
+            if (m_levels[k].count == 0) {
+                continue;
+            }
+            for (std::uint32_t i = all.first; i < all.end; ++i) {
+                const Range range = rangeFor(m_levels[k], m_entries[i].box);
+                for (std::uint32_t row = range.bottom; row <= range.top; ++row) {
+                    appendOverlapping(m_entries[i], entriesIn(m_levels[k], row, range), out);
+                }
+            }
         }
     }
 }

@@ -22,6 +22,14 @@ class MovingQuadtree {
     /// Appends the numbers of the boxes that overlap `area`, borders included, each once and always in the same order.
     void query(const Aabb& area, std::vector<std::uint32_t>& out) const;
 
+    /// Two boxes, by number.
+    struct Two {
+        std::uint32_t a, b;
+    };
+    /// Appends all that overlap, borders included, each two once and always in the same order. Cheaper than a query for
+    /// every box.
+    void queryAll(std::vector<Two>& out) const;
+
     int depth() const { return m_depth; }
     /// The rectangles of the cells that a box of their level overlaps.
     std::vector<Aabb> cells() const;
@@ -43,8 +51,14 @@ class MovingQuadtree {
     struct Range {
         std::uint32_t left, right, bottom, top;
     };
+    struct Entries {
+        std::uint32_t first, end;
+    };
     std::uint32_t cellAlong(const Level& level, int axis, double coordinate) const;
     Range rangeFor(const Level& level, const Aabb& area) const;
+    Entries entriesIn(const Level& level, std::uint32_t row, const Range& range) const;
+    void appendOverlapping(const Entry& entry, Entries with, std::vector<Two>& out) const;
+    void appendLater(const Level& level, std::uint32_t row, std::vector<Two>& out) const;
     int levelFor(const Aabb& box) const;
     void layOut(std::span<const Aabb> boxes);
 

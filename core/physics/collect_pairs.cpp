@@ -70,31 +70,48 @@ bool staysClear(const WorldData& data, const MovingCollider& of, const Aabb& box
                                       data.motions[of.body].rotation, data.steps[of.body].room);
 }
 
-/// Of two that have both escaped, the later one finds the other.
 void consider(WorldData& data, std::uint32_t index, std::uint32_t other) {
     const MovingCollider& a = data.colliders[index];
     const MovingCollider& b = data.colliders[other];
-    if (a.body != b.body && (other < index || !b.escaped) && !staysClear(data, a, data.boxes[other]) &&
-        !staysClear(data, b, data.boxes[index])) {
+    if (a.body != b.body && !staysClear(data, a, data.boxes[other]) && !staysClear(data, b, data.boxes[index])) {
         add(data, a, b);
     }
 }
 
-void findPairsOf(WorldData& data, std::uint32_t index) {
+/// Of two that have both escaped, the later one finds the other.
+bool isFoundBy(const WorldData& data, std::uint32_t index, std::uint32_t other) {
+    return other < index || !data.colliders[other].escaped;
+}
+
+void findMovingOf(WorldData& data, std::uint32_t index) {
     const Aabb& box = data.boxes[index];
     data.found.clear();
     data.tree.query(box, data.found);
     for (const std::uint32_t other : data.found) {
-        if (!data.colliders[other].astray) {
+        if (!data.colliders[other].astray && isFoundBy(data, index, other)) {
             consider(data, index, other);
         }
     }
     for (const std::uint32_t other : data.astray) {
-        if (data.boxes[other].overlaps(box)) {
+        if (data.boxes[other].overlaps(box) && isFoundBy(data, index, other)) {
             consider(data, index, other);
         }
     }
-    findStatics(*data.statics, box, data.found);
+}
+
+/// The tree has all where they are.
+void findAllMoving(WorldData& data) {
+    data.overlapping.clear();
+    data.tree.queryAll(data.overlapping);
+    for (const auto& [a, b] : data.overlapping) {
+        if (data.colliders[a].escaped || data.colliders[b].escaped) {
+            consider(data, a, b);
+        }
+    }
+}
+
+void findStaticsOf(WorldData& data, std::uint32_t index) {
+    findStatics(*data.statics, data.boxes[index], data.found);
     const MovingCollider& collider = data.colliders[index];
     for (const std::uint32_t other : data.found) {
         const StaticGeometry::Collider& wall = data.statics->colliders[other];
@@ -214,10 +231,17 @@ void collectPairs(WorldData& data) {
     refreshTree(data);
     setEscaped(data, true);
     data.foundPairs.clear();
+    const bool most = data.astray.empty() && 2 * data.escaped.size() > data.moving.size();
+    if (most) {
+        findAllMoving(data);
+    }
     for (const Slot slot : data.escaped) {
         const std::uint32_t first = data.firstColliders[slot];
         for (std::uint32_t i = first; i < first + data.records[slot].parts->size(); ++i) {
-            findPairsOf(data, i);
+            if (!most) {
+                findMovingOf(data, i);
+            }
+            findStaticsOf(data, i);
         }
     }
     setEscaped(data, false);

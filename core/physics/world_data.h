@@ -311,12 +311,13 @@ struct WorldData {
     bool anyFast = false; // something moves further than anticipation covers
     bool anySweep = false;
     bool anyDiverted = false;
-    bool islandsStale = true;                  // the pairs or who moves have changed
-    std::vector<std::uint8_t> yields;          // 0, then by slot: whether anything can move or turn it
-    std::vector<Aabb> boxes;                   // that colliders cannot leave unnoticed
-    std::vector<std::uint32_t> firstColliders; // by slot
-    std::vector<std::uint32_t> astray;         // colliders that are not where the tree has them
-    std::vector<Slot> escaped;                 // whose pairs are found anew
+    bool islandsStale = true;                     // the pairs or who moves have changed
+    std::vector<std::uint8_t> yields;             // 0, then by slot: whether anything can move or turn it
+    std::vector<Aabb> boxes;                      // that colliders cannot leave unnoticed
+    std::vector<std::uint32_t> firstColliders;    // by slot
+    std::vector<std::uint32_t> astray;            // colliders that are not where the tree has them
+    std::vector<Slot> escaped;                    // whose pairs are found anew
+    std::vector<MovingQuadtree::Two> overlapping; // colliders whose boxes do
     std::vector<FoundPair> foundPairs, sortedPairs;
     std::vector<std::uint8_t> leaves;     // 0, then by slot: whether a body has escaped, while pairs are merged
     std::vector<std::uint32_t> leaving;   // pairs of those who have

@@ -60,6 +60,7 @@ class MovingQuadtreeTest : public QObject {
 
   private slots:
     void queriesEqualBruteForceEachBoxOnce();
+    void allPairsEqualBruteForceEachOnce();
     void boxesOfAllSizesAreFound();
     void farFromTheOriginNothingIsMissed();
     void depthIsTheLogarithmOfTheCount_data();
@@ -83,6 +84,35 @@ void MovingQuadtreeTest::queriesEqualBruteForceEachBoxOnce() {
 }
 
 /// From a hundredth to a hundred times the usual one, and as thin as they are long.
+void MovingQuadtreeTest::allPairsEqualBruteForceEachOnce() {
+    MovingQuadtree tree;
+    std::vector<MovingQuadtree::Two> pairs;
+    for (unsigned seed = 0; seed < 5000; ++seed) {
+        Random random(seed);
+        std::vector<Aabb> boxes = randomBoxes(random, random.below(60), random.below(2) == 0);
+        for (const Aabb& large : randomBoxes(random, random.below(4), false)) { // these are on other levels
+            boxes.push_back({large.min, large.min + 5 * large.size()});
+        }
+        tree.fill(boxes);
+        pairs.clear();
+        tree.queryAll(pairs);
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+        for (const auto& [a, b] : pairs) {
+            all.emplace_back(std::min(a, b), std::max(a, b));
+        }
+        std::sort(all.begin(), all.end());
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> expected;
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+            for (std::uint32_t k = i + 1; k < boxes.size(); ++k) {
+                if (boxes[i].overlaps(boxes[k])) {
+                    expected.emplace_back(i, k);
+                }
+            }
+        }
+        QVERIFY2(all == expected, "seed " + QByteArray::number(seed));
+    }
+}
+
 void MovingQuadtreeTest::boxesOfAllSizesAreFound() {
     MovingQuadtree tree;
     for (unsigned seed = 0; seed < 1000; ++seed) {
