@@ -3,6 +3,7 @@
 #include "core/physics/contact_rules.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -95,6 +96,20 @@ bool holdBackAt(const std::vector<Pace>& paces, const Holding& h, const Constrai
     return limitAt(batch.leverA2[i], batch.leverB2[i], batch.separation2[i]) || changed;
 }
 
+/// Whether no contact closes too fast, but in islands that something drives.
+template <class Batch>
+bool noneCloses(const std::vector<std::uint8_t>& driven, const Batches<Batch>& batches) {
+    for (std::uint32_t k = 0; k < batches.size(); ++k) {
+        for (unsigned lanes = batches.notes(k).closes; lanes != 0; lanes &= lanes - 1) {
+            const auto i = static_cast<std::uint32_t>(std::countr_zero(lanes));
+            if ((driven[batches[k].a[i]] & driven[batches[k].b[i]]) == 0) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 /// Visits what closes too fast at first, then what touches bodies that have been held back since: no other can have
 /// changed.
 template <class Batch>
@@ -160,6 +175,12 @@ void findDriven(WorldData& data) {
 void holdBack(WorldData& data, double dt) {
     Islands& islands = data.islands;
     findDriven(data);
+    const bool anyHeld =
+        std::any_of(data.moving.begin(), data.moving.end(), [&](Slot slot) { return data.steps[slot].fraction < 1; });
+    if (!anyHeld && noneCloses(islands.driven, data.batches.round) &&
+        noneCloses(islands.driven, data.batches.general)) {
+        return;
+    }
     islands.fractions.assign(data.motions.size() + 1, 1);
     islands.held.assign(data.motions.size() + 1, 0);
     for (const Slot slot : data.moving) {

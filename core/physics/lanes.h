@@ -78,12 +78,21 @@ struct Ends {
     }
 };
 
-SPACETOW_INLINE bool any(Mask mask) {
-    return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+SPACETOW_INLINE LaneBits bits(Mask mask) {
+#if defined(__x86_64__)
+    using Two = double __attribute__((vector_size(16))); // what every such processor has an instruction for
+    std::array<Two, 2> halves;
+    std::memcpy(halves.data(), &mask, sizeof mask);
+    const int low = __builtin_ia32_movmskpd(halves[0]);
+    const int high = __builtin_ia32_movmskpd(halves[1]);
+    return static_cast<LaneBits>(low | high << 2);
+#else
+    return static_cast<LaneBits>((mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8));
+#endif
 }
 
-SPACETOW_INLINE LaneBits bits(Mask mask) {
-    return static_cast<LaneBits>((mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8));
+SPACETOW_INLINE bool any(Mask mask) {
+    return bits(mask) != 0;
 }
 
 } // namespace spacetow::lanes
