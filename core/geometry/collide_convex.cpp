@@ -26,6 +26,18 @@ struct Axis {
     int allowedFace = -1;
 };
 
+/// Whether the corner, or another one that is as deep along the normal, may meet a face: what comes down flat does so
+/// with two, one of which may be in the middle of a side of the outline.
+bool levelBears(const ConvexPart& part, int corner, const Vec2& normal) {
+    const double depth = normal.dot(cornerOf(part, corner));
+    for (int k = 0; k < part.count; ++k) {
+        if (std::fabs(normal.dot(cornerOf(part, k)) - depth) <= tie && cornerBears(part, k, -normal)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// Separations along the face normals of `reference`; the rest of them is skipped once one exceeds the margin.
 Axis bestAxis(const ConvexPart& reference, const ConvexPart& other, double margin) {
     Axis axis;
@@ -45,7 +57,7 @@ Axis bestAxis(const ConvexPart& reference, const ConvexPart& other, double margi
             }
         }
         if (cut && separation > axis.allowed && isOuterFace(reference, i) &&
-            cornerBears(other, deepestCorner(other, normal), -normal)) {
+            levelBears(other, deepestCorner(other, normal), normal)) {
             axis.allowed = separation;
             axis.allowedFace = i;
         }
@@ -176,12 +188,12 @@ Manifold nearestManifold(const ConvexPart& a, const ConvexPart& b, const Nearest
     Manifold manifold;
     if (nearest.faceA >= 0) {
         const Vec2& normal = normalOf(a, nearest.faceA);
-        const bool allowed = isOuterFace(a, nearest.faceA) && cornerBears(b, nearest.cornerB, -normal);
+        const bool allowed = isOuterFace(a, nearest.faceA) && levelBears(b, nearest.cornerB, normal);
         return allowed ? faceManifold({a, nearest.faceA, false}, b, margin) : manifold;
     }
     if (nearest.faceB >= 0) {
         const Vec2& normal = normalOf(b, nearest.faceB);
-        const bool allowed = isOuterFace(b, nearest.faceB) && cornerBears(a, nearest.cornerA, -normal);
+        const bool allowed = isOuterFace(b, nearest.faceB) && levelBears(a, nearest.cornerA, normal);
         return allowed ? faceManifold({b, nearest.faceB, true}, a, margin) : manifold;
     }
     const Vec2& onA = cornerOf(a, nearest.cornerA);

@@ -110,7 +110,9 @@ struct GeneralContact {
     std::uint32_t count = 0; // of points
     bool singular = false;   // one of its points acts for both
     bool atWall = false;     // something else may share a plane with it
+    bool merged = false;     // stands for several, which `absorbed` has
     bool bounces = false;    // at any point in this iteration
+    std::array<bool, 2> touching{}; // the points of a merged one
     std::array<Point, 2> points{};
 };
 
@@ -141,6 +143,7 @@ struct Constraint {
     Slot a, b;
     int count = 0;
     bool alone;
+    bool merged; // stands for several
     Vec2 normal; // from a to b
     double friction;
     double restitution;
@@ -148,10 +151,11 @@ struct Constraint {
     double tangentMass;
     double tangentImpulse;
     double coupling; // off-diagonal element of the two points' inverse mass matrix
+    double room;     // of merged ones: m that the parts may come closer before a manifold is out of date
     std::array<ConstraintPoint, 2> points;
 
     Constraint() {
-        points[0].bounces = alone = false;
+        points[0].bounces = alone = merged = false;
         silenceSecond();
     }
     void silenceSecond() {

@@ -1,5 +1,6 @@
 #include "core/physics/contact_lanes.h"
 
+#include "core/geometry/moved.h"
 #include "core/physics/contact_rules.h"
 #include "core/physics/effective_mass.h"
 #include "core/physics/merge_contacts.h"
@@ -134,6 +135,30 @@ void packShapes(const WorldData& data, const Constraint& c, ConstraintShapes& sh
     shapes.least[i] = leastInverseMass(data, c.a, c.b);
 }
 
+/// The points of a merged contact have manifolds of their own; where the bodies are now, all of these hold.
+void packMerged(const WorldData& data, const Constraint& c, ConstraintShapes& shapes, std::uint32_t i) {
+    const Transform poseA = data.pose(c.a);
+    const Transform poseB = shapes.still[i] != 0 ? Transform{} : data.pose(c.b);
+    const Vec2 normal = (shapes.ownedByA[i] != 0 ? poseA : poseB).rotation.inverse() * c.normal;
+    shapes.normalX[i] = normal.x();
+    shapes.normalY[i] = normal.y();
+    if (c.count == 2) {
+        const ConstraintPoint& second = c.points[1];
+        const KeptManifold& kept = data.manifolds[data.contacts[second.contact].manifold];
+        const KeptManifold::Point& q = kept.points[second.index];
+        shapes.onA2X[i] = q.onA.x();
+        shapes.onA2Y[i] = q.onA.y();
+        shapes.onB2X[i] = q.onB.x();
+        shapes.onB2Y[i] = q.onB.y();
+    }
+    const Transform now = relative(poseA, poseB);
+    shapes.relativeX[i] = now.position.x();
+    shapes.relativeY[i] = now.position.y();
+    shapes.cosine[i] = now.rotation.c;
+    shapes.sine[i] = now.rotation.s;
+    shapes.room[i] = c.room;
+}
+
 void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double perSecond) {
     const std::uint32_t i = contact.lane.lane;
     ConstraintBatch& batch = data.batches.general[contact.lane.batch];
@@ -151,6 +176,10 @@ void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double 
     }
     setLane(data.batches.general.shapes(contact.lane.batch).singular, i, contact.singular);
     packShapes(data, c, data.batches.general.shapes(contact.lane.batch), i);
+    contact.merged = c.merged;
+    if (c.merged) {
+        packMerged(data, c, data.batches.general.shapes(contact.lane.batch), i);
+    }
     contact.count = static_cast<std::uint32_t>(c.count);
     contact.bounces = false;
     for (std::size_t k = 0; k < contact.count; ++k) {
@@ -356,10 +385,21 @@ void dropContacts(WorldData& data) {
     };
     std::for_each(data.roundContacts.begin(), data.roundContacts.end(), strikeOut);
     std::for_each(data.generalContacts.begin(), data.generalContacts.end(), strikeOut);
+    for (const std::uint32_t pair : data.absorbed) {
+        data.table.gates[pair].apartUntil = 0;
+    }
+    data.absorbed.clear();
     data.contactsListed = false;
 }
 
+void shutAbsorbed(WorldData& data) {
+    for (const std::uint32_t pair : data.absorbed) {
+        data.table.gates[pair].apartUntil = std::numeric_limits<double>::infinity();
+    }
+}
+
 void clearContacts(WorldData& data) {
+    data.absorbed.clear();
     data.roundContacts.clear();
     data.generalContacts.clear();
     data.constraints.clear();

@@ -11,6 +11,7 @@
 #include "core/physics/open_pairs.h"
 #include "core/physics/order_contacts.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -208,14 +209,15 @@ void listContacts(WorldData& data, double perSecond) {
     clearContacts(data);
     data.anySweep = false;
     meetOpen(data, perSecond);
-    const bool merged = mergeContacts(data);
+    mergeContacts(data);
     orderContacts(data);
     for (const Constraint& constraint : data.constraints) {
         listGeneral(data, constraint, perSecond);
     }
+    shutAbsorbed(data);
     findNeighbours(data);
-    data.mergeDoubt = merged;
     data.listChanges = 0;
+    data.justListed = true;
 }
 
 /// Those that the batches cannot renew by themselves.
@@ -261,16 +263,25 @@ void meetOutdated(WorldData& data, double perSecond) {
     }
 }
 
+bool anyMergedOutdated(const WorldData& data) {
+    return std::any_of(data.generalContacts.begin(), data.generalContacts.end(), [&](const GeneralContact& c) {
+        return c.merged && (data.batches.general.notes(c.lane.batch).outdated >> c.lane.lane & 1) != 0;
+    });
+}
+
 /// The contacts that there are, from where the bodies are now; then what may have come or gone. False when there are
-/// too many changes, or some contacts may lie in one plane.
+/// too many changes, or contacts may lie in one plane in another way than before.
 bool renewContacts(WorldData& data, double perSecond) {
     if (!data.contactsListed || data.mergeDoubt) {
         return false;
     }
-    data.anySweep = data.anyBounce = false;
+    data.anySweep = data.anyBounce = data.justListed = false;
     const BodyViews bodies{{data.motions.data(), sizeof(BodyMotion)}, {data.steps.data(), sizeof(BodyStep)}};
     data.constraints.clear();
     refreshContacts(data.batches, bodies, {perSecond, linearSlop});
+    if (!data.absorbed.empty() && anyMergedOutdated(data)) {
+        return false;
+    }
     meetOutdated(data, perSecond);
     renewSingle(data, perSecond);
     meetOpen(data, perSecond);

@@ -195,12 +195,16 @@ void look(WorldData& data, std::uint32_t index) {
 
 } // namespace
 
+double keptRoom(const WorldData& data, const Pair& pair) {
+    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
+    return roomLeft(kept, posesOf(data, pair).relative, data.steps[pair.bodyA].outerRadius);
+}
+
 double roomBetween(const WorldData& data, const Pair& pair) {
     if (pair.kind != PairKind::General || pair.contact == Pair::none || data.contacts[pair.contact].count > 0) {
         return 0;
     }
-    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
-    return std::max(roomLeft(kept, posesOf(data, pair).relative, data.steps[pair.bodyA].outerRadius), 0.0);
+    return std::max(keptRoom(data, pair), 0.0);
 }
 
 void meetGeneral(WorldData& data, std::uint32_t index, double perSecond) {

@@ -12,6 +12,9 @@ void meetGeneral(WorldData& data, std::uint32_t index, double perSecond);
 /// Makes the manifold of a listed contact anew.
 void renewManifold(WorldData& data, std::uint32_t index, double perSecond);
 
+/// How much nearer the parts of a pair with a kept manifold may come before it is out of date, m.
+double keptRoom(const WorldData& data, const Pair& pair);
+
 /// How much nearer the parts of a pair without a contact may come before they can have one, m; 0 when that is unknown.
 double roomBetween(const WorldData& data, const Pair& pair);
 

@@ -2,6 +2,7 @@
 
 #include "core/math/vec.h"
 #include "core/physics/effective_mass.h"
+#include "core/physics/general_contacts.h"
 
 #include <algorithm>
 #include <array>
@@ -57,9 +58,24 @@ ContactPoint& keptPoint(WorldData& data, const ConstraintPoint& p) {
     return data.contacts[p.contact].points[p.index];
 }
 
+double roomOf(const WorldData& data, const Constraint& c) {
+    return c.merged ? c.room : keptRoom(data, data.table.pairs[c.points[0].pair]);
+}
+
+/// Both stand for one from now on.
+void noteMerger(WorldData& data, Constraint& c, const Constraint& d) {
+    c.room = std::min(roomOf(data, c), roomOf(data, d));
+    if (!c.merged) {
+        data.absorbed.push_back(c.points[0].pair);
+    }
+    data.absorbed.push_back(d.points[0].pair);
+    c.merged = true;
+}
+
 /// Keeps the outermost two of the points of both; where two coincide, that of the contact with more points, which will
 /// still be there when the body has turned a little, with the impulses of both.
 void absorb(WorldData& data, Constraint& c, Constraint& d) {
+    noteMerger(data, c, d);
     const Vec2 tangent = leftOf(c.normal);
     std::array<ConstraintPoint, 4> all;
     std::array<double, 4> places;
@@ -102,25 +118,22 @@ void absorb(WorldData& data, Constraint& c, Constraint& d) {
 
 } // namespace
 
-bool mergeContacts(WorldData& data) {
+void mergeContacts(WorldData& data) {
     std::vector<Constraint>& all = data.constraints;
-    bool merged = false;
     for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
         for (end = first + 1; end < all.size() && all[end].a == all[first].a; ++end) {
             for (std::size_t i = first; i < end && !all[end].alone; ++i) {
                 if (all[i].count > 0 && samePlane(data, all[i], all[end]) && isFlat(all[i], all[end])) {
                     absorb(data, all[i], all[end]);
                     prepareAgain(data, all[i]);
-                    merged = true;
                     break;
                 }
             }
         }
     }
-    if (merged) {
+    if (!data.absorbed.empty()) {
         std::erase_if(all, [](const Constraint& c) { return c.count == 0; });
     }
-    return merged;
 }
 
 } // namespace spacetow

@@ -6,9 +6,9 @@
 namespace spacetow {
 
 /// Makes one contact of those of a body that lie in one plane: a flat face on several walls, or several parts of the
-/// body on one wall. The solver then finds its impulses at once, whatever the order of the walls and parts.
-/// True when there were any.
-bool mergeContacts(WorldData& data);
+/// body on one wall. The solver then finds its impulses at once, whatever the order of the walls and parts. Lists the
+/// pairs for which merged contacts stand as `absorbed`.
+void mergeContacts(WorldData& data);
 
 /// Whether contacts with these normals may be in one plane.
 inline bool areParallel(const Vec2& a, const Vec2& b) {

@@ -87,7 +87,7 @@ void measureMotion(WorldData& data, double ahead) {
 }
 
 void findPairs(WorldData& data, const IterationStep& step) {
-    if (data.pairsStale || data.mergeDoubt) {
+    if (data.pairsStale || !data.absorbed.empty()) {
         dropContacts(data);
     }
     if (data.pairsStale) {

@@ -44,17 +44,38 @@ void markTouch(WorldData& data, const RoundContact& c, bool touches) {
     data.table.marks[c.pair].now = touches;
 }
 
-/// Of the pairs of merged contacts each has its point.
 void markTouch(WorldData& data, const GeneralContact& c, bool touches) {
+    if (!c.merged) {
+        data.table.marks[c.points[0].pair].now = touches;
+    }
+}
+
+/// Each point of a merged contact belongs to a pair of its own. Of pairs without a point is known whether they touch
+/// since they were merged: when that may have changed they are to be merged anew.
+void markMerged(WorldData& data, GeneralContact& c) {
     const ConstraintBatch& batch = data.batches.general[c.lane.batch];
     const std::uint32_t i = c.lane.lane;
-    if (!touches) {
-        data.table.marks[c.points[0].pair].now = false;
-        return;
+    std::array<bool, 2> touching{};
+    bool any = false;
+    bool open = false; // since more than the slop apart
+    for (std::size_t k = 0; k < c.count; ++k) {
+        const bool near = (k == 0 ? batch.separation1 : batch.separation2)[i] <= linearSlop;
+        touching[k] = near || (k == 0 ? batch.impulse1 : batch.impulse2)[i] > 0;
+        data.table.marks[c.points[k].pair].now |= touching[k];
+        any |= touching[k];
+        open |= !near;
     }
-    data.table.marks[c.points[0].pair].now |= batch.impulse1[i] > 0 || batch.separation1[i] <= 0;
-    if (c.count == 2) {
-        data.table.marks[c.points[1].pair].now |= batch.impulse2[i] > 0 || batch.separation2[i] <= 0;
+    data.mergeDoubt |= data.justListed ? any && open : touching != c.touching;
+    c.touching = touching;
+}
+
+void markMerged(WorldData& data) {
+    if (!data.absorbed.empty()) {
+        for (GeneralContact& c : data.generalContacts) {
+            if (c.merged) {
+                markMerged(data, c);
+            }
+        }
     }
 }
 
@@ -150,6 +171,7 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
     settle(data, step.dt);
     markTouches(data, data.batches.round, data.roundContacts);
     markTouches(data, data.batches.general, data.generalContacts);
+    markMerged(data);
     if (data.anyBounce) {
         finishBounces(data);
     }

@@ -280,7 +280,9 @@ struct WorldData {
     bool anyBounce = false;
     std::vector<std::uint16_t> wallContacts; // by slot: general contacts with what others may share a plane with
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours; // contacts that may come to lie in one plane
-    bool mergeDoubt = false;                                         // whether some do
+    std::vector<std::uint32_t> absorbed;                             // pairs that merged contacts stand for
+    bool mergeDoubt = false;                                         // whether these may have changed
+    bool justListed = false;                                         // all contacts, in this iteration
     std::size_t listChanges = 0;                                     // since all were listed
     std::vector<TagMask> touchedTags;                                // by slot, of the last iteration
     Events events;
