@@ -1,9 +1,7 @@
 #include "core/physics/contact_lanes.h"
 
-#include "core/geometry/moved.h"
-#include "core/physics/contact_rules.h"
-#include "core/physics/effective_mass.h"
 #include "core/physics/merge_contacts.h"
+#include "core/physics/pack_contacts.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,10 +9,6 @@
 namespace spacetow {
 
 namespace {
-
-void setLane(Mask& mask, std::uint32_t lane, bool value) {
-    mask[lane] = value ? -1 : 0;
-}
 
 template <class Batch>
 Lane openLane(WorldData& data, Batches<Batch>& batches, Slot a, Slot b) {
@@ -54,140 +48,6 @@ RoundContact& openRound(WorldData& data, std::uint32_t index) {
     data.anySingle |= c.single;
     ++data.listChanges;
     return c;
-}
-
-/// Two points with nearly the same effect make the system singular: the one that overlaps more acts for both. A point
-/// at which no push can move anything does not act at all. Returns whether it is.
-bool packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, double perSecond) {
-    const ConstraintPoint& p = c.points[0];
-    const ConstraintPoint& q = c.points[1];
-    const bool acts1 = p.normalMass > 0;
-    const bool acts2 = c.count == 2 && q.normalMass > 0;
-    const double mass1 = acts1 ? p.normalMass : 1;
-    const double mass2 = acts2 ? q.normalMass : mass1;
-    const double k11 = 1 / mass1;
-    const double k22 = 1 / mass2;
-    double coupling = acts1 && acts2 ? c.coupling : 0;
-    double determinant = k11 * k22 - coupling * coupling;
-    batch.target1[i] = acts1 ? p.target : noTarget;
-    batch.target2[i] = acts2 ? q.target : noTarget;
-    batch.impulse1[i] = p.normalImpulse;
-    batch.impulse2[i] = q.normalImpulse;
-    const double largest = std::max(k11, k22);
-    const bool singular = acts1 && acts2 && largest * largest >= singularRatio * determinant;
-    if (singular) {
-        coupling = 0;
-        determinant = k11 * k22;
-    }
-    batch.leverA1[i] = p.leverA;
-    batch.leverB1[i] = p.leverB;
-    batch.leverA2[i] = q.leverA;
-    batch.leverB2[i] = q.leverB;
-    batch.k11[i] = k11;
-    batch.k22[i] = k22;
-    batch.mass1[i] = mass1;
-    batch.mass2[i] = mass2;
-    batch.coupling[i] = coupling;
-    batch.inverseDeterminant[i] = 1 / determinant;
-    batch.separation1[i] = p.separation;
-    batch.separation2[i] = c.count == 2 ? q.separation : std::numeric_limits<double>::infinity();
-    batch.closing1[i] = -perSecond * roomToClose(p.separation);
-    batch.closing2[i] = c.count == 2 ? -perSecond * roomToClose(q.separation) : noTarget;
-    return singular;
-}
-
-void actForBoth(ConstraintBatch& batch, std::uint32_t i) {
-    const bool first = batch.separation1[i] <= batch.separation2[i];
-    const double impulse = batch.impulse1[i] + batch.impulse2[i];
-    (first ? batch.target2 : batch.target1)[i] = noTarget;
-    (first ? batch.impulse1 : batch.impulse2)[i] = impulse;
-    (first ? batch.impulse2 : batch.impulse1)[i] = 0;
-}
-
-void packShapes(const WorldData& data, const Constraint& c, ConstraintShapes& shapes, std::uint32_t i) {
-    const Pair& pair = data.table.pairs[c.points[0].pair];
-    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
-    setLane(shapes.still, i, pair.staticB);
-    setLane(shapes.ownedByA, i, kept.normalOfA);
-    setLane(shapes.acts1, i, c.points[0].normalMass > 0);
-    setLane(shapes.acts2, i, c.count == 2 && c.points[1].normalMass > 0);
-    setLane(shapes.first, i, true);
-    setLane(shapes.second, i, c.count == 2);
-    shapes.normalX[i] = kept.normal.x();
-    shapes.normalY[i] = kept.normal.y();
-    const KeptManifold::Point& p = kept.points[c.points[0].index];
-    shapes.onA1X[i] = p.onA.x();
-    shapes.onA1Y[i] = p.onA.y();
-    shapes.onB1X[i] = p.onB.x();
-    shapes.onB1Y[i] = p.onB.y();
-    const KeptManifold::Point& q = kept.points[c.count == 2 ? c.points[1].index : c.points[0].index];
-    shapes.onA2X[i] = q.onA.x();
-    shapes.onA2Y[i] = q.onA.y();
-    shapes.onB2X[i] = q.onB.x();
-    shapes.onB2Y[i] = q.onB.y();
-    shapes.relativeX[i] = kept.relative.position.x();
-    shapes.relativeY[i] = kept.relative.position.y();
-    shapes.cosine[i] = kept.relative.rotation.c;
-    shapes.sine[i] = kept.relative.rotation.s;
-    shapes.room[i] = kept.room;
-    shapes.radiusA[i] = data.steps[c.a].round ? 0 : data.steps[c.a].outerRadius;
-    shapes.radiusB[i] = data.steps[c.b].round ? 0 : data.steps[c.b].outerRadius;
-    shapes.least[i] = leastInverseMass(data, c.a, c.b);
-}
-
-/// The points of a merged contact have manifolds of their own; where the bodies are now, all of these hold.
-void packMerged(const WorldData& data, const Constraint& c, ConstraintShapes& shapes, std::uint32_t i) {
-    const Transform poseA = data.pose(c.a);
-    const Transform poseB = shapes.still[i] != 0 ? Transform{} : data.pose(c.b);
-    const Vec2 normal = (shapes.ownedByA[i] != 0 ? poseA : poseB).rotation.inverse() * c.normal;
-    shapes.normalX[i] = normal.x();
-    shapes.normalY[i] = normal.y();
-    if (c.count == 2) {
-        const ConstraintPoint& second = c.points[1];
-        const KeptManifold& kept = data.manifolds[data.contacts[second.contact].manifold];
-        const KeptManifold::Point& q = kept.points[second.index];
-        shapes.onA2X[i] = q.onA.x();
-        shapes.onA2Y[i] = q.onA.y();
-        shapes.onB2X[i] = q.onB.x();
-        shapes.onB2Y[i] = q.onB.y();
-    }
-    const Transform now = relative(poseA, poseB);
-    shapes.relativeX[i] = now.position.x();
-    shapes.relativeY[i] = now.position.y();
-    shapes.cosine[i] = now.rotation.c;
-    shapes.sine[i] = now.rotation.s;
-    shapes.room[i] = c.room;
-}
-
-void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double perSecond) {
-    const std::uint32_t i = contact.lane.lane;
-    ConstraintBatch& batch = data.batches.general[contact.lane.batch];
-    batch.normalX[i] = c.normal.x();
-    batch.normalY[i] = c.normal.y();
-    batch.tangentLeverA[i] = c.tangentLeverA;
-    batch.tangentLeverB[i] = c.tangentLeverB;
-    batch.tangentMass[i] = c.tangentMass;
-    batch.friction[i] = c.friction;
-    batch.tangentImpulse[i] = c.tangentImpulse;
-    contact.singular = packBlock(c, batch, i, perSecond);
-    if (contact.singular) {
-        actForBoth(batch, i);
-        data.anySingular = true;
-    }
-    setLane(data.batches.general.shapes(contact.lane.batch).singular, i, contact.singular);
-    packShapes(data, c, data.batches.general.shapes(contact.lane.batch), i);
-    contact.merged = c.merged;
-    if (c.merged) {
-        packMerged(data, c, data.batches.general.shapes(contact.lane.batch), i);
-    }
-    contact.count = static_cast<std::uint32_t>(c.count);
-    contact.bounces = false;
-    for (std::size_t k = 0; k < contact.count; ++k) {
-        const ConstraintPoint& p = c.points[k];
-        contact.points[k] = {p.pair, p.contact, p.index, p.bounces};
-        contact.bounces |= p.bounces;
-    }
-    data.anyBounce |= contact.bounces;
 }
 
 void noteNeighbours(WorldData& data, const GeneralContact& c, const GeneralContact& d) {
