@@ -1,6 +1,7 @@
 #include "core/physics/energy_limit.h"
 
 #include "core/physics/contact_rules.h"
+#include "core/physics/solve_on.h"
 
 #include <algorithm>
 #include <bit>
@@ -116,42 +117,28 @@ Slot moverOf(const WorldData& data, Slot a, Slot b) {
     return data.motions[a].yields() ? a : b;
 }
 
-/// Visits the lanes of the islands' contacts, in the order of the contacts.
+/// Visits the islands' contacts.
 template <class Visit>
-void forLanesOf(WorldData& data, Question which, const Visit& visit) {
+void forContactsOf(WorldData& data, Question which, const Visit& visit) {
     for (const RoundContact& c : data.roundContacts) {
         if (which(balanceOf(data, moverOf(data, c.a, c.b)))) {
-            visit(data.batches.round, data.islands.batches.round, c);
+            visit(data.batches.round, c);
         }
     }
     for (const GeneralContact& c : data.generalContacts) {
         if (which(balanceOf(data, moverOf(data, c.a, c.b)))) {
-            visit(data.batches.general, data.islands.batches.general, c);
+            visit(data.batches.general, c);
         }
     }
 }
 
 /// Solves on, for these islands alone.
-void solveOn(WorldData& data, Question which, int passes) {
-    ContactBatches& part = data.islands.batches;
-    part.round.reset(data.motions.size());
-    part.general.reset(data.motions.size());
-    data.islands.lanes.clear();
-    forLanesOf(data, which, [&](auto& from, auto& to, const auto& c) {
-        const Lane lane = to.open(c.a, data.motions[c.a].yields(), c.b, data.motions[c.b].yields());
-        copyLane(from[c.lane.batch], c.lane.lane, to[lane.batch], lane.lane);
-        data.islands.lanes.push_back(lane);
-    });
-    std::swap(part.paces, data.batches.paces);
-    for (int pass = 0; pass < passes; ++pass) {
-        solvePass(part);
+void solveOnWhere(WorldData& data, Question which) {
+    data.islands.unsettled.assign(data.motions.size(), 0);
+    for (const Slot root : data.islands.all) {
+        data.islands.unsettled[root] = which(data.islands.balances[root]) ? 1 : 0;
     }
-    std::swap(part.paces, data.batches.paces);
-    std::size_t next = 0;
-    forLanesOf(data, which, [&](auto& to, auto& from, const auto& c) {
-        const Lane lane = data.islands.lanes[next++];
-        copyLane(from[lane.batch], lane.lane, to[c.lane.batch], c.lane.lane);
-    });
+    solveOn(data, passesInRound);
 }
 
 void soften(RoundBatch& batch, std::uint32_t lane, bool& any) {
@@ -173,8 +160,8 @@ void soften(ConstraintBatch& batch, std::uint32_t lane, bool& any) {
 /// Restitution and friction together may add energy: what gains it bounces half as fast. Whether anything does.
 bool softenBounces(WorldData& data) {
     bool any = false;
-    forLanesOf(data, gainsMuch,
-               [&](auto& batches, auto&, const auto& c) { soften(batches[c.lane.batch], c.lane.lane, any); });
+    forContactsOf(data, gainsMuch,
+                  [&](auto& batches, const auto& c) { soften(batches[c.lane.batch], c.lane.lane, any); });
     return any;
 }
 
@@ -237,32 +224,20 @@ void measurePushes(WorldData& data, double dt) {
     }
 }
 
-/// Whenever there is something to solve again, it is not to allocate.
-void reserveRoom(WorldData& data) {
-    Islands& islands = data.islands;
-    islands.changes.resize(data.motions.size());
-    islands.balances.resize(data.motions.size());
-    const std::size_t contacts = data.roundContacts.capacity() + data.generalContacts.capacity();
-    if (islands.lanes.capacity() < contacts) {
-        islands.lanes.reserve(contacts);
-        islands.batches.round.reserve(data.batches.round);
-        islands.batches.general.reserve(data.batches.general);
-    }
-}
-
 } // namespace
 
 bool limitGain(WorldData& data) {
-    reserveRoom(data);
+    data.islands.changes.resize(data.motions.size());
+    data.islands.balances.resize(data.motions.size());
     Gain gain = measureIslands(data);
     bool changed = false;
     for (int round = 0; round < extraRounds && gain == Gain::Much; ++round) {
-        solveOn(data, gainsMuch, passesInRound);
+        solveOnWhere(data, gainsMuch);
         gain = measureIslands(data);
         changed = true;
     }
     for (int round = 0; round < softerBounces && gain == Gain::Much && softenBounces(data); ++round) {
-        solveOn(data, gainsMuch, passesInRound);
+        solveOnWhere(data, gainsMuch);
         gain = measureIslands(data);
         changed = true;
     }

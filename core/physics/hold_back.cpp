@@ -31,8 +31,18 @@ struct Holding {
     int round;
 };
 
+/// The body goes no further than this part of its way.
+bool hold(const Holding& h, Slot slot, double fraction) {
+    if (fraction >= h.fractions[slot]) {
+        return false;
+    }
+    h.fractions[slot] = fraction;
+    h.changed[slot] = static_cast<std::uint8_t>(h.round + 1);
+    return true;
+}
+
 /// Where the solver has not converged, bodies in contact would still go into each other: they go as far as the slop.
-/// What is held back holds back what follows it.
+/// What is held back holds back what follows it, but only from where it is met: the rest of a heap falls on meanwhile.
 bool limitClosing(const Holding& h, const Closing& c) {
     // What nothing holds back takes along what it holds back: both have the same part of their way to each other left.
     const double fractionA = h.fractions[c.yieldsA ? c.a : c.b];
@@ -41,24 +51,18 @@ bool limitClosing(const Holding& h, const Closing& c) {
     if (h.dt * (fractionA * c.speedA - fractionB * c.speedB) <= room) {
         return false;
     }
+    if (c.yieldsA && c.yieldsB && c.speedA > 0 && c.speedB > 0) {
+        return hold(h, c.a, (room / h.dt + fractionB * c.speedB) / c.speedA);
+    }
+    if (c.yieldsA && c.yieldsB && c.speedA < 0 && c.speedB < 0) {
+        return hold(h, c.b, (room / h.dt - fractionA * c.speedA) / -c.speedB);
+    }
     const double both = std::min(fractionA, fractionB);
     const double closing = h.dt * (c.speedA - c.speedB);
     const double fraction = closing * both > room ? room / closing : both;
-    bool changed = false;
-    const auto hold = [&](Slot slot) {
-        if (fraction < h.fractions[slot]) {
-            h.fractions[slot] = fraction;
-            h.changed[slot] = static_cast<std::uint8_t>(h.round + 1);
-            changed = true;
-        }
-    };
-    if (c.yieldsA) {
-        hold(c.a);
-    }
-    if (c.yieldsB) {
-        hold(c.b);
-    }
-    return changed;
+    const bool heldA = c.yieldsA && hold(h, c.a, fraction);
+    const bool heldB = c.yieldsB && hold(h, c.b, fraction);
+    return heldA || heldB;
 }
 
 double speedAlong(const Pace& pace, double normalX, double normalY, double lever) {
@@ -170,9 +174,8 @@ void findDriven(WorldData& data) {
     }
 }
 
-} // namespace
-
-void holdBack(WorldData& data, double dt) {
+/// What is held back so far holds back what follows it.
+void passOn(WorldData& data, double dt) {
     Islands& islands = data.islands;
     findDriven(data);
     const bool anyHeld =
@@ -193,7 +196,24 @@ void holdBack(WorldData& data, double dt) {
         changed = holdBackOnce(data.batches.paces, holding, data.batches.round);
         changed |= holdBackOnce(data.batches.paces, holding, data.batches.general);
     }
+}
+
+} // namespace
+
+void holdBack(WorldData& data, double dt) {
+    passOn(data, dt);
     takeBackAcceleration(data);
+}
+
+void holdBackFollowers(WorldData& data, double dt) {
+    const auto isStopped = [&](Slot slot) { return data.steps[slot].fraction < data.steps[slot].accounted; };
+    if (std::none_of(data.moving.begin(), data.moving.end(), isStopped)) {
+        return;
+    }
+    passOn(data, dt);
+    for (const Slot slot : data.moving) {
+        data.steps[slot].fraction = data.islands.fractions[slot];
+    }
 }
 
 } // namespace spacetow

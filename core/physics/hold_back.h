@@ -10,4 +10,7 @@ namespace spacetow {
 /// long as it moves. Takes the velocities that were measured at the contacts.
 void holdBack(WorldData& data, double dt);
 
+/// Likewise what follows a body that has been stopped on its way since.
+void holdBackFollowers(WorldData& data, double dt);
+
 } // namespace spacetow

@@ -29,6 +29,10 @@ struct Islands {
         Slot slot = 0, pushed = 0;
         auto operator<=>(const Driver&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
     };
+    /// Of a contact that is solved again.
+    struct SameLane {
+        Lane here, there; // in the batches of all contacts and of those
+    };
     std::vector<Slot> roots; // by slot: the lowest of its island
     std::vector<Driver> drivers;
 
@@ -38,7 +42,8 @@ struct Islands {
     std::vector<EnergyChange> changes;   // by slot, of roots
     std::vector<EnergyBalance> balances; // likewise
     ContactBatches batches;              // of islands that are solved again
-    std::vector<Lane> lanes;             // of their contacts there
+    std::vector<SameLane> lanes;         // of their contacts
+    std::vector<std::uint8_t> unsettled; // by slot, of roots: whether the island is solved again
     std::vector<std::uint8_t> driven;    // by slot: whether something that cannot be stopped pushes the island
     std::vector<std::uint8_t> held;      // by slot: when bodies were held back
     std::vector<double> fractions;       // by slot: of the way that they go

@@ -3,6 +3,7 @@
 #include "core/physics/contact_rules.h"
 #include "core/physics/energy_limit.h"
 #include "core/physics/hold_back.h"
+#include "core/physics/solve_on.h"
 
 #include <algorithm>
 #include <bit>
@@ -121,9 +122,11 @@ void finishBounces(WorldData& data) {
 
 /// What is held back has less energy; and what has less energy may have to be held back.
 void settle(WorldData& data, double dt) {
+    reserveForSolvingOn(data);
     bool changed = true;
     for (int round = 0; changed && round < roundsOfSettling; ++round) {
-        if (measureVelocities(data.batches)) {
+        const bool closes = measureVelocities(data.batches);
+        if (closes && (round > 0 || solveOnWhereClosing(data))) {
             holdBack(data, dt);
         }
         changed = limitGain(data);

@@ -8,6 +8,7 @@
 #include "core/physics/contacts.h"
 #include "core/physics/continuous.h"
 #include "core/physics/field_forces.h"
+#include "core/physics/hold_back.h"
 #include "core/physics/integrate.h"
 #include "core/physics/islands.h"
 #include "core/physics/make_body.h"
@@ -68,6 +69,7 @@ void makeMotion(WorldData& data, const IterationStep& step) {
             findPairs(data, step);
         }
         stopAtImpacts(data);
+        holdBackFollowers(data, step.dt);
     }
     carryStopped(data);
     advance(data, step.dt);
