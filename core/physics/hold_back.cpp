@@ -174,16 +174,16 @@ void findDriven(WorldData& data) {
     }
 }
 
+/// Whether nothing has been held back so far, and nothing is to be.
+bool allGoFreely(const WorldData& data) {
+    const auto isHeld = [&](Slot slot) { return data.steps[slot].fraction < 1; };
+    return std::none_of(data.moving.begin(), data.moving.end(), isHeld) &&
+           noneCloses(data.islands.driven, data.batches.round) && noneCloses(data.islands.driven, data.batches.general);
+}
+
 /// What is held back so far holds back what follows it.
 void passOn(WorldData& data, double dt) {
     Islands& islands = data.islands;
-    findDriven(data);
-    const bool anyHeld =
-        std::any_of(data.moving.begin(), data.moving.end(), [&](Slot slot) { return data.steps[slot].fraction < 1; });
-    if (!anyHeld && noneCloses(islands.driven, data.batches.round) &&
-        noneCloses(islands.driven, data.batches.general)) {
-        return;
-    }
     islands.fractions.assign(data.motions.size() + 1, 1);
     islands.held.assign(data.motions.size() + 1, 0);
     for (const Slot slot : data.moving) {
@@ -201,8 +201,11 @@ void passOn(WorldData& data, double dt) {
 } // namespace
 
 void holdBack(WorldData& data, double dt) {
-    passOn(data, dt);
-    takeBackAcceleration(data);
+    findDriven(data);
+    if (!allGoFreely(data)) {
+        passOn(data, dt);
+        takeBackAcceleration(data);
+    }
 }
 
 void holdBackFollowers(WorldData& data, double dt) {
@@ -210,6 +213,7 @@ void holdBackFollowers(WorldData& data, double dt) {
     if (std::none_of(data.moving.begin(), data.moving.end(), isStopped)) {
         return;
     }
+    findDriven(data);
     passOn(data, dt);
     for (const Slot slot : data.moving) {
         data.steps[slot].fraction = data.islands.fractions[slot];
