@@ -107,11 +107,11 @@ struct GeneralContact {
     };
     Slot a = 0, b = 0;
     Lane lane;
-    std::uint32_t count = 0; // of points
-    bool singular = false;   // one of its points acts for both
-    bool atWall = false;     // something else may share a plane with it
-    bool merged = false;     // stands for several, which `absorbed` has
-    bool bounces = false;    // at any point in this iteration
+    std::uint32_t count = 0;        // of points
+    bool singular = false;          // one of its points acts for both
+    bool atWall = false;            // something else may share a plane with it
+    bool merged = false;            // stands for several, which `absorbed` has
+    bool bounces = false;           // at any point in this iteration
     std::array<bool, 2> touching{}; // the points of a merged one
     std::array<Point, 2> points{};
 };

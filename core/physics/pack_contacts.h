@@ -13,7 +13,8 @@ inline void setLane(Mask& mask, std::uint32_t lane, bool value) {
 /// Writes all that the solver needs of a constraint to the contact's lane.
 void pack(WorldData& data, const Constraint& constraint, GeneralContact& contact, double perSecond);
 
-/// Of a singular contact, whose points have nearly the same effect: the one that overlaps more acts for both.
-void actForBoth(ConstraintBatch& batch, std::uint32_t lane);
+/// Of the singular contact in lane i, whose points have nearly the same effect, the one that overlaps more acts for
+/// both.
+void actForBoth(ConstraintBatch& batch, std::uint32_t i);
 
 } // namespace spacetow
