@@ -234,6 +234,16 @@ void copyLane(const Batch& from, std::uint32_t lane, Batch& to, std::uint32_t to
     }
 }
 
+/// Visits the lanes that the notes name, in their order.
+template <class Batch, class Visit>
+void forLanes(const Batches<Batch>& batches, LaneBits BatchNotes::*which, const Visit& visit) {
+    for (std::uint32_t k = 0; k < batches.size(); ++k) {
+        for (unsigned lanes = batches.notes(k).*which; lanes != 0; lanes &= lanes - 1) {
+            visit(Lane{k, static_cast<std::uint32_t>(std::countr_zero(lanes))});
+        }
+    }
+}
+
 /// Working memory of the solver.
 struct ContactBatches {
     std::vector<Pace> paces;   // by slot, and one more for lanes without a contact

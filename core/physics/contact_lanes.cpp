@@ -252,14 +252,7 @@ void dropContacts(WorldData& data) {
     data.contactsListed = false;
 }
 
-void shutAbsorbed(WorldData& data) {
-    for (const std::uint32_t pair : data.absorbed) {
-        data.table.gates[pair].apartUntil = std::numeric_limits<double>::infinity();
-    }
-}
-
 void clearContacts(WorldData& data) {
-    data.absorbed.clear();
     data.roundContacts.clear();
     data.generalContacts.clear();
     data.constraints.clear();

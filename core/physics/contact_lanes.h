@@ -60,9 +60,6 @@ void followPairs(WorldData& data, std::uint32_t begin, std::uint32_t end);
 /// the pairs.
 void dropContacts(WorldData& data);
 
-/// The pairs of merged contacts are not looked at while these are listed.
-void shutAbsorbed(WorldData& data);
-
 /// Begins a list without contacts.
 void clearContacts(WorldData& data);
 

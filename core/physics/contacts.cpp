@@ -12,7 +12,6 @@
 #include "core/physics/order_contacts.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace spacetow {
@@ -214,7 +213,6 @@ void listContacts(WorldData& data, double perSecond) {
     for (const Constraint& constraint : data.constraints) {
         listGeneral(data, constraint, perSecond);
     }
-    shutAbsorbed(data);
     findNeighbours(data);
     data.listChanges = 0;
     data.justListed = true;
@@ -239,12 +237,8 @@ void renewSingle(WorldData& data, double perSecond) {
 /// Adds the pairs of outdated contacts to those that are to be looked at.
 template <class Kind, class Batch>
 void openOutdated(WorldData& data, const std::vector<Kind>& list, const Batches<Batch>& batches) {
-    for (std::size_t i = 0; i < batches.size(); ++i) {
-        for (unsigned lanes = batches.notes(i).outdated; lanes != 0; lanes &= lanes - 1) {
-            data.open.push_back(
-                pairOf(list[batches.shapes(i).owner[static_cast<std::size_t>(std::countr_zero(lanes))]]));
-        }
-    }
+    forLanes(batches, &BatchNotes::outdated,
+             [&](Lane at) { data.open.push_back(pairOf(list[batches.shapes(at.batch).owner[at.lane]])); });
 }
 
 void meetOutdated(WorldData& data, double perSecond) {

@@ -1,10 +1,10 @@
 #include "core/physics/energy_limit.h"
 
 #include "core/physics/contact_rules.h"
+#include "core/physics/islands.h"
 #include "core/physics/solve_on.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -88,18 +88,15 @@ Gain measureIslands(WorldData& data) {
         data.islands.changes[root] = {};
     }
     measureBodies(data);
-    for (const Slot root : data.islands.all) {
-        const EnergyChange& change = data.islands.changes[root];
-        data.islands.balances[root] = {sum(change.a), sum(change.b), sum(change.c), 0};
-    }
-    for (const Islands::Driver& driver : data.islands.drivers) {
-        if (data.motions[driver.slot].isMoving()) {
-            data.islands.balances[driver.pushed] = {0, 0, -infinite, 0};
-        }
-    }
     Gain worst = Gain::None;
     for (const Slot root : data.islands.all) {
-        worst = std::max(worst, gainOf(data.islands.balances[root]));
+        const EnergyChange& change = data.islands.changes[root];
+        EnergyBalance& balance = data.islands.balances[root];
+        balance = {sum(change.a), sum(change.b), sum(change.c), 0};
+        if (data.islands.driven[root] != 0) {
+            balance = {0, 0, -infinite, 0};
+        }
+        worst = std::max(worst, gainOf(balance));
     }
     return worst;
 }
@@ -111,25 +108,6 @@ bool gainsMuch(const EnergyBalance& e) {
 }
 bool pushesTooMuch(const EnergyBalance& e) {
     return e.pushes > 0 && e.pushes > -e.gain();
-}
-
-Slot moverOf(const WorldData& data, Slot a, Slot b) {
-    return data.motions[a].yields() ? a : b;
-}
-
-/// Visits the islands' contacts.
-template <class Visit>
-void forContactsOf(WorldData& data, Question which, const Visit& visit) {
-    for (const RoundContact& c : data.roundContacts) {
-        if (which(balanceOf(data, moverOf(data, c.a, c.b)))) {
-            visit(data.batches.round, c);
-        }
-    }
-    for (const GeneralContact& c : data.generalContacts) {
-        if (which(balanceOf(data, moverOf(data, c.a, c.b)))) {
-            visit(data.batches.general, c);
-        }
-    }
 }
 
 /// Solves on, for these islands alone.
@@ -157,12 +135,22 @@ void soften(ConstraintBatch& batch, std::uint32_t lane, bool& any) {
     }
 }
 
+template <class Batch>
+bool soften(WorldData& data, Batches<Batch>& batches) {
+    bool any = false;
+    forLanes(batches, &BatchNotes::occupied, [&](Lane at) {
+        Batch& batch = batches[at.batch];
+        if (gainsMuch(data.islands.balances[rootAt(data, batch, at.lane)])) {
+            soften(batch, at.lane, any);
+        }
+    });
+    return any;
+}
+
 /// Restitution and friction together may add energy: what gains it bounces half as fast. Whether anything does.
 bool softenBounces(WorldData& data) {
-    bool any = false;
-    forContactsOf(data, gainsMuch,
-                  [&](auto& batches, const auto& c) { soften(batches[c.lane.batch], c.lane.lane, any); });
-    return any;
+    const bool round = soften(data, data.batches.round);
+    return soften(data, data.batches.general) || round;
 }
 
 /// The greatest share of the impulses with which the energy does not rise.
@@ -192,20 +180,15 @@ bool isDeep(const ConstraintBatch& batch, std::uint32_t lane) {
     return batch.separation1[lane] < -deepOverlap || batch.separation2[lane] < -deepOverlap;
 }
 
-/// Lets the islands of deep contacts pay whatever the pushes cost. Hardly a contact is: the batches are looked through,
-/// and not the list.
-template <class Kind, class Batch>
-void allowDeep(WorldData& data, const std::vector<Kind>& contacts, const Batches<Batch>& batches) {
-    for (std::uint32_t i = 0; i < batches.size(); ++i) {
-        for (unsigned lanes = batches.notes(i).occupied; lanes != 0; lanes &= lanes - 1) {
-            const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-            if (isDeep(batches[i], lane)) {
-                const Kind& c = contacts[batches.shapes(i).owner[lane]];
-                EnergyBalance& balance = balanceOf(data, moverOf(data, c.a, c.b));
-                balance.c = pushesTooMuch(balance) ? -infinite : balance.c;
-            }
+/// Lets the islands of deep contacts pay whatever the pushes cost.
+template <class Batch>
+void allowDeep(WorldData& data, const Batches<Batch>& batches) {
+    forLanes(batches, &BatchNotes::occupied, [&](Lane at) {
+        if (isDeep(batches[at.batch], at.lane)) {
+            EnergyBalance& balance = data.islands.balances[rootAt(data, batches[at.batch], at.lane)];
+            balance.c = pushesTooMuch(balance) ? -infinite : balance.c;
         }
-    }
+    });
 }
 
 /// What the pushes cost: the work against the forces that act on the bodies.
@@ -256,8 +239,8 @@ void takePushes(WorldData& data, double dt) {
                      [&](Slot root) { return pushesTooMuch(balances[root]); })) {
         return;
     }
-    allowDeep(data, data.roundContacts, data.batches.round);
-    allowDeep(data, data.generalContacts, data.batches.general);
+    allowDeep(data, data.batches.round);
+    allowDeep(data, data.batches.general);
     for (const Slot slot : data.moving) {
         const EnergyBalance& balance = balanceOf(data, slot);
         if (pushesTooMuch(balance)) {

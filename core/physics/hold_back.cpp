@@ -3,7 +3,6 @@
 #include "core/physics/contact_rules.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -103,15 +102,11 @@ bool holdBackAt(const std::vector<Pace>& paces, const Holding& h, const Constrai
 /// Whether no contact closes too fast, but in islands that something drives.
 template <class Batch>
 bool noneCloses(const std::vector<std::uint8_t>& driven, const Batches<Batch>& batches) {
-    for (std::uint32_t k = 0; k < batches.size(); ++k) {
-        for (unsigned lanes = batches.notes(k).closes; lanes != 0; lanes &= lanes - 1) {
-            const auto i = static_cast<std::uint32_t>(std::countr_zero(lanes));
-            if ((driven[batches[k].a[i]] & driven[batches[k].b[i]]) == 0) {
-                return false;
-            }
-        }
-    }
-    return true;
+    bool none = true;
+    forLanes(batches, &BatchNotes::closes, [&](Lane at) {
+        none &= (driven[batches[at.batch].a[at.lane]] & driven[batches[at.batch].b[at.lane]]) != 0;
+    });
+    return none;
 }
 
 /// Visits what closes too fast at first, then what touches bodies that have been held back since: no other can have
@@ -156,24 +151,6 @@ void takeBackAcceleration(WorldData& data) {
     }
 }
 
-/// Bodies of islands that something drives which cannot be stopped.
-void findDriven(WorldData& data) {
-    Islands& islands = data.islands;
-    islands.driven.assign(data.motions.size() + 1, 0);
-    bool any = false;
-    for (const Islands::Driver& driver : islands.drivers) {
-        if (data.motions[driver.slot].isMoving()) {
-            islands.driven[driver.pushed] = 1;
-            any = true;
-        }
-    }
-    if (any) { // a root is the lowest of its island, so that it comes first
-        for (Slot slot = 0; slot < data.motions.size(); ++slot) {
-            islands.driven[slot] = islands.driven[islands.roots[slot]];
-        }
-    }
-}
-
 /// Whether nothing has been held back so far, and nothing is to be.
 bool allGoFreely(const WorldData& data) {
     const auto isHeld = [&](Slot slot) { return data.steps[slot].fraction < 1; };
@@ -201,7 +178,6 @@ void passOn(WorldData& data, double dt) {
 } // namespace
 
 void holdBack(WorldData& data, double dt) {
-    findDriven(data);
     if (!allGoFreely(data)) {
         passOn(data, dt);
         takeBackAcceleration(data);
@@ -213,7 +189,6 @@ void holdBackFollowers(WorldData& data, double dt) {
     if (std::none_of(data.moving.begin(), data.moving.end(), isStopped)) {
         return;
     }
-    findDriven(data);
     passOn(data, dt);
     for (const Slot slot : data.moving) {
         data.steps[slot].fraction = data.islands.fractions[slot];

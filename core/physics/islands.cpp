@@ -86,6 +86,23 @@ void findIslands(WorldData& data) {
     drivers.erase(std::unique(drivers.begin(), drivers.end()), drivers.end());
 }
 
+void findDriven(WorldData& data) {
+    Islands& islands = data.islands;
+    islands.driven.assign(data.motions.size() + 1, 0);
+    bool any = false;
+    for (const Islands::Driver& driver : islands.drivers) {
+        if (data.motions[driver.slot].isMoving()) {
+            islands.driven[driver.pushed] = 1;
+            any = true;
+        }
+    }
+    if (any) { // a root is the lowest of its island, so that it comes first
+        for (Slot slot = 0; slot < data.motions.size(); ++slot) {
+            islands.driven[slot] = islands.driven[islands.roots[slot]];
+        }
+    }
+}
+
 void weighBodies(WorldData& data) {
     data.islands.inertias.resize(data.motions.size());
     data.yields.assign(data.motions.size() + 1, 0);

@@ -15,4 +15,14 @@ void weighBodies(WorldData& data);
 /// By the pairs there are, when these have changed since the last time.
 void findIslands(WorldData& data);
 
+/// Marks the bodies of islands that a moving body pushes which nothing can stop.
+void findDriven(WorldData& data);
+
+/// The island of a contact's bodies.
+template <class Batch>
+Slot rootAt(const WorldData& data, const Batch& batch, std::uint32_t lane) {
+    const bool yieldsA = batch.massA[lane] > 0 || batch.inertiaA[lane] > 0;
+    return data.islands.roots[yieldsA ? batch.a[lane] : batch.b[lane]];
+}
+
 } // namespace spacetow

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace spacetow {
 
@@ -62,13 +63,19 @@ double roomOf(const WorldData& data, const Constraint& c) {
     return c.merged ? c.room : keptRoom(data, data.table.pairs[c.points[0].pair]);
 }
 
+/// The pair is not looked at while the merged contact is listed.
+void shut(WorldData& data, std::uint32_t pair) {
+    data.absorbed.push_back(pair);
+    data.table.gates[pair].apartUntil = std::numeric_limits<double>::infinity();
+}
+
 /// Both stand for one from now on.
 void noteMerger(WorldData& data, Constraint& c, const Constraint& d) {
     c.room = std::min(roomOf(data, c), roomOf(data, d));
     if (!c.merged) {
-        data.absorbed.push_back(c.points[0].pair);
+        shut(data, c.points[0].pair);
     }
-    data.absorbed.push_back(d.points[0].pair);
+    shut(data, d.points[0].pair);
     c.merged = true;
 }
 

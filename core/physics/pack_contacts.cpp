@@ -51,59 +51,56 @@ bool packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, dou
     return singular;
 }
 
+const KeptManifold& manifoldOf(const WorldData& data, const ConstraintPoint& point) {
+    return data.manifolds[data.contacts[point.contact].manifold];
+}
+
+/// What of kept manifolds is the same for all points.
+struct Frame {
+    Vec2 normal;        // in the coordinates of its owner
+    Transform relative; // of a in those of b, when it was made
+    double room;
+};
+
+/// The points of a merged contact have manifolds of their own; where the bodies are now, all of these hold.
+Frame mergedFrame(const WorldData& data, const Constraint& c, bool still, bool ownedByA) {
+    const Transform poseA = data.pose(c.a);
+    const Transform poseB = still ? Transform{} : data.pose(c.b);
+    return {(ownedByA ? poseA : poseB).rotation.inverse() * c.normal, relative(poseA, poseB), c.room};
+}
+
 void packShapes(const WorldData& data, const Constraint& c, ConstraintShapes& shapes, std::uint32_t i) {
-    const Pair& pair = data.table.pairs[c.points[0].pair];
-    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
-    setLane(shapes.still, i, pair.staticB);
+    const bool still = data.table.pairs[c.points[0].pair].staticB;
+    const KeptManifold& kept = manifoldOf(data, c.points[0]);
+    const Frame frame = c.merged ? mergedFrame(data, c, still, kept.normalOfA) //
+                                 : Frame{kept.normal, kept.relative, kept.room};
+    setLane(shapes.still, i, still);
     setLane(shapes.ownedByA, i, kept.normalOfA);
     setLane(shapes.acts1, i, c.points[0].normalMass > 0);
     setLane(shapes.acts2, i, c.count == 2 && c.points[1].normalMass > 0);
     setLane(shapes.first, i, true);
     setLane(shapes.second, i, c.count == 2);
-    shapes.normalX[i] = kept.normal.x();
-    shapes.normalY[i] = kept.normal.y();
+    shapes.normalX[i] = frame.normal.x();
+    shapes.normalY[i] = frame.normal.y();
     const KeptManifold::Point& p = kept.points[c.points[0].index];
     shapes.onA1X[i] = p.onA.x();
     shapes.onA1Y[i] = p.onA.y();
     shapes.onB1X[i] = p.onB.x();
     shapes.onB1Y[i] = p.onB.y();
-    const KeptManifold::Point& q = kept.points[c.count == 2 ? c.points[1].index : c.points[0].index];
+    const ConstraintPoint& last = c.points[c.count == 2 ? 1 : 0];
+    const KeptManifold::Point& q = manifoldOf(data, last).points[last.index];
     shapes.onA2X[i] = q.onA.x();
     shapes.onA2Y[i] = q.onA.y();
     shapes.onB2X[i] = q.onB.x();
     shapes.onB2Y[i] = q.onB.y();
-    shapes.relativeX[i] = kept.relative.position.x();
-    shapes.relativeY[i] = kept.relative.position.y();
-    shapes.cosine[i] = kept.relative.rotation.c;
-    shapes.sine[i] = kept.relative.rotation.s;
-    shapes.room[i] = kept.room;
+    shapes.relativeX[i] = frame.relative.position.x();
+    shapes.relativeY[i] = frame.relative.position.y();
+    shapes.cosine[i] = frame.relative.rotation.c;
+    shapes.sine[i] = frame.relative.rotation.s;
+    shapes.room[i] = frame.room;
     shapes.radiusA[i] = data.steps[c.a].round ? 0 : data.steps[c.a].outerRadius;
     shapes.radiusB[i] = data.steps[c.b].round ? 0 : data.steps[c.b].outerRadius;
     shapes.least[i] = leastInverseMass(data, c.a, c.b);
-}
-
-/// The points of a merged contact have manifolds of their own; where the bodies are now, all of these hold.
-void packMerged(const WorldData& data, const Constraint& c, ConstraintShapes& shapes, std::uint32_t i) {
-    const Transform poseA = data.pose(c.a);
-    const Transform poseB = shapes.still[i] != 0 ? Transform{} : data.pose(c.b);
-    const Vec2 normal = (shapes.ownedByA[i] != 0 ? poseA : poseB).rotation.inverse() * c.normal;
-    shapes.normalX[i] = normal.x();
-    shapes.normalY[i] = normal.y();
-    if (c.count == 2) {
-        const ConstraintPoint& second = c.points[1];
-        const KeptManifold& kept = data.manifolds[data.contacts[second.contact].manifold];
-        const KeptManifold::Point& q = kept.points[second.index];
-        shapes.onA2X[i] = q.onA.x();
-        shapes.onA2Y[i] = q.onA.y();
-        shapes.onB2X[i] = q.onB.x();
-        shapes.onB2Y[i] = q.onB.y();
-    }
-    const Transform now = relative(poseA, poseB);
-    shapes.relativeX[i] = now.position.x();
-    shapes.relativeY[i] = now.position.y();
-    shapes.cosine[i] = now.rotation.c;
-    shapes.sine[i] = now.rotation.s;
-    shapes.room[i] = c.room;
 }
 
 } // namespace
@@ -134,9 +131,6 @@ void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double 
     setLane(data.batches.general.shapes(contact.lane.batch).singular, i, contact.singular);
     packShapes(data, c, data.batches.general.shapes(contact.lane.batch), i);
     contact.merged = c.merged;
-    if (c.merged) {
-        packMerged(data, c, data.batches.general.shapes(contact.lane.batch), i);
-    }
     contact.count = static_cast<std::uint32_t>(c.count);
     contact.bounces = false;
     for (std::size_t k = 0; k < contact.count; ++k) {

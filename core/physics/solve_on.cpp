@@ -1,7 +1,8 @@
 #include "core/physics/solve_on.h"
 
+#include "core/physics/islands.h"
+
 #include <algorithm>
-#include <bit>
 #include <span>
 
 namespace spacetow {
@@ -11,30 +12,16 @@ namespace {
 constexpr int rounds = 10;
 constexpr int passesInRound = 4;
 
-template <class Batch>
-Slot rootAt(const WorldData& data, const Batch& batch, std::uint32_t lane) {
-    const bool yieldsA = batch.massA[lane] > 0 || batch.inertiaA[lane] > 0;
-    return data.islands.roots[yieldsA ? batch.a[lane] : batch.b[lane]];
-}
-
-/// Visits the lanes of which the notes tell it, in their order.
-template <class Batch, class Visit>
-void forLanes(const Batches<Batch>& batches, LaneBits BatchNotes::*which, const Visit& visit) {
-    for (std::uint32_t k = 0; k < batches.size(); ++k) {
-        for (unsigned lanes = batches.notes(k).*which; lanes != 0; lanes &= lanes - 1) {
-            visit(Lane{k, static_cast<std::uint32_t>(std::countr_zero(lanes))});
-        }
-    }
-}
-
 bool isUnsettled(const Islands& islands, Slot root) {
     return islands.unsettled[root] != 0;
 }
 
 template <class Batch>
 void markClosing(WorldData& data, const Batches<Batch>& batches) {
-    forLanes(batches, &BatchNotes::closes,
-             [&](Lane at) { data.islands.unsettled[rootAt(data, batches[at.batch], at.lane)] = 1; });
+    forLanes(batches, &BatchNotes::closes, [&](Lane at) {
+        const Slot root = rootAt(data, batches[at.batch], at.lane);
+        data.islands.unsettled[root] = data.islands.driven[root] != 0 ? 0 : 1;
+    });
 }
 
 /// Marks the islands in which contacts close; whether there are any. Not those that something drives which cannot be
@@ -44,11 +31,6 @@ bool markClosing(WorldData& data) {
     islands.unsettled.assign(data.motions.size(), 0);
     markClosing(data, data.batches.round);
     markClosing(data, data.batches.general);
-    for (const Islands::Driver& driver : islands.drivers) {
-        if (data.motions[driver.slot].isMoving()) {
-            islands.unsettled[driver.pushed] = 0;
-        }
-    }
     return std::any_of(islands.all.begin(), islands.all.end(), [&](Slot root) { return isUnsettled(islands, root); });
 }
 

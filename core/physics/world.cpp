@@ -61,6 +61,7 @@ void makeMotion(WorldData& data, const IterationStep& step) {
         findContacts(data, step);
     }
     findIslands(data);
+    findDriven(data);
     solveVelocities(data, step);
     findCarriers(data);
     if (data.anyFast || data.anySweep || data.anyDiverted) {

@@ -39,7 +39,13 @@ BodyDef wide(const QString& what) {
     return def;
 }
 
-Tiled tiled(const QString& floor, BodyDef body, int iterations) {
+/// The scene of the current row, with that velocity.
+Tiled tiled(const Vec2& velocity = {0, 0}) {
+    QFETCH(QString, floor);
+    QFETCH(QString, what);
+    QFETCH(int, iterations);
+    BodyDef body = wide(what);
+    body.velocity = velocity;
     Tiled scene{World(withIterations(iterations)), {}, {}};
     body.friction = 0.5;
     for (int at = -farthest; at <= farthest; ++at) {
@@ -90,10 +96,7 @@ class MergedContactsTest : public QObject {
   private slots:
     void whatStandsOnTilesTouchesAllOfThemUntilItIsLifted_data() { addRows(); }
     void whatStandsOnTilesTouchesAllOfThemUntilItIsLifted() {
-        QFETCH(QString, floor);
-        QFETCH(QString, what);
-        QFETCH(int, iterations);
-        Tiled scene = tiled(floor, wide(what), iterations);
+        Tiled scene = tiled();
         Touches touches;
         touches.update(scene, 90);
         QVERIFY(std::abs(scene.world.body(scene.body).angle) < 1e-9); // it came down flat
@@ -111,10 +114,7 @@ class MergedContactsTest : public QObject {
 
     void tilesThatAreTakenAwayBearNothing_data() { addRows(); }
     void tilesThatAreTakenAwayBearNothing() {
-        QFETCH(QString, floor);
-        QFETCH(QString, what);
-        QFETCH(int, iterations);
-        Tiled scene = tiled(floor, wide(what), iterations);
+        Tiled scene = tiled();
         run(scene.world, 1);
         for (int at = 1; at <= farthest; ++at) {
             scene.world.removeBody(scene.tiles[at]);
@@ -129,12 +129,7 @@ class MergedContactsTest : public QObject {
     /// What is found anew in every update is what would have been kept.
     void keptMergersMoveABodyAsNewOnesDo_data() { addRows(); }
     void keptMergersMoveABodyAsNewOnesDo() {
-        QFETCH(QString, floor);
-        QFETCH(QString, what);
-        QFETCH(int, iterations);
-        BodyDef body = wide(what);
-        body.velocity = {1.5, 0};
-        Tiled keeping = tiled(floor, body, iterations);
+        Tiled keeping = tiled({1.5, 0});
         Tiled forgetting = keeping;
         for (int i = 0; i < 120; ++i) {
             forgetting.world.setFilter(forgetting.body, forgetting.world.body(forgetting.body).filter);
