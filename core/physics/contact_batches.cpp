@@ -70,9 +70,9 @@ SPACETOW_INLINE void solveFriction(Ends& ends, Batch& c, Mask which) {
     rub(ends, c, levers, which ? impulse : c.tangentImpulse);
 }
 
-SPACETOW_INLINE void solveNormals(Ends& ends, RoundBatch& c) {
+SPACETOW_INLINE void solveNormals(Ends& ends, RoundBatch& c, double relaxation) {
     const Wide excess = ends.along(c.normalX, c.normalY) - c.target;
-    const Wide impulse = greater(c.normalImpulse - c.normalMass * excess, Wide{});
+    const Wide impulse = greater(c.normalImpulse - relaxation * c.normalMass * excess, Wide{});
     const Wide change = impulse - c.normalImpulse;
     c.normalImpulse = impulse;
     ends.push(c, change * c.normalX, change * c.normalY);
@@ -92,7 +92,8 @@ SPACETOW_INLINE std::array<Wide, 2> complementary(const ConstraintBatch& c, Wide
     return {both ? x1 : (first ? only1 : none), both ? x2 : (first ? none : (second ? only2 : none))};
 }
 
-SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c) {
+/// Never over-relaxed; see overrelaxPass.
+SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c, double /*relaxation*/) {
     const Wide closing = ends.along(c.normalX, c.normalY);
     const Wide b1 =
         closing + ends.turning(c.leverA1, c.leverB1) - c.target1 - (c.k11 * c.impulse1 + c.coupling * c.impulse2);
@@ -111,10 +112,10 @@ SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c) {
 /// Friction first, so that the normal velocities come out right. What is hit in this pass has no normal impulse to
 /// limit its friction before, and rubs afterwards.
 template <class Batch>
-SPACETOW_INLINE void solveOnce(Ends& ends, Batch& c) {
+SPACETOW_INLINE void solveOnce(Ends& ends, Batch& c, double relaxation) {
     const Wide before = normalOf(c);
     solveFriction(ends, c);
-    solveNormals(ends, c);
+    solveNormals(ends, c, relaxation);
     const Mask hit = (before == Wide{}) & (normalOf(c) > Wide{});
     if (any(hit)) {
         solveFriction(ends, c, hit);
@@ -128,7 +129,7 @@ SPACETOW_INLINE Mask touching(const ConstraintBatch& c) {
     return (c.impulse1 > Wide{}) | (c.separation1 <= Wide{}) | (c.impulse2 > Wide{}) | (c.separation2 <= Wide{});
 }
 
-enum class Task { WarmStart, Solve, Measure };
+enum class Task { WarmStart, Solve, Overrelax, Measure };
 
 template <class Batch>
 SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
@@ -143,12 +144,12 @@ SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
 }
 
 template <class Batch>
-SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches) {
+SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches, double relaxation) {
     const std::size_t count = batches.size();
     for (std::size_t i = 0; i < count; ++i) {
         Batch& batch = batches.begin()[i];
         Ends ends{load(paces, batch.a), load(paces, batch.b)};
-        solveOnce(ends, batch);
+        solveOnce(ends, batch, relaxation);
         store(paces, batch.a, ends.a);
         store(paces, batch.b, ends.b);
     }
@@ -189,8 +190,12 @@ SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task) {
         warmAll(paces, batches.general);
         break;
     case Task::Solve:
-        solveAll(paces, batches.round);
-        solveAll(paces, batches.general);
+        solveAll(paces, batches.round, 1);
+        solveAll(paces, batches.general, 1);
+        break;
+    case Task::Overrelax:
+        solveAll(paces, batches.round, overrelaxation);
+        solveAll(paces, batches.general, overrelaxation);
         break;
     case Task::Measure: {
         const bool roundCloses = measureAll(paces, batches.round);
@@ -275,6 +280,10 @@ void warmStart(ContactBatches& batches, bool wide) {
 
 void solvePass(ContactBatches& batches, bool wide) {
     start(batches, Task::Solve, wide);
+}
+
+void overrelaxPass(ContactBatches& batches, bool wide) {
+    start(batches, Task::Overrelax, wide);
 }
 
 bool measureVelocities(ContactBatches& batches, bool wide) {

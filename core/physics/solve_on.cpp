@@ -55,14 +55,19 @@ void copyBack(const Batches<Batch>& from, Batches<Batch>& to, std::span<const Is
     }
 }
 
+void solveFurther(ContactBatches& batches, int passes) {
+    for (int pass = 1; pass < passes; ++pass) {
+        overrelaxPass(batches);
+    }
+    solvePass(batches);
+}
+
 } // namespace
 
 void solveOn(WorldData& data, int passes) {
     Islands& islands = data.islands;
     if (std::all_of(islands.all.begin(), islands.all.end(), [&](Slot root) { return isUnsettled(islands, root); })) {
-        for (int pass = 0; pass < passes; ++pass) {
-            solvePass(data.batches);
-        }
+        solveFurther(data.batches, passes);
         return;
     }
     ContactBatches& part = islands.batches;
@@ -73,9 +78,7 @@ void solveOn(WorldData& data, int passes) {
     const std::size_t firstGeneral = islands.lanes.size();
     copyThere(data, data.batches.general, part.general);
     std::swap(part.paces, data.batches.paces);
-    for (int pass = 0; pass < passes; ++pass) {
-        solvePass(part);
-    }
+    solveFurther(part, passes);
     std::swap(part.paces, data.batches.paces);
     const std::span<const Islands::SameLane> lanes(islands.lanes);
     copyBack(part.round, data.batches.round, lanes.first(firstGeneral));

@@ -6,7 +6,8 @@
 
 namespace spacetow {
 
-/// More passes over the contacts of the islands that are marked in `islands.unsettled`.
+/// More passes, at least one, over the contacts of the islands that are marked in `islands.unsettled`; all but the last
+/// are over-relaxed.
 void solveOn(WorldData& data, int passes);
 
 /// Solves on where contacts close faster than they may: an impact has to reach the ground through all that is between.

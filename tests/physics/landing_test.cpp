@@ -198,9 +198,9 @@ class LandingTest : public QObject {
             }
         }
         solveOn(some, 3);
-        for (int pass = 0; pass < 3; ++pass) {
-            solvePass(all.batches);
-        }
+        overrelaxPass(all.batches);
+        overrelaxPass(all.batches);
+        solvePass(all.batches);
         bool any = false;
         for (const BodyId id : silo.balls) {
             const Slot slot = id.index;
