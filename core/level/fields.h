@@ -192,7 +192,7 @@ void visitFields(Visitor& v, T& level, const Level& defaults) {
 /// Of an object, a shape, the rules or a level: `visitFields` with the defaults of its own type.
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& value) {
-    static const std::remove_const_t<T> defaults{};
+    static const std::remove_const_t<T> defaults; // with {} g++ 12 takes the text in it for uninitialised at -O3
     visitFields(v, value, defaults);
 }
 

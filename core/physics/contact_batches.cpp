@@ -78,9 +78,14 @@ SPACETOW_INLINE void solveNormals(Ends& ends, RoundBatch& c, double relaxation) 
     ends.push(c, change * c.normalX, change * c.normalY);
 }
 
+/// Of a batch at either point.
+struct Impulses {
+    Wide first, second; // kg m/s
+};
+
 /// The impulses x ≥ 0 with K x + b ≥ 0 and x·(K x + b) = 0, found by trying which of them act. The order of the
 /// points does not matter, so that mirrored scenes stay mirrored.
-SPACETOW_INLINE std::array<Wide, 2> complementary(const ConstraintBatch& c, Wide b1, Wide b2) {
+SPACETOW_INLINE Impulses complementary(const ConstraintBatch& c, Wide b1, Wide b2) {
     const Wide none{};
     const Wide x1 = (c.coupling * b2 - c.k22 * b1) * c.inverseDeterminant;
     const Wide x2 = (c.coupling * b1 - c.k11 * b2) * c.inverseDeterminant;

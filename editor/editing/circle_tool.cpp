@@ -65,9 +65,9 @@ std::optional<FinishedEdit> CircleTool::click(const ToolContext& context, const 
     if (m_tooSmall) {
         return {};
     }
-    const FinishedEdit finished{{"draw-circle", 1}, withDrawnBody(context, Circle{{0, 0}, radius}, *m_center)};
+    Edit drawn = withDrawnBody(context, Circle{{0, 0}, radius}, *m_center);
     cancel();
-    return finished;
+    return FinishedEdit{{"draw-circle", 1}, std::move(drawn)};
 }
 
 std::optional<FinishedEdit> CircleTool::key(const ToolContext&, ToolKey key, const Pointer&) {

@@ -149,7 +149,8 @@ std::optional<FinishedEdit> DrawTool::finish(const ToolContext& context, bool cl
     if (m_kind == DrawKind::Edge) {
         shape = EdgeChain{std::move(vertices), closed, noBack};
     }
-    return FinishedEdit{{"draw-" + code(), 1}, withDrawnBody(context, std::move(shape), origin)};
+    Edit drawn = withDrawnBody(context, std::move(shape), origin);
+    return FinishedEdit{{"draw-" + code(), 1}, std::move(drawn)};
 }
 
 std::optional<FinishedEdit> DrawTool::finishPolygon(const ToolContext& context) {
@@ -167,7 +168,8 @@ std::optional<FinishedEdit> DrawTool::finishPolygon(const ToolContext& context) 
     if (signedArea(vertices) < 0) {
         std::reverse(vertices.begin() + 1, vertices.end());
     }
-    return FinishedEdit{{"draw-polygon", 1}, withDrawnBody(context, Polygon{std::move(vertices)}, origin)};
+    Edit drawn = withDrawnBody(context, Polygon{std::move(vertices)}, origin);
+    return FinishedEdit{{"draw-polygon", 1}, std::move(drawn)};
 }
 
 Overlay DrawTool::overlay(const ToolContext& context, const Pointer& pointer) const {

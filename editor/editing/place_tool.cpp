@@ -26,6 +26,10 @@ Overlay ghost(PlaceKind kind, const Level& level, const Vec2& position) {
     return overlay;
 }
 
+FinishedEdit finished(const char* label, Edit placed) {
+    return {{label, 1}, std::move(placed)};
+}
+
 } // namespace
 
 void PlaceTool::setKind(PlaceKind kind) {
@@ -50,9 +54,9 @@ std::optional<FinishedEdit> PlaceTool::click(const ToolContext& context, const P
     const Level& level = *context.edit.level;
     switch (m_kind) {
     case PlaceKind::Ship:
-        return FinishedEdit{{"place-ship", 1}, withPlaced(context, shipAt(level, position))};
+        return finished("place-ship", withPlaced(context, shipAt(level, position)));
     case PlaceKind::Payload:
-        return FinishedEdit{{"place-payload", 1}, withPlaced(context, payloadAt(level, position))};
+        return finished("place-payload", withPlaced(context, payloadAt(level, position)));
     case PlaceKind::Finish:
         break;
     }
@@ -69,9 +73,9 @@ std::optional<FinishedEdit> PlaceTool::clickFinish(const ToolContext& context, c
     if (m_tooShort) {
         return {};
     }
-    const FinishedEdit finished{{"place-finish", 1}, withPlaced(context, FinishObject{*m_finishStart, end})};
+    Edit placed = withPlaced(context, FinishObject{*m_finishStart, end});
     cancel();
-    return finished;
+    return finished("place-finish", std::move(placed));
 }
 
 std::optional<FinishedEdit> PlaceTool::key(const ToolContext&, ToolKey key, const Pointer&) {
