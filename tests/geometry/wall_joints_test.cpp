@@ -5,6 +5,7 @@
 #include "core/geometry/convex_parts.h"
 #include "tests/geometry/chains.h"
 #include "tests/geometry/random_parts.h"
+#include "tests/support/full_run.h"
 #include "tests/support/test_main.h"
 
 using namespace spacetow;
@@ -70,8 +71,8 @@ void WallJointsTest::slidingOverAStraightChainOnlyTheNormalIsSeen() {
     const Vec2 up = rotation.up();
     Random random(7);
     const std::array<Part, 3> bodies{ball(0.2), box(0.2, 0.2), box(0.03, 0.2)};
-    for (int i = 0; i < 1500; ++i) {
-        const double x = i < 500 ? 0.05 * (i % 40) : random.uniform(-40, 40); // over joints as well
+    for (int i = 0; i < usualOrThin(1040, 240); ++i) {
+        const double x = i < 40 ? 0.05 * i : random.uniform(-40, 40); // over joints as well
         const Vec2 center = rotation * Vec2(x, 0.2 - depth);
         for (const Part& body : bodies) {
             bool touched = false;
@@ -199,7 +200,7 @@ void WallJointsTest::anyPolygonOnAJointedChainIsPushedOut_data() {
 /// normal is no steeper than the polygon or the chain allows, and never tells of more than the true overlap.
 void WallJointsTest::anyPolygonOnAJointedChainIsPushedOut() {
     QFETCH(bool, oneWay);
-    for (unsigned seed = 0; seed < 2000; ++seed) {
+    for (unsigned seed = 0; seed < usualOrThin(2000u, 400u); ++seed) {
         Random random(seed);
         std::vector<Vec2> points;
         for (int i = 0; i <= 30; ++i) {

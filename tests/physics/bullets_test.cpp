@@ -135,7 +135,7 @@ class BulletsTest : public QObject {
             shot.restitution = random.unit();
             shot.friction = random.unit();
             shot.turn = random.uniform(-pi, pi);
-            shot.iterations = iterationCounts[random.below(3)];
+            shot.iterations = iterationCounts[random.below(static_cast<std::uint32_t>(iterationCounts.size()))];
             const QString wrong = whatIsWrong(shot);
             QVERIFY2(wrong.isEmpty(), qPrintable(QString("shot %1 at the %2, %3 m/s, %4 rad aslant, %5 iterations: %6")
                                                      .arg(k)

@@ -16,7 +16,7 @@ using namespace spacetow::test;
 namespace {
 
 std::uint64_t sceneCount() {
-    return 10000;
+    return usualOrThin(10000, 2000);
 }
 
 Vec2 randomPoint(Random& random, double reach) {

@@ -76,7 +76,7 @@ class WedgeTest : public QObject {
         QFETCH(double, restitution);
         QFETCH(QString, walls);
         QFETCH(int, iterations);
-        for (int opening = 10; opening <= 170; opening += fullOrQuick(5, 20)) {
+        for (int opening = 10; opening <= 170; opening += fullOrQuick(5, usualOrThin(20, 40))) {
             for (const double shot : {0.0, 50.0}) {
                 World world(withIterations(iterations));
                 Wedge wedge(walls, opening);

@@ -1,5 +1,6 @@
 #pragma once
-// How far the searches of a test go: ./dev test --full makes them denser and longer, never different in kind.
+// How far the searches of a test go: ./dev test --full makes them denser and longer, never different in kind;
+// under sanitizers, which take ten times as long, there are the quick ones then, and thinner ones otherwise.
 
 #include <cstdlib>
 
@@ -26,6 +27,18 @@ inline bool isFullRun() {
 template <class Number>
 Number fullOrQuick(Number full, Number quick) {
     return isFullRun() ? full : quick;
+}
+
+/// In a quick run under sanitizers. They look for faults of memory, for which fewer scenes of the same kinds will do;
+/// whether the bars hold everywhere is for the dev build to say.
+inline bool isThinRun() {
+    return isSanitized && std::getenv("SPACETOW_FULL") == nullptr;
+}
+
+/// The first figure, or the second in a thin run.
+template <class Number>
+Number usualOrThin(Number usual, Number thin) {
+    return isThinRun() ? thin : usual;
 }
 
 } // namespace spacetow::test
