@@ -134,6 +134,13 @@ SPACETOW_INLINE Mask touching(const ConstraintBatch& c) {
     return (c.impulse1 > Wide{}) | (c.separation1 <= Wide{}) | (c.impulse2 > Wide{}) | (c.separation2 <= Wide{});
 }
 
+SPACETOW_INLINE Mask overlapping(const RoundBatch& c) {
+    return c.separation < Wide{} - linearSlop;
+}
+SPACETOW_INLINE Mask overlapping(const ConstraintBatch& c) {
+    return (c.separation1 < Wide{} - linearSlop) | (c.separation2 < Wide{} - linearSlop);
+}
+
 enum class Task { WarmStart, Solve, Overrelax, Measure };
 
 template <class Batch>
@@ -182,6 +189,7 @@ SPACETOW_INLINE bool measureAll(const Pace* paces, Batches<Batch>& batches) {
         BatchNotes& notes = batches.notes(i);
         notes.closes = bits(here) & notes.occupied;
         notes.touches = bits(touching(batch)) & notes.occupied;
+        notes.overlaps = bits(overlapping(batch)) & notes.occupied;
         closes |= notes.closes;
     }
     return closes != 0;

@@ -14,6 +14,9 @@ namespace spacetow {
 
 using Slot = std::uint32_t;
 
+/// Penetration that is left alone so that resting contacts persist, m.
+constexpr double linearSlop = 0.0004;
+
 /// Four doubles; the compiler uses what registers the processor has.
 using Wide = double __attribute__((vector_size(32), aligned(32)));
 
@@ -157,6 +160,7 @@ struct BatchNotes {
     LaneBits closes = 0;   // faster than it may
     LaneBits touched = 0;  // when it was looked at before
     LaneBits touches = 0;  // with an impulse or without a gap
+    LaneBits overlaps = 0; // by more than the slop
 };
 
 /// Batches are used again without being cleared: that takes longer than filling them.
@@ -299,20 +303,19 @@ constexpr double overrelaxation = 1.9;
 /// problem using systematic overrelaxation" (1971).
 void overrelaxPass(ContactBatches& batches, bool wide = hasWideRegisters());
 
-/// The normal velocities that are left, and notes of what touches and what closes faster than it may. Whether anything
-/// does.
+/// The normal velocities that are left, and notes of what touches, what overlaps and what closes faster than it may.
+/// Whether anything does.
 bool measureVelocities(ContactBatches& batches, bool wide = hasWideRegisters());
 
 /// How overlaps are reduced in an iteration of `dt` seconds.
 struct PushRules {
     double dt;
-    double slop;  // m, which is left
-    double share; // of the rest
+    double share; // of what is more than the slop
     double most;  // m
 };
 
-/// Adds what pushes bodies out of overlaps to `pushes`, by the measured velocities: what parts anyway is pushed less.
-/// Whether anything overlaps.
+/// Adds what pushes bodies out of overlaps to `pushes`, by the measured velocities and notes: what parts anyway is
+/// pushed less. Whether anything overlaps.
 bool pushApart(ContactBatches& batches, const PushRules& rules, bool wide = hasWideRegisters());
 
 } // namespace spacetow

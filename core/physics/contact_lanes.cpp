@@ -1,5 +1,6 @@
 #include "core/physics/contact_lanes.h"
 
+#include "core/physics/fetch.h"
 #include "core/physics/merge_contacts.h"
 #include "core/physics/pack_contacts.h"
 
@@ -54,6 +55,24 @@ void noteNeighbours(WorldData& data, const GeneralContact& c, const GeneralConta
     const auto isStatic = [&](Slot slot) { return data.records[slot].kind == BodyKind::Static; };
     if (c.atWall && d.atWall && (c.b == d.b || (isStatic(c.b) && isStatic(d.b)))) {
         data.neighbours.emplace_back(c.points[0].contact, d.points[0].contact);
+    }
+}
+
+std::uint32_t keptIn(const RoundContact& c) {
+    return c.contact;
+}
+std::uint32_t keptIn(const GeneralContact& c) {
+    return c.points[0].contact;
+}
+
+template <class Kind>
+void saveAll(WorldData& data, const std::vector<Kind>& list) {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (i + ahead < list.size()) {
+            fetch(data.contacts[keptIn(list[i + ahead])]);
+        }
+        saveImpulses(data, list[i]);
     }
 }
 
@@ -208,19 +227,18 @@ void saveImpulses(WorldData& data, const GeneralContact& contact) {
 }
 
 void saveImpulses(WorldData& data) {
-    if (!data.contactsListed) {
-        return;
-    }
-    for (const RoundContact& c : data.roundContacts) {
-        saveImpulses(data, c);
-    }
-    for (const GeneralContact& c : data.generalContacts) {
-        saveImpulses(data, c);
+    if (data.contactsListed) {
+        saveAll(data, data.roundContacts);
+        saveAll(data, data.generalContacts);
     }
 }
 
 void followPairs(WorldData& data, std::uint32_t begin, std::uint32_t end) {
+    constexpr std::uint32_t ahead = 8;
     for (std::uint32_t i = begin; i < end; ++i) {
+        if (i + ahead < end && data.table.marks[i + ahead].listed) {
+            __builtin_prefetch(&data.contacts[data.table.pairs[i + ahead].contact].place);
+        }
         if (!data.table.marks[i].listed) {
             continue;
         }

@@ -180,12 +180,20 @@ bool waysMeet(const WorldData& data, const Pair& pair) {
     return !((data.motions[pair.bodyB].center - centerA).squaredNorm() > reach * reach);
 }
 
+/// Whether the pair is far apart or has a contact, while nothing is fast or bounces.
+bool isHarmless(const WorldData& data, std::uint32_t index) {
+    const PairGate& gate = data.table.gates[index];
+    const bool yield = gate.moverB == 0 || (data.yields[gate.moverA] & data.yields[gate.moverB]) != 0;
+    return data.table.marks[index].listed || (yield && !data.isGateOpen(index));
+}
+
 /// The pairs whose bodies may have to be stopped, with all that does not change while they are.
 void listOnWays(WorldData& data) {
     data.onWays.clear();
+    const bool onlyDiverted = !data.anyFast && !data.anySweep;
     for (std::uint32_t i = 0; i < data.table.size(); ++i) {
         const PairGate& gate = data.table.gates[i];
-        if ((data.alert[gate.moverA] | data.alert[gate.moverB]) == 0) {
+        if ((data.alert[gate.moverA] | data.alert[gate.moverB]) == 0 || (onlyDiverted && isHarmless(data, i))) {
             continue;
         }
         const Pair& pair = data.table.pairs[i];

@@ -67,7 +67,9 @@ void measureBodies(WorldData& data) {
             root = data.islands.roots[slot];
             sum = changes[root];
         }
-        measureBody(data, slot, sum);
+        if (data.islands.driven[root] == 0) { // what is driven may gain what it likes
+            measureBody(data, slot, sum);
+        }
     }
     if (root != noSlot) {
         changes[root] = sum;

@@ -8,15 +8,8 @@ using namespace lanes;
 
 /// The way that the surfaces at a point are pushed apart, as an impulse, kg m.
 SPACETOW_INLINE Wide wayOut(Wide separation, Wide velocity, Wide mass, const PushRules& rules) {
-    const Wide excess = -rules.slop - separation - rules.dt * greater(velocity, Wide{});
+    const Wide excess = -linearSlop - separation - rules.dt * greater(velocity, Wide{});
     return excess > Wide{} ? lesser(rules.share * excess, Wide{} + rules.most) * mass : Wide{};
-}
-
-SPACETOW_INLINE Mask overlapping(const RoundBatch& c, const RoundShapes&, double slop) {
-    return c.separation < Wide{} - slop;
-}
-SPACETOW_INLINE Mask overlapping(const ConstraintBatch& c, const ConstraintShapes& s, double slop) {
-    return (s.acts1 & (c.separation1 < Wide{} - slop)) | (s.acts2 & (c.separation2 < Wide{} - slop));
 }
 
 SPACETOW_INLINE void pushOut(Ends& ends, const RoundBatch& c, const RoundShapes&, const PushRules& rules) {
@@ -37,10 +30,10 @@ SPACETOW_INLINE bool pushAll(Pace* pushes, Batches<Batch>& batches, const PushRu
     const std::size_t count = batches.size();
     bool any = false;
     for (std::size_t i = 0; i < count; ++i) {
-        const Batch& batch = batches.begin()[i];
-        if ((bits(overlapping(batch, batches.shapes(i), rules.slop)) & batches.notes(i).occupied) == 0) {
+        if (batches.notes(i).overlaps == 0) {
             continue;
         }
+        const Batch& batch = batches.begin()[i];
         Ends ends{load(pushes, batch.a), load(pushes, batch.b)};
         pushOut(ends, batch, batches.shapes(i), rules);
         store(pushes, batch.a, ends.a);

@@ -179,7 +179,7 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
         finishBounces(data);
     }
     const double share = std::min(pushOutShare, pushOutRate * step.dt);
-    if (pushApart(data.batches, {step.dt, linearSlop, share, pushOutSpeed * step.dt})) {
+    if (pushApart(data.batches, {step.dt, share, pushOutSpeed * step.dt})) {
         takePushes(data, step.dt);
     }
     takePaces(data, step.dt);

@@ -24,9 +24,6 @@
 
 namespace spacetow {
 
-/// Penetration that is left alone so that resting contacts persist, m.
-constexpr double linearSlop = 0.0004;
-
 /// What moves. The solver reads and writes little else.
 struct BodyMotion {
     Vec2 center{0, 0}; // of mass, world

@@ -260,7 +260,7 @@ class ContactBatchesTest : public QObject {
             int outdated = 0;
             for (ContactBatches* batches : {&narrow, &wide}) {
                 refreshContacts(*batches, views, {240, 0.0004}, batches == &wide);
-                QVERIFY(pushApart(*batches, {1.0 / 240, 0.0004, 0.2, 0.1}, batches == &wide));
+                QVERIFY(pushApart(*batches, {1.0 / 240, 0.2, 0.1}, batches == &wide));
             }
             for (std::uint32_t i = 0; i < narrow.general.size(); ++i) {
                 const ConstraintBatch& a = narrow.general[i];
