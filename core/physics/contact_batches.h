@@ -64,7 +64,7 @@ struct alignas(32) ConstraintShapes {
     Wide onA1X{}, onA1Y{}, onB1X{}, onB1Y{}, onA2X{}, onA2Y{}, onB2X{}, onB2Y{};
     Wide relativeX{}, relativeY{}, cosine{}, sine{}; // of a in the coordinates of b when the manifold was made
     Wide room{};                                     // m that the parts may come closer before it is out of date
-    Wide radiusA{}, radiusB{};                       // around the bodies
+    Wide radiusA{};                                  // around the body
     Wide least{};                                    // 1/kg: what yields no more to a push does not yield to it
 
     void vacate() {
@@ -238,14 +238,29 @@ void copyLane(const Batch& from, std::uint32_t lane, Batch& to, std::uint32_t to
     }
 }
 
+/// Batches that lie beside each other.
+struct BatchRange {
+    std::uint32_t begin, end;
+};
+
+template <class Batch>
+BatchRange allOf(const Batches<Batch>& batches) {
+    return {0, static_cast<std::uint32_t>(batches.size())};
+}
+
 /// Visits the lanes that the notes name, in their order.
 template <class Batch, class Visit>
-void forLanes(const Batches<Batch>& batches, LaneBits BatchNotes::*which, const Visit& visit) {
-    for (std::uint32_t k = 0; k < batches.size(); ++k) {
+void forLanes(const Batches<Batch>& batches, BatchRange range, LaneBits BatchNotes::*which, const Visit& visit) {
+    for (std::uint32_t k = range.begin; k < range.end; ++k) {
         for (unsigned lanes = batches.notes(k).*which; lanes != 0; lanes &= lanes - 1) {
             visit(Lane{k, static_cast<std::uint32_t>(std::countr_zero(lanes))});
         }
     }
+}
+
+template <class Batch, class Visit>
+void forLanes(const Batches<Batch>& batches, LaneBits BatchNotes::*which, const Visit& visit) {
+    forLanes(batches, allOf(batches), which, visit);
 }
 
 /// Working memory of the solver.
@@ -271,21 +286,22 @@ struct BodyRows {
 /// From what contacts are made anew.
 struct BodyViews {
     BodyRows poses; // centre of mass, cosine and sine
-    BodyRows ways;  // shift in the iteration, turn, inner radius
-};
-
-/// What is the same for all contacts.
-struct ContactRules {
-    double perSecond; // iterations
-    double slop;      // m
+    BodyRows ways;  // shift in the iteration, way of the outermost points about the centre, inner radius
 };
 
 /// Whether the processor has registers for four doubles. What follows computes the same bits with them and without.
 bool hasWideRegisters();
 
+/// What is the same for all contacts that are made anew.
+struct RefreshRules {
+    BodyViews bodies;
+    double perSecond; // iterations
+    bool wide = hasWideRegisters();
+};
+
 /// Normals, gaps, targets and what depends on them, from where bodies are now; and notes of what is outdated.
-void refreshContacts(ContactBatches& batches, const BodyViews& bodies, const ContactRules& rules,
-                     bool wide = hasWideRegisters());
+void refreshContacts(Batches<RoundBatch>& batches, BatchRange range, const RefreshRules& rules);
+void refreshContacts(Batches<ConstraintBatch>& batches, BatchRange range, const RefreshRules& rules);
 
 /// Applies the impulses that the contacts begin with.
 void warmStart(ContactBatches& batches, bool wide = hasWideRegisters());

@@ -19,19 +19,16 @@ inline bool isPush(const Vec2& change, double turnChange) {
 
 /// Surfaces no further apart than this may meet in this iteration. Anticipation is limited to half the inner radii:
 /// beyond that the sweep of fast bodies takes over, whose normal is that of the impact and not that of the start.
-inline double contactMargin(const BodyStep& a, const BodyStep& b) {
+inline double contactMargin(const BodyWay& a, const BodyWay& b) {
     const Vec2 apart = a.shift - b.shift;
-    double way = std::abs(apart.x()) + std::abs(apart.y()); // no less than the length, and cheaper
-    way += a.round ? 0 : std::abs(a.turn) * a.outerRadius;
-    way += b.round ? 0 : std::abs(b.turn) * b.outerRadius;
-    return linearSlop + std::min(way, 0.5 * (a.innerRadius + b.innerRadius));
+    const double way = std::abs(apart.x()) + std::abs(apart.y()); // no less than the length, and cheaper
+    return linearSlop + std::min(way + a.turned + b.turned, 0.5 * (a.innerRadius + b.innerRadius));
 }
 
 /// The same against a static body.
-inline double contactMargin(const BodyStep& a) {
-    double way = std::abs(a.shift.x()) + std::abs(a.shift.y());
-    way += a.round ? 0 : std::abs(a.turn) * a.outerRadius;
-    return linearSlop + std::min(way, 0.5 * a.innerRadius);
+inline double contactMargin(const BodyWay& a) {
+    const double way = std::abs(a.shift.x()) + std::abs(a.shift.y());
+    return linearSlop + std::min(way + a.turned, 0.5 * a.innerRadius);
 }
 
 /// The discs around the bodies of a pair.
@@ -44,12 +41,12 @@ struct Discs {
     double gap() const { return std::sqrt(squared) - radii; } // m
 };
 
-inline Discs discsOf(const WorldData& data, const Pair& pair) {
-    const BodyStep& a = data.steps[pair.bodyA];
-    const BodyStep& b = data.steps[pair.bodyB];
-    const double radii = a.outerRadius + b.outerRadius;
-    return {radii, radii + contactMargin(a, b),
-            (data.motions[pair.bodyB].center - data.motions[pair.bodyA].center).squaredNorm()};
+/// Of two bodies that move.
+inline Discs discsOf(const WorldData& data, const PairGate& gate) {
+    const BodyWay& a = data.ways[gate.moverA];
+    const BodyWay& b = data.ways[gate.moverB];
+    const double radii = data.reaches[gate.moverA].outerRadius + data.reaches[gate.moverB].outerRadius;
+    return {radii, radii + contactMargin(a, b), (b.center - a.center).squaredNorm()};
 }
 
 /// How far surfaces may go into each other in this iteration where the solver has not converged, m: up to the slop.

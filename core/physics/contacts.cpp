@@ -29,7 +29,8 @@ void letGo(WorldData& data, std::uint32_t index, double separation) {
         unlist(data, index);
     }
     forgetContact(data, pair);
-    data.table.gates[index].apartUntil = data.milesOf(pair) + separation;
+    PairGate& gate = data.table.gates[index];
+    gate.apartUntil = data.milesOf(gate) + separation;
 }
 
 Approach approach(const WorldData& data, const Pair& pair, const Vec2& normal) {
@@ -70,10 +71,12 @@ void addRoundContact(WorldData& data, std::uint32_t index, const Touch& touch, d
 
 void meetRound(WorldData& data, std::uint32_t index, double perSecond) {
     const Pair& pair = data.table.pairs[index];
-    const double radiusA = data.steps[pair.bodyA].outerRadius;
-    const double radiusB = data.steps[pair.bodyB].outerRadius;
-    const Vec2 apart = data.motions[pair.bodyB].center - data.motions[pair.bodyA].center;
-    const double margin = contactMargin(data.steps[pair.bodyA], data.steps[pair.bodyB]);
+    const BodyWay& a = data.ways[pair.bodyA + 1];
+    const BodyWay& b = data.ways[pair.bodyB + 1];
+    const double radiusA = data.reaches[pair.bodyA + 1].outerRadius;
+    const double radiusB = data.reaches[pair.bodyB + 1].outerRadius;
+    const Vec2 apart = b.center - a.center;
+    const double margin = contactMargin(a, b);
     const double reach = radiusA + radiusB + margin;
     const double squared = apart.squaredNorm();
     const double distance = std::sqrt(squared);
@@ -87,9 +90,9 @@ void meetRound(WorldData& data, std::uint32_t index, double perSecond) {
 
 void meetStatic(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
-    const BodyStep& s = data.steps[pair.bodyA];
-    const Circle circle{data.motions[pair.bodyA].center, std::get<Circle>(*pair.shapeA).radius};
-    const double margin = contactMargin(s);
+    const BodyWay& way = data.ways[pair.bodyA + 1];
+    const Circle circle{way.center, std::get<Circle>(*pair.shapeA).radius};
+    const double margin = contactMargin(way);
     const Manifold manifold = pair.kind == PairKind::RoundEdge
                                   ? sideAgainstCircle(data.statics->colliders[pair.collider].side, circle, margin)
                                   : collideCircle(*pair.shapeB, circle, margin);
@@ -234,17 +237,19 @@ void renewSingle(WorldData& data, double perSecond) {
     }
 }
 
-/// Adds the pairs of outdated contacts to those that are to be looked at.
+/// Contacts and where they have their lanes.
 template <class Kind, class Batch>
-void openOutdated(WorldData& data, const std::vector<Kind>& list, const Batches<Batch>& batches) {
-    forLanes(batches, &BatchNotes::outdated,
-             [&](Lane at) { data.open.push_back(pairOf(list[batches.shapes(at.batch).owner[at.lane]])); });
-}
+struct Listed {
+    const std::vector<Kind>& contacts;
+    Batches<Batch>& batches;
+};
 
-void meetOutdated(WorldData& data, double perSecond) {
+template <class Kind, class Batch>
+void meetOutdated(WorldData& data, const Listed<Kind, Batch>& listed, BatchRange range, double perSecond) {
     data.open.clear();
-    openOutdated(data, data.roundContacts, data.batches.round);
-    openOutdated(data, data.generalContacts, data.batches.general);
+    forLanes(listed.batches, range, &BatchNotes::outdated, [&](Lane at) {
+        data.open.push_back(pairOf(listed.contacts[listed.batches.shapes(at.batch).owner[at.lane]]));
+    });
     for (std::size_t k = 0; k < data.open.size(); ++k) {
         fetchAhead(data, data.open, k);
         fetchShapes(data, data.open, k);
@@ -257,26 +262,59 @@ void meetOutdated(WorldData& data, double perSecond) {
     }
 }
 
+/// What is out of date is made anew while its batch is still at hand.
+template <class Kind, class Batch>
+void renewByParts(WorldData& data, const Listed<Kind, Batch>& listed, const RefreshRules& rules) {
+    constexpr std::uint32_t part = 128;
+    const BatchRange all = allOf(listed.batches);
+    for (std::uint32_t first = 0; first < all.end; first += part) {
+        const BatchRange some{first, std::min(first + part, all.end)};
+        refreshContacts(listed.batches, some, rules);
+        meetOutdated(data, listed, some, rules.perSecond);
+    }
+}
+
 bool anyMergedOutdated(const WorldData& data) {
     return std::any_of(data.generalContacts.begin(), data.generalContacts.end(), [&](const GeneralContact& c) {
         return c.merged && (data.batches.general.notes(c.lane.batch).outdated >> c.lane.lane & 1) != 0;
     });
 }
 
-/// The contacts that there are, from where the bodies are now; then what may have come or gone. False when there are
-/// too many changes, or contacts may lie in one plane in another way than before.
+/// The contacts that there are, from where the bodies are now. False when one that is merged is out of date.
+bool renewListed(WorldData& data, double perSecond) {
+    const Listed<RoundContact, RoundBatch> round{data.roundContacts, data.batches.round};
+    const Listed<GeneralContact, ConstraintBatch> general{data.generalContacts, data.batches.general};
+    if (round.contacts.empty() && general.contacts.empty()) {
+        return true;
+    }
+    const BodyWay& first = data.ways[1];
+    const RefreshRules rules{{{&first.center, sizeof(BodyWay)}, {&first.shift, sizeof(BodyWay)}}, perSecond};
+    if (data.absorbed.empty()) {
+        renewByParts(data, round, rules);
+        renewByParts(data, general, rules);
+        return true;
+    }
+    refreshContacts(round.batches, allOf(round.batches), rules);
+    refreshContacts(general.batches, allOf(general.batches), rules);
+    if (anyMergedOutdated(data)) {
+        return false;
+    }
+    meetOutdated(data, round, allOf(round.batches), perSecond);
+    meetOutdated(data, general, allOf(general.batches), perSecond);
+    return true;
+}
+
+/// The contacts that there are; then what may have come or gone. False when there are too many changes, or contacts may
+/// lie in one plane in another way than before.
 bool renewContacts(WorldData& data, double perSecond) {
     if (!data.contactsListed || data.mergeDoubt) {
         return false;
     }
     data.anySweep = data.anyBounce = data.justListed = false;
-    const BodyViews bodies{{data.motions.data(), sizeof(BodyMotion)}, {data.steps.data(), sizeof(BodyStep)}};
     data.constraints.clear();
-    refreshContacts(data.batches, bodies, {perSecond, linearSlop});
-    if (!data.absorbed.empty() && anyMergedOutdated(data)) {
+    if (!renewListed(data, perSecond)) {
         return false;
     }
-    meetOutdated(data, perSecond);
     renewSingle(data, perSecond);
     meetOpen(data, perSecond);
     if (data.anySingular) {

@@ -44,11 +44,11 @@ struct Poses {
 };
 
 Poses posesOf(const WorldData& data, const Pair& pair) {
-    const Transform a = data.pose(pair.bodyA);
+    const Transform a = data.ways[pair.bodyA + 1].pose();
     if (pair.staticB) {
         return {a, {}, a};
     }
-    const Transform b = data.pose(pair.bodyB);
+    const Transform b = data.ways[pair.bodyB + 1].pose();
     return {a, b, relative(a, b)};
 }
 
@@ -81,8 +81,8 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
     const Pair& pair = data.table.pairs[index];
     Contact& contact = data.contacts[pair.contact];
     KeptManifold& kept = data.manifolds[contact.manifold];
-    const BodyStep& a = data.steps[pair.bodyA];
-    const BodyStep& b = data.steps[pair.bodyB];
+    const BodyWay& a = data.ways[pair.bodyA + 1];
+    const BodyWay& b = data.ways[pair.bodyB + 1];
     kept.room = margin + (pair.staticB ? keptShareAtWalls * a.innerRadius
                                        : std::max(keptShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
     const Manifold manifold = collide(*pair.shapeA, poses.a, *pair.shapeB, poses.b, kept.room);
@@ -103,7 +103,8 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
 void postpone(WorldData& data, std::uint32_t index, double left) {
     const Pair& pair = data.table.pairs[index];
     if (data.contacts[pair.contact].count == 0) {
-        data.table.gates[index].apartUntil = data.milesOf(pair) + left;
+        PairGate& gate = data.table.gates[index];
+        gate.apartUntil = data.milesOf(gate) + left;
     }
 }
 
@@ -140,8 +141,8 @@ bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double 
 /// False when there is none, as all of its points will bounce.
 bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
-    const Transform poseA = data.pose(pair.bodyA);
-    const Transform poseB = pair.staticB ? Transform{} : data.pose(pair.bodyB);
+    const Transform poseA = data.ways[pair.bodyA + 1].pose();
+    const Transform poseB = pair.staticB ? Transform{} : data.ways[pair.bodyB + 1].pose();
     const Contact& contact = data.contacts[pair.contact];
     const KeptManifold& kept = data.manifolds[contact.manifold];
     Constraint& c = data.constraints.emplace_back();
@@ -175,8 +176,8 @@ bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
 }
 
 double marginOf(const WorldData& data, const Pair& pair) {
-    const BodyStep& a = data.steps[pair.bodyA];
-    return pair.staticB ? contactMargin(a) : contactMargin(a, data.steps[pair.bodyB]);
+    const BodyWay& a = data.ways[pair.bodyA + 1];
+    return pair.staticB ? contactMargin(a) : contactMargin(a, data.ways[pair.bodyB + 1]);
 }
 
 /// Makes the manifold anew unless the one that is kept still holds.
@@ -185,7 +186,7 @@ void look(WorldData& data, std::uint32_t index) {
     const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
     const double margin = marginOf(data, pair);
     const Poses poses = posesOf(data, pair);
-    double left = roomLeft(kept, poses.relative, data.steps[pair.bodyA].outerRadius);
+    double left = roomLeft(kept, poses.relative, data.reaches[pair.bodyA + 1].outerRadius);
     if (left < margin) {
         makeManifold(data, index, poses, margin);
         left = kept.room;
@@ -197,7 +198,7 @@ void look(WorldData& data, std::uint32_t index) {
 
 double keptRoom(const WorldData& data, const Pair& pair) {
     const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
-    return roomLeft(kept, posesOf(data, pair).relative, data.steps[pair.bodyA].outerRadius);
+    return roomLeft(kept, posesOf(data, pair).relative, data.reaches[pair.bodyA + 1].outerRadius);
 }
 
 double roomBetween(const WorldData& data, const Pair& pair) {
@@ -211,10 +212,11 @@ void meetGeneral(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
     const bool unknown = pair.contact == Pair::none || data.contacts[pair.contact].count == 0;
     if (unknown && !pair.staticB) {
-        const Discs discs = discsOf(data, pair);
+        PairGate& gate = data.table.gates[index];
+        const Discs discs = discsOf(data, gate);
         if (discs.areApart()) {
             forgetContact(data, pair);
-            data.table.gates[index].apartUntil = data.milesOf(pair) + discs.gap();
+            gate.apartUntil = data.milesOf(gate) + discs.gap();
             return;
         }
     }

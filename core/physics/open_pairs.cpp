@@ -48,12 +48,11 @@ void shutWhereDiscsAreApart(WorldData& data) {
             __builtin_prefetch(&data.table.pairs[data.open[k + ahead]]);
         }
         const std::uint32_t i = data.open[k];
-        const Pair& pair = data.table.pairs[i];
-        const Discs discs = discsOf(data, pair);
-        const bool apart = isUnknown(pair) & discs.areApart();
-        const double until = data.milesOf(pair) + discs.gap();
-        double& apartUntil = data.table.gates[i].apartUntil;
-        apartUntil = apart ? until : apartUntil;
+        PairGate& gate = data.table.gates[i];
+        const Discs discs = discsOf(data, gate);
+        const bool apart = isUnknown(data.table.pairs[i]) & discs.areApart();
+        const double until = data.milesOf(gate) + discs.gap();
+        gate.apartUntil = apart ? until : gate.apartUntil;
         data.table.marks[i].now &= !apart;
         data.open[left] = i;
         left += apart ? 0 : 1;

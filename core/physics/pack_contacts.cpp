@@ -99,7 +99,6 @@ void packShapes(const WorldData& data, const Constraint& c, ConstraintShapes& sh
     shapes.sine[i] = frame.relative.rotation.s;
     shapes.room[i] = frame.room;
     shapes.radiusA[i] = data.steps[c.a].round ? 0 : data.steps[c.a].outerRadius;
-    shapes.radiusB[i] = data.steps[c.b].round ? 0 : data.steps[c.b].outerRadius;
     shapes.least[i] = leastInverseMass(data, c.a, c.b);
 }
 

@@ -55,8 +55,11 @@ void prepareStructure(WorldData& data) {
     }
     data.travelled.assign(data.records.size() + 1, 0);
     data.alert.assign(data.records.size() + 1, 0);
+    data.ways.resize(data.records.size() + 1);
+    data.reaches.resize(data.records.size() + 1);
     for (const Slot slot : data.sleep.sleepers) {
         data.travelled[slot + 1] = data.steps[slot].travelled;
+        data.noteWay(slot);
     }
     data.touchedTags.resize(data.records.size());
     data.bodiesChanged = false;
@@ -73,6 +76,7 @@ void measureMotion(WorldData& data, double ahead) {
         const double reach = s.reach();
         data.anyFault |= !isSound(m, s);
         data.travelled[slot + 1] = s.travelled + reach;
+        data.noteWay(slot);
         const bool far = isFar(s, reach);
         data.anyFast |= far;
         data.alert[slot + 1] = far || s.bouncing || s.diverted ? 1 : 0;

@@ -8,12 +8,6 @@ namespace {
 
 using namespace lanes;
 
-/// What stays the same from the first lane to the last.
-struct Call {
-    BodyViews bodies;
-    ContactRules rules;
-};
-
 SPACETOW_INLINE Wide root(Wide x) {
     return Wide{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]), __builtin_sqrt(x[2]), __builtin_sqrt(x[3])};
 }
@@ -33,25 +27,25 @@ SPACETOW_INLINE WidePace load(const BodyRows& rows, const std::array<Slot, 4>& s
 }
 
 /// What the normal velocity is to be where nothing bounces.
-SPACETOW_INLINE Wide targetAt(Wide separation, const ContactRules& rules) {
+SPACETOW_INLINE Wide targetAt(Wide separation, const RefreshRules& rules) {
     return separation > Wide{} ? -separation * rules.perSecond : Wide{};
 }
 
-SPACETOW_INLINE Wide closingAt(Wide separation, const ContactRules& rules) {
-    return -rules.perSecond * greater(separation + rules.slop, Wide{} + 0.1 * rules.slop);
+SPACETOW_INLINE Wide closingAt(Wide separation, const RefreshRules& rules) {
+    return -rules.perSecond * greater(separation + linearSlop, Wide{} + 0.1 * linearSlop);
 }
 
 /// Which contacts are out of reach.
-SPACETOW_INLINE Mask refresh(RoundBatch& c, const RoundShapes& shapes, const Call& call) {
-    const WidePace a = load(call.bodies.poses, shapes.a);
-    const WidePace b = load(call.bodies.poses, shapes.b);
+SPACETOW_INLINE Mask refresh(RoundBatch& c, const RoundShapes& shapes, const RefreshRules& rules) {
+    const WidePace a = load(rules.bodies.poses, shapes.a);
+    const WidePace b = load(rules.bodies.poses, shapes.b);
     const Wide apartX = b.x - a.x;
     const Wide apartY = b.y - a.y;
     const Wide squared = apartX * apartX + apartY * apartY;
-    const WidePace wayA = load(call.bodies.ways, shapes.a);
-    const WidePace wayB = load(call.bodies.ways, shapes.b);
+    const WidePace wayA = load(rules.bodies.ways, shapes.a);
+    const WidePace wayB = load(rules.bodies.ways, shapes.b);
     const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y);
-    const Wide margin = call.rules.slop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
+    const Wide margin = linearSlop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
     const Wide reach = shapes.radiusA + shapes.radiusB + margin;
     const Wide distance = root(squared);
     const Mask apart = distance > Wide{};
@@ -66,8 +60,8 @@ SPACETOW_INLINE Mask refresh(RoundBatch& c, const RoundShapes& shapes, const Cal
     c.leverB = here ? leverB : c.leverB;
     const Wide mass = c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
     c.tangentMass = here ? 1 / mass : c.tangentMass;
-    c.target = here ? targetAt(separation, call.rules) : c.target;
-    c.closing = here ? closingAt(separation, call.rules) : c.closing;
+    c.target = here ? targetAt(separation, rules) : c.target;
+    c.closing = here ? closingAt(separation, rules) : c.closing;
     return here & (squared > reach * reach);
 }
 
@@ -80,7 +74,8 @@ SPACETOW_INLINE Wide worldY(const WidePace& pose, Wide x, Wide y) {
 }
 
 /// Whether the parts have moved against each other so far that their manifold may lack something.
-SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, const WidePace& b, const Call& call) {
+SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, const WidePace& b,
+                              const RefreshRules& rules) {
     const Wide apartX = a.x - b.x;
     const Wide apartY = a.y - b.y;
     const Wide movedX = b.turn * apartX + b.unused * apartY - s.relativeX;
@@ -89,15 +84,14 @@ SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, cons
     const Wide turnedS = b.turn * a.unused - b.unused * a.turn - s.sine;
     const Wide left =
         s.room - root(movedX * movedX + movedY * movedY) - root(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
-    const WidePace wayA = load(call.bodies.ways, s.a);
-    WidePace wayB = load(call.bodies.ways, s.b);
+    const WidePace wayA = load(rules.bodies.ways, s.a);
+    WidePace wayB = load(rules.bodies.ways, s.b);
     wayB.x = s.still ? Wide{} : wayB.x;
     wayB.y = s.still ? Wide{} : wayB.y;
     wayB.turn = s.still ? Wide{} : wayB.turn;
     wayB.unused = s.still ? Wide{} : wayB.unused;
-    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y) + magnitude(wayA.turn) * s.radiusA +
-                     magnitude(wayB.turn) * s.radiusB;
-    return left < call.rules.slop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
+    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y) + wayA.turn + wayB.turn;
+    return left < linearSlop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
 }
 
 /// From the centres of mass to a contact point.
@@ -143,9 +137,9 @@ SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ConstraintShapes& s, con
     return (acts1 ^ s.acts1) | (acts2 ^ s.acts2) | (singular ^ s.singular);
 }
 
-SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, const Call& call) {
-    const WidePace a = load(call.bodies.poses, s.a);
-    WidePace b = load(call.bodies.poses, s.b);
+SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, const RefreshRules& rules) {
+    const WidePace a = load(rules.bodies.poses, s.a);
+    WidePace b = load(rules.bodies.poses, s.b);
     b.x = s.still ? Wide{} : b.x;
     b.y = s.still ? Wide{} : b.y;
     b.turn = s.still ? Wide{} + 1 : b.turn;
@@ -168,47 +162,55 @@ SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, cons
     const Wide never = Wide{} + noTarget;
     c.separation1 = s.first ? separation1 : far;
     c.separation2 = s.second ? separation2 : far;
-    c.target1 = s.acts1 ? targetAt(separation1, call.rules) : never;
-    c.target2 = s.acts2 ? targetAt(separation2, call.rules) : never;
-    c.closing1 = s.first ? closingAt(separation1, call.rules) : never;
-    c.closing2 = s.second ? closingAt(separation2, call.rules) : never;
+    c.target1 = s.acts1 ? targetAt(separation1, rules) : never;
+    c.target2 = s.acts2 ? targetAt(separation2, rules) : never;
+    c.closing1 = s.first ? closingAt(separation1, rules) : never;
+    c.closing2 = s.second ? closingAt(separation2, rules) : never;
     const Arms arms1(a, b, onA1X + 0.5 * apart1X, onA1Y + 0.5 * apart1Y);
     const Arms arms2(a, b, onA2X + 0.5 * apart2X, onA2Y + 0.5 * apart2Y);
     setFriction(c, arms1, arms2, s.least);
-    return setBlock(c, s, arms1, arms2) | outdated(s, a, b, call);
+    return setBlock(c, s, arms1, arms2) | outdated(s, a, b, rules);
 }
 
 template <class Batch>
-SPACETOW_INLINE void refreshAll(const Call& call, Batches<Batch>& batches) {
-    const std::size_t count = batches.size();
-    for (std::size_t i = 0; i < count; ++i) {
+SPACETOW_INLINE void refreshAll(Batches<Batch>& batches, BatchRange range, const RefreshRules& rules) {
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
         BatchNotes& notes = batches.notes(i);
-        notes.outdated = bits(refresh(batches.begin()[i], batches.shapes(i), call)) & notes.occupied;
+        notes.outdated = bits(refresh(batches[i], batches.shapes(i), rules)) & notes.occupied;
     }
 }
 
-SPACETOW_INLINE void refreshBoth(ContactBatches& batches, const Call& call) {
-    refreshAll(call, batches.round);
-    refreshAll(call, batches.general);
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) void refreshWide(Batches<RoundBatch>& batches, BatchRange range,
+                                                 const RefreshRules& rules) {
+    refreshAll(batches, range, rules);
 }
 
-#if defined(__x86_64__)
-__attribute__((target("avx2"))) void refreshWide(ContactBatches& batches, const Call& call) {
-    refreshBoth(batches, call);
+__attribute__((target("avx2"))) void refreshWide(Batches<ConstraintBatch>& batches, BatchRange range,
+                                                 const RefreshRules& rules) {
+    refreshAll(batches, range, rules);
 }
 #endif
 
-} // namespace
-
-void refreshContacts(ContactBatches& batches, const BodyViews& bodies, const ContactRules& rules,
-                     [[maybe_unused]] bool wide) {
+template <class Batch>
+void refreshAny(Batches<Batch>& batches, BatchRange range, const RefreshRules& rules) {
 #if defined(__x86_64__)
-    if (wide) {
-        refreshWide(batches, {bodies, rules});
+    if (rules.wide) {
+        refreshWide(batches, range, rules);
         return;
     }
 #endif
-    refreshBoth(batches, {bodies, rules});
+    refreshAll(batches, range, rules);
+}
+
+} // namespace
+
+void refreshContacts(Batches<RoundBatch>& batches, BatchRange range, const RefreshRules& rules) {
+    refreshAny(batches, range, rules);
+}
+
+void refreshContacts(Batches<ConstraintBatch>& batches, BatchRange range, const RefreshRules& rules) {
+    refreshAny(batches, range, rules);
 }
 
 } // namespace spacetow

@@ -199,6 +199,7 @@ void putToSleep(WorldData& data, Slot slot, Slot island, int iteration) {
     s.fraction = 1;
     s.escaped = s.pushed = s.bounced = false;
     data.travelled[slot + 1] = s.travelled;
+    data.noteWay(slot);
     data.events.fellAsleep.push_back({iteration, data.idOf(slot)});
 }
 

@@ -85,6 +85,27 @@ struct alignas(64) BodyStep {
     }
 };
 
+/// What contacts ask of a body, in one line of memory: copies that are made when its motion is planned.
+struct alignas(64) BodyWay {
+    Vec2 center{0, 0};
+    Rot rotation;
+    Vec2 shift{0, 0};
+    double turned = 0; // m: the way of the outermost points about the centre
+    double innerRadius = 0;
+
+    BodyWay() = default;
+    BodyWay(const BodyMotion& m, const BodyStep& s)
+        : center(m.center), rotation(m.rotation), shift(s.shift),
+          turned(s.round ? 0 : std::abs(s.turn) * s.outerRadius), innerRadius(s.innerRadius) {}
+    Transform pose() const { return {center, rotation}; }
+};
+
+/// Likewise.
+struct BodyReach {
+    double travelled = 0; // m, before the iteration
+    double outerRadius = 0;
+};
+
 // rad in an iteration: beyond this a turn has no end that could be told.
 constexpr double greatestTurn = 1e8;
 
@@ -291,6 +312,9 @@ struct WorldData {
     std::vector<Slot> reporters;           // of touched tags
     std::vector<MovingCollider> colliders; // of `moving` and the sleepers
     std::vector<double> travelled;         // m, at most, at the end of the iteration: 0, then by slot
+    std::vector<BodyWay> ways;             // nothing, then by slot
+    std::vector<BodyReach> reaches;        // nothing, then by slot
+    std::vector<TagMask> tags;             // by slot, of the bodies' filters
     std::vector<std::uint8_t> alert;       // whether a body's way is to be looked at: 0, then by slot
 
     // Working memory, kept so that a steady update allocates nothing.
@@ -333,7 +357,14 @@ struct WorldData {
         return travelled[gate.moverA] + travelled[gate.moverB] + linearSlop >= gate.apartUntil;
     }
     /// What the bodies of the pair have travelled together before the iteration, m.
-    double milesOf(const Pair& pair) const { return steps[pair.bodyA].travelled + steps[pair.bodyB].travelled; }
+    double milesOf(const PairGate& gate) const {
+        return reaches[gate.moverA].travelled + reaches[gate.moverB].travelled;
+    }
+    /// To be called when the motion of the body has been planned, or it no longer moves.
+    void noteWay(Slot slot) {
+        ways[slot + 1] = {motions[slot], steps[slot]};
+        reaches[slot + 1] = {steps[slot].travelled, steps[slot].outerRadius};
+    }
     BodyId idOf(Slot slot) const { return {slot, records[slot].generation}; }
     Transform pose(Slot slot) const { return {motions[slot].center, motions[slot].rotation}; }
 };

@@ -164,9 +164,8 @@ void addManifolds(ContactBatches& batches, Random& random) {
     }
     for (std::uint32_t i = 0; i < batches.general.size(); ++i) {
         ConstraintShapes& s = batches.general.shapes(i);
-        for (Wide* wide :
-             {&s.normalX, &s.normalY, &s.onA1X, &s.onA1Y, &s.onB1X, &s.onB1Y, &s.onA2X, &s.onA2Y, &s.onB2X, &s.onB2Y,
-              &s.relativeX, &s.relativeY, &s.cosine, &s.sine, &s.room, &s.radiusA, &s.radiusB, &s.least}) {
+        for (Wide* wide : {&s.normalX, &s.normalY, &s.onA1X, &s.onA1Y, &s.onB1X, &s.onB1Y, &s.onA2X, &s.onA2Y, &s.onB2X,
+                           &s.onB2Y, &s.relativeX, &s.relativeY, &s.cosine, &s.sine, &s.room, &s.radiusA, &s.least}) {
             fill(*wide, random, -1, 1);
         }
         ConstraintBatch& c = batches.general[i];
@@ -253,13 +252,17 @@ class ContactBatchesTest : public QObject {
             ContactBatches narrow;
             addManifolds(narrow, random);
             narrow.pushes.resize(bodies + 1);
+            narrow.paces.resize(bodies + 1);
             ContactBatches wide = narrow;
             const std::vector<Pace> poses = randomRows(random);
             const std::vector<Pace> ways = randomRows(random);
             const BodyViews views{{poses.data(), sizeof(Pace)}, {ways.data(), sizeof(Pace)}};
             int outdated = 0;
             for (ContactBatches* batches : {&narrow, &wide}) {
-                refreshContacts(*batches, views, {240, 0.0004}, batches == &wide);
+                const RefreshRules rules{views, 240, batches == &wide};
+                refreshContacts(batches->round, allOf(batches->round), rules);
+                refreshContacts(batches->general, allOf(batches->general), rules);
+                measureVelocities(*batches, rules.wide);
                 QVERIFY(pushApart(*batches, {1.0 / 240, 0.2, 0.1}, batches == &wide));
             }
             for (std::uint32_t i = 0; i < narrow.general.size(); ++i) {
