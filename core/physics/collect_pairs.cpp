@@ -1,6 +1,7 @@
 #include "core/physics/collect_pairs.h"
 
 #include "core/geometry/bounds.h"
+#include "core/physics/fetch.h"
 #include "core/physics/in_front.h"
 #include "core/physics/statics.h"
 
@@ -54,6 +55,15 @@ void listCollidersOf(WorldData& data, Slot slot) {
     const std::vector<Part>& parts = *data.records[slot].parts;
     for (std::uint32_t i = 0; i < parts.size(); ++i) {
         data.colliders.push_back({slot, i, isSlender(parts[i])});
+    }
+}
+
+/// Visits the indices of a body's parts among the colliders, without a look at its record.
+template <class Visit>
+void forCollidersOf(const WorldData& data, Slot slot, const Visit& visit) {
+    for (std::uint32_t i = data.firstColliders[slot]; i < data.colliders.size() && data.colliders[i].body == slot;
+         ++i) {
+        visit(i);
     }
 }
 
@@ -121,10 +131,7 @@ void findStaticsOf(WorldData& data, std::uint32_t index) {
 
 void setEscaped(WorldData& data, bool escaped) {
     for (const Slot slot : data.escaped) {
-        const std::uint32_t first = data.firstColliders[slot];
-        for (std::uint32_t i = first; i < first + data.records[slot].parts->size(); ++i) {
-            data.colliders[i].escaped = escaped;
-        }
+        forCollidersOf(data, slot, [&](std::uint32_t i) { data.colliders[i].escaped = escaped; });
     }
 }
 
@@ -132,13 +139,12 @@ void setEscaped(WorldData& data, bool escaped) {
 void refreshTree(WorldData& data) {
     const std::size_t count = data.boxes.size();
     for (const Slot slot : data.escaped) {
-        const std::uint32_t first = data.firstColliders[slot];
-        for (std::uint32_t i = first; i < first + data.records[slot].parts->size(); ++i) {
+        forCollidersOf(data, slot, [&](std::uint32_t i) {
             if (!data.colliders[i].astray) {
                 data.colliders[i].astray = true;
                 data.astray.push_back(i);
             }
-        }
+        });
     }
     if (!data.pairsStale && data.astray.size() * data.escaped.size() <= 8 * count && 8 * data.astray.size() <= count) {
         return;
@@ -214,7 +220,13 @@ void listColliders(WorldData& data) {
 }
 
 void giveRoom(WorldData& data, double seconds) {
-    for (const Slot slot : data.escaped) {
+    constexpr std::size_t ahead = 4;
+    for (std::size_t k = 0; k < data.escaped.size(); ++k) {
+        if (k + ahead < data.escaped.size()) {
+            fetch(data.records[data.escaped[k + ahead]].parts);
+            fetch(data.records[data.escaped[k + ahead]].bounds);
+        }
+        const Slot slot = data.escaped[k];
         BodyStep& s = data.steps[slot];
         BodyRecord& record = data.records[slot];
         s.room = roomAround(data.motions[slot], s, seconds);
@@ -236,13 +248,12 @@ void collectPairs(WorldData& data) {
         findAllMoving(data);
     }
     for (const Slot slot : data.escaped) {
-        const std::uint32_t first = data.firstColliders[slot];
-        for (std::uint32_t i = first; i < first + data.records[slot].parts->size(); ++i) {
+        forCollidersOf(data, slot, [&](std::uint32_t i) {
             if (!most) {
                 findMovingOf(data, i);
             }
             findStaticsOf(data, i);
-        }
+        });
     }
     setEscaped(data, false);
     sortFound(data);

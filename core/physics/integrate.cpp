@@ -13,6 +13,9 @@ namespace {
 
 /// Exact for v' = a − damping·v over `h` seconds; the series avoids cancellation for weak damping.
 FreeMotion freeMotion(double damping, double h) {
+    if (damping == 0) { // as most often
+        return {1, h, 0.5 * h * h};
+    }
     const double x = damping * h;
     if (x < 1e-4) {
         return {1 - x * (1 - x / 2 * (1 - x / 3)), h * (1 - x / 2 * (1 - x / 3)), h * h * (0.5 - x / 6 * (1 - x / 4))};

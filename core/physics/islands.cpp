@@ -25,20 +25,15 @@ void joinPairs(WorldData& data) {
             ++felt;
             continue;
         }
-        if (gate.moverB == 0) {
-            continue;
-        }
         const Slot a = gate.moverA - 1;
         const Slot b = gate.moverB - 1;
-        const bool movableA = data.yields[gate.moverA] != 0;
-        const bool movableB = data.yields[gate.moverB] != 0;
-        if (movableA && movableB) {
+        if ((data.yields[gate.moverA] & data.yields[gate.moverB]) != 0) {
             if (roots[a] != roots[b]) {
                 joinSets(roots, a, b);
             }
-        } else if (movableA) {
+        } else if (gate.moverB != 0 && data.yields[gate.moverA] != 0) {
             noteDriver(data, b, a);
-        } else if (movableB) {
+        } else if (data.yields[gate.moverB] != 0) {
             noteDriver(data, a, b);
         }
     }
@@ -57,7 +52,9 @@ Slot rootOf(std::vector<Slot>& parents, Slot slot) {
 void joinSets(std::vector<Slot>& parents, Slot a, Slot b) {
     const Slot rootA = rootOf(parents, a);
     const Slot rootB = rootOf(parents, b);
-    parents[std::max(rootA, rootB)] = std::min(rootA, rootB);
+    const Slot root = std::min(rootA, rootB);
+    parents[std::max(rootA, rootB)] = root;
+    parents[a] = parents[b] = root; // so that most of the others that join them see it at once
 }
 
 void findIslands(WorldData& data) {
