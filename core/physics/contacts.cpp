@@ -137,6 +137,8 @@ SPACETOW_FETCHES void fetchShapes(const WorldData& data, const std::vector<std::
         const Pair& pair = data.table.pairs[open[at + ahead]];
         fetch(*pair.shapeA);
         fetch(*pair.shapeB);
+        fetch(data.motions[pair.bodyA]);
+        fetch(data.motions[pair.bodyB]);
     }
 }
 
