@@ -123,17 +123,17 @@ void finishBounces(WorldData& data) {
 /// What is held back has less energy; and what has less energy may have to be held back.
 void settle(WorldData& data, double dt) {
     reserveForSolvingOn(data);
-    bool changed = true;
-    for (int round = 0; changed && round < roundsOfSettling; ++round) {
+    for (int round = 0; round < roundsOfSettling; ++round) {
         const bool closes = measureVelocities(data.batches);
-        if (closes && (round > 0 || solveOnWhereClosing(data))) {
+        const bool holds = closes && (round > 0 || solveOnWhereClosing(data));
+        if (holds) {
             holdBack(data, dt);
         }
-        changed = limitGain(data);
+        if ((round > 0 && !holds) || !limitGain(data)) {
+            return;
+        }
     }
-    if (changed) {
-        measureVelocities(data.batches);
-    }
+    measureVelocities(data.batches);
 }
 
 /// Bodies that the contacts pushed go where their new velocity takes them.
