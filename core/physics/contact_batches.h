@@ -238,29 +238,14 @@ void copyLane(const Batch& from, std::uint32_t lane, Batch& to, std::uint32_t to
     }
 }
 
-/// Batches that lie beside each other.
-struct BatchRange {
-    std::uint32_t begin, end;
-};
-
-template <class Batch>
-BatchRange allOf(const Batches<Batch>& batches) {
-    return {0, static_cast<std::uint32_t>(batches.size())};
-}
-
 /// Visits the lanes that the notes name, in their order.
 template <class Batch, class Visit>
-void forLanes(const Batches<Batch>& batches, BatchRange range, LaneBits BatchNotes::*which, const Visit& visit) {
-    for (std::uint32_t k = range.begin; k < range.end; ++k) {
+void forLanes(const Batches<Batch>& batches, LaneBits BatchNotes::*which, const Visit& visit) {
+    for (std::uint32_t k = 0; k < batches.size(); ++k) {
         for (unsigned lanes = batches.notes(k).*which; lanes != 0; lanes &= lanes - 1) {
             visit(Lane{k, static_cast<std::uint32_t>(std::countr_zero(lanes))});
         }
     }
-}
-
-template <class Batch, class Visit>
-void forLanes(const Batches<Batch>& batches, LaneBits BatchNotes::*which, const Visit& visit) {
-    forLanes(batches, allOf(batches), which, visit);
 }
 
 /// Working memory of the solver.
@@ -292,16 +277,10 @@ struct BodyViews {
 /// Whether the processor has registers for four doubles. What follows computes the same bits with them and without.
 bool hasWideRegisters();
 
-/// What is the same for all contacts that are made anew.
-struct RefreshRules {
-    BodyViews bodies;
-    double perSecond; // iterations
-    bool wide = hasWideRegisters();
-};
-
 /// Normals, gaps, targets and what depends on them, from where bodies are now; and notes of what is outdated.
-void refreshContacts(Batches<RoundBatch>& batches, BatchRange range, const RefreshRules& rules);
-void refreshContacts(Batches<ConstraintBatch>& batches, BatchRange range, const RefreshRules& rules);
+/// Iterations come `perSecond`.
+void refreshContacts(ContactBatches& batches, const BodyViews& bodies, double perSecond,
+                     bool wide = hasWideRegisters());
 
 /// Applies the impulses that the contacts begin with.
 void warmStart(ContactBatches& batches, bool wide = hasWideRegisters());

@@ -237,7 +237,7 @@ void followPairs(WorldData& data, std::uint32_t begin, std::uint32_t end) {
     constexpr std::uint32_t ahead = 8;
     for (std::uint32_t i = begin; i < end; ++i) {
         if (i + ahead < end && data.table.marks[i + ahead].listed) {
-            __builtin_prefetch(&data.contacts[data.table.pairs[i + ahead].contact].place);
+            fetch(data.contacts[data.table.pairs[i + ahead].contact].place);
         }
         if (!data.table.marks[i].listed) {
             continue;

@@ -239,19 +239,17 @@ void renewSingle(WorldData& data, double perSecond) {
     }
 }
 
-/// Contacts and where they have their lanes.
+/// Adds the pairs of outdated contacts to those that are to be looked at.
 template <class Kind, class Batch>
-struct Listed {
-    const std::vector<Kind>& contacts;
-    Batches<Batch>& batches;
-};
+void openOutdated(WorldData& data, const std::vector<Kind>& list, const Batches<Batch>& batches) {
+    forLanes(batches, &BatchNotes::outdated,
+             [&](Lane at) { data.open.push_back(pairOf(list[batches.shapes(at.batch).owner[at.lane]])); });
+}
 
-template <class Kind, class Batch>
-void meetOutdated(WorldData& data, const Listed<Kind, Batch>& listed, BatchRange range, double perSecond) {
+void meetOutdated(WorldData& data, double perSecond) {
     data.open.clear();
-    forLanes(listed.batches, range, &BatchNotes::outdated, [&](Lane at) {
-        data.open.push_back(pairOf(listed.contacts[listed.batches.shapes(at.batch).owner[at.lane]]));
-    });
+    openOutdated(data, data.roundContacts, data.batches.round);
+    openOutdated(data, data.generalContacts, data.batches.general);
     for (std::size_t k = 0; k < data.open.size(); ++k) {
         fetchAhead(data, data.open, k);
         fetchShapes(data, data.open, k);
@@ -264,59 +262,26 @@ void meetOutdated(WorldData& data, const Listed<Kind, Batch>& listed, BatchRange
     }
 }
 
-/// What is out of date is made anew while its batch is still at hand.
-template <class Kind, class Batch>
-void renewByParts(WorldData& data, const Listed<Kind, Batch>& listed, const RefreshRules& rules) {
-    constexpr std::uint32_t part = 128;
-    const BatchRange all = allOf(listed.batches);
-    for (std::uint32_t first = 0; first < all.end; first += part) {
-        const BatchRange some{first, std::min(first + part, all.end)};
-        refreshContacts(listed.batches, some, rules);
-        meetOutdated(data, listed, some, rules.perSecond);
-    }
-}
-
 bool anyMergedOutdated(const WorldData& data) {
     return std::any_of(data.generalContacts.begin(), data.generalContacts.end(), [&](const GeneralContact& c) {
         return c.merged && (data.batches.general.notes(c.lane.batch).outdated >> c.lane.lane & 1) != 0;
     });
 }
 
-/// The contacts that there are, from where the bodies are now. False when one that is merged is out of date.
-bool renewListed(WorldData& data, double perSecond) {
-    const Listed<RoundContact, RoundBatch> round{data.roundContacts, data.batches.round};
-    const Listed<GeneralContact, ConstraintBatch> general{data.generalContacts, data.batches.general};
-    if (round.contacts.empty() && general.contacts.empty()) {
-        return true;
-    }
-    const BodyWay& first = data.ways[1];
-    const RefreshRules rules{{{&first.center, sizeof(BodyWay)}, {&first.shift, sizeof(BodyWay)}}, perSecond};
-    if (data.absorbed.empty()) {
-        renewByParts(data, round, rules);
-        renewByParts(data, general, rules);
-        return true;
-    }
-    refreshContacts(round.batches, allOf(round.batches), rules);
-    refreshContacts(general.batches, allOf(general.batches), rules);
-    if (anyMergedOutdated(data)) {
-        return false;
-    }
-    meetOutdated(data, round, allOf(round.batches), perSecond);
-    meetOutdated(data, general, allOf(general.batches), perSecond);
-    return true;
-}
-
-/// The contacts that there are; then what may have come or gone. False when there are too many changes, or contacts may
-/// lie in one plane in another way than before.
+/// The contacts that there are, from where the bodies are now; then what may have come or gone. False when there are
+/// too many changes, or contacts may lie in one plane in another way than before.
 bool renewContacts(WorldData& data, double perSecond) {
     if (!data.contactsListed || data.mergeDoubt) {
         return false;
     }
     data.anySweep = data.anyBounce = data.justListed = false;
     data.constraints.clear();
-    if (!renewListed(data, perSecond)) {
+    const BodyWay* first = data.ways.data() + 1;
+    refreshContacts(data.batches, {{&first->center, sizeof(BodyWay)}, {&first->shift, sizeof(BodyWay)}}, perSecond);
+    if (!data.absorbed.empty() && anyMergedOutdated(data)) {
         return false;
     }
+    meetOutdated(data, perSecond);
     renewSingle(data, perSecond);
     meetOpen(data, perSecond);
     if (data.anySingular) {

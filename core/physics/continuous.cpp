@@ -43,10 +43,6 @@ bool hasContact(const WorldData& data, const Pair& pair) {
     return pair.contact != Pair::none && (pair.kind != PairKind::General || data.contacts[pair.contact].count > 0);
 }
 
-double turnedWay(const BodyStep& s) {
-    return s.round ? 0 : std::abs(s.turn) * s.outerRadius;
-}
-
 /// What anticipation covers of the way of one body to the other.
 double coveredWay(const BodyStep& a, const BodyStep& b, bool staticB) {
     return std::max(0.5 * (a.innerRadius + (staticB ? 0 : b.innerRadius)), linearSlop);
@@ -56,7 +52,7 @@ double coveredWay(const BodyStep& a, const BodyStep& b, bool staticB) {
 double coveredTurn(const WorldData& data, const Pair& pair) {
     const BodyStep& a = data.steps[pair.bodyA];
     const BodyStep& b = data.steps[pair.bodyB];
-    const double way = turnedWay(a) + (pair.staticB ? 0 : turnedWay(b));
+    const double way = a.turnedWay() + (pair.staticB ? 0 : b.turnedWay());
     const double longest = std::max(a.outerRadius, pair.staticB ? 0 : b.outerRadius);
     const double covered = std::max(coveredWay(a, b, pair.staticB), smallTurn * longest);
     return way > covered ? covered / way : 1;
@@ -69,7 +65,7 @@ bool isRunInto(const WorldData& data, const Pair& pair) {
     }
     const BodyStep& a = data.steps[pair.bodyA];
     const BodyStep& b = data.steps[pair.bodyB];
-    const double way = std::sqrt((a.shift - b.shift).squaredNorm()) + turnedWay(a) + turnedWay(b);
+    const double way = std::sqrt((a.shift - b.shift).squaredNorm()) + a.turnedWay() + b.turnedWay();
     return way > coveredWay(a, b, false);
 }
 
@@ -131,7 +127,7 @@ bool isDiverted(const WorldData& data, std::uint32_t index) {
         return false;
     }
     const double room = roomBetween(data, pair);
-    return std::sqrt((a.shift - b.shift).squaredNorm()) + turnedWay(a) + std::abs(b.turn) * (b.outerRadius + room) >=
+    return std::sqrt((a.shift - b.shift).squaredNorm()) + a.turnedWay() + std::abs(b.turn) * (b.outerRadius + room) >=
            room;
 }
 

@@ -8,6 +8,12 @@ namespace {
 
 using namespace lanes;
 
+/// What stays the same from the first lane to the last.
+struct Call {
+    BodyViews bodies;
+    double perSecond; // iterations
+};
+
 SPACETOW_INLINE Wide root(Wide x) {
     return Wide{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]), __builtin_sqrt(x[2]), __builtin_sqrt(x[3])};
 }
@@ -27,23 +33,23 @@ SPACETOW_INLINE WidePace load(const BodyRows& rows, const std::array<Slot, 4>& s
 }
 
 /// What the normal velocity is to be where nothing bounces.
-SPACETOW_INLINE Wide targetAt(Wide separation, const RefreshRules& rules) {
-    return separation > Wide{} ? -separation * rules.perSecond : Wide{};
+SPACETOW_INLINE Wide targetAt(Wide separation, const Call& call) {
+    return separation > Wide{} ? -separation * call.perSecond : Wide{};
 }
 
-SPACETOW_INLINE Wide closingAt(Wide separation, const RefreshRules& rules) {
-    return -rules.perSecond * greater(separation + linearSlop, Wide{} + 0.1 * linearSlop);
+SPACETOW_INLINE Wide closingAt(Wide separation, const Call& call) {
+    return -call.perSecond * greater(separation + linearSlop, Wide{} + 0.1 * linearSlop);
 }
 
 /// Which contacts are out of reach.
-SPACETOW_INLINE Mask refresh(RoundBatch& c, const RoundShapes& shapes, const RefreshRules& rules) {
-    const WidePace a = load(rules.bodies.poses, shapes.a);
-    const WidePace b = load(rules.bodies.poses, shapes.b);
+SPACETOW_INLINE Mask refresh(RoundBatch& c, const RoundShapes& shapes, const Call& call) {
+    const WidePace a = load(call.bodies.poses, shapes.a);
+    const WidePace b = load(call.bodies.poses, shapes.b);
     const Wide apartX = b.x - a.x;
     const Wide apartY = b.y - a.y;
     const Wide squared = apartX * apartX + apartY * apartY;
-    const WidePace wayA = load(rules.bodies.ways, shapes.a);
-    const WidePace wayB = load(rules.bodies.ways, shapes.b);
+    const WidePace wayA = load(call.bodies.ways, shapes.a);
+    const WidePace wayB = load(call.bodies.ways, shapes.b);
     const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y);
     const Wide margin = linearSlop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
     const Wide reach = shapes.radiusA + shapes.radiusB + margin;
@@ -60,8 +66,8 @@ SPACETOW_INLINE Mask refresh(RoundBatch& c, const RoundShapes& shapes, const Ref
     c.leverB = here ? leverB : c.leverB;
     const Wide mass = c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
     c.tangentMass = here ? 1 / mass : c.tangentMass;
-    c.target = here ? targetAt(separation, rules) : c.target;
-    c.closing = here ? closingAt(separation, rules) : c.closing;
+    c.target = here ? targetAt(separation, call) : c.target;
+    c.closing = here ? closingAt(separation, call) : c.closing;
     return here & (squared > reach * reach);
 }
 
@@ -74,8 +80,7 @@ SPACETOW_INLINE Wide worldY(const WidePace& pose, Wide x, Wide y) {
 }
 
 /// Whether the parts have moved against each other so far that their manifold may lack something.
-SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, const WidePace& b,
-                              const RefreshRules& rules) {
+SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, const WidePace& b, const Call& call) {
     const Wide apartX = a.x - b.x;
     const Wide apartY = a.y - b.y;
     const Wide movedX = b.turn * apartX + b.unused * apartY - s.relativeX;
@@ -84,8 +89,8 @@ SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, cons
     const Wide turnedS = b.turn * a.unused - b.unused * a.turn - s.sine;
     const Wide left =
         s.room - root(movedX * movedX + movedY * movedY) - root(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
-    const WidePace wayA = load(rules.bodies.ways, s.a);
-    WidePace wayB = load(rules.bodies.ways, s.b);
+    const WidePace wayA = load(call.bodies.ways, s.a);
+    WidePace wayB = load(call.bodies.ways, s.b);
     wayB.x = s.still ? Wide{} : wayB.x;
     wayB.y = s.still ? Wide{} : wayB.y;
     wayB.turn = s.still ? Wide{} : wayB.turn;
@@ -137,9 +142,9 @@ SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ConstraintShapes& s, con
     return (acts1 ^ s.acts1) | (acts2 ^ s.acts2) | (singular ^ s.singular);
 }
 
-SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, const RefreshRules& rules) {
-    const WidePace a = load(rules.bodies.poses, s.a);
-    WidePace b = load(rules.bodies.poses, s.b);
+SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, const Call& call) {
+    const WidePace a = load(call.bodies.poses, s.a);
+    WidePace b = load(call.bodies.poses, s.b);
     b.x = s.still ? Wide{} : b.x;
     b.y = s.still ? Wide{} : b.y;
     b.turn = s.still ? Wide{} + 1 : b.turn;
@@ -162,55 +167,46 @@ SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, cons
     const Wide never = Wide{} + noTarget;
     c.separation1 = s.first ? separation1 : far;
     c.separation2 = s.second ? separation2 : far;
-    c.target1 = s.acts1 ? targetAt(separation1, rules) : never;
-    c.target2 = s.acts2 ? targetAt(separation2, rules) : never;
-    c.closing1 = s.first ? closingAt(separation1, rules) : never;
-    c.closing2 = s.second ? closingAt(separation2, rules) : never;
+    c.target1 = s.acts1 ? targetAt(separation1, call) : never;
+    c.target2 = s.acts2 ? targetAt(separation2, call) : never;
+    c.closing1 = s.first ? closingAt(separation1, call) : never;
+    c.closing2 = s.second ? closingAt(separation2, call) : never;
     const Arms arms1(a, b, onA1X + 0.5 * apart1X, onA1Y + 0.5 * apart1Y);
     const Arms arms2(a, b, onA2X + 0.5 * apart2X, onA2Y + 0.5 * apart2Y);
     setFriction(c, arms1, arms2, s.least);
-    return setBlock(c, s, arms1, arms2) | outdated(s, a, b, rules);
+    return setBlock(c, s, arms1, arms2) | outdated(s, a, b, call);
 }
 
 template <class Batch>
-SPACETOW_INLINE void refreshAll(Batches<Batch>& batches, BatchRange range, const RefreshRules& rules) {
-    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+SPACETOW_INLINE void refreshAll(const Call& call, Batches<Batch>& batches) {
+    const std::size_t count = batches.size();
+    for (std::size_t i = 0; i < count; ++i) {
         BatchNotes& notes = batches.notes(i);
-        notes.outdated = bits(refresh(batches[i], batches.shapes(i), rules)) & notes.occupied;
+        notes.outdated = bits(refresh(batches.begin()[i], batches.shapes(i), call)) & notes.occupied;
     }
 }
 
-#if defined(__x86_64__)
-__attribute__((target("avx2"))) void refreshWide(Batches<RoundBatch>& batches, BatchRange range,
-                                                 const RefreshRules& rules) {
-    refreshAll(batches, range, rules);
+SPACETOW_INLINE void refreshBoth(ContactBatches& batches, const Call& call) {
+    refreshAll(call, batches.round);
+    refreshAll(call, batches.general);
 }
 
-__attribute__((target("avx2"))) void refreshWide(Batches<ConstraintBatch>& batches, BatchRange range,
-                                                 const RefreshRules& rules) {
-    refreshAll(batches, range, rules);
-}
-#endif
-
-template <class Batch>
-void refreshAny(Batches<Batch>& batches, BatchRange range, const RefreshRules& rules) {
 #if defined(__x86_64__)
-    if (rules.wide) {
-        refreshWide(batches, range, rules);
-        return;
-    }
-#endif
-    refreshAll(batches, range, rules);
+__attribute__((target("avx2"))) void refreshWide(ContactBatches& batches, const Call& call) {
+    refreshBoth(batches, call);
 }
+#endif
 
 } // namespace
 
-void refreshContacts(Batches<RoundBatch>& batches, BatchRange range, const RefreshRules& rules) {
-    refreshAny(batches, range, rules);
-}
-
-void refreshContacts(Batches<ConstraintBatch>& batches, BatchRange range, const RefreshRules& rules) {
-    refreshAny(batches, range, rules);
+void refreshContacts(ContactBatches& batches, const BodyViews& bodies, double perSecond, [[maybe_unused]] bool wide) {
+#if defined(__x86_64__)
+    if (wide) {
+        refreshWide(batches, {bodies, perSecond});
+        return;
+    }
+#endif
+    refreshBoth(batches, {bodies, perSecond});
 }
 
 } // namespace spacetow

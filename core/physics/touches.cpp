@@ -114,8 +114,8 @@ void addTouchedTags(const WorldData& data, const PairTable& table, std::vector<T
     for (std::size_t i = 0; i < table.size(); ++i) {
         if (table.marks[i].now) {
             const Pair& pair = table.pairs[i];
-            tags[pair.bodyA] = tags[pair.bodyA] | data.tags[pair.bodyB];
-            tags[pair.bodyB] = tags[pair.bodyB] | data.tags[pair.bodyA];
+            tags[pair.bodyA] = tags[pair.bodyA] | data.records[pair.bodyB].filter.tags;
+            tags[pair.bodyB] = tags[pair.bodyB] | data.records[pair.bodyA].filter.tags;
         }
     }
 }

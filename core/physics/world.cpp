@@ -178,7 +178,6 @@ Result<BodyId> World::addBody(const BodyDef& def) {
         data.records.emplace_back();
         data.motions.emplace_back();
         data.steps.emplace_back();
-        data.tags.emplace_back();
     } else {
         slot = data.freeSlots.back();
         data.freeSlots.pop_back();
@@ -190,7 +189,6 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     data.records[slot].serial = data.nextSerial++;
     data.motions[slot] = made.value().motion;
     data.steps[slot] = made.value().step;
-    data.tags[slot] = def.filter.tags;
     refreshInverseMass(data, slot);
     data.staticsChanged |= def.kind == BodyKind::Static;
     data.bodiesChanged = true;
@@ -246,7 +244,6 @@ void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocit
 void World::setFilter(BodyId body, const Filter& filter) {
     EXPECTS(contains(body));
     m_data->records[body.index].filter = filter;
-    m_data->tags[body.index] = filter.tags;
     m_data->pairsStale = true;
     disturb(*m_data, body.index);
     if (!m_data->fields.empty()) {

@@ -79,6 +79,8 @@ struct alignas(64) BodyStep {
     FreeMotion linear, angular;
     Room room;
 
+    /// The way of the outermost points about the centre, m.
+    double turnedWay() const { return round ? 0 : std::abs(turn) * outerRadius; }
     /// No point of the body goes further in this iteration, m; turning moves no point by more than the diameter.
     double reach() const {
         return std::sqrt(shift.squaredNorm()) + (round ? 0 : std::min(std::abs(turn), 2.0) * outerRadius);
@@ -90,13 +92,12 @@ struct alignas(64) BodyWay {
     Vec2 center{0, 0};
     Rot rotation;
     Vec2 shift{0, 0};
-    double turned = 0; // m: the way of the outermost points about the centre
+    double turned = 0; // see BodyStep::turnedWay
     double innerRadius = 0;
 
     BodyWay() = default;
     BodyWay(const BodyMotion& m, const BodyStep& s)
-        : center(m.center), rotation(m.rotation), shift(s.shift),
-          turned(s.round ? 0 : std::abs(s.turn) * s.outerRadius), innerRadius(s.innerRadius) {}
+        : center(m.center), rotation(m.rotation), shift(s.shift), turned(s.turnedWay()), innerRadius(s.innerRadius) {}
     Transform pose() const { return {center, rotation}; }
 };
 
@@ -314,7 +315,6 @@ struct WorldData {
     std::vector<double> travelled;         // m, at most, at the end of the iteration: 0, then by slot
     std::vector<BodyWay> ways;             // nothing, then by slot
     std::vector<BodyReach> reaches;        // nothing, then by slot
-    std::vector<TagMask> tags;             // by slot, of the bodies' filters
     std::vector<std::uint8_t> alert;       // whether a body's way is to be looked at: 0, then by slot
 
     // Working memory, kept so that a steady update allocates nothing.

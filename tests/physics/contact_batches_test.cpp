@@ -259,10 +259,8 @@ class ContactBatchesTest : public QObject {
             const BodyViews views{{poses.data(), sizeof(Pace)}, {ways.data(), sizeof(Pace)}};
             int outdated = 0;
             for (ContactBatches* batches : {&narrow, &wide}) {
-                const RefreshRules rules{views, 240, batches == &wide};
-                refreshContacts(batches->round, allOf(batches->round), rules);
-                refreshContacts(batches->general, allOf(batches->general), rules);
-                measureVelocities(*batches, rules.wide);
+                refreshContacts(*batches, views, 240, batches == &wide);
+                measureVelocities(*batches, batches == &wide);
                 QVERIFY(pushApart(*batches, {1.0 / 240, 0.2, 0.1}, batches == &wide));
             }
             for (std::uint32_t i = 0; i < narrow.general.size(); ++i) {
