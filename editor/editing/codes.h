@@ -7,7 +7,7 @@
 
 namespace spacetow {
 
-inline constexpr std::array<std::string_view, 32> hintCodes{
+inline constexpr auto hintCodes = std::to_array<std::string_view>({
     "select.idle",
     "select.object",
     "select.selected", // number of objects
@@ -40,11 +40,23 @@ inline constexpr std::array<std::string_view, 32> hintCodes{
     "place-finish.start",
     "place-finish.end", // m, degrees
     "place-finish.too-short",
-};
+});
 
-inline constexpr std::array<std::string_view, 14> labelCodes{
-    "draw-edge", "draw-line", "draw-polygon", "draw-circle", "place-ship", "place-payload", "place-finish",
-    "move",      "rotate",    "reverse",      "delete",      "duplicate",  "cut",           "paste",
-};
+inline constexpr auto labelCodes = std::to_array<std::string_view>({
+    "draw-edge",
+    "draw-line",
+    "draw-polygon",
+    "draw-circle",
+    "place-ship",
+    "place-payload",
+    "place-finish",
+    "move",
+    "rotate",
+    "reverse",
+    "delete",
+    "duplicate",
+    "cut",
+    "paste",
+});
 
 } // namespace spacetow

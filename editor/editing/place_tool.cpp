@@ -32,9 +32,16 @@ FinishedEdit finished(const char* label, Edit placed) {
 
 } // namespace
 
-void PlaceTool::setKind(PlaceKind kind) {
-    cancel();
-    m_kind = kind;
+std::string PlaceTool::code() const {
+    switch (m_kind) {
+    case PlaceKind::Ship:
+        return "ship";
+    case PlaceKind::Payload:
+        return "payload";
+    case PlaceKind::Finish:
+        break;
+    }
+    return "finish";
 }
 
 std::unique_ptr<Gesture> PlaceTool::press(const ToolContext& context, const Pointer& pointer) {

@@ -10,16 +10,14 @@
 
 namespace spacetow {
 
-/// What the place tool puts down.
+/// What a place tool puts down.
 enum class PlaceKind : std::uint8_t { Ship, Payload, Finish };
 
 class PlaceTool : public Tool {
   public:
-    PlaceKind kind() const { return m_kind; }
-    /// Forgets a half-drawn finish.
-    void setKind(PlaceKind kind);
+    explicit PlaceTool(PlaceKind kind) : m_kind(kind) {}
 
-    std::string code() const override { return "place"; }
+    std::string code() const override;
     /// Drags turn the ship, carry the payload or draw the finish.
     std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
     std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;
@@ -35,7 +33,7 @@ class PlaceTool : public Tool {
   private:
     std::optional<FinishedEdit> clickFinish(const ToolContext& context, const Pointer& pointer);
 
-    PlaceKind m_kind = PlaceKind::Ship;
+    PlaceKind m_kind;
     std::optional<Vec2> m_finishStart; // world; the first of two clicks
     bool m_tooShort = false;           // the last click was refused
 };

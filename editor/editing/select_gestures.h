@@ -15,6 +15,7 @@ class MoveGesture : public Gesture {
     Label label() const override;
     Overlay overlay(const Pointer& pointer) const override;
     Hint hint(const Pointer& pointer) const override;
+    CursorShape cursor(const Pointer&) const override { return CursorShape::Move; }
 
   private:
     Vec2 deltaAt(const Pointer& pointer) const;

@@ -22,6 +22,8 @@ struct Hint {
     bool operator==(const Hint&) const = default;
 };
 
+enum class CursorShape : std::uint8_t { Arrow, Cross, Move, OpenHand, Pointing };
+
 /// Lives as long as a drag; made from the edit it starts with.
 class Gesture {
   public:
@@ -31,11 +33,10 @@ class Gesture {
     virtual Label label() const = 0;
     virtual Overlay overlay(const Pointer&) const { return {}; }
     virtual Hint hint(const Pointer& pointer) const = 0;
+    virtual CursorShape cursor(const Pointer&) const { return CursorShape::Cross; }
     /// False for gestures that only select: they add no history entry.
     virtual bool edits() const { return true; }
 };
-
-enum class CursorShape : std::uint8_t { Arrow, Cross, Move, OpenHand, Pointing };
 
 /// An edit that is ready without a drag.
 struct FinishedEdit {
@@ -56,7 +57,7 @@ class Tool {
   public:
     virtual ~Tool() = default;
 
-    /// Stable code, e.g. "select", "edge", "line", "polygon", "circle", "place".
+    /// Stable code, e.g. "select", "edge", "line", "polygon", "circle", "ship".
     virtual std::string code() const = 0;
     /// A press may start a gesture…
     virtual std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) = 0;

@@ -1,10 +1,8 @@
 #include "editor/editing/toolbox.h"
 
-#include "editor/editing/circle_tool.h"
-#include "editor/editing/draw_tool.h"
-#include "editor/editing/select_tool.h"
 #include "editor/editing/verbs.h"
 
+#include <algorithm>
 #include <random>
 #include <utility>
 
@@ -22,18 +20,17 @@ std::uint64_t randomSeed() {
 } // namespace
 
 struct Toolbox::State {
-    State(Document& edited, std::uint64_t firstSeed) : document(edited), seed(firstSeed) {}
+    State(Document& edited, std::uint64_t firstSeed) : document(edited), seed(firstSeed) {
+        for (const ToolRow& row : toolRows()) {
+            tools.push_back(row.make());
+        }
+    }
 
     Document& document;
     std::uint64_t seed;
-    SelectTool select;
-    DrawTool edge{DrawKind::Edge};
-    DrawTool line{DrawKind::Line};
-    DrawTool polygon{DrawKind::Polygon};
-    CircleTool circle;
-    PlaceTool place;
+    std::vector<std::unique_ptr<Tool>> tools; // by ToolId
     ToolId current = ToolId::Select;
-    bool kindChosen = false; // since Place was last chosen
+    std::vector<ToolId> before; // those that were in the hand, newest last, each once
 
     std::unique_ptr<Gesture> gesture; // from the press on; it shows and acts once `dragging`
     std::optional<Pointer> pressed;   // while the button is held
@@ -43,23 +40,7 @@ struct Toolbox::State {
     bool committing = false; // the history changes by our own doing
     int connection = 0;
 
-    Tool& tool() {
-        switch (current) {
-        case ToolId::Select:
-            return select;
-        case ToolId::Edge:
-            return edge;
-        case ToolId::Line:
-            return line;
-        case ToolId::Polygon:
-            return polygon;
-        case ToolId::Circle:
-            return circle;
-        case ToolId::Place:
-            break;
-        }
-        return place;
-    }
+    Tool& tool() { return *tools[static_cast<std::size_t>(current)]; }
     bool gestureShows() const { return gesture && dragging; }
     void noticeDrag(const Pointer& pointer) {
         dragging = dragging || (pressed && (pointer.screen - pressed->screen).norm() > dragPixels);
@@ -113,30 +94,25 @@ Toolbox::~Toolbox() {
 void Toolbox::choose(ToolId tool) {
     State& state = *m_state;
     cancel();
-    if (tool == ToolId::Place && state.current == ToolId::Place && !state.kindChosen) {
-        constexpr int kinds = 3;
-        state.place.setKind(static_cast<PlaceKind>((static_cast<int>(state.place.kind()) + 1) % kinds));
-    }
-    state.kindChosen = false;
+    std::erase(state.before, tool);
+    state.before.push_back(tool);
     state.current = tool;
     changed.emit();
 }
 
+void Toolbox::chooseAmong(std::span<const ToolId> tools) {
+    const std::vector<ToolId>& before = m_state->before;
+    const auto current = std::ranges::find(tools, m_state->current);
+    if (current != tools.end()) {
+        choose(tools[static_cast<std::size_t>(current - tools.begin() + 1) % tools.size()]);
+        return;
+    }
+    const auto last = std::find_first_of(before.rbegin(), before.rend(), tools.begin(), tools.end());
+    choose(last == before.rend() ? tools.front() : *last);
+}
+
 ToolId Toolbox::current() const {
     return m_state->current;
-}
-
-void Toolbox::setPlaceKind(PlaceKind kind) {
-    if (m_state->current == ToolId::Place) {
-        m_state->abandon();
-    }
-    m_state->place.setKind(kind);
-    m_state->kindChosen = true;
-    changed.emit();
-}
-
-PlaceKind Toolbox::placeKind() const {
-    return m_state->place.kind();
 }
 
 void Toolbox::press(const Pointer& pointer) {
@@ -144,7 +120,6 @@ void Toolbox::press(const Pointer& pointer) {
     state.abandon(); // a release that was never reported
     state.last = pointer;
     state.inside = true;
-    state.kindChosen = false;
     state.gesture = state.tool().press(context(), pointer);
     state.pressed = pointer;
     changed.emit();
@@ -253,8 +228,12 @@ bool Toolbox::finish(const std::optional<FinishedEdit>& finished) {
     return true;
 }
 
+bool Toolbox::isDragging() const {
+    return m_state->pressed.has_value();
+}
+
 bool Toolbox::isBusy() const {
-    return m_state->pressed || m_state->tool().isBusy();
+    return isDragging() || m_state->tool().isBusy();
 }
 
 Overlay Toolbox::overlay() const {
@@ -276,7 +255,7 @@ Hint Toolbox::hint() const {
 CursorShape Toolbox::cursor() const {
     State& state = *m_state;
     if (state.gestureShows()) {
-        return state.current == ToolId::Select && state.gesture->edits() ? CursorShape::Move : CursorShape::Cross;
+        return state.gesture->cursor(state.last);
     }
     return state.tool().cursor(state.context(snap), state.last);
 }

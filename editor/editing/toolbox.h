@@ -1,19 +1,13 @@
 #pragma once
 // The tools, which of them is in the hand, and the gesture in progress. The canvas feeds it; it feeds the document.
 
-#include "editor/editing/place_tool.h"
-#include "editor/editing/tool.h"
+#include "editor/editing/tools.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 
 namespace spacetow {
-
-enum class ToolId : std::uint8_t { Select, Edge, Line, Polygon, Circle, Place };
-inline constexpr std::array allTools{ToolId::Select,  ToolId::Edge,   ToolId::Line,
-                                     ToolId::Polygon, ToolId::Circle, ToolId::Place};
 
 class Toolbox {
   public:
@@ -22,12 +16,11 @@ class Toolbox {
     Toolbox(Document& document, std::uint64_t seed);
     ~Toolbox();
 
-    /// Drops what is half done. Choosing Place while it is in the hand goes on to the next kind.
+    /// Drops what is half done.
     void choose(ToolId tool);
+    /// One key for several tools: the one of them that was in the hand last or, where one is, the next.
+    void chooseAmong(std::span<const ToolId> tools);
     ToolId current() const;
-    /// Does not take the tool in hand; the next choose(Place) keeps this kind.
-    void setPlaceKind(PlaceKind kind);
-    PlaceKind placeKind() const;
     SnapSettings snap; // shared by all tools
 
     /// Primary button. A drag starts once the pointer has moved by more than four pixels. A modifier that changes
@@ -51,7 +44,9 @@ class Toolbox {
     /// Commits what a verb made; false when it made nothing. Drops a gesture in progress.
     bool finish(const std::optional<FinishedEdit>& finished);
 
-    bool isBusy() const; // gesture or half-drawn shape
+    /// The button is down: nothing but the pointer, its modifiers and Escape acts until the drag has ended.
+    bool isDragging() const;
+    bool isBusy() const; // drag or half-drawn shape
     Overlay overlay() const;
     Hint hint() const;
     CursorShape cursor() const;

@@ -10,31 +10,31 @@ namespace spacetow {
 
 namespace {
 
-struct Line {
+struct KeyLine {
     const char* keys;
     const char* meaning;
 };
 
 // clang-format off
 constexpr std::array canvasLines{
-    Line{QT_TRANSLATE_NOOP("Keys", "Click · Shift or Ctrl + click"), QT_TRANSLATE_NOOP("Keys", "Select · add to the selection or take from it")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Drag on empty space"), QT_TRANSLATE_NOOP("Keys", "Select with a rubber band; Alt: only what lies wholly inside")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Alt + click"), QT_TRANSLATE_NOOP("Keys", "Select the next object underneath")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Shift while dragging"), QT_TRANSLATE_NOOP("Keys", "Keep to an axis, or to steps of 15°")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Ctrl while dragging"), QT_TRANSLATE_NOOP("Keys", "Switch snapping off or on for the moment")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Enter or right click"), QT_TRANSLATE_NOOP("Keys", "End the shape that is being drawn")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Backspace"), QT_TRANSLATE_NOOP("Keys", "Take back the last point")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Esc"), QT_TRANSLATE_NOOP("Keys", "Cancel: gesture, shape, selection, tool")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Arrow keys"), QT_TRANSLATE_NOOP("Keys", "Move the selection a little; Shift: a grid step; Alt: a pixel")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Wheel · pinch"), QT_TRANSLATE_NOOP("Keys", "Zoom at the pointer")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Middle or right drag · Space + drag · two fingers"), QT_TRANSLATE_NOOP("Keys", "Move the view")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Click · Shift or Ctrl + click"), QT_TRANSLATE_NOOP("Keys", "Select · add to the selection or take from it")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Drag on empty space"), QT_TRANSLATE_NOOP("Keys", "Select with a rubber band; Alt: only what lies wholly inside")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Alt + click"), QT_TRANSLATE_NOOP("Keys", "Select the next object underneath")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Shift while dragging"), QT_TRANSLATE_NOOP("Keys", "Keep to an axis, or to steps of 15°")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Ctrl while dragging"), QT_TRANSLATE_NOOP("Keys", "Switch snapping off or on for the moment")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Enter or right click"), QT_TRANSLATE_NOOP("Keys", "End the shape that is being drawn")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Backspace"), QT_TRANSLATE_NOOP("Keys", "Take back the last point")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Esc"), QT_TRANSLATE_NOOP("Keys", "Cancel: gesture, shape, selection, tool")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Arrow keys"), QT_TRANSLATE_NOOP("Keys", "Move the selection a little; Shift: a grid step; Alt: a pixel")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Wheel · pinch"), QT_TRANSLATE_NOOP("Keys", "Zoom at the pointer")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Middle or right drag · Space + drag · two fingers"), QT_TRANSLATE_NOOP("Keys", "Move the view")},
 };
 constexpr std::array gameLines{
-    Line{QT_TRANSLATE_NOOP("Keys", "W or Up"), QT_TRANSLATE_NOOP("Keys", "Thrust")},
-    Line{QT_TRANSLATE_NOOP("Keys", "A or Left · D or Right"), QT_TRANSLATE_NOOP("Keys", "Turn left · turn right")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Space"), QT_TRANSLATE_NOOP("Keys", "Tow the payload when it is near")},
-    Line{QT_TRANSLATE_NOOP("Keys", "Esc"), QT_TRANSLATE_NOOP("Keys", "Hold the game and show the menu")},
-    Line{QT_TRANSLATE_NOOP("Keys", "R · P · O"), QT_TRANSLATE_NOOP("Keys", "Restart · hold · next frame")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "W or Up"), QT_TRANSLATE_NOOP("Keys", "Thrust")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "A or Left · D or Right"), QT_TRANSLATE_NOOP("Keys", "Turn left · turn right")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Space"), QT_TRANSLATE_NOOP("Keys", "Tow the payload when it is near")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Esc"), QT_TRANSLATE_NOOP("Keys", "Hold the game and show the menu")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "R · P · O"), QT_TRANSLATE_NOOP("Keys", "Restart · hold · next frame")},
 };
 // clang-format on
 
@@ -51,26 +51,8 @@ QString line(const QString& keys, const QString& meaning) {
         .arg(keys.toHtmlEscaped(), meaning.toHtmlEscaped());
 }
 
-QString menuName(MenuId menu) {
-    switch (menu) {
-    case MenuId::File:
-        return translated(QT_TRANSLATE_NOOP("Keys", "File"));
-    case MenuId::Edit:
-        return translated(QT_TRANSLATE_NOOP("Keys", "Edit"));
-    case MenuId::View:
-        return translated(QT_TRANSLATE_NOOP("Keys", "View"));
-    case MenuId::Overlays:
-        return translated(QT_TRANSLATE_NOOP("Keys", "Overlays, also while playing"));
-    case MenuId::Insert:
-        return translated(QT_TRANSLATE_NOOP("Keys", "Tools"));
-    case MenuId::Object:
-        return translated(QT_TRANSLATE_NOOP("Keys", "Object"));
-    case MenuId::Play:
-        return translated(QT_TRANSLATE_NOOP("Keys", "Play"));
-    case MenuId::Help:
-        break;
-    }
-    return translated(QT_TRANSLATE_NOOP("Keys", "Help"));
+QString withoutMnemonic(QString text) {
+    return text.remove(QLatin1Char('&'));
 }
 
 } // namespace
@@ -78,11 +60,11 @@ QString menuName(MenuId menu) {
 QString KeysDialog::overview() {
     QString html = QStringLiteral("<table cellpadding=\"2\">");
     html += heading(translated(QT_TRANSLATE_NOOP("Keys", "On the drawing board")));
-    for (const Line& each : canvasLines) {
+    for (const KeyLine& each : canvasLines) {
         html += line(translated(each.keys), translated(each.meaning));
     }
     html += heading(translated(QT_TRANSLATE_NOOP("Keys", "In the game")));
-    for (const Line& each : gameLines) {
+    for (const KeyLine& each : gameLines) {
         html += line(translated(each.keys), translated(each.meaning));
     }
     std::optional<MenuId> last;
@@ -95,7 +77,7 @@ QString KeysDialog::overview() {
             continue;
         }
         if (last != row.menu) {
-            html += heading(menuName(row.menu));
+            html += heading(withoutMnemonic(menuText(menuRow(row.menu))));
             last = row.menu;
         }
         html += line(keys.join(QStringLiteral(" · ")), plainText(row));

@@ -1,14 +1,12 @@
 #include "editor/window/main_window.h"
 
 #include "core/level/bounds.h"
-#include "editor/window/keys_dialog.h"
 #include "editor/window/messages.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
 #include <QKeyEvent>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPointer>
 
@@ -16,28 +14,20 @@ namespace spacetow {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent), m_toolbox(m_document), m_actions(*this), m_column(&m_center),
-      m_inspectorDock(tr("Inspector")), m_problemsDock(tr("Problems")), m_recent(tr("Open &Recent")),
-      m_canvas(m_document, m_toolbox), m_inspector(m_document),
-      m_problems(m_document, [](const Problem& problem) { return sentence(problem); }),
+      m_inspectorDock(tr("Inspector")), m_problemsDock(tr("Problems")), m_canvas(m_document, m_toolbox),
+      m_inspector(m_document), m_problems(m_document, [](const Problem& problem) { return sentence(problem); }),
       m_files(m_document, dialogQuestions(this),
               [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }) {
     setAcceptDrops(true);
     layOut();
     makeMenus();
     makeToolBars();
+    restore();
     listen();
-    connectFiles();
-    connectEdits();
-    connectTools();
-    connectView();
-    connectPlay();
-    restoreGeometry(m_files.preferences.geometry());
-    restoreState(m_files.preferences.windowState());
+    listenToPanels();
     updateTitle();
-    updateHistory();
-    updateTool();
     updateSelection();
-    updateSituation();
+    updateMode();
     m_canvas.setFocus();
 }
 
@@ -96,11 +86,10 @@ void MainWindow::play() {
             MessageBar::Tone::Warning,
             tr("The level has %n errors and may not play as it should; see Problems.", nullptr, m_problems.errors()));
     }
-    m_play.setOverlays(overlays());
     m_play.start(*m_document.current().level);
     m_stack.setCurrentWidget(&m_play);
     m_play.setFocus();
-    updateSituation();
+    updateMode();
 }
 
 void MainWindow::stopPlaying() {
@@ -110,11 +99,36 @@ void MainWindow::stopPlaying() {
     }
     m_stack.setCurrentWidget(&m_canvas);
     m_canvas.setFocus();
-    updateSituation();
+    updateMode();
 }
 
-void MainWindow::finish(const std::optional<FinishedEdit>& finished) {
-    m_toolbox.finish(finished);
+void MainWindow::takeTool(ToolId tool) {
+    m_toolbox.choose(tool);
+    m_canvas.setFocus();
+}
+
+void MainWindow::takeNextOf(std::span<const ToolId> tools) {
+    m_toolbox.chooseAmong(tools);
+    m_canvas.setFocus();
+}
+
+void MainWindow::setGridVisible(bool visible) {
+    m_canvas.setGridVisible(visible);
+    m_files.preferences.setGrid(visible);
+}
+
+void MainWindow::setSnap(const SnapSettings& snap) {
+    m_toolbox.snap = snap;
+    m_files.preferences.setSnap(snap);
+    m_status.setSnap(snap);
+    m_canvas.update();
+}
+
+void MainWindow::setOverlays(const OverlayFlags& overlays) {
+    m_overlays = overlays;
+    m_canvas.setOverlays(overlays);
+    m_play.setOverlays(overlays);
+    m_files.preferences.setOverlays(overlays);
 }
 
 void MainWindow::enterTyping() {
@@ -186,32 +200,6 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void MainWindow::showAbout() {
-    QMessageBox box(this);
-    box.setWindowTitle(tr("About SpaceTow Studio"));
-    box.setIconPixmap(windowIcon().pixmap(72, 72));
-    box.setTextFormat(Qt::PlainText);
-    box.setText(tr("SpaceTow Studio %1").arg(QCoreApplication::applicationVersion()));
-    box.setInformativeText(tr("Draw levels and fly them: a level editor and physics sandbox.\n\n"
-                              "Free software under the MIT license. Made with Qt %1 and Eigen.")
-                               .arg(QString::fromLatin1(qVersion())));
-    box.addButton(tr("&Close"), QMessageBox::RejectRole);
-    box.exec();
-}
-
-void MainWindow::updateHistory() {
-    const auto name = [](const QString& verb, bool can, const auto& label) {
-        return can ? QStringLiteral("%1: %2").arg(verb, sentence(label())) : verb;
-    };
-    m_actions[Act::Undo].setText(
-        name(tr("&Undo"), m_document.canUndo(), [this]() -> const Label& { return m_document.undoLabel(); }));
-    m_actions[Act::Redo].setText(
-        name(tr("&Redo"), m_document.canRedo(), [this]() -> const Label& { return m_document.redoLabel(); }));
-    m_actions[Act::Undo].setEnabled(!isPlaying() && m_document.canUndo());
-    m_actions[Act::Redo].setEnabled(!isPlaying() && m_document.canRedo());
-    setWindowModified(m_document.isModified());
-}
-
 void MainWindow::updateTitle() {
     setWindowFilePath(m_files.path());
     setWindowTitle(tr("%1[*] - SpaceTow Studio").arg(m_files.name()));
@@ -219,28 +207,12 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::updateTool() {
-    const auto act = [this] {
-        switch (m_toolbox.current()) {
-        case ToolId::Select:
-            return Act::ToolSelect;
-        case ToolId::Edge:
-            return Act::ToolEdge;
-        case ToolId::Line:
-            return Act::ToolLine;
-        case ToolId::Polygon:
-            return Act::ToolPolygon;
-        case ToolId::Circle:
-            return Act::ToolCircle;
-        case ToolId::Place:
-            break;
-        }
-        return m_toolbox.placeKind() == PlaceKind::Ship      ? Act::PlaceShip
-               : m_toolbox.placeKind() == PlaceKind::Payload ? Act::PlacePayload
-                                                             : Act::PlaceFinish;
-    }();
-    m_actions[act].setChecked(true);
     m_status.setHint(isPlaying() ? tr("Playing a copy of the level · F8: back to the editor · Esc: menu")
                                  : sentence(m_toolbox.hint()));
+    if (m_toolbox.current() != m_shownTool) {
+        m_shownTool = m_toolbox.current();
+        m_actions.refresh();
+    }
 }
 
 void MainWindow::updateSelection() {
@@ -256,13 +228,12 @@ void MainWindow::updateSelection() {
     m_status.setSelection(shown.selection.size(), box);
 }
 
-void MainWindow::updateSituation() {
+void MainWindow::updateMode() {
     const bool playing = isPlaying();
-    m_actions.setSituation(playing, !m_document.selection().empty());
     m_inspector.setEnabled(!playing);
     m_problems.setEnabled(!playing);
-    m_recent.setEnabled(!playing);
-    updateHistory();
+    m_menus.at(MenuId::Recent)->setEnabled(!playing);
+    m_actions.refresh();
     updateTool();
 }
 

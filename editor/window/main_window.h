@@ -1,6 +1,6 @@
 #pragma once
 // The window: lays out canvas, game, panels and bars, and connects them. What happens stands elsewhere: edits in
-// editor/editing, files in files.h, actions in actions.h.
+// editor/editing, files in files.h, what each action does in its row, actions_<topic>.cpp.
 
 #include "editor/canvas/canvas.h"
 #include "editor/panels/inspector.h"
@@ -8,6 +8,7 @@
 #include "editor/play/play_view.h"
 #include "editor/window/actions.h"
 #include "editor/window/files.h"
+#include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
 #include "editor/window/status_line.h"
 
@@ -16,6 +17,9 @@
 #include <QMenu>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+
+#include <map>
+#include <span>
 
 namespace spacetow {
 
@@ -34,10 +38,25 @@ class MainWindow : public QMainWindow {
     void stopPlaying();
     bool isPlaying() const { return m_stack.currentWidget() == &m_play; }
 
+    /// Enters what is still being typed in a panel, so that no save, question or game misses it.
+    void enterTyping();
+    void takeTool(ToolId tool);
+    /// The one of these that was in the hand last or, where one is, the next.
+    void takeNextOf(std::span<const ToolId> tools);
+    /// Each of these switches is remembered until the program runs again.
+    void setGridVisible(bool visible);
+    void setSnap(const SnapSettings& snap);
+    const OverlayFlags& overlays() const { return m_overlays; }
+    void setOverlays(const OverlayFlags& overlays);
+
     Document& document() { return m_document; }
+    const Document& document() const { return m_document; }
     Toolbox& toolbox() { return m_toolbox; }
+    const Toolbox& toolbox() const { return m_toolbox; }
     Canvas& canvas() { return m_canvas; }
+    const Canvas& canvas() const { return m_canvas; }
     PlayView& playView() { return m_play; }
+    const PlayView& playView() const { return m_play; }
     Inspector& inspector() { return m_inspector; }
     ProblemsPanel& problems() { return m_problems; }
     Actions& actions() { return m_actions; }
@@ -60,30 +79,18 @@ class MainWindow : public QMainWindow {
     void makeMenus();
     void makeToolBars();
     void fillRecent();
+    QMenu* makeMenu(const MenuRow& row);
     void openMenuAt(const QPoint& global);
 
-    void connectFiles();
-    void connectEdits();
-    void connectTools();
-    void connectView();
-    void connectPlay();
     void listen();
-
-    void finish(const std::optional<FinishedEdit>& finished);
-    /// Enters what is still being typed in a panel, so that no save, question or game misses it.
-    void enterTyping();
-    void copyToClipboard();
-    void pasteFromClipboard(bool inPlace);
-    void setOverlays();
-    OverlayFlags overlays() const;
+    void listenToPanels();
+    void restore();
     void showObject(Key key);
-    void showAbout();
 
-    void updateHistory();
     void updateTitle();
     void updateTool();
     void updateSelection();
-    void updateSituation();
+    void updateMode();
 
     Document m_document;
     Toolbox m_toolbox;
@@ -95,7 +102,7 @@ class MainWindow : public QMainWindow {
     QStackedWidget m_stack;
     QDockWidget m_inspectorDock;
     QDockWidget m_problemsDock;
-    QMenu m_recent;
+    std::map<MenuId, QMenu*> m_menus; // owned by the menu bar
 
     Canvas m_canvas;
     PlayView m_play;
@@ -104,6 +111,8 @@ class MainWindow : public QMainWindow {
     MessageBar m_message;
     StatusLine m_status;
     Files m_files;
+    OverlayFlags m_overlays;
+    ToolId m_shownTool = ToolId::Select;
 };
 
 } // namespace spacetow

@@ -9,8 +9,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include <initializer_list>
-#include <map>
+#include <algorithm>
 
 namespace spacetow {
 
@@ -18,117 +17,110 @@ namespace {
 
 constexpr QSize iconSize(20, 20);
 
-/// A null entry is a separator.
-void fill(QToolBar& bar, const Actions& actions, std::initializer_list<std::optional<Act>> acts) {
-    bar.setIconSize(iconSize);
-    bar.setMovable(false);
-    for (const std::optional<Act>& act : acts) {
-        if (act) {
-            bar.addAction(&actions[*act]);
-        } else {
-            bar.addSeparator();
+/// The actions that want to be in a bar or menu, in the order of their rows, with separators where the menu changes.
+class Filler {
+  public:
+    Filler(QWidget& place, const Actions& actions) : m_place(place), m_actions(actions) {}
+
+    void add(const ActionRow& row) {
+        if (m_last != nullptr && (m_last->menu != row.menu || (row.flags & SeparatorBefore) != 0)) {
+            auto* const separator = new QAction(&m_place);
+            separator->setSeparator(true);
+            m_place.addAction(separator);
         }
+        m_place.addAction(&m_actions[row.id]);
+        m_last = &row;
     }
+
+  private:
+    QWidget& m_place;
+    const Actions& m_actions;
+    const ActionRow* m_last = nullptr;
+};
+
+QToolBar* addBar(QMainWindow& window, const QString& title, const QString& name, Qt::ToolBarArea area) {
+    QToolBar* const bar = window.addToolBar(title);
+    bar->setObjectName(name);
+    bar->setIconSize(iconSize);
+    bar->setMovable(false);
+    window.addToolBar(area, bar);
+    return bar;
 }
 
 } // namespace
 
+QMenu* MainWindow::makeMenu(const MenuRow& row) {
+    if (row.id == MenuId::GridStep) {
+        return &m_status.stepMenu();
+    }
+    QMenu* const parent = row.parent ? m_menus.at(*row.parent) : nullptr;
+    return parent != nullptr ? new QMenu(menuText(row), parent) : menuBar()->addMenu(menuText(row));
+}
+
 void MainWindow::makeMenus() {
-    std::map<MenuId, QMenu*> menus; // owned by the menu bar
-    menus[MenuId::File] = menuBar()->addMenu(tr("&File"));
-    menus[MenuId::Edit] = menuBar()->addMenu(tr("&Edit"));
-    menus[MenuId::View] = menuBar()->addMenu(tr("&View"));
-    menus[MenuId::Insert] = menuBar()->addMenu(tr("&Insert"));
-    menus[MenuId::Object] = menuBar()->addMenu(tr("&Object"));
-    menus[MenuId::Play] = menuBar()->addMenu(tr("&Play"));
-    menus[MenuId::Help] = menuBar()->addMenu(tr("&Help"));
-    for (const ActionRow& row : actionRows()) {
-        if (row.act == Act::OverlayAabb) {
-            menus[MenuId::Overlays] = menus[MenuId::View]->addMenu(tr("O&verlays"));
+    for (const MenuRow& row : menuRows()) {
+        m_menus[row.id] = makeMenu(row);
+    }
+    const auto addMenusAfter = [this](MenuId parent, const std::optional<ActionId>& action) {
+        for (const MenuRow& row : menuRows()) {
+            if (row.parent == parent && row.after == action) {
+                m_menus.at(parent)->addMenu(m_menus.at(row.id));
+            }
         }
-        QMenu* const menu = menus.at(row.menu);
+    };
+    for (const ActionRow& row : actionRows()) {
+        QMenu* const menu = m_menus.at(row.menu);
         if ((row.flags & SeparatorBefore) != 0) {
             menu->addSeparator();
         }
-        menu->addAction(&m_actions[row.act]);
-        if (row.act == Act::Open) {
-            menu->addMenu(&m_recent);
-        } else if (row.act == Act::Snap) {
-            menu->addMenu(&m_status.stepMenu());
-        }
+        menu->addAction(&m_actions[row.id]);
+        addMenusAfter(row.menu, row.id);
     }
-    QMenu* const panels = menus[MenuId::View]->addMenu(tr("&Panels"));
-    panels->addAction(m_inspectorDock.toggleViewAction());
-    panels->addAction(m_problemsDock.toggleViewAction());
+    for (const MenuRow& row : menuRows()) {
+        addMenusAfter(row.id, std::nullopt);
+    }
+    m_menus.at(MenuId::Panels)->addAction(m_inspectorDock.toggleViewAction());
+    m_menus.at(MenuId::Panels)->addAction(m_problemsDock.toggleViewAction());
+    fillRecent();
+    for (const auto& [id, menu] : m_menus) {
+        menu->menuAction()->setVisible(!menu->isEmpty());
+    }
 }
 
 void MainWindow::makeToolBars() {
-    QToolBar* const main = addToolBar(tr("Main"));
-    main->setObjectName(QStringLiteral("main"));
-    fill(*main, m_actions,
-         {Act::New,
-          Act::Open,
-          Act::Save,
-          {},
-          Act::Undo,
-          Act::Redo,
-          {},
-          Act::Grid,
-          Act::Snap,
-          {},
-          Act::ZoomOut,
-          Act::ZoomIn,
-          Act::FitLevel,
-          {},
-          Act::OverlayAabb,
-          Act::OverlayIncircle,
-          Act::OverlayVelocity,
-          Act::OverlayOrientation,
-          Act::OverlayNormals,
-          Act::OverlayQuadtree,
-          {},
-          Act::Play,
-          Act::Stop,
-          Act::Pause,
-          Act::Step});
+    QToolBar* const main = addBar(*this, tr("Main"), QStringLiteral("main"), Qt::TopToolBarArea);
+    QToolBar* const tools = addBar(*this, tr("Tools"), QStringLiteral("tools"), Qt::LeftToolBarArea);
+    Filler mainFiller(*main, m_actions);
+    Filler toolsFiller(*tools, m_actions);
+    for (const ActionRow& row : actionRows()) {
+        if ((row.flags & OnMainBar) != 0) {
+            mainFiller.add(row);
+        }
+        if ((row.flags & OnToolsBar) != 0 || std::holds_alternative<ToolId>(row.id)) {
+            toolsFiller.add(row);
+        }
+    }
     if (auto* button = qobject_cast<QToolButton*>(main->widgetForAction(&m_actions[Act::Play]))) {
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     }
-    QToolBar* const tools = addToolBar(tr("Tools"));
-    tools->setObjectName(QStringLiteral("tools"));
-    addToolBar(Qt::LeftToolBarArea, tools);
-    fill(*tools, m_actions,
-         {Act::ToolSelect,
-          {},
-          Act::ToolEdge,
-          Act::ToolLine,
-          Act::ToolPolygon,
-          Act::ToolCircle,
-          {},
-          Act::PlaceShip,
-          Act::PlacePayload,
-          Act::PlaceFinish,
-          {},
-          Act::RotateLeft,
-          Act::RotateRight,
-          Act::Reverse});
 }
 
 void MainWindow::fillRecent() {
-    m_recent.clear();
+    QMenu& recent = *m_menus.at(MenuId::Recent);
+    recent.clear();
     const QStringList files = m_files.preferences.recentFiles();
     for (const QString& path : files) {
-        QAction* const action = m_recent.addAction(QFileInfo(path).fileName());
+        QAction* const action = recent.addAction(QFileInfo(path).fileName());
         action->setStatusTip(path);
         action->setToolTip(path);
         connect(action, &QAction::triggered, this, [this, path] { open(path); });
     }
     if (files.isEmpty()) {
-        m_recent.addAction(tr("No files yet"))->setEnabled(false);
+        recent.addAction(tr("No files yet"))->setEnabled(false);
         return;
     }
-    m_recent.addSeparator();
-    connect(m_recent.addAction(tr("&Clear List")), &QAction::triggered, this, [this] {
+    recent.addSeparator();
+    connect(recent.addAction(tr("&Clear List")), &QAction::triggered, this, [this] {
         m_files.preferences.clearRecent();
         fillRecent();
     });
@@ -150,16 +142,11 @@ void MainWindow::openMenuAt(const QPoint& global) {
         }
         menu.addSeparator();
     }
-    for (const Act act : {Act::Cut, Act::Copy, Act::Paste, Act::Duplicate, Act::Delete}) {
-        menu.addAction(&m_actions[act]);
-    }
-    menu.addSeparator();
-    for (const Act act : {Act::RotateLeft, Act::RotateRight, Act::Reverse}) {
-        menu.addAction(&m_actions[act]);
-    }
-    menu.addSeparator();
-    for (const Act act : {Act::SelectAll, Act::Frame, Act::FitLevel}) {
-        menu.addAction(&m_actions[act]);
+    Filler filler(menu, m_actions);
+    for (const ActionRow& row : actionRows()) {
+        if ((row.flags & InContextMenu) != 0) {
+            filler.add(row);
+        }
     }
     menu.exec(global);
 }

@@ -1,6 +1,7 @@
 #pragma once
-// The one place where codes become sentences, in the language of the user. Texts stand in messages_problems.cpp and
-// messages_hints.cpp; a code without a text is shown as it is, which the tests do not let happen for ours.
+// The one place where codes become sentences, in the language of the user. Texts stand in messages_problems.cpp,
+// messages_labels.cpp and messages_hints_<tool>.cpp; a code without a text is shown as it is, which the tests do not
+// let happen for ours.
 
 #include "core/base/result.h"
 #include "core/level/problem.h"

@@ -17,7 +17,11 @@ struct LabelText {
 };
 
 std::span<const MessageText> problemTexts(); // and errors
-std::span<const MessageText> hintTexts();
 std::span<const LabelText> labelTexts();
+/// Of all tools; those of a new one are declared here and listed in messages_hints.cpp.
+std::span<const MessageText> hintTexts();
+std::span<const MessageText> selectHints();
+std::span<const MessageText> drawHints();
+std::span<const MessageText> placeHints();
 
 } // namespace spacetow

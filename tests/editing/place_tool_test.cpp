@@ -13,10 +13,7 @@ Q_DECLARE_METATYPE(spacetow::Vec2)
 namespace {
 
 struct Placer : Drive {
-    explicit Placer(PlaceKind kind) {
-        toolbox.setPlaceKind(kind);
-        toolbox.choose(ToolId::Place);
-    }
+    explicit Placer(ToolId tool) { toolbox.choose(tool); }
     template <class T>
     T only() const {
         return std::get<T>(firstOf<T>(level())->data);
@@ -38,14 +35,14 @@ class PlaceToolTest : public QObject {
     void theFinishIsDraggedOrClicked_data();
     void theFinishIsDraggedOrClicked();
     void aFinishHasALength();
-    void choosingAgainGoesToTheNextKind();
-    void aKindThatWasJustSetIsKept();
+    void oneKeyGoesThroughAllKinds();
+    void theKindThatWasInTheHandLastComesFirst();
     void escapeLeavesNothingBehind();
     void theGhostShowsWhatAClickWouldDo();
 };
 
 void PlaceToolTest::aClickPlacesTheShip() {
-    Placer drive(PlaceKind::Ship);
+    Placer drive(ToolId::Ship);
     drive.click({1.1, 2});
     QVERIFY(drive.only<ShipObject>() == (ShipObject{{1, 2}, 0}));
     QCOMPARE(drive.document.history(), (std::vector<Label>{{"place-ship", 1}}));
@@ -53,7 +50,7 @@ void PlaceToolTest::aClickPlacesTheShip() {
 }
 
 void PlaceToolTest::placingAgainMovesTheShip() {
-    Placer drive(PlaceKind::Ship);
+    Placer drive(ToolId::Ship);
     drive.drag({1, 2}, {3, 2});
     const Key key = drive.newest().key;
     const double angle = drive.only<ShipObject>().angle;
@@ -79,7 +76,7 @@ void PlaceToolTest::aDragTurnsTheShip() {
     QFETCH(Vec2, to);
     QFETCH(bool, shift);
     QFETCH(double, degrees);
-    Placer drive(PlaceKind::Ship);
+    Placer drive(ToolId::Ship);
     drive.press({0, 0});
     drive.held.shift = shift;
     drive.move(to);
@@ -93,7 +90,7 @@ void PlaceToolTest::aDragTurnsTheShip() {
 void PlaceToolTest::thePayloadKeepsItsSizeWhenMoved() {
     Level level;
     level.objects.append({7, "ball", PayloadObject{{0, 0}, 0.4, 3}, {}});
-    Placer drive(PlaceKind::Payload);
+    Placer drive(ToolId::Payload);
     drive.document.reset(level);
     drive.click({2, 2});
     QVERIFY(drive.only<PayloadObject>() == (PayloadObject{{2, 2}, 0.4, 3}));
@@ -102,7 +99,7 @@ void PlaceToolTest::thePayloadKeepsItsSizeWhenMoved() {
 }
 
 void PlaceToolTest::aDragCarriesThePayload() {
-    Placer drive(PlaceKind::Payload);
+    Placer drive(ToolId::Payload);
     drive.drag({0, 0}, {3, 1});
     QVERIFY(drive.only<PayloadObject>().position == Vec2(3, 1));
     QCOMPARE(drive.document.history(), (std::vector<Label>{{"place-payload", 1}}));
@@ -116,7 +113,7 @@ void PlaceToolTest::theFinishIsDraggedOrClicked_data() {
 
 void PlaceToolTest::theFinishIsDraggedOrClicked() {
     QFETCH(bool, clicks);
-    Placer drive(PlaceKind::Finish);
+    Placer drive(ToolId::Finish);
     if (clicks) {
         drive.click({1, 1});
         QVERIFY(drive.toolbox.isBusy());
@@ -136,7 +133,7 @@ void PlaceToolTest::theFinishIsDraggedOrClicked() {
 }
 
 void PlaceToolTest::aFinishHasALength() {
-    Placer drive(PlaceKind::Finish);
+    Placer drive(ToolId::Finish);
     drive.click({{1, 1}, {1.1, 1}});
     QVERIFY(drive.level().objects.empty());
     QCOMPARE(drive.toolbox.hint().code, std::string("place-finish.too-short"));
@@ -149,34 +146,28 @@ void PlaceToolTest::aFinishHasALength() {
     QVERIFY(drive.level().objects.empty());
 }
 
-void PlaceToolTest::choosingAgainGoesToTheNextKind() {
+void PlaceToolTest::oneKeyGoesThroughAllKinds() {
     Drive drive;
-    drive.toolbox.choose(ToolId::Place);
-    QCOMPARE(drive.toolbox.placeKind(), PlaceKind::Ship);
-    drive.toolbox.choose(ToolId::Place);
-    QCOMPARE(drive.toolbox.placeKind(), PlaceKind::Payload);
-    drive.toolbox.choose(ToolId::Place);
-    QCOMPARE(drive.toolbox.placeKind(), PlaceKind::Finish);
-    drive.toolbox.choose(ToolId::Place);
-    QCOMPARE(drive.toolbox.placeKind(), PlaceKind::Ship);
-    drive.toolbox.choose(ToolId::Select);
-    drive.toolbox.choose(ToolId::Place);
-    QCOMPARE(drive.toolbox.placeKind(), PlaceKind::Ship);
+    for (const ToolId expected : {ToolId::Ship, ToolId::Payload, ToolId::Finish, ToolId::Ship}) {
+        drive.toolbox.chooseAmong(placeTools);
+        QCOMPARE(drive.toolbox.current(), expected);
+    }
 }
 
-void PlaceToolTest::aKindThatWasJustSetIsKept() {
+void PlaceToolTest::theKindThatWasInTheHandLastComesFirst() {
     Drive drive;
-    drive.toolbox.choose(ToolId::Place);
-    drive.toolbox.setPlaceKind(PlaceKind::Finish);
-    drive.toolbox.choose(ToolId::Place);
-    QCOMPARE(drive.toolbox.placeKind(), PlaceKind::Finish);
-    drive.toolbox.choose(ToolId::Place);
-    QCOMPARE(drive.toolbox.placeKind(), PlaceKind::Ship);
+    drive.toolbox.choose(ToolId::Finish);
+    drive.toolbox.choose(ToolId::Payload);
+    drive.toolbox.choose(ToolId::Select);
+    drive.toolbox.chooseAmong(placeTools);
+    QCOMPARE(drive.toolbox.current(), ToolId::Payload);
+    drive.toolbox.chooseAmong(placeTools);
+    QCOMPARE(drive.toolbox.current(), ToolId::Finish);
 }
 
 void PlaceToolTest::escapeLeavesNothingBehind() {
-    for (const PlaceKind kind : {PlaceKind::Ship, PlaceKind::Payload, PlaceKind::Finish}) {
-        Placer drive(kind);
+    for (const ToolId tool : placeTools) {
+        Placer drive(tool);
         drive.press({0, 0});
         drive.move({3, 1});
         QCOMPARE(drive.level().objects.size(), 1);
@@ -184,17 +175,17 @@ void PlaceToolTest::escapeLeavesNothingBehind() {
         drive.release({3, 1});
         QVERIFY(drive.level().objects.empty());
     }
-    Placer drive(PlaceKind::Finish);
+    Placer drive(ToolId::Finish);
     drive.click({0, 0});
-    drive.toolbox.setPlaceKind(PlaceKind::Ship);
+    drive.toolbox.choose(ToolId::Ship);
     QVERIFY(!drive.toolbox.isBusy());
 }
 
 void PlaceToolTest::theGhostShowsWhatAClickWouldDo() {
-    Placer ship(PlaceKind::Ship);
+    Placer ship(ToolId::Ship);
     ship.move({1.1, 1});
     QCOMPARE(ship.toolbox.overlay().lines.size(), std::size_t{1});
-    Placer payload(PlaceKind::Payload);
+    Placer payload(ToolId::Payload);
     payload.move({1.1, 1});
     QCOMPARE(payload.toolbox.overlay().circles.size(), std::size_t{1});
     QVERIFY(payload.toolbox.overlay().circles.front().center == Vec2(1, 1));

@@ -107,7 +107,7 @@ void ToolboxTest::escapePeelsOneLayerAPress() {
 void ToolboxTest::deleteRemovesTheSelection_data() {
     QTest::addColumn<int>("tool");
     QTest::addColumn<bool>("backspace");
-    for (const ToolId tool : allTools) {
+    for (const auto& [tool, make] : toolRows()) {
         for (const bool backspace : {false, true}) {
             QTest::addRow("tool %d %s", static_cast<int>(tool), backspace ? "backspace" : "delete")
                 << static_cast<int>(tool) << backspace;
@@ -153,7 +153,7 @@ void ToolboxTest::aLostReleaseDoesNotStick() {
 }
 
 void ToolboxTest::aReleaseWithoutAPressDoesNothing() {
-    for (const ToolId tool : allTools) {
+    for (const auto& [tool, make] : toolRows()) {
         Drive drive(oneBall());
         drive.toolbox.choose(tool);
         drive.release({0, 0});
@@ -251,7 +251,7 @@ void ToolboxTest::anyInputLeavesASoundState() {
             drive.held = {random.below(4) == 0, random.below(4) == 0, random.below(4) == 0};
             switch (random.below(12)) {
             case 0:
-                drive.toolbox.choose(allTools[random.below(allTools.size())]);
+                drive.toolbox.choose(toolRows()[random.below(toolRows().size())].id);
                 break;
             case 1:
                 drive.press(somewhere());

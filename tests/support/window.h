@@ -41,7 +41,7 @@ class TestWindow {
     Canvas& canvas() { return window->canvas(); }
     Document& document() { return window->document(); }
     const Level& level() { return window->document().level(); }
-    void trigger(Act act) { window->actions()[act].trigger(); }
+    void trigger(ActionId id) { window->actions()[id].trigger(); }
 
     QPoint at(double x, double y) {
         const Vec2 screen = canvas().view().toScreen(Vec2(x, y));
@@ -64,12 +64,12 @@ class TestWindow {
     }
     /// A square of one-way walls about the origin.
     void drawWalls() {
-        trigger(Act::ToolEdge);
+        trigger(ToolId::Edge);
         click(-2, -2);
         click(2, -2);
         click(2, 2);
         key(Qt::Key_Return);
-        trigger(Act::ToolSelect);
+        trigger(ToolId::Select);
     }
 
     QString toOpen;

@@ -128,7 +128,7 @@ class CanvasTest : public QObject {
         QSignalSpy menu(&test.canvas(), &Canvas::menuWanted);
         QTest::mouseClick(&test.canvas(), Qt::RightButton, {}, QPoint(50, 50));
         QCOMPARE(menu.count(), 1);
-        test.trigger(Act::ToolEdge);
+        test.trigger(ToolId::Edge);
         test.click(0, 0);
         test.click(1, 0);
         QTest::mouseClick(&test.canvas(), Qt::RightButton, {}, test.at(1, 0));
@@ -170,7 +170,7 @@ class CanvasTest : public QObject {
         test.trigger(Act::SelectAll);
         QTest::keyClick(&test.canvas(), Qt::Key_Backspace);
         QCOMPARE(test.level().objects.size(), 0);
-        test.trigger(Act::ToolLine);
+        test.trigger(ToolId::Line);
         for (const double x : {0.0, 1.0, 2.0}) {
             test.click(x, 0);
         }

@@ -169,7 +169,7 @@ class MainWindowTest : public QObject {
         TestWindow test;
         test.toOpen = test.file("level.json");
         QVERIFY(!writeLevel(test.toOpen.toStdString(), Level()));
-        test.trigger(Act::ToolEdge);
+        test.trigger(ToolId::Edge);
         test.click(-2, -2);
         test.click(2, -2);
         QVERIFY(test.window->toolbox().isBusy());
@@ -237,7 +237,7 @@ class MainWindowTest : public QObject {
         test.window->openExample();
         test.trigger(Act::Play);
         for (const ActionRow& row : actionRows()) {
-            const QAction& action = test.window->actions()[row.act];
+            const QAction& action = test.window->actions()[row.id];
             for (const QKeySequence& key : action.shortcuts()) {
                 const QKeyCombination stroke = key[0];
                 const bool plain = (stroke.keyboardModifiers() & ~Qt::ShiftModifier) == Qt::NoModifier &&
@@ -256,7 +256,7 @@ class MainWindowTest : public QObject {
         test.trigger(Act::Play);
         Q_EMIT test.window->playView().finished();
         QVERIFY(!test.window->isPlaying());
-        QVERIFY(test.window->actions()[Act::ToolEdge].isEnabled());
+        QVERIFY(test.window->actions()[ToolId::Edge].isEnabled());
     }
 
     void theExampleIsSavedUnderAnotherName() {
@@ -302,7 +302,7 @@ class MainWindowTest : public QObject {
         TestWindow test;
         QSet<QString> keys;
         for (const ActionRow& row : actionRows()) {
-            const QAction& action = test.window->actions()[row.act];
+            const QAction& action = test.window->actions()[row.id];
             QVERIFY2(!action.text().isEmpty() && !action.statusTip().isEmpty(), row.text);
             QVERIFY2(!action.shortcuts().isEmpty() || (row.flags & KeyElsewhere) != 0, row.text);
             if (!action.shortcuts().isEmpty()) {

@@ -194,7 +194,7 @@ class TranslationsTest : public QObject {
         const German german;
         TestWindow test;
         QCOMPARE(test.window->actions()[Act::Save].text(), QString("&Speichern"));
-        QCOMPARE(test.window->actions()[Act::ToolEdge].text(), QString("Einseitige &Kante"));
+        QCOMPARE(test.window->actions()[ToolId::Edge].text(), QString("Einseitige &Kante"));
         QCOMPARE(test.window->menuBar()->actions().front()->text(), QString("&Datei"));
         test.drawWalls();
         QCOMPARE(test.window->actions()[Act::Undo].text(), QString("&Rückgängig: Einseitige Kanten zeichnen"));

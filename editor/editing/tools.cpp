@@ -1,0 +1,34 @@
+#include "editor/editing/tools.h"
+
+#include "editor/editing/circle_tool.h"
+#include "editor/editing/draw_tool.h"
+#include "editor/editing/place_tool.h"
+#include "editor/editing/select_tool.h"
+
+namespace spacetow {
+
+namespace {
+
+template <class Made, auto... arguments>
+std::unique_ptr<Tool> make() {
+    return std::make_unique<Made>(arguments...);
+}
+
+constexpr ToolRow rows[] = {
+    {ToolId::Select, make<SelectTool>},
+    {ToolId::Edge, make<DrawTool, DrawKind::Edge>},
+    {ToolId::Line, make<DrawTool, DrawKind::Line>},
+    {ToolId::Polygon, make<DrawTool, DrawKind::Polygon>},
+    {ToolId::Circle, make<CircleTool>},
+    {ToolId::Ship, make<PlaceTool, PlaceKind::Ship>},
+    {ToolId::Payload, make<PlaceTool, PlaceKind::Payload>},
+    {ToolId::Finish, make<PlaceTool, PlaceKind::Finish>},
+};
+
+} // namespace
+
+std::span<const ToolRow> toolRows() {
+    return rows;
+}
+
+} // namespace spacetow

@@ -1,0 +1,36 @@
+#pragma once
+// Every tool of the program as one table. The toolbox makes its tools from it; what each is called, and its key, stands
+// in editor/window/actions_tools.cpp. A new tool is a pair of files, an enumerator and a row in either table.
+
+#include "editor/editing/tool.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace spacetow {
+
+enum class ToolId : std::uint8_t {
+    Select,
+    Edge,
+    Line,
+    Polygon,
+    Circle,
+    Ship,
+    Payload,
+    Finish,
+};
+
+struct ToolRow {
+    ToolId id;
+    std::unique_ptr<Tool> (*make)();
+};
+
+/// In the order of ToolId.
+std::span<const ToolRow> toolRows();
+
+/// The things of which a level has one, in the order in which a key goes through them.
+inline constexpr std::array placeTools{ToolId::Ship, ToolId::Payload, ToolId::Finish};
+
+} // namespace spacetow

@@ -1,0 +1,81 @@
+#pragma once
+// The names by which the program speaks of its actions. A new one stands in a line of its own, with those of its topic.
+
+#include "editor/editing/tools.h"
+
+#include <cstdint>
+#include <variant>
+
+namespace spacetow {
+
+enum class Act : std::uint8_t {
+    // actions_file.cpp
+    New,
+    Open,
+    Save,
+    SaveAs,
+    Quit,
+
+    // actions_edit.cpp
+    Undo,
+    Redo,
+    Cut,
+    Copy,
+    Paste,
+    PasteInPlace,
+    Duplicate,
+    Delete,
+    SelectAll,
+    SelectNone,
+    InvertSelection,
+
+    // actions_view.cpp
+    ZoomIn,
+    ZoomOut,
+    ZoomReset,
+    FitLevel,
+    Center,
+    Frame,
+    Grid,
+    Snap,
+    FullScreen,
+
+    // actions_overlays.cpp
+    OverlayAabb,
+    OverlayIncircle,
+    OverlayVelocity,
+    OverlayOrientation,
+    OverlayNormals,
+    OverlayQuadtree,
+    OverlaysOff,
+
+    // actions_tools.cpp; each tool is an action too, under its ToolId
+    PlaceNext,
+
+    // actions_object.cpp
+    RotateLeft,
+    RotateRight,
+    QuarterLeft,
+    QuarterRight,
+    Reverse,
+
+    // actions_level.cpp
+    NextProblem,
+    PreviousProblem,
+
+    // actions_play.cpp
+    Play,
+    Stop,
+    Pause,
+    Step,
+    Restart,
+
+    // actions_help.cpp
+    Keys,
+    About,
+};
+
+/// What an action is called in code; taking a tool in hand is one.
+using ActionId = std::variant<Act, ToolId>;
+
+} // namespace spacetow

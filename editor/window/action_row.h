@@ -1,0 +1,59 @@
+#pragma once
+// An action is said in one row: what it is called, where it is found, when it is possible and what it does. The rows
+// stand in actions_<topic>.cpp; a new topic is declared here and listed in actions.cpp.
+
+#include "editor/window/act.h"
+#include "editor/window/menus.h"
+
+#include <QString>
+
+#include <span>
+
+namespace spacetow {
+
+class MainWindow;
+
+/// Flags of an action. Without WhilePlaying an action rests while a game is running: plain keys are the game's then.
+enum ActionFlag : unsigned {
+    NoFlag = 0,
+    WhilePlaying = 1u << 0,
+    OnlyPlaying = 1u << 1, // with WhilePlaying: not while editing
+    NeedsSelection = 1u << 2,
+    NeedsSeveral = 1u << 3, // at least two objects selected
+    SeparatorBefore = 1u << 4,
+    KeyElsewhere = 1u << 5, // has no key of its own because another action leads there; see PlaceNext
+    OnMainBar = 1u << 6,
+    OnToolsBar = 1u << 7, // as every tool is
+    InContextMenu = 1u << 8,
+};
+
+struct ActionRow {
+    ActionId id;
+    MenuId menu;
+    const char* text;      // with mnemonic; translate in the context "Actions"
+    const char* icon = ""; // name of a resource
+    const char* keys = ""; // separated by blanks, the first is the one that is shown
+    const char* tip;       // a sentence for the status bar
+    unsigned flags = NoFlag;
+
+    /// What it does; an action that is on or off has `toggle` and `isOn` instead, and a tool none of the three.
+    void (*run)(MainWindow&) = nullptr;
+    void (*toggle)(MainWindow&, bool on) = nullptr;
+    bool (*isOn)(const MainWindow&) = nullptr;
+    /// What the flags cannot say of when it is possible.
+    bool (*isPossible)(const MainWindow&) = nullptr;
+    /// A text that changes with the document, in place of `text`; translated, with mnemonic.
+    QString (*name)(const MainWindow&) = nullptr;
+};
+
+std::span<const ActionRow> fileActions();
+std::span<const ActionRow> editActions();
+std::span<const ActionRow> viewActions();
+std::span<const ActionRow> overlayActions();
+std::span<const ActionRow> toolActions();
+std::span<const ActionRow> objectActions();
+std::span<const ActionRow> levelActions();
+std::span<const ActionRow> playActions();
+std::span<const ActionRow> helpActions();
+
+} // namespace spacetow

@@ -1,0 +1,162 @@
+// Undo, clipboard, selection.
+#include "editor/editing/clipboard.h"
+#include "editor/editing/verbs.h"
+#include "editor/window/messages.h"
+#include "editor/window/verb_action.h"
+
+#include <QApplication>
+#include <QClipboard>
+
+namespace spacetow {
+
+namespace {
+
+void undo(MainWindow& window) {
+    window.toolbox().cancel();
+    window.document().undo();
+}
+
+void redo(MainWindow& window) {
+    window.toolbox().cancel();
+    window.document().redo();
+}
+
+QString undoName(const MainWindow& window) {
+    const QString verb = MainWindow::tr("&Undo");
+    const Document& document = window.document();
+    return document.canUndo() ? QStringLiteral("%1: %2").arg(verb, sentence(document.undoLabel())) : verb;
+}
+
+QString redoName(const MainWindow& window) {
+    const QString verb = MainWindow::tr("&Redo");
+    const Document& document = window.document();
+    return document.canRedo() ? QStringLiteral("%1: %2").arg(verb, sentence(document.redoLabel())) : verb;
+}
+
+void copyToClipboard(MainWindow& window) {
+    if (!window.document().selection().empty()) {
+        QApplication::clipboard()->setText(QString::fromStdString(copied(window.document().current())));
+    }
+}
+
+void cutToClipboard(MainWindow& window) {
+    copyToClipboard(window);
+    doing<cut>(window);
+}
+
+void pasteAt(MainWindow& window, const std::optional<Vec2>& at) {
+    const std::string text = QApplication::clipboard()->text().toStdString();
+    const std::optional<FinishedEdit> edit = pasted(window.toolbox().context(), text, at);
+    if (!edit) {
+        window.statusLine().showMessage(MainWindow::tr("There is nothing on the clipboard that can be pasted here."),
+                                        4000);
+    }
+    window.toolbox().finish(edit);
+}
+
+void paste(MainWindow& window) {
+    pasteAt(window, window.canvas().pointerPosition());
+}
+
+void pasteInPlace(MainWindow& window) {
+    pasteAt(window, std::nullopt);
+}
+
+constexpr ActionRow rows[] = {
+    {.id = Act::Undo,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Undo"),
+     .icon = "undo",
+     .keys = "Ctrl+Z",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Take back the last change"),
+     .flags = OnMainBar,
+     .run = undo,
+     .isPossible = [](const MainWindow& window) { return window.document().canUndo(); },
+     .name = undoName},
+    {.id = Act::Redo,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Redo"),
+     .icon = "redo",
+     .keys = "Ctrl+Shift+Z Ctrl+Y",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Make the change again"),
+     .flags = OnMainBar,
+     .run = redo,
+     .isPossible = [](const MainWindow& window) { return window.document().canRedo(); },
+     .name = redoName},
+    {.id = Act::Cut,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "Cu&t"),
+     .icon = "cut",
+     .keys = "Ctrl+X",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Move the selection to the clipboard"),
+     .flags = NeedsSelection | SeparatorBefore | InContextMenu,
+     .run = cutToClipboard},
+    {.id = Act::Copy,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Copy"),
+     .icon = "copy",
+     .keys = "Ctrl+C",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Copy the selection to the clipboard as text"),
+     .flags = NeedsSelection | InContextMenu,
+     .run = copyToClipboard},
+    {.id = Act::Paste,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Paste"),
+     .icon = "paste",
+     .keys = "Ctrl+V",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Insert what is on the clipboard at the pointer"),
+     .flags = InContextMenu,
+     .run = paste},
+    {.id = Act::PasteInPlace,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "Paste &in Place"),
+     .keys = "Ctrl+Shift+V Ctrl+Alt+V",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Insert what is on the clipboard where it was copied"),
+     .run = pasteInPlace},
+    {.id = Act::Duplicate,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Duplicate"),
+     .icon = "duplicate",
+     .keys = "Ctrl+D",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Copy the selection one grid step away"),
+     .flags = NeedsSelection | InContextMenu,
+     .run = doing<duplicateSelected>},
+    {.id = Act::Delete,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "De&lete"),
+     .icon = "delete",
+     .keys = "Del",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Remove the selection"),
+     .flags = NeedsSelection | InContextMenu,
+     .run = doing<removeSelected>},
+    {.id = Act::SelectAll,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "Select &All"),
+     .icon = "select-all",
+     .keys = "Ctrl+A",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Select every object"),
+     .flags = SeparatorBefore | InContextMenu,
+     .run = [](MainWindow& window) { window.document().select(selectAll(window.document().level())); }},
+    {.id = Act::SelectNone,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "Select &None"),
+     .keys = "Ctrl+Shift+A",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Select nothing"),
+     .flags = NeedsSelection,
+     .run = [](MainWindow& window) { window.document().select(Selection()); }},
+    {.id = Act::InvertSelection,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "In&vert Selection"),
+     .icon = "invert",
+     .keys = "Ctrl+I",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Select what is not selected"),
+     .run = [](MainWindow& window) { window.document().select(invertedSelection(window.document().shown())); }},
+};
+
+} // namespace
+
+std::span<const ActionRow> editActions() {
+    return rows;
+}
+
+} // namespace spacetow

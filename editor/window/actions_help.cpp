@@ -1,0 +1,50 @@
+// What the keys do, and what program this is.
+#include "editor/window/keys_dialog.h"
+#include "editor/window/main_window.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+
+namespace spacetow {
+
+namespace {
+
+void showAbout(MainWindow& window) {
+    QMessageBox box(&window);
+    box.setWindowTitle(MainWindow::tr("About SpaceTow Studio"));
+    box.setIconPixmap(window.windowIcon().pixmap(72, 72));
+    box.setTextFormat(Qt::PlainText);
+    box.setText(MainWindow::tr("SpaceTow Studio %1").arg(QCoreApplication::applicationVersion()));
+    box.setInformativeText(MainWindow::tr("Draw levels and fly them: a level editor and physics sandbox.\n\n"
+                                          "Free software under the MIT license. Made with Qt %1 and Eigen.")
+                               .arg(QString::fromLatin1(qVersion())));
+    box.addButton(MainWindow::tr("&Close"), QMessageBox::RejectRole);
+    box.exec();
+}
+
+constexpr ActionRow rows[] = {
+    {.id = Act::Keys,
+     .menu = MenuId::Help,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Keys…"),
+     .icon = "keyboard",
+     .keys = "F1",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show what the keys do"),
+     .flags = WhilePlaying,
+     .run = [](MainWindow& window) { KeysDialog(&window).exec(); }},
+    {.id = Act::About,
+     .menu = MenuId::Help,
+     .text = QT_TRANSLATE_NOOP("Actions", "&About SpaceTow Studio…"),
+     .icon = "info",
+     .keys = "Ctrl+F1",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show version and license"),
+     .flags = WhilePlaying,
+     .run = showAbout},
+};
+
+} // namespace
+
+std::span<const ActionRow> helpActions() {
+    return rows;
+}
+
+} // namespace spacetow

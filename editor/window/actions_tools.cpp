@@ -1,0 +1,72 @@
+// What the tools are called, and their keys. What they do stands in their table, editor/editing/tools.cpp.
+#include "editor/window/main_window.h"
+
+namespace spacetow {
+
+namespace {
+
+constexpr ActionRow rows[] = {
+    {.id = ToolId::Select,
+     .menu = MenuId::Insert,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Select"),
+     .icon = "select",
+     .keys = "S Q",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Select and move objects")},
+    {.id = ToolId::Edge,
+     .menu = MenuId::Insert,
+     .text = QT_TRANSLATE_NOOP("Actions", "One-Way &Wall"),
+     .icon = "edge",
+     .keys = "E",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Draw walls that are solid from one side"),
+     .flags = SeparatorBefore},
+    {.id = ToolId::Line,
+     .menu = MenuId::Insert,
+     .text = QT_TRANSLATE_NOOP("Actions", "Two-Way &Line"),
+     .icon = "line",
+     .keys = "L",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Draw walls that are solid from both sides")},
+    {.id = ToolId::Polygon,
+     .menu = MenuId::Insert,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Polygon"),
+     .icon = "polygon",
+     .keys = "P",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Draw a solid polygon")},
+    {.id = ToolId::Circle,
+     .menu = MenuId::Insert,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Circle"),
+     .icon = "circle",
+     .keys = "C",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Draw a circle from its center")},
+    {.id = ToolId::Ship,
+     .menu = MenuId::Insert,
+     .text = QT_TRANSLATE_NOOP("Actions", "S&hip"),
+     .icon = "ship",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Place the ship; drag to turn it"),
+     .flags = KeyElsewhere | SeparatorBefore},
+    {.id = ToolId::Payload,
+     .menu = MenuId::Insert,
+     .text = QT_TRANSLATE_NOOP("Actions", "Pa&yload"),
+     .icon = "payload",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Place the payload"),
+     .flags = KeyElsewhere},
+    {.id = ToolId::Finish,
+     .menu = MenuId::Insert,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Finish"),
+     .icon = "finish",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Draw the line that the payload has to cross"),
+     .flags = KeyElsewhere},
+    {.id = Act::PlaceNext,
+     .menu = MenuId::Insert,
+     .text = QT_TRANSLATE_NOOP("Actions", "Pl&ace Ship, Payload, Finish"),
+     .keys = "I",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Place ship, payload or finish; again for the next of them"),
+     .run = [](MainWindow& window) { window.takeNextOf(placeTools); }},
+};
+
+} // namespace
+
+std::span<const ActionRow> toolActions() {
+    return rows;
+}
+
+} // namespace spacetow

@@ -1,0 +1,101 @@
+// What part of the level is shown, and what beside it.
+#include "editor/window/main_window.h"
+
+namespace spacetow {
+
+namespace {
+
+constexpr double zoomStep = 1.25;
+
+void setSnapping(MainWindow& window, bool on) {
+    SnapSettings snap = window.toolbox().snap;
+    snap.grid = on;
+    window.setSnap(snap);
+}
+
+void setFullScreen(MainWindow& window, bool on) {
+    window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
+                             : window.windowState() & ~Qt::WindowFullScreen);
+}
+
+constexpr ActionRow rows[] = {
+    {.id = Act::ZoomIn,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "Zoom &In"),
+     .icon = "zoom-in",
+     .keys = "Ctrl+= Ctrl++ + =",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show less of the level, larger"),
+     .flags = OnMainBar,
+     .run = [](MainWindow& window) { window.canvas().zoom(zoomStep); }},
+    {.id = Act::ZoomOut,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "Zoom &Out"),
+     .icon = "zoom-out",
+     .keys = "Ctrl+- -",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show more of the level, smaller"),
+     .flags = OnMainBar,
+     .run = [](MainWindow& window) { window.canvas().zoom(1 / zoomStep); }},
+    {.id = Act::ZoomReset,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "Original Si&ze"),
+     .icon = "zoom-reset",
+     .keys = "Ctrl+0 1",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show the level as large as in the game"),
+     .run = [](MainWindow& window) { window.canvas().zoomTo(Viewport().scale); }},
+    {.id = Act::FitLevel,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Fit Level"),
+     .icon = "zoom-fit",
+     .keys = "Ctrl+/ 4",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show the whole level"),
+     .flags = OnMainBar | InContextMenu,
+     .run = [](MainWindow& window) { window.canvas().fitLevel(); }},
+    {.id = Act::Center,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Center Selection"),
+     .icon = "center",
+     .keys = "F",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Bring the selection to the middle of the view"),
+     .run = [](MainWindow& window) { window.canvas().centerSelection(); }},
+    {.id = Act::Frame,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "F&rame Selection"),
+     .keys = "Shift+F 3",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show the selection as large as fits"),
+     .flags = InContextMenu,
+     .run = [](MainWindow& window) { window.canvas().frameSelection(); }},
+    {.id = Act::Grid,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Grid"),
+     .icon = "grid",
+     .keys = "G #",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show the grid"),
+     .flags = SeparatorBefore | OnMainBar,
+     .toggle = [](MainWindow& window, bool on) { window.setGridVisible(on); },
+     .isOn = [](const MainWindow& window) { return window.canvas().isGridVisible(); }},
+    {.id = Act::Snap,
+     .menu = MenuId::Snapping,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Snap to Grid"),
+     .icon = "snap",
+     .keys = "Shift+G",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Let points land on the grid; Ctrl inverts it while drawing"),
+     .flags = OnMainBar,
+     .toggle = setSnapping,
+     .isOn = [](const MainWindow& window) { return window.toolbox().snap.grid; }},
+    {.id = Act::FullScreen,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "F&ull Screen"),
+     .keys = "F11",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Use the whole screen"),
+     .flags = WhilePlaying | SeparatorBefore,
+     .toggle = setFullScreen,
+     .isOn = [](const MainWindow& window) { return window.isFullScreen(); }},
+};
+
+} // namespace
+
+std::span<const ActionRow> viewActions() {
+    return rows;
+}
+
+} // namespace spacetow

@@ -1,0 +1,45 @@
+#include "editor/window/menus.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+constexpr MenuRow rows[] = {
+    {MenuId::File, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&File")},
+    {MenuId::Recent, MenuId::File, QT_TRANSLATE_NOOP("spacetow::MainWindow", "Open &Recent"), Act::Open},
+    {MenuId::Edit, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Edit")},
+    {MenuId::View, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&View")},
+    {MenuId::Overlays, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "O&verlays"), Act::Grid},
+    {MenuId::Snapping, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "S&napping"), Act::Grid},
+    {MenuId::GridStep, MenuId::Snapping, QT_TRANSLATE_NOOP("spacetow::MainWindow", "Grid S&tep"), Act::Snap},
+    {MenuId::Panels, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Panels"), Act::Grid},
+    {MenuId::Insert, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Insert")},
+    {MenuId::Object, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Object")},
+    {MenuId::Order, MenuId::Object, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Order")},
+    {MenuId::Align, MenuId::Object, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Align")},
+    {MenuId::Transform, MenuId::Object, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Transform")},
+    {MenuId::Path, MenuId::Object, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Path")},
+    {MenuId::Level, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Level")},
+    {MenuId::Play, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Play")},
+    {MenuId::Help, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Help")},
+};
+
+} // namespace
+
+std::span<const MenuRow> menuRows() {
+    return rows;
+}
+
+const MenuRow& menuRow(MenuId id) {
+    return *std::ranges::find(rows, id, &MenuRow::id);
+}
+
+QString menuText(const MenuRow& row) {
+    return QCoreApplication::translate("spacetow::MainWindow", row.text);
+}
+
+} // namespace spacetow
