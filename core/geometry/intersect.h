@@ -1,6 +1,7 @@
 #pragma once
-// Points and segments against segments.
+// Points, boxes and segments against segments.
 
+#include "core/math/aabb.h"
 #include "core/math/vec.h"
 
 #include <optional>
@@ -16,5 +17,8 @@ bool segmentsMeet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 std::optional<double> segmentFraction(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 /// The point where two segments meet; the first along a → b when they overlap.
 std::optional<Vec2> segmentIntersection(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
+
+/// Whether the segment a…b and the box share a point; borders count.
+bool segmentMeets(const Vec2& a, const Vec2& b, const Aabb& box);
 
 } // namespace spacetow

@@ -2,7 +2,7 @@
 // The level document as a value: what the editor shows, the file spells and play starts from. Metres, radians, y up.
 // Objects are held as shared immutable pieces, so that a copy of a level costs pointers only.
 
-#include "core/base/contract.h"
+#include "core/level/object_list.h"
 #include "core/level/tag_table.h"
 #include "core/physics/body.h"
 #include "core/physics/connector.h"
@@ -15,9 +15,6 @@
 #include <vector>
 
 namespace spacetow {
-
-/// Identity of an object in its file: random, never zero, never used again. Spelled as eight hexadecimal digits.
-using Key = std::uint32_t;
 
 /// One-way walls joined end to end: each is solid for what comes from its left on the way from vertex to vertex.
 struct EdgeChain {
@@ -125,60 +122,6 @@ struct Rules {
     std::string background = "stars"; // name of a shipped background
 
     bool operator==(const Rules&) const = default;
-};
-
-/// The objects of a level in creation order, which is also the drawing order.
-class ObjectList {
-  public:
-    int size() const { return static_cast<int>(m_items.size()); }
-    bool empty() const { return m_items.empty(); }
-    const Object& operator[](int index) const { return *m_items[static_cast<std::size_t>(index)]; }
-
-    /// Position of the object with this key, or −1. Linear in the number of objects.
-    int indexOf(Key key) const;
-    /// The object with this key, or null.
-    const Object* find(Key key) const;
-
-    void append(Object object) { m_items.push_back(std::make_shared<const Object>(std::move(object))); }
-    void insert(int index, Object object);
-    void replace(int index, Object object);
-    void erase(int index);
-    /// Removes every object for which `predicate(object)` holds, in one pass.
-    template <class Predicate>
-    void eraseIf(Predicate predicate) {
-        std::erase_if(m_items, [&predicate](const auto& item) { return predicate(*item); });
-    }
-    /// The object at `from` comes to stand at `to`; those between make room.
-    void move(int from, int to);
-    /// Whether both lists hold the very same piece at this place: a cheap "has it changed?".
-    bool sharesPiece(int index, const ObjectList& other) const {
-        return index < size() && index < other.size() &&
-               m_items[static_cast<std::size_t>(index)] == other.m_items[static_cast<std::size_t>(index)];
-    }
-
-    class Iterator {
-      public:
-        using Inner = std::vector<std::shared_ptr<const Object>>::const_iterator;
-        explicit Iterator(Inner inner) : m_inner(inner) {}
-        const Object& operator*() const { return **m_inner; }
-        const Object* operator->() const { return m_inner->get(); }
-        Iterator& operator++() {
-            ++m_inner;
-            return *this;
-        }
-        bool operator==(const Iterator&) const = default;
-
-      private:
-        Inner m_inner;
-    };
-    Iterator begin() const { return Iterator(m_items.begin()); }
-    Iterator end() const { return Iterator(m_items.end()); }
-
-    /// Equal values; pieces that are shared are not looked into.
-    bool operator==(const ObjectList& other) const;
-
-  private:
-    std::vector<std::shared_ptr<const Object>> m_items;
 };
 
 struct Level {

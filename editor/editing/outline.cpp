@@ -43,26 +43,6 @@ bool anySegment(const OutlinePath& path, Visit visit) {
     return false;
 }
 
-/// Clips the segment against the four sides of the box (Liang and Barsky, 1984).
-bool segmentMeets(const Vec2& a, const Vec2& b, const Aabb& box) {
-    double enters = 0;
-    double leaves = 1;
-    for (int axis = 0; axis < 2; ++axis) {
-        const double way = b[axis] - a[axis];
-        if (way == 0) {
-            if (a[axis] < box.min[axis] || a[axis] > box.max[axis]) {
-                return false;
-            }
-            continue;
-        }
-        const double first = (box.min[axis] - a[axis]) / way;
-        const double second = (box.max[axis] - a[axis]) / way;
-        enters = std::max(enters, std::min(first, second));
-        leaves = std::min(leaves, std::max(first, second));
-    }
-    return enters <= leaves;
-}
-
 } // namespace
 
 std::optional<Transform> poseOf(const Object& object) {

@@ -1,0 +1,238 @@
+#include "tests/bench/editor_figures.h"
+
+#include "core/level/file.h"
+#include "editor/window/main_window.h"
+#include "tests/bench/stopwatch.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <fstream>
+
+namespace spacetow::bench {
+
+namespace {
+
+constexpr int frames = 200;      // of which medians and quantiles are taken
+constexpr int quietTime = 400;   // ms without work, after which the window has come to rest
+constexpr double usualZoom = 66; // px a metre
+
+/// Counts the paintings of a widget.
+class PaintCount : public QObject {
+  public:
+    explicit PaintCount(QWidget& widget) { widget.installEventFilter(this); }
+    int count = 0;
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        count += event->type() == QEvent::Paint ? 1 : 0;
+        return QObject::eventFilter(watched, event);
+    }
+};
+
+double residentMegabytes() {
+    std::ifstream status("/proc/self/statm");
+    long total = 0;
+    long resident = 0;
+    status >> total >> resident;
+    return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+class Timing {
+  public:
+    Timing(const Subject& subject, const std::function<void(const Figure&)>& report)
+        : m_subject(subject), m_report(report), m_large(subject.edges >= 100'000) {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("settings")));
+        m_window.files().questions.whatAboutChanges = [](const QString&) { return Unsaved::Discard; };
+        m_window.resize(1280, 800);
+        m_window.show();
+        m_window.activateWindow();
+        rest();
+    }
+
+    void run() {
+        open();
+        pan();
+        zoom();
+        hover();
+        dragOne();
+        changeAll();
+    }
+
+  private:
+    template <class Work>
+    double time(Work&& work) {
+        return m_subject.cpu ? processorMilliseconds(work) : milliseconds(work);
+    }
+    template <class Event>
+    double frame(Event&& event) {
+        return time([&] {
+            event();
+            QCoreApplication::processEvents();
+        });
+    }
+    /// Until what goes on beside the window, such as checking, has come to an end.
+    static void rest() {
+        QElapsedTimer quiet;
+        quiet.start();
+        while (quiet.elapsed() < quietTime) {
+            QElapsedTimer work;
+            work.start();
+            QCoreApplication::processEvents(QEventLoop::AllEvents, 50);
+            if (work.nsecsElapsed() > 2'000'000) {
+                quiet.restart();
+            }
+            QTest::qSleep(5);
+        }
+    }
+    void say(const char* name, double value, double small, double large) const {
+        m_report({name, value, "ms", m_large ? large : small});
+    }
+    void sayFrames(const std::string& name, const std::vector<double>& times, double small, double large) const {
+        say((name + ".median").c_str(), quantile(times, 0.5), small, large);
+        say((name + ".p99").c_str(), quantile(times, 0.99), 2 * small, m_large ? 2 * large + 1 : 0);
+    }
+    Canvas& canvas() { return m_window.canvas(); }
+    QPoint middle() { return canvas().rect().center(); }
+    QPoint at(const Vec2& world) {
+        const Vec2 screen = canvas().view().toScreen(world);
+        return {qRound(screen.x()), qRound(screen.y())};
+    }
+    void mouse(const QPoint& position, Qt::MouseButtons buttons) {
+        QMouseEvent move(QEvent::MouseMove, position, canvas().mapToGlobal(QPointF(position)), Qt::NoButton, buttons,
+                         {});
+        QCoreApplication::sendEvent(&canvas(), &move);
+    }
+    void wheel(int angle) {
+        QWheelEvent event(middle(), canvas().mapToGlobal(QPointF(middle())), {}, {0, angle}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&canvas(), &event);
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(&m_window, key, modifiers); }
+    void canvasKey(Qt::Key key) { QTest::keyClick(&canvas(), key); }
+
+    void open() {
+        const QString path = m_folder.filePath(QStringLiteral("large.json"));
+        std::ofstream(path.toStdString()) << levelText(largeLevel(m_subject.level, m_subject.edges));
+        PaintCount paints(canvas());
+        const double taken = time([&] {
+            m_window.open(path);
+            while (paints.count == 0) {
+                QCoreApplication::processEvents();
+            }
+        });
+        say("open", taken, 150, 1000);
+        rest();
+        m_report({"memory", residentMegabytes(), "MB", m_large ? 300.0 : 120.0});
+    }
+
+    void panFrames(std::vector<double>& times) {
+        QPoint place = middle();
+        QTest::mousePress(&canvas(), Qt::MiddleButton, {}, place);
+        for (int i = 0; i < frames; ++i) {
+            place += i / 25 % 2 == 0 ? QPoint(9, 4) : QPoint(-9, -4);
+            times.push_back(frame([&] { mouse(place, Qt::MiddleButton); }));
+        }
+        QTest::mouseRelease(&canvas(), Qt::MiddleButton, {}, place);
+    }
+    void pan() {
+        std::vector<double> times;
+        panFrames(times);
+        rest();
+        canvas().zoomTo(usualZoom);
+        rest();
+        panFrames(times);
+        canvas().fitLevel();
+        rest();
+        sayFrames("pan", times, 8, 16);
+    }
+
+    /// Notches in and out again, as fast as they come; then how long it takes until the picture is the final one.
+    void zoom() {
+        std::vector<double> times;
+        for (int i = 0; i < frames; ++i) {
+            times.push_back(frame([&] { wheel(i / 10 % 2 == 0 ? 120 : -120); }));
+        }
+        rest();
+        sayFrames("zoom", times, 8, 16);
+    }
+
+    void hover() {
+        std::vector<double> times;
+        for (int i = 0; i < frames; ++i) {
+            const QPoint place = middle() + QPoint(i * 7 % 400 - 200, i * 13 % 300 - 150);
+            times.push_back(frame([&] { mouse(place, Qt::NoButton); }));
+        }
+        say("hover.median", quantile(times, 0.5), 1, 2);
+    }
+
+    /// A point on the outline of a body about the middle of the level.
+    Vec2 grip() {
+        const ObjectList& objects = m_window.document().level().objects;
+        const Object& object = objects[objects.size() == 4 ? 3 : objects.size() / 2];
+        const auto& body = std::get<BodyObject>(object.data);
+        const std::vector<Vec2>& vertices = std::get<EdgeChain>(body.shapes.front()).vertices;
+        const std::size_t middle = vertices.size() / 2;
+        return body.position + 0.5 * (vertices[middle - 1] + vertices[middle]);
+    }
+
+    std::vector<double> dragFrames(const QPoint& from) {
+        std::vector<double> times;
+        mouse(from, Qt::NoButton);
+        QTest::mousePress(&canvas(), Qt::LeftButton, {}, from);
+        for (int i = 1; i <= frames / 2; ++i) {
+            const QPoint place = from + QPoint(3 * i % 160 + 5, i % 90);
+            times.push_back(frame([&] { mouse(place, Qt::LeftButton); }));
+        }
+        times.erase(times.begin(), times.begin() + 2); // picking up is not dragging
+        say("drag.release", frame([&] { QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, from + QPoint(40, 30)); }),
+            0, 0);
+        return times;
+    }
+    void dragOne() {
+        rest();
+        sayFrames("drag-one", dragFrames(at(grip())), 4, 8);
+        rest();
+        say("undo-one", frame([&] { key(Qt::Key_Z, Qt::ControlModifier); }), 0, 0);
+        rest();
+    }
+
+    void changeAll() {
+        canvas().setFocus();
+        rest();
+        say("select-all", frame([&] { key(Qt::Key_A, Qt::ControlModifier); }), 100, 700);
+        rest();
+        say("move-all", frame([&] { canvasKey(Qt::Key_Right); }), 100, 700);
+        rest();
+        const std::vector<double> times = dragFrames(at(grip()));
+        say("drag-all.median", quantile(times, 0.5), 0, 0);
+        rest();
+        say("undo-move", frame([&] { key(Qt::Key_Z, Qt::ControlModifier); }), 100, 700);
+        rest();
+        key(Qt::Key_A, Qt::ControlModifier);
+        rest();
+        say("delete-all", frame([&] { canvasKey(Qt::Key_Delete); }), 100, 700);
+        rest();
+        say("undo-delete", frame([&] { key(Qt::Key_Z, Qt::ControlModifier); }), 100, 700);
+        rest();
+    }
+
+    Subject m_subject;
+    std::function<void(const Figure&)> m_report;
+    bool m_large;
+    QTemporaryDir m_folder;
+    MainWindow m_window;
+};
+
+} // namespace
+
+void timeEditor(const Subject& subject, const std::function<void(const Figure&)>& report) {
+    Timing(subject, report).run();
+}
+
+} // namespace spacetow::bench
