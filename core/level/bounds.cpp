@@ -1,32 +1,15 @@
 #include "core/level/bounds.h"
 
+#include "core/level/groups.h"
 #include "core/level/key_index.h"
-#include "core/math/transform.h"
+#include "core/level/object_geometry.h"
+
+#include <algorithm>
+#include <array>
 
 namespace spacetow {
 
 namespace {
-
-void include(Aabb& box, const LevelShape& shape, const Transform& pose) {
-    if (const auto* circle = std::get_if<Circle>(&shape)) {
-        const Vec2 center = pose.toWorld(circle->center);
-        const Vec2 reach(circle->radius, circle->radius);
-        box.include(Aabb{center - reach, center + reach});
-        return;
-    }
-    const auto includeVertices = [&](const std::vector<Vec2>& vertices) {
-        for (const Vec2& vertex : vertices) {
-            box.include(pose.toWorld(vertex));
-        }
-    };
-    if (const auto* edges = std::get_if<EdgeChain>(&shape)) {
-        includeVertices(edges->vertices);
-    } else if (const auto* lines = std::get_if<LineChain>(&shape)) {
-        includeVertices(lines->vertices);
-    } else {
-        includeVertices(std::get<Polygon>(shape).vertices);
-    }
-}
 
 Aabb boundsOfConnector(const ConnectorObject& connector, const Object* a, const Object* b) {
     Aabb box;
@@ -42,33 +25,30 @@ Aabb boundsOfConnector(const ConnectorObject& connector, const Object* a, const 
 /// `find(key)` gives the object or null.
 template <class Find>
 Aabb boundsWith(const Object& object, const Find& find) {
-    Aabb box;
-    if (const auto* body = std::get_if<BodyObject>(&object.data)) {
-        const Transform pose{body->position, Rot::fromAngle(body->angle)};
-        for (const LevelShape& shape : body->shapes) {
-            include(box, shape, pose);
-        }
-    } else if (const auto* ship = std::get_if<ShipObject>(&object.data)) {
-        const Transform pose{ship->position, Rot::fromAngle(ship->angle)};
-        for (const Vec2& corner : shipOutline()) {
-            box.include(pose.toWorld(corner));
-        }
-    } else if (const auto* payload = std::get_if<PayloadObject>(&object.data)) {
-        include(box, Circle{payload->position, payload->radius}, {});
-    } else if (const auto* finish = std::get_if<FinishObject>(&object.data)) {
-        box.include(finish->a);
-        box.include(finish->b);
-    } else {
-        const auto& connector = std::get<ConnectorObject>(object.data);
-        box = boundsOfConnector(connector, find(connector.a), find(connector.b));
-    }
-    return box;
+    const auto* connector = std::get_if<ConnectorObject>(&object.data);
+    return connector == nullptr ? ownBounds(object.data)
+                                : boundsOfConnector(*connector, find(connector->a), find(connector->b));
 }
 
 } // namespace
 
 Aabb boundsOf(const Level& level, const Object& object) {
+    if (std::holds_alternative<GroupObject>(object.data)) {
+        return boundsOf(level, std::array{object.key});
+    }
     return boundsWith(object, [&level](Key key) { return level.objects.find(key); });
+}
+
+Aabb boundsOf(const Level& level, std::span<const Key> keys) {
+    const std::vector<Key> wanted = withMembers(level, keys);
+    const KeyIndex index(level.objects);
+    Aabb box;
+    for (const Object& object : level.objects) {
+        if (std::ranges::binary_search(wanted, object.key)) {
+            box.include(boundsWith(object, [&index](Key key) { return index.find(key); }));
+        }
+    }
+    return box;
 }
 
 Aabb boundsOf(const Level& level) {

@@ -1,60 +1,83 @@
 #include "core/level/edits.h"
 
 #include "core/base/random.h"
+#include "core/level/groups.h"
 #include "core/level/key_index.h"
-#include "core/math/rot.h"
+#include "core/level/object_geometry.h"
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <set>
 
 namespace spacetow {
 
 namespace {
 
-std::vector<Key> sorted(std::span<const Key> keys) {
-    std::vector<Key> result(keys.begin(), keys.end());
-    std::ranges::sort(result);
-    return result;
-}
-
-/// `change(data)` is applied to a copy of the data of each object named by `keys`.
+/// `change(data)` or `change(data, key)` is applied to a copy of the data of each object named by `keys`, ascending.
 template <class Change>
-Level changed(Level level, std::span<const Key> keys, Change change) {
-    const std::vector<Key> wanted = sorted(keys);
+Level changed(Level level, const std::vector<Key>& keys, Change change) {
     for (int i = 0; i < level.objects.size(); ++i) {
-        if (std::ranges::binary_search(wanted, level.objects[i].key)) {
+        if (std::ranges::binary_search(keys, level.objects[i].key)) {
             Object object = level.objects[i];
-            change(object.data);
+            if constexpr (requires { change(object.data, object.key); }) {
+                change(object.data, object.key);
+            } else {
+                change(object.data);
+            }
             level.objects.replace(i, std::move(object));
         }
     }
     return level;
 }
 
-void move(ObjectData& data, const Vec2& delta) {
-    if (auto* body = std::get_if<BodyObject>(&data)) {
-        body->position += delta;
-    } else if (auto* ship = std::get_if<ShipObject>(&data)) {
-        ship->position += delta;
-    } else if (auto* payload = std::get_if<PayloadObject>(&data)) {
-        payload->position += delta;
-    } else if (auto* finish = std::get_if<FinishObject>(&data)) {
-        finish->a += delta;
-        finish->b += delta;
+/// The anchors of connectors on these bodies go with the bodies' coordinates.
+Level withMappedAnchors(Level level, std::vector<std::pair<Key, Affine>> bodies) {
+    std::ranges::sort(bodies, {}, &std::pair<Key, Affine>::first);
+    const auto mapAnchor = [&bodies](Key body, Vec2& anchor) {
+        const auto found = std::ranges::lower_bound(bodies, body, {}, &std::pair<Key, Affine>::first);
+        if (found != bodies.end() && found->first == body) {
+            anchor = tidied(found->second(anchor));
+        }
+    };
+    for (int i = 0; i < level.objects.size(); ++i) {
+        if (std::holds_alternative<ConnectorObject>(level.objects[i].data)) {
+            Object object = level.objects[i];
+            auto& connector = std::get<ConnectorObject>(object.data);
+            mapAnchor(connector.a, connector.anchorA);
+            mapAnchor(connector.b, connector.anchorB);
+            if (!(object == level.objects[i])) {
+                level.objects.replace(i, std::move(object));
+            }
+        }
     }
+    return level;
 }
 
-void reverse(LevelShape& shape) {
-    const auto turnRound = [](std::vector<Vec2>& vertices, bool closed) {
-        // A closed chain keeps its first vertex, so that turning it twice is no change.
-        std::reverse(vertices.begin() + (closed && !vertices.empty() ? 1 : 0), vertices.end());
-    };
+/// Groups, but no layers, whose last member is among those that go.
+std::vector<Key> emptiedGroups(const Level& level, const std::vector<Key>& gone) {
+    std::vector<Key> lost; // have had a member
+    std::vector<Key> kept; // still have one
+    for (const Object& object : level.objects) {
+        if (object.parent != 0) {
+            (std::ranges::binary_search(gone, object.key) ? lost : kept).push_back(object.parent);
+        }
+    }
+    std::vector<Key> emptied;
+    for (const Object& object : level.objects) {
+        const auto* group = std::get_if<GroupObject>(&object.data);
+        if (group != nullptr && !group->layer && std::ranges::find(lost, object.key) != lost.end() &&
+            std::ranges::find(kept, object.key) == kept.end()) {
+            emptied.push_back(object.key);
+        }
+    }
+    return emptied;
+}
+
+void reverseShape(LevelShape& shape) {
     if (auto* edges = std::get_if<EdgeChain>(&shape)) {
-        turnRound(edges->vertices, edges->closed);
+        reverse(edges->vertices, edges->closed);
     } else if (auto* lines = std::get_if<LineChain>(&shape)) {
-        turnRound(lines->vertices, lines->closed);
+        reverse(lines->vertices, lines->closed);
     }
 }
 
@@ -113,8 +136,11 @@ Level added(Level level, Object object) {
 }
 
 Level removed(Level level, std::span<const Key> keys) {
-    const std::vector<Key> gone = sorted(keys);
+    std::vector<Key> gone = withMembers(level, keys);
     const auto isGone = [&gone](Key key) { return std::ranges::binary_search(gone, key); };
+    const std::vector<Key> emptied = emptiedGroups(level, gone);
+    gone.insert(gone.end(), emptied.begin(), emptied.end());
+    std::ranges::sort(gone);
     level.objects.eraseIf([&isGone](const Object& object) {
         const auto* connector = std::get_if<ConnectorObject>(&object.data);
         return isGone(object.key) || (connector != nullptr && (isGone(connector->a) || isGone(connector->b)));
@@ -123,54 +149,57 @@ Level removed(Level level, std::span<const Key> keys) {
 }
 
 Level moved(Level level, std::span<const Key> keys, const Vec2& delta) {
-    return changed(std::move(level), keys, [&delta](ObjectData& data) { move(data, delta); });
+    return changed(std::move(level), withMembers(level, keys), [&delta](ObjectData& data) { move(data, delta); });
+}
+
+Level transformed(Level level, std::span<const Key> keys, const Affine& map) {
+    EXPECTS(map.determinant() != 0);
+    const std::vector<Key> wanted = withMembers(level, keys);
+    std::vector<std::pair<Key, Affine>> bodies; // whose own coordinates are mapped, ascending by key
+    level = changed(std::move(level), wanted, [&](ObjectData& data, Key key) {
+        if (const auto* body = std::get_if<BodyObject>(&data)) {
+            const Affine local = localMap(*body, map);
+            if (local.x != Vec2(1, 0) || local.y != Vec2(0, 1)) {
+                bodies.emplace_back(key, local);
+            }
+        }
+        transform(data, map);
+    });
+    return bodies.empty() ? level : withMappedAnchors(std::move(level), std::move(bodies));
 }
 
 Level rotated(Level level, std::span<const Key> keys, const Vec2& pivot, double radians) {
-    const Rot turn = Rot::fromAngle(radians);
-    const auto turned = [&](const Vec2& point) -> Vec2 { return pivot + turn * (point - pivot); };
-    const auto wrapped = [radians](double angle) { return std::remainder(angle + radians, 2 * std::numbers::pi); };
-    return changed(std::move(level), keys, [&](ObjectData& data) {
-        if (auto* body = std::get_if<BodyObject>(&data)) {
-            body->position = turned(body->position);
-            body->angle = wrapped(body->angle);
-        } else if (auto* ship = std::get_if<ShipObject>(&data)) {
-            ship->position = turned(ship->position);
-            ship->angle = wrapped(ship->angle);
-        } else if (auto* payload = std::get_if<PayloadObject>(&data)) {
-            payload->position = turned(payload->position);
-        } else if (auto* finish = std::get_if<FinishObject>(&data)) {
-            finish->a = turned(finish->a);
-            finish->b = turned(finish->b);
-        }
-    });
+    return transformed(std::move(level), keys, Affine::rotation(pivot, radians));
 }
 
 Level reversed(Level level, std::span<const Key> keys) {
-    return changed(std::move(level), keys, [](ObjectData& data) {
+    return changed(std::move(level), withMembers(level, keys), [](ObjectData& data) {
         if (auto* body = std::get_if<BodyObject>(&data)) {
-            std::ranges::for_each(body->shapes, reverse);
+            for (LevelShape& shape : body->shapes) {
+                reverseShape(shape);
+            }
         }
     });
 }
 
 Level duplicated(Level level, std::span<const Key> keys, const CopyPlace& place, std::vector<Key>& copies) {
-    const KeyIndex index(level.objects);
+    const std::vector<Key> wanted = withMembers(level, keys);
     std::vector<Object> originals;
-    for (const Key key : keys) {
-        const Object* object = index.find(key);
-        if (object != nullptr && singleKind(object->data) < 0) {
-            originals.push_back(*object);
+    for (const Object& object : level.objects) {
+        if (std::ranges::binary_search(wanted, object.key) && singleKind(object.data) < 0) {
+            originals.push_back(object);
         }
     }
-    return pasted(std::move(level), originals, place, copies);
+    CopyPlace beside = place;
+    beside.keepParents = true;
+    return pasted(std::move(level), originals, beside, copies);
 }
 
 Level pasted(Level level, const std::vector<Object>& objects, const CopyPlace& place, std::vector<Key>& copies) {
     KeySource source(level, place.seed);
     std::map<Key, Key> copyOf;
     for (const Object& object : objects) {
-        if (std::holds_alternative<BodyObject>(object.data)) {
+        if (std::holds_alternative<BodyObject>(object.data) || std::holds_alternative<GroupObject>(object.data)) {
             copyOf.emplace(object.key, source.next());
         }
     }
@@ -192,8 +221,14 @@ Level pasted(Level level, const std::vector<Object>& objects, const CopyPlace& p
         }
         const auto planned = copyOf.find(object.key);
         copy.key = planned != copyOf.end() ? planned->second : source.next();
+        const auto parent = copyOf.find(object.parent);
+        if (parent != copyOf.end()) {
+            copy.parent = parent->second;
+        } else {
+            copy.parent = place.keepParents ? object.parent : place.parent;
+            copies.push_back(copy.key);
+        }
         move(copy.data, place.delta);
-        copies.push_back(copy.key);
         level.objects.append(std::move(copy));
     }
     return level;

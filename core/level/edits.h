@@ -4,6 +4,7 @@
 
 #include "core/level/bounds.h"
 #include "core/level/level.h"
+#include "core/math/affine.h"
 
 #include <span>
 
@@ -12,9 +13,13 @@ namespace spacetow {
 /// Appends the object. Its key must be fresh (see freshKey). A ship, payload or finish replaces the one that is there,
 /// which keeps its key and name.
 Level added(Level level, Object object);
-/// Also removes the connectors that lose an end.
+/// With a group goes what is in it, and with the last member its group (a layer stays). Also removes the connectors
+/// that lose an end.
 Level removed(Level level, std::span<const Key> keys);
+/// A group moves with all that is in it, here and below.
 Level moved(Level level, std::span<const Key> keys, const Vec2& delta);
+/// Mapped as object_geometry.h says, connectors' anchors on bodies included. The determinant is not zero.
+Level transformed(Level level, std::span<const Key> keys, const Affine& map);
 /// Anticlockwise by `radians` about `pivot`. Angles come out in [−π, π]; velocities keep their direction.
 Level rotated(Level level, std::span<const Key> keys, const Vec2& pivot, double radians);
 /// Turns the solid side of edge chains round, and the winding of lines; other shapes stay.
@@ -23,9 +28,12 @@ Level reversed(Level level, std::span<const Key> keys);
 struct CopyPlace {
     Vec2 delta{0, 0}; // m, from the originals
     std::uint64_t seed = 0;
+    Key parent = 0;           // the group that they come to be in, unless their own is copied too
+    bool keepParents = false; // they stay in the groups of their originals instead
 };
-/// Copies with fresh keys; connectors are copied when both ends are.
-/// The keys of the copies come out in `copies`, in the order of `keys`. Ship, payload and finish are not copied.
+/// Copies with fresh keys, in the drawing order of the originals and in the same groups; groups are copied with all
+/// that is in them, connectors when both ends are copied. Ship, payload and finish are not copied.
+/// The keys of the copies come out in `copies`, without those of members of groups that are copied themselves.
 Level duplicated(Level level, std::span<const Key> keys, const CopyPlace& place, std::vector<Key>& copies);
 /// Objects from elsewhere (the clipboard), treated likewise, but a ship, payload or finish only when
 /// the level has none. Connectors follow their ends, and are left out when an end is not among the objects.

@@ -233,16 +233,35 @@ void FieldReader::touches(const Field& field, TagMask& value) {
     }
 }
 
-void FieldReader::key(const Field& field, Key& value) {
-    const auto json = member(field.name, true);
-    if (!json) {
-        return;
-    }
-    const std::optional<Key> read = json->isText() ? keyFromText(json->text()) : std::nullopt;
+void FieldReader::readKey(const Field& field, JsonView json, Key& value) {
+    const std::optional<Key> read = json.isText() ? keyFromText(json.text()) : std::nullopt;
     if (read) {
         value = *read;
     } else {
-        reject("bad-key", {&m_place, field.name}, *json);
+        reject("bad-key", {&m_place, field.name}, json);
+    }
+}
+
+void FieldReader::key(const Field& field, Key& value) {
+    if (const auto json = member(field.name, true)) {
+        readKey(field, *json, value);
+    }
+}
+
+void FieldReader::optionalKey(const Field& field, Key& value) {
+    value = 0;
+    if (const auto json = member(field.name, false)) {
+        readKey(field, *json, value);
+    }
+}
+
+void FieldReader::optionalColor(const Field& field, std::optional<std::uint32_t>& value) {
+    value.reset();
+    if (const auto json = member(field.name, false)) {
+        value = json->isText() ? colorFromText(json->text()) : std::nullopt;
+        if (!value) {
+            reject("bad-color", {&m_place, field.name}, *json);
+        }
     }
 }
 

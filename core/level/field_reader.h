@@ -49,6 +49,8 @@ class FieldReader {
     void tags(const Field& field, TagMask& value, TagMask byDefault);
     void touches(const Field& field, TagMask& value);
     void key(const Field& field, Key& value);
+    void optionalKey(const Field& field, Key& value);
+    void optionalColor(const Field& field, std::optional<std::uint32_t>& value);
     void shapes(const Field& field, std::vector<LevelShape>& value);
     template <class Enum, std::size_t n>
     void choice(const Field& field, Enum& value, Enum byDefault, const Spellings<n>& names) {
@@ -72,6 +74,7 @@ class FieldReader {
     void chooseFrom(const Field& field, int& index, std::span<const std::string_view> names);
     TagMask maskOf(JsonView list, const Place& place);
     bool readPoint(JsonView value, Vec2& point) const;
+    void readKey(const Field& field, JsonView json, Key& value);
 
     ReadState& m_state;
     JsonView m_object;

@@ -2,8 +2,8 @@
 // The fields of a level file, each said once: name, unit, range and whether it may be left out. Reading, writing,
 // checking and the test of the documentation all walk through these descriptions with a visitor of their own.
 //
-// A visitor has: number, integer, optionalNumber, depth, flag, text, choice, point, points, tags, touches, key, shapes
-// — each taking (const Field&, the value, its default where there is one).
+// A visitor has: number, integer, optionalNumber, optionalColor, depth, flag, text, choice, point, points, tags,
+// touches, key, optionalKey, shapes — each taking (const Field&, the value, its default where there is one).
 
 #include "core/level/level.h"
 
@@ -48,7 +48,7 @@ using Spellings = std::array<std::string_view, n>;
 
 constexpr Spellings<3> bodyKindNames{"static", "kinematic", "dynamic"};
 constexpr Spellings<5> truncationNames{"zero", "none", "clamp", "tanh", "partial-tanh"};
-constexpr Spellings<5> objectTypeNames{"body", "ship", "payload", "finish", "connector"};
+constexpr Spellings<6> objectTypeNames{"body", "ship", "payload", "finish", "connector", "group"};
 constexpr Spellings<4> shapeTypeNames{"edges", "lines", "polygon", "circle"};
 
 namespace fields {
@@ -140,6 +140,31 @@ void visitFields(Visitor& v, T& object, const ConnectorObject& defaults) {
 }
 
 template <class Visitor, class T>
+void visitFields(Visitor& v, T& object, const GroupObject& defaults) {
+    using namespace fields;
+    v.flag(plain("layer"), object.layer, defaults.layer);
+    v.optionalColor(plain("color"), object.color);
+}
+
+/// The fields that every kind of object has; "key" and "type" are read and written apart.
+template <class Visitor, class T>
+void visitFields(Visitor& v, T& object, const Object& defaults) {
+    using namespace fields;
+    v.text(plain("name"), object.name, defaults.name);
+    v.optionalKey(plain("parent"), object.parent);
+    v.flag(plain("visible"), object.visible, defaults.visible);
+    v.flag(plain("locked"), object.locked, defaults.locked);
+}
+
+template <class Visitor, class T>
+void visitFields(Visitor& v, T& guide, const Guide& defaults) {
+    using namespace fields;
+    v.point(required(symmetric("point", "m", limits::coordinate)), guide.point, defaults.point);
+    v.number(symmetric("angle", "rad", limits::angle), guide.angle, defaults.angle);
+    v.text(plain("name"), guide.name, defaults.name);
+}
+
+template <class Visitor, class T>
 void visitFields(Visitor& v, T& shape, const EdgeChain& defaults) {
     using namespace fields;
     v.flag(plain("closed"), shape.closed, defaults.closed);
@@ -176,7 +201,8 @@ void visitFields(Visitor& v, T& rules, const Rules& defaults) {
     v.text(written(plain("background")), rules.background, defaults.background);
 }
 
-/// The simple fields of the level itself; "schema", "rules", "tags" and "objects" are structures of their own.
+/// The simple fields of the level itself; "schema", "rules", "tags", "guides" and "objects" are structures of their
+/// own.
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& level, const Level& defaults) {
     using namespace fields;

@@ -1,8 +1,8 @@
 #include "core/level/file.h"
 
+#include "core/level/groups.h"
 #include "core/level/json_read.h"
 #include "core/level/json_write.h"
-#include "core/level/key_index.h"
 #include "core/level/lint.h"
 #include "core/level/migrate.h"
 
@@ -71,13 +71,13 @@ std::string levelText(const Level& level) {
 }
 
 std::string objectsText(const Level& level, std::span<const Key> keys) {
-    const KeyIndex index(level.objects);
+    const std::vector<Key> wanted = withMembers(level, keys);
     JsonText json = JsonText::object();
     json.append("schema", JsonText::integer(newestSchema));
     JsonText objects = JsonText::array();
-    for (const Key key : keys) {
-        if (const Object* object = index.find(key)) {
-            objects.append(writtenObject(*object, level.tags));
+    for (const Object& object : level.objects) {
+        if (std::ranges::binary_search(wanted, object.key)) {
+            objects.append(writtenObject(object, level.tags));
         }
     }
     json.append("objects", std::move(objects).broken());

@@ -13,7 +13,7 @@
 
 namespace spacetow {
 
-constexpr int levelSchema = 1;
+constexpr int levelSchema = 2;
 constexpr std::size_t maxLevelBytes = 64u << 20; // larger files are refused unread
 
 /// What a file says. There is a level unless something in the file cannot be understood without guessing.
@@ -39,6 +39,7 @@ std::optional<Error> notWritable(const Level& level);
 
 /// Objects as text and back, for the clipboard. Parsing gives the objects and a list of problems: one with an error is
 /// left out, a tag that is not in `tags` is left off.
+/// The text has the objects in drawing order, groups with all that is in them.
 std::string objectsText(const Level& level, std::span<const Key> keys);
 std::vector<Object> parseObjects(std::string_view text, const TagTable& tags, std::vector<Problem>& problems);
 

@@ -14,9 +14,9 @@ const Place documentPlace{};
 
 ObjectData emptyData(int type) {
     constexpr auto makers =
-        std::array{+[]() -> ObjectData { return BodyObject(); }, +[]() -> ObjectData { return ShipObject(); },
-                   +[]() -> ObjectData { return PayloadObject(); }, +[]() -> ObjectData { return FinishObject(); },
-                   +[]() -> ObjectData { return ConnectorObject(); }};
+        std::array{+[]() -> ObjectData { return BodyObject(); },      +[]() -> ObjectData { return ShipObject(); },
+                   +[]() -> ObjectData { return PayloadObject(); },   +[]() -> ObjectData { return FinishObject(); },
+                   +[]() -> ObjectData { return ConnectorObject(); }, +[]() -> ObjectData { return GroupObject(); }};
     return makers[static_cast<std::size_t>(type)]();
 }
 
@@ -86,6 +86,31 @@ void readTags(ReadState& state, FieldReader& level, const Place& parent) {
     }
 }
 
+void readGuides(ReadState& state, FieldReader& level, std::vector<Guide>& guides) {
+    const auto json = level.member("guides", false);
+    const Place place{&documentPlace, "guides"};
+    if (json && !json->isArray()) {
+        level.reject("not-a-list", place, *json);
+        return;
+    }
+    if (!json) {
+        return;
+    }
+    int index = 0;
+    for (const JsonView item : *json) {
+        const Place here{&place, {}, index++};
+        if (!item.isObject()) {
+            level.reject("not-an-object", here, item);
+            continue;
+        }
+        FieldReader reader(state, item, here);
+        visitFields(reader, guides.emplace_back());
+        state.owner = &here;
+        state.ownerPointer = here.pointer();
+        reader.finish();
+    }
+}
+
 /// The key of an object, 0 after reporting that it has none.
 Key readKey(ReadState& state, FieldReader& reader, const Place& place) {
     const auto json = reader.member("key", true);
@@ -108,7 +133,7 @@ std::optional<Object> readObject(ReadState& state, JsonView json, const Place& p
     Object object;
     object.key = readKey(state, reader, place);
     const auto type = reader.member("type", true);
-    reader.text(fields::plain("name"), object.name, {});
+    visitFields(reader, object);
     const int kind = type ? reader.spelling(*type, "type", objectTypeNames) : -1;
     if (kind < 0) {
         return {};
@@ -199,6 +224,7 @@ LevelReading readTree(const JsonTree& tree) {
         reader.reject("not-an-object", rulesPlace, *rules);
     }
     readTags(state, reader, documentPlace);
+    readGuides(state, reader, level.guides);
     const auto objects = objectsMember(reader, documentPlace);
     state.owner = &documentPlace;
     state.ownerPointer.clear();

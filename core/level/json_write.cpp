@@ -73,6 +73,16 @@ class FieldWriter {
         }
     }
     void key(const Field& field, const Key& value) { m_out.append(field.name, JsonText::text(keyText(value))); }
+    void optionalKey(const Field& field, const Key& value) {
+        if (value != 0) {
+            key(field, value);
+        }
+    }
+    void optionalColor(const Field& field, const std::optional<std::uint32_t>& value) {
+        if (value) {
+            m_out.append(field.name, JsonText::text(colorText(*value)));
+        }
+    }
     void shapes(const Field& field, const std::vector<LevelShape>& value) {
         JsonText list = JsonText::array();
         for (const LevelShape& shape : value) {
@@ -130,10 +140,8 @@ JsonText writtenObject(const Object& object, const TagTable& tags) {
     JsonText json = JsonText::object();
     json.append("key", JsonText::text(keyText(object.key)));
     json.append("type", JsonText::text(objectTypeNames[object.data.index()]));
-    if (!object.name.empty()) {
-        json.append("name", JsonText::text(object.name));
-    }
     FieldWriter writer(json, tags);
+    visitFields(writer, object);
     std::visit([&writer](const auto& data) { visitFields(writer, data); }, object.data);
     insertUnknown(json, object.unknownFields);
     return json;
@@ -163,6 +171,17 @@ JsonText writtenLevel(const Level& level) {
         }
     }
     json.append("tags", std::move(tags).broken());
+
+    if (!level.guides.empty()) {
+        JsonText guides = JsonText::array();
+        for (const Guide& guide : level.guides) {
+            JsonText line = JsonText::object();
+            FieldWriter guideWriter(line, level.tags);
+            visitFields(guideWriter, guide);
+            guides.append(std::move(line));
+        }
+        json.append("guides", std::move(guides).broken());
+    }
 
     JsonText objects = JsonText::array();
     for (const Object& object : level.objects) {

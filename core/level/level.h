@@ -101,7 +101,15 @@ struct ConnectorObject {
     bool operator==(const ConnectorObject&) const = default;
 };
 
-using ObjectData = std::variant<BodyObject, ShipObject, PayloadObject, FinishObject, ConnectorObject>;
+/// Objects that belong together: those that name it as their parent. It has no place of its own.
+struct GroupObject {
+    bool layer = false;                 // a group at the top that the outliner shows as a layer
+    std::optional<std::uint32_t> color; // 0xRRGGBB, of its mark in the outliner and of what is selected in it
+
+    bool operator==(const GroupObject&) const = default;
+};
+
+using ObjectData = std::variant<BodyObject, ShipObject, PayloadObject, FinishObject, ConnectorObject, GroupObject>;
 
 struct Object {
     Key key = 0;
@@ -110,8 +118,21 @@ struct Object {
     /// Fields of the file that this version does not know, kept for the next save: JSON object text whose names are
     /// JSON pointers within this object ({"/glow": 1, "/shapes/0/glow": 2}); empty for none.
     std::string unknownFields;
+    Key parent = 0; // the group that it is in; 0 at the top
+    // For the editor alone: what is hidden or locked is played all the same. A group passes both on to its members.
+    bool visible = true;
+    bool locked = false; // is not picked, moved or deleted
 
     bool operator==(const Object&) const = default;
+};
+
+/// A line without an end that points snap to. Not part of the game.
+struct Guide {
+    Vec2 point{0, 0};
+    double angle = 0; // rad, of its direction; 0 is horizontal
+    std::string name;
+
+    bool operator==(const Guide&) const = default;
 };
 
 /// The rules of a game of SpaceTow in this level.
@@ -134,6 +155,7 @@ struct Level {
     int substeps = 2;
     Rules rules;
     TagTable tags;
+    std::vector<Guide> guides;
     ObjectList objects;
     std::string unknownFields; // as in Object, of the level itself; tags are counted by their index
 

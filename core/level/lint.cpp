@@ -95,6 +95,7 @@ std::vector<Problem> lint(const Level& level) {
     checkRanges(level, findings);
     checkShapes(level, findings);
     checkFilters(level, findings);
+    checkGroups(level, findings);
     checkConnectors(level, findings);
     checkStart(level, findings);
     return std::move(findings).sorted();

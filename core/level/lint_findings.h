@@ -42,6 +42,8 @@ void checkRanges(const Level& level, Findings& findings);
 void checkShapes(const Level& level, Findings& findings);
 /// Bodies that no other can touch.
 void checkFilters(const Level& level, Findings& findings);
+/// Parents that are missing, no groups, or in a circle; layers that are not at the top; a hidden ship.
+void checkGroups(const Level& level, Findings& findings);
 /// Connectors without their ends, and springs that the sub-steps are too long for.
 void checkConnectors(const Level& level, Findings& findings);
 /// Ship, payload and finish: one each, or none at all in a sandbox; ship and payload free of the walls.

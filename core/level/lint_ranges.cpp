@@ -54,10 +54,12 @@ class RangeChecker {
     void tags(const Field&, TagMask, TagMask) {}
     void touches(const Field&, TagMask) {}
     void key(const Field&, Key) {}
+    void optionalKey(const Field&, Key) {}
+    void optionalColor(const Field&, const std::optional<std::uint32_t>&) {}
     template <class Enum, std::size_t n>
     void choice(const Field&, Enum, Enum, const Spellings<n>&) {}
 
-    void enter(const char* part) { m_part = std::string("/") + part; }
+    void enter(std::string part) { m_part = '/' + std::move(part); }
 
   private:
     void check(const Field& field, double value, const std::string& path) {
@@ -110,6 +112,10 @@ void checkRanges(const Level& level, Findings& findings) {
     visitFields(ofLevel, level);
     ofLevel.enter("rules");
     visitFields(ofLevel, level.rules);
+    for (std::size_t i = 0; i < level.guides.size(); ++i) {
+        ofLevel.enter("guides/" + std::to_string(i));
+        visitFields(ofLevel, level.guides[i]);
+    }
     for (int i = 0; i < level.objects.size(); ++i) {
         const Object& object = level.objects[i];
         RangeChecker checker(findings, i, object.key);

@@ -28,7 +28,7 @@ std::optional<Problem> schemaProblem(const JsonTree& tree) {
         if (schema > newestSchema) {
             return problemOf(member, "newer-schema", {member.spelled(40), std::to_string(newestSchema)}, "/schema");
         }
-        if (schema != newestSchema) {
+        if (schema != oldestSchema && schema != newestSchema) {
             return problemOf(member, "bad-schema", {member.spelled(40), std::to_string(newestSchema)}, "/schema");
         }
         return {};

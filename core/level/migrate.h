@@ -1,6 +1,8 @@
 #pragma once
 // Which schemas of level files this version reads. A newer file is refused, since leaving out what it means would be
-// guessing. Schema 1 is the first; when there is a second, its step from 1 to 2 belongs here, tree to tree.
+// guessing. Schema 2 added groups, guides and the fields parent, visible and locked to schema 1, and changed nothing
+// that was there: a file of schema 1 is read as it is. A later schema that changes something has its step here, tree
+// to tree.
 
 #include "core/level/json_tree.h"
 
@@ -8,7 +10,8 @@
 
 namespace spacetow {
 
-constexpr int newestSchema = 1;
+constexpr int oldestSchema = 1;
+constexpr int newestSchema = 2;
 
 /// Why the document cannot be read at all: it is no object, names no schema, or one that is not known here.
 std::optional<Problem> schemaProblem(const JsonTree& tree);

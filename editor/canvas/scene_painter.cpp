@@ -1,6 +1,7 @@
 #include "editor/canvas/scene_painter.h"
 
 #include "core/level/edits.h"
+#include "core/level/groups.h"
 #include "editor/canvas/body_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/wall_painter.h"
@@ -168,8 +169,10 @@ void paintLevel(const Stage& stage, const Level& level, const Selection& selecti
     paintSelection(stage, level, selection);
 }
 
-void paintObjects(const Stage& stage, const Level& level, const Wanted& wanted) {
+void paintObjects(const Stage& stage, const Level& level, const Wanted& wantedOnes) {
     const Saved saved(stage.painter);
+    const GroupTree tree(level);
+    const Wanted wanted = [&](const Object& object) { return wantedOnes(object) && tree.isVisible(object); };
     std::vector<WallRun> ground;
     for (const Object& object : level.objects) {
         const auto* body = std::get_if<BodyObject>(&object.data);

@@ -1,7 +1,10 @@
 // The outlines of what is selected.
+#include "core/level/groups.h"
+#include "core/level/outline.h"
 #include "editor/canvas/scene_painter.h"
 #include "editor/canvas/wall_painter.h"
-#include "editor/editing/outline.h"
+
+#include <algorithm>
 
 namespace spacetow {
 
@@ -43,14 +46,15 @@ void paintSelection(const Stage& stage, const Level& level, const Selection& sel
         return;
     }
     const Outlines outlines(level);
+    const std::vector<Key> keys = withMembers(level, selection.keys());
     constexpr int few = 300; // more than these are seen without a glow, which takes most of the time
-    const bool glows = selection.size() <= few;
+    const bool glows = std::ssize(keys) <= few;
     QPainter& painter = stage.painter;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     for (const Object& object : level.objects) {
-        if (!selection.contains(object.key)) {
+        if (!std::ranges::binary_search(keys, object.key)) {
             continue;
         }
         const Outline outline = outlines.of(object);

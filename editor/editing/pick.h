@@ -1,12 +1,36 @@
 #pragma once
-// Which objects lie under a point or in a box.
+// What lies under a point or in a box. Every tool asks here. What is hidden or locked is not picked.
 
 #include "core/level/level.h"
 #include "core/math/aabb.h"
 
+#include <span>
 #include <vector>
 
 namespace spacetow {
+
+enum class HitKind : std::uint8_t { Node, Segment, Handle, Object };
+
+/// One thing under the pointer.
+struct Hit {
+    HitKind kind = HitKind::Object;
+    Key key = 0;
+    int shape = -1;      // of nodes and segments
+    int index = -1;      // vertex, or segment (it begins at the vertex of that index), or handle
+    Vec2 at{0, 0};       // world: the node, or the nearest point
+    double distance = 0; // m, from the point that was asked for
+
+    bool operator==(const Hit&) const = default;
+};
+
+struct PickQuery {
+    Vec2 point{0, 0};
+    double tolerance = 0;           // m
+    std::span<const Key> nodesOf{}; // the objects whose nodes and segments count, ascending
+};
+
+/// All hits: nodes by their distance, segments likewise, then objects as `picked` has them.
+std::vector<Hit> hits(const Level& level, const PickQuery& query);
 
 /// Keys of the objects within `tolerance` metres of the point: outlines count by distance, filled shapes inside too.
 /// The best pick comes first: things like ship and payload before walls, small before large, later before earlier.

@@ -1,6 +1,6 @@
 #include "editor/editing/select_tool.h"
 
-#include "editor/editing/outline.h"
+#include "core/level/outline.h"
 #include "editor/editing/pick.h"
 #include "editor/editing/select_gestures.h"
 

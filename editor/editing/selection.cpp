@@ -4,18 +4,40 @@
 
 namespace spacetow {
 
+namespace {
+
+template <class T>
+void makeSet(std::vector<T>& values) {
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+} // namespace
+
 Selection::Selection(std::vector<Key> keys) : m_keys(std::move(keys)) {
-    std::sort(m_keys.begin(), m_keys.end());
-    m_keys.erase(std::unique(m_keys.begin(), m_keys.end()), m_keys.end());
+    makeSet(m_keys);
+}
+
+Selection::Selection(std::vector<Key> keys, std::vector<NodeRef> nodes)
+    : m_keys(std::move(keys)), m_nodes(std::move(nodes)) {
+    for (const NodeRef& node : m_nodes) {
+        m_keys.push_back(node.key);
+    }
+    makeSet(m_keys);
+    makeSet(m_nodes);
 }
 
 bool Selection::contains(Key key) const {
-    return std::binary_search(m_keys.begin(), m_keys.end(), key);
+    return std::ranges::binary_search(m_keys, key);
+}
+
+bool Selection::contains(const NodeRef& node) const {
+    return std::ranges::binary_search(m_nodes, node);
 }
 
 Selection Selection::with(Key key) const {
-    Selection result = *this;
-    const auto place = std::lower_bound(result.m_keys.begin(), result.m_keys.end(), key);
+    Selection result = withPivot({});
+    const auto place = std::ranges::lower_bound(result.m_keys, key);
     if (place == result.m_keys.end() || *place != key) {
         result.m_keys.insert(place, key);
     }
@@ -23,8 +45,9 @@ Selection Selection::with(Key key) const {
 }
 
 Selection Selection::without(Key key) const {
-    Selection result = *this;
+    Selection result = withPivot({});
     std::erase(result.m_keys, key);
+    std::erase_if(result.m_nodes, [key](const NodeRef& node) { return node.key == key; });
     return result;
 }
 
@@ -32,16 +55,56 @@ Selection Selection::toggled(Key key) const {
     return contains(key) ? without(key) : with(key);
 }
 
-Selection Selection::within(const Level& level) const {
-    std::vector<Key> kept;
-    if (!empty()) {
-        for (const Object& object : level.objects) {
-            if (contains(object.key)) {
-                kept.push_back(object.key);
-            }
-        }
+Selection Selection::withNodes(std::vector<NodeRef> nodes) const {
+    Selection result = withPivot({});
+    result.m_nodes = std::move(nodes);
+    makeSet(result.m_nodes);
+    return result;
+}
+
+Selection Selection::toggled(const NodeRef& node) const {
+    std::vector<NodeRef> nodes = m_nodes;
+    if (contains(node)) {
+        std::erase(nodes, node);
+    } else {
+        nodes.push_back(node);
     }
-    return Selection(std::move(kept));
+    return withNodes(std::move(nodes));
+}
+
+Selection Selection::entering(Key group) const {
+    Selection result = *this;
+    result.m_entered = group;
+    return result;
+}
+
+Selection Selection::withPivot(const std::optional<Vec2>& pivot) const {
+    Selection result = *this;
+    result.m_pivot = pivot;
+    return result;
+}
+
+Selection Selection::within(const Level& level) const {
+    if (empty() && m_entered == 0) {
+        return {};
+    }
+    Selection kept;
+    for (const Object& object : level.objects) {
+        if (object.key == m_entered && std::holds_alternative<GroupObject>(object.data)) {
+            kept.m_entered = m_entered;
+        }
+        if (!contains(object.key)) {
+            continue;
+        }
+        kept.m_keys.push_back(object.key);
+        const auto nodes = std::ranges::equal_range(m_nodes, object.key, {}, &NodeRef::key);
+        std::ranges::copy_if(nodes, std::back_inserter(kept.m_nodes),
+                             [&object](const NodeRef& node) { return hasNode(object.data, node.shape, node.vertex); });
+    }
+    makeSet(kept.m_keys);
+    makeSet(kept.m_nodes);
+    kept.m_pivot = kept.m_keys == m_keys ? m_pivot : std::nullopt;
+    return kept;
 }
 
 } // namespace spacetow

@@ -1,8 +1,10 @@
 #include "editor/editing/verbs.h"
 
 #include "core/level/edits.h"
-#include "editor/editing/outline.h"
+#include "core/level/groups.h"
+#include "core/level/outline.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace spacetow {
@@ -20,9 +22,10 @@ Edit withLevel(const Edit& edit, Level level) {
 /// The mean of the points of all selected objects; nothing when none of them has a place of its own.
 std::optional<Vec2> middleOf(const Edit& edit) {
     const Outlines outlines(*edit.level);
+    const std::vector<Key> keys = withMembers(*edit.level, edit.selection.keys());
     PointSum all;
     for (const Object& object : edit.level->objects) {
-        if (edit.selection.contains(object.key) && !std::holds_alternative<ConnectorObject>(object.data)) {
+        if (std::ranges::binary_search(keys, object.key) && !std::holds_alternative<ConnectorObject>(object.data)) {
             const PointSum points = pointsOf(outlines.of(object));
             all.sum += points.sum;
             all.count += points.count;
@@ -69,13 +72,19 @@ std::optional<FinishedEdit> nudgeSelected(const ToolContext& context, const Vec2
 
 std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double radians) {
     const Selection& selection = context.edit.selection;
-    const std::optional<Vec2> middle = middleOf(context.edit);
-    if (!middle) {
+    std::optional<Vec2> pivot = selection.pivot();
+    if (!pivot) {
+        pivot = middleOf(context.edit);
+        if (pivot && context.snap.grid && context.snap.step > 0) {
+            pivot = onGrid(context.snap, *pivot);
+        }
+    }
+    if (!pivot) {
         return {};
     }
-    return FinishedEdit{labelOf("rotate", selection),
-                        withLevel(context.edit, rotated(*context.edit.level, selection.keys(), *middle, radians)),
-                        "rotate"};
+    Edit edit = withLevel(context.edit, rotated(*context.edit.level, selection.keys(), *pivot, radians));
+    edit.selection = selection.withPivot(pivot);
+    return FinishedEdit{labelOf("rotate", selection), std::move(edit), "rotate"};
 }
 
 std::optional<FinishedEdit> reverseSelected(const ToolContext& context) {
@@ -87,22 +96,14 @@ std::optional<FinishedEdit> reverseSelected(const ToolContext& context) {
                         withLevel(context.edit, reversed(*context.edit.level, selection.keys()))};
 }
 
-Selection selectAll(const Level& level) {
-    std::vector<Key> keys;
-    for (const Object& object : level.objects) {
-        keys.push_back(object.key);
-    }
-    return Selection(std::move(keys));
+Selection selectAll(const Edit& edit) {
+    return Selection(selectableKeys(*edit.level, edit.selection.entered())).entering(edit.selection.entered());
 }
 
 Selection invertedSelection(const Edit& edit) {
-    std::vector<Key> keys;
-    for (const Object& object : edit.level->objects) {
-        if (!edit.selection.contains(object.key)) {
-            keys.push_back(object.key);
-        }
-    }
-    return Selection(std::move(keys));
+    std::vector<Key> keys = selectableKeys(*edit.level, edit.selection.entered());
+    std::erase_if(keys, [&edit](Key key) { return edit.selection.contains(key); });
+    return Selection(std::move(keys)).entering(edit.selection.entered());
 }
 
 } // namespace spacetow

@@ -13,13 +13,15 @@ std::optional<FinishedEdit> removeSelected(const ToolContext& context);
 std::optional<FinishedEdit> duplicateSelected(const ToolContext& context);
 /// By `delta` metres. Repeated within a second it stays one history entry.
 std::optional<FinishedEdit> nudgeSelected(const ToolContext& context, const Vec2& delta);
-/// Anticlockwise about the middle of the selection's points, which a rotation leaves where it is. Repeated within a
-/// second it stays one history entry.
+/// Anticlockwise about the pivot of the selection. Without one it is the middle of the selection's points, on the grid
+/// while points snap to it, so that quarter turns keep on the grid what is on it; the selection remembers that pivot,
+/// so that four quarters bring back every bit. Repeated within a second it stays one history entry.
 std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double radians);
 /// Turns the solid side of the selected one-way walls round.
 std::optional<FinishedEdit> reverseSelected(const ToolContext& context);
 
-Selection selectAll(const Level& level);
+/// What clicks could select in the group that was entered; see selectableKeys.
+Selection selectAll(const Edit& edit);
 Selection invertedSelection(const Edit& edit);
 
 } // namespace spacetow

@@ -38,6 +38,8 @@ class Reader {
     void tags(const Field& field, TagMask value, TagMask) { add(field.name, field, value); }
     void touches(const Field& field, TagMask value) { add(field.name, field, value); }
     void key(const Field&, Key) {}
+    void optionalKey(const Field&, Key) {}
+    void optionalColor(const Field&, const std::optional<std::uint32_t>&) {}
     void shapes(const Field&, const std::vector<LevelShape>& shapes) {
         m_inShape = true;
         for (const LevelShape& shape : shapes) {
@@ -103,6 +105,8 @@ class Writer {
     void tags(const Field& field, TagMask& value, TagMask) const { set(field.name, value); }
     void touches(const Field& field, TagMask& value) const { set(field.name, value); }
     void key(const Field&, Key) const {}
+    void optionalKey(const Field&, Key) const {}
+    void optionalColor(const Field&, const std::optional<std::uint32_t>&) const {}
     void shapes(const Field&, std::vector<LevelShape>& shapes) const {
         for (LevelShape& shape : shapes) {
             std::visit([this](auto& of) { visitFields(*this, of); }, shape);

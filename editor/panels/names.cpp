@@ -38,6 +38,9 @@ QString kindName(const Object& object) {
     if (std::holds_alternative<PayloadObject>(object.data)) {
         return Names::tr("Payload");
     }
+    if (const auto* group = std::get_if<GroupObject>(&object.data)) {
+        return group->layer ? Names::tr("Layer") : Names::tr("Group");
+    }
     return std::holds_alternative<FinishObject>(object.data) ? Names::tr("Finish") : Names::tr("Connector");
 }
 

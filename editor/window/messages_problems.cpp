@@ -99,6 +99,15 @@ constexpr MessageText problems[] = {
      QT_TRANSLATE_NOOP("messages", "All vertices of the polygon lie on one line: it encloses nothing.")},
     {"polygon-clockwise",
      QT_TRANSLATE_NOOP("messages", "The vertices of the polygon run clockwise; they are taken the other way round.")},
+    {"parent-missing", QT_TRANSLATE_NOOP("messages", "It belongs to the group %1, which does not exist; it is shown at "
+                                                     "the top. Put it into another group, or to the top.")},
+    {"parent-no-group", QT_TRANSLATE_NOOP("messages", "It belongs to the object %1, which is not a group; it is shown "
+                                                      "at the top. Put it into another group, or to the top.")},
+    {"parent-circle", QT_TRANSLATE_NOOP("messages", "It is in the group %1, which is in it, directly or not; it is "
+                                                    "shown at the top. Put one of them to the top.")},
+    {"layer-in-group", QT_TRANSLATE_NOOP("messages", "A layer is in another group. Layers are at the top: put it "
+                                                     "there, or make it an ordinary group.")},
+    {"hidden-in-play", QT_TRANSLATE_NOOP("messages", "It is hidden in the editor, but takes part in the game.")},
     {"connector-end-missing",
      QT_TRANSLATE_NOOP("messages", "The end “%1” of the connector is the object %2, which does not exist.")},
     {"connector-end-no-body",

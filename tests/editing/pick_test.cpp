@@ -3,7 +3,7 @@
 #include "core/base/random.h"
 #include "core/geometry/polygon.h"
 #include "core/level/edits.h"
-#include "editor/editing/outline.h"
+#include "core/level/outline.h"
 #include "tests/support/drive.h"
 #include "tests/support/test_main.h"
 

@@ -158,9 +158,9 @@ void VerbsTest::reversingWhatHasNoSideIsNoEntry() {
 
 void VerbsTest::allAndInverseComplementEachOther() {
     Editor editor({1, 4});
-    QCOMPARE(selectAll(editor.level()), Selection({1, 2, 3, 4, 5, 6, 7}));
+    QCOMPARE(selectAll(editor.document.current()), Selection({1, 2, 3, 4, 5, 6, 7}));
     QCOMPARE(invertedSelection(editor.document.current()), Selection({2, 3, 5, 6, 7}));
-    editor.document.select(selectAll(editor.level()));
+    editor.document.select(selectAll(editor.document.current()));
     QVERIFY(invertedSelection(editor.document.current()).empty());
 }
 
@@ -189,7 +189,7 @@ void VerbsTest::pasteInPlaceGivesFreshKeys() {
         QVERIFY(editor.run(pasted(editor.toolbox.context(), text, std::nullopt)));
     }
     QCOMPARE(editor.level().objects.size(), 10);
-    QCOMPARE(selectAll(editor.level()).size(), 10); // no key twice
+    QCOMPARE(selectAll(editor.document.current()).size(), 10); // no key twice
     QVERIFY(editor.body(editor.newest().key) == editor.body(4));
 }
 

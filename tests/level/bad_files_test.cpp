@@ -79,7 +79,7 @@ class BadFilesTest : public QObject {
         row("a list", "[]", "not-a-level");
         row("a number", "\n7\n", "not-a-level", 2);
         row("no schema", "{\"objects\": []}", "missing-schema");
-        row("newer schema", "{\"name\": 5,\n\"schema\": 2}", "newer-schema", 2);
+        row("newer schema", "{\"name\": 5,\n\"schema\": 3}", "newer-schema", 2);
         row("schema zero", "{\"schema\": 0}", "bad-schema");
         row("schema in words", "{\"schema\": \"one\"}", "bad-schema");
         row("field twice", "{\"schema\": 1, \"objects\": [],\n\"objects\": []}", "duplicate-field", 2);

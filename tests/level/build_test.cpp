@@ -54,7 +54,7 @@ class BuildTest : public QObject {
         std::get<BodyObject>(thawed.data).frozen = false;
         level.objects.replace(0, thawed);
         const BuiltWorld built = builtWorld(level);
-        QCOMPARE(built.bodies.size(), std::size_t{2});
+        QCOMPARE(built.bodies.size(), std::size_t{3});
         QCOMPARE(built.bodies[0].first, Key{1});
         const auto& object = std::get<BodyObject>(level.objects[0].data);
         const BodyState body = built.world.body(built.bodies[0].second);

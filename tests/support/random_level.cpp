@@ -22,6 +22,9 @@ class Maker {
         level.substeps = 1 + below(100);
         level.rules = {1 + below(9), m_random.uniform(0.1, 5), chance(), chance() ? "stars" : text()};
         fillTags(level.tags);
+        for (int i = below(3); i > 0; --i) {
+            level.guides.push_back({point(), number(), text()});
+        }
         for (int i = 0; i < objects; ++i) {
             level.objects.append(object(level));
         }
@@ -134,11 +137,25 @@ class Maker {
         }
         return connector;
     }
+    /// One of the groups that are there, or none.
+    Key group(const Level& level) {
+        std::vector<Key> groups;
+        for (const Object& object : level.objects) {
+            if (std::holds_alternative<GroupObject>(object.data)) {
+                groups.push_back(object.key);
+            }
+        }
+        const int chosen = below(static_cast<int>(groups.size()) + 1);
+        return chosen < std::ssize(groups) ? groups[static_cast<std::size_t>(chosen)] : 0;
+    }
     Object object(const Level& level) {
         Object object;
         object.key = freshKey(level, m_random.next());
         object.name = text();
-        switch (below(8)) {
+        object.parent = group(level);
+        object.visible = below(8) != 0;
+        object.locked = below(8) == 0;
+        switch (below(9)) {
         case 0:
             object.data = ShipObject{point(), number()};
             break;
@@ -150,6 +167,10 @@ class Maker {
             break;
         case 3:
             object.data = connector(level);
+            break;
+        case 4:
+            object.data = GroupObject{object.parent == 0 && chance(),
+                                      chance() ? std::optional(m_random.below(0x1000000)) : std::nullopt};
             break;
         default:
             object.data = body();
@@ -219,6 +240,10 @@ Level populatedLevel() {
     connector.limit = 10;
     connector.proportion = 0.75;
     level.objects.append({0x00000006, "connector", connector, {}});
+    level.objects.append({0x00000007, "layer", GroupObject{true, 0x336699}, {}, 0, true, true});
+    level.objects.append({0x00000008, "group", GroupObject{}, {}, 0x00000007});
+    level.objects.append({0x00000009, "hidden", plain, {}, 0x00000008, false, true});
+    level.guides = {{{1, 2}, 0.5, "ledge"}, {{3, 4}, 0, ""}};
     return level;
 }
 

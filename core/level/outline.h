@@ -1,13 +1,10 @@
 #pragma once
 // What an object looks like on the canvas, in world coordinates: for picking, for the ghost of what is being placed,
-// and for the middle about which a selection turns.
+// and for the middle about which a selection turns. A group looks like nothing: its members do.
 
 #include "core/geometry/shape.h"
-#include "core/level/level.h"
-#include "core/math/aabb.h"
-#include "core/math/transform.h"
+#include "core/level/object_geometry.h"
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,9 +20,6 @@ struct Outline {
     std::vector<OutlinePath> paths;
     std::vector<Circle> discs; // world, filled
 };
-
-/// Where the object's local origin is; nothing for connectors and the finish.
-std::optional<Transform> poseOf(const Object& object);
 
 /// Knows where the bodies are that connectors join, which would be a search for each connector otherwise.
 /// Valid for the level it was made from.

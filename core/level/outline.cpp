@@ -1,6 +1,6 @@
-#include "editor/editing/outline.h"
+#include "core/level/outline.h"
 
-#include "core/game/ship.h"
+#include "core/base/overloaded.h"
 #include "core/geometry/intersect.h"
 #include "core/geometry/polygon.h"
 
@@ -19,15 +19,19 @@ std::vector<Vec2> inWorld(std::vector<Vec2> points, const Transform& pose) {
 }
 
 void addShape(Outline& outline, const LevelShape& shape, const Transform& pose) {
-    if (const auto* edges = std::get_if<EdgeChain>(&shape)) {
-        outline.paths.push_back({inWorld(edges->vertices, pose), edges->closed, false});
-    } else if (const auto* lines = std::get_if<LineChain>(&shape)) {
-        outline.paths.push_back({inWorld(lines->vertices, pose), lines->closed, false});
-    } else if (const auto* polygon = std::get_if<Polygon>(&shape)) {
-        outline.paths.push_back({inWorld(polygon->vertices, pose), true, true});
-    } else if (const auto* circle = std::get_if<Circle>(&shape)) {
-        outline.discs.push_back({pose.toWorld(circle->center), circle->radius});
-    }
+    std::visit(Overloaded{[&](const EdgeChain& chain) {
+                              outline.paths.push_back({inWorld(chain.vertices, pose), chain.closed, false});
+                          },
+                          [&](const LineChain& chain) {
+                              outline.paths.push_back({inWorld(chain.vertices, pose), chain.closed, false});
+                          },
+                          [&](const Polygon& polygon) {
+                              outline.paths.push_back({inWorld(polygon.vertices, pose), true, true});
+                          },
+                          [&](const Circle& circle) {
+                              outline.discs.push_back({pose.toWorld(circle.center), circle.radius});
+                          }},
+               shape);
 }
 
 /// Calls `visit` with both ends of each segment until it returns true; a lone point is a segment of no length.
@@ -44,19 +48,6 @@ bool anySegment(const OutlinePath& path, Visit visit) {
 }
 
 } // namespace
-
-std::optional<Transform> poseOf(const Object& object) {
-    if (const auto* body = std::get_if<BodyObject>(&object.data)) {
-        return Transform{body->position, Rot::fromAngle(body->angle)};
-    }
-    if (const auto* ship = std::get_if<ShipObject>(&object.data)) {
-        return Transform{ship->position, Rot::fromAngle(ship->angle)};
-    }
-    if (const auto* payload = std::get_if<PayloadObject>(&object.data)) {
-        return Transform{payload->position, {}};
-    }
-    return {};
-}
 
 Outlines::Outlines(const Level& level) {
     for (const Object& object : level.objects) {
@@ -89,23 +80,32 @@ const Transform* Outlines::find(Key key) const {
 
 Outline Outlines::of(const Object& object) const {
     Outline outline;
-    if (const auto* body = std::get_if<BodyObject>(&object.data)) {
-        for (const LevelShape& shape : body->shapes) {
-            addShape(outline, shape, *poseOf(object));
-        }
-    } else if (std::holds_alternative<ShipObject>(object.data)) {
-        outline.paths.push_back({inWorld(shipHull().vertices, *poseOf(object)), true, true});
-    } else if (const auto* payload = std::get_if<PayloadObject>(&object.data)) {
-        outline.discs.push_back({payload->position, payload->radius});
-    } else if (const auto* finish = std::get_if<FinishObject>(&object.data)) {
-        outline.paths.push_back({{finish->a, finish->b}, false, false});
-    } else if (const auto* connector = std::get_if<ConnectorObject>(&object.data)) {
-        const Transform* a = find(connector->a);
-        const Transform* b = find(connector->b);
-        if (a && b) {
-            outline.paths.push_back({{a->toWorld(connector->anchorA), b->toWorld(connector->anchorB)}, false, false});
-        }
-    }
+    const std::optional<Transform> pose = poseOf(object);
+    std::visit(Overloaded{[&](const BodyObject& body) {
+                              for (const LevelShape& shape : body.shapes) {
+                                  addShape(outline, shape, *pose);
+                              }
+                          },
+                          [&](const ShipObject&) {
+                              const auto hull = shipOutline();
+                              outline.paths.push_back({inWorld({hull.begin(), hull.end()}, *pose), true, true});
+                          },
+                          [&](const PayloadObject& payload) {
+                              outline.discs.push_back({payload.position, payload.radius});
+                          },
+                          [&](const FinishObject& finish) {
+                              outline.paths.push_back({{finish.a, finish.b}, false, false});
+                          },
+                          [&](const ConnectorObject& connector) {
+                              const Transform* a = find(connector.a);
+                              const Transform* b = find(connector.b);
+                              if (a && b) {
+                                  outline.paths.push_back(
+                                      {{a->toWorld(connector.anchorA), b->toWorld(connector.anchorB)}, false, false});
+                              }
+                          },
+                          [](const GroupObject&) {}},
+               object.data);
     std::erase_if(outline.paths, [](const OutlinePath& path) { return path.points.empty(); });
     return outline;
 }

@@ -1,0 +1,246 @@
+#include "core/level/groups.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+std::vector<Key> sorted(std::span<const Key> keys) {
+    std::vector<Key> result(keys.begin(), keys.end());
+    std::ranges::sort(result);
+    return result;
+}
+
+bool has(const std::vector<Key>& keys, Key key) {
+    return std::ranges::binary_search(keys, key);
+}
+
+/// `change(object)` is applied to a copy of each object named by `keys`.
+template <class Change>
+Level changedObjects(Level level, const std::vector<Key>& keys, Change change) {
+    for (int i = 0; i < level.objects.size(); ++i) {
+        if (has(keys, level.objects[i].key)) {
+            Object object = level.objects[i];
+            change(object);
+            if (!(object == level.objects[i])) {
+                level.objects.replace(i, std::move(object));
+            }
+        }
+    }
+    return level;
+}
+
+/// Those of the keys that are in no other of them.
+std::vector<Key> outermost(const Level& level, std::span<const Key> keys) {
+    const GroupTree tree(level);
+    const std::vector<Key> wanted = sorted(keys);
+    std::vector<Key> result;
+    for (const Object& object : level.objects) {
+        if (!has(wanted, object.key)) {
+            continue;
+        }
+        const Object* parent = tree.parentOf(object);
+        while (parent != nullptr && !has(wanted, parent->key)) {
+            parent = tree.parentOf(*parent);
+        }
+        if (parent == nullptr) {
+            result.push_back(object.key);
+        }
+    }
+    std::ranges::sort(result);
+    return result;
+}
+
+} // namespace
+
+GroupTree::GroupTree(const Level& level) {
+    for (const Object& object : level.objects) {
+        if (std::holds_alternative<GroupObject>(object.data)) {
+            m_groups.emplace_back(object.key, &object);
+        }
+    }
+    std::ranges::stable_sort(m_groups, {}, &std::pair<Key, const Object*>::first);
+    const auto leadsRound = [this](const std::pair<Key, const Object*>& entry) {
+        const Object* group = entry.second;
+        for (std::size_t steps = 0; steps <= m_groups.size(); ++steps) {
+            group = group->parent == 0 ? nullptr : groupOf(group->parent);
+            if (group == nullptr) {
+                return false;
+            }
+        }
+        return true;
+    };
+    std::vector<std::pair<Key, const Object*>> sound;
+    std::ranges::copy_if(m_groups, std::back_inserter(sound), [&](const auto& entry) { return !leadsRound(entry); });
+    m_groups = std::move(sound);
+}
+
+const Object* GroupTree::groupOf(Key key) const {
+    const auto found = std::ranges::lower_bound(m_groups, key, {}, &std::pair<Key, const Object*>::first);
+    return found != m_groups.end() && found->first == key ? found->second : nullptr;
+}
+
+const Object* GroupTree::parentOf(const Object& object) const {
+    if (object.parent == 0 || m_groups.empty()) {
+        return nullptr;
+    }
+    // A group that leads round is not listed, so it counts as being at the top.
+    if (std::holds_alternative<GroupObject>(object.data) && groupOf(object.key) != &object) {
+        return nullptr;
+    }
+    return groupOf(object.parent);
+}
+
+bool GroupTree::isWithin(const Object& object, Key group) const {
+    for (const Object* parent = parentOf(object); parent != nullptr; parent = parentOf(*parent)) {
+        if (parent->key == group) {
+            return true;
+        }
+    }
+    return false;
+}
+
+const Object* GroupTree::memberOf(Key entered, const Object& object) const {
+    const Object* member = &object;
+    for (;;) {
+        const Object* parent = parentOf(*member);
+        if (parent == nullptr) {
+            return entered == 0 ? member : nullptr;
+        }
+        if (parent->key == entered) {
+            return member;
+        }
+        // A layer is no thing to be grabbed: what is in it is reached as if it were at the top.
+        if (entered == 0 && std::get<GroupObject>(parent->data).layer) {
+            return member;
+        }
+        member = parent;
+    }
+}
+
+bool GroupTree::isVisible(const Object& object) const {
+    for (const Object* each = &object; each != nullptr; each = parentOf(*each)) {
+        if (!each->visible) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool GroupTree::isLocked(const Object& object) const {
+    for (const Object* each = &object; each != nullptr; each = parentOf(*each)) {
+        if (each->locked) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<Key> withMembers(const Level& level, std::span<const Key> keys) {
+    std::vector<Key> result = sorted(keys);
+    const GroupTree tree(level);
+    if (!tree.hasGroups()) {
+        return result;
+    }
+    const std::vector<Key> wanted = result;
+    for (const Object& object : level.objects) {
+        for (const Object* parent = tree.parentOf(object); parent != nullptr; parent = tree.parentOf(*parent)) {
+            if (has(wanted, parent->key)) {
+                result.push_back(object.key);
+                break;
+            }
+        }
+    }
+    std::ranges::sort(result);
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+std::vector<Key> selectableKeys(const Level& level, Key entered) {
+    const GroupTree tree(level);
+    std::vector<Key> keys;
+    for (const Object& object : level.objects) {
+        const auto* group = std::get_if<GroupObject>(&object.data);
+        if ((group == nullptr || !group->layer) && tree.memberOf(entered, object) == &object &&
+            tree.isVisible(object) && !tree.isLocked(object)) {
+            keys.push_back(object.key);
+        }
+    }
+    return keys;
+}
+
+Level grouped(Level level, std::span<const Key> keys, Object group) {
+    EXPECTS(group.key != 0 && level.objects.find(group.key) == nullptr);
+    EXPECTS(std::holds_alternative<GroupObject>(group.data));
+    const std::vector<Key> members = outermost(level, keys);
+    int first = -1;
+    for (int i = 0; i < level.objects.size() && first < 0; ++i) {
+        first = has(members, level.objects[i].key) ? i : -1;
+    }
+    if (first < 0) {
+        return level;
+    }
+    const Object* parent = GroupTree(level).parentOf(level.objects[first]);
+    group.parent = parent == nullptr || std::get<GroupObject>(group.data).layer ? 0 : parent->key;
+    const Key key = group.key;
+    level = changedObjects(std::move(level), members, [key](Object& object) { object.parent = key; });
+    level.objects.insert(first, std::move(group));
+    return level;
+}
+
+Level ungrouped(Level level, std::span<const Key> keys) {
+    const std::vector<Key> wanted = sorted(keys);
+    for (int i = 0; i < level.objects.size(); ++i) {
+        const Object group = level.objects[i];
+        if (!has(wanted, group.key) || !std::holds_alternative<GroupObject>(group.data)) {
+            continue;
+        }
+        for (int j = 0; j < level.objects.size(); ++j) {
+            if (level.objects[j].parent == group.key && j != i) {
+                Object member = level.objects[j];
+                member.parent = group.parent == group.key ? 0 : group.parent;
+                level.objects.replace(j, std::move(member));
+            }
+        }
+        level.objects.erase(i--);
+    }
+    return level;
+}
+
+Level regrouped(Level level, std::span<const Key> keys, const ObjectPlace& place) {
+    std::vector<Key> wanted = outermost(level, keys);
+    if (place.parent != 0) {
+        const Object* parent = level.objects.find(place.parent);
+        if (parent == nullptr || !std::holds_alternative<GroupObject>(parent->data)) {
+            return level;
+        }
+        const GroupTree tree(level);
+        std::erase_if(wanted, [&](Key key) { return key == place.parent || tree.isWithin(*parent, key); });
+    }
+    std::erase(wanted, place.before);
+    std::vector<Object> shifted;
+    for (const Object& object : level.objects) {
+        if (has(wanted, object.key)) {
+            shifted.push_back(object);
+            shifted.back().parent = place.parent;
+        }
+    }
+    level.objects.eraseIf([&wanted](const Object& object) { return has(wanted, object.key); });
+    int index = place.before == 0 ? -1 : level.objects.indexOf(place.before);
+    index = index < 0 ? level.objects.size() : index;
+    for (Object& object : shifted) {
+        level.objects.insert(index++, std::move(object));
+    }
+    return level;
+}
+
+Level withVisible(Level level, std::span<const Key> keys, bool visible) {
+    return changedObjects(std::move(level), sorted(keys), [visible](Object& object) { object.visible = visible; });
+}
+
+Level withLocked(Level level, std::span<const Key> keys, bool locked) {
+    return changedObjects(std::move(level), sorted(keys), [locked](Object& object) { object.locked = locked; });
+}
+
+} // namespace spacetow

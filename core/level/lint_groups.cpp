@@ -1,0 +1,41 @@
+#include "core/level/groups.h"
+#include "core/level/key_index.h"
+#include "core/level/key_text.h"
+#include "core/level/lint_findings.h"
+
+namespace spacetow {
+
+namespace {
+
+bool isPlayed(const Object& object) {
+    return std::holds_alternative<ShipObject>(object.data) || std::holds_alternative<PayloadObject>(object.data) ||
+           std::holds_alternative<FinishObject>(object.data);
+}
+
+} // namespace
+
+/// Warnings alone: the game does not ask who is in which group.
+void checkGroups(const Level& level, Findings& findings) {
+    const KeyIndex index(level.objects);
+    const GroupTree tree(level);
+    for (int i = 0; i < level.objects.size(); ++i) {
+        const Object& object = level.objects[i];
+        const FindingPlace place{i, object.key, "/parent"};
+        const Object* parent = object.parent == 0 ? nullptr : index.find(object.parent);
+        const auto* group = std::get_if<GroupObject>(&object.data);
+        if (object.parent != 0 && parent == nullptr) {
+            findings.add(Severity::Warning, "parent-missing", {keyText(object.parent)}, place);
+        } else if (parent != nullptr && !std::holds_alternative<GroupObject>(parent->data)) {
+            findings.add(Severity::Warning, "parent-no-group", {keyText(object.parent)}, place);
+        } else if (parent != nullptr && group != nullptr && tree.parentOf(object) != parent) {
+            findings.add(Severity::Warning, "parent-circle", {keyText(object.parent)}, place);
+        } else if (parent != nullptr && group != nullptr && group->layer) {
+            findings.add(Severity::Warning, "layer-in-group", {}, {i, object.key, "/layer"});
+        }
+        if (isPlayed(object) && !tree.isVisible(object)) {
+            findings.add(Severity::Warning, "hidden-in-play", {}, {i, object.key, "/visible"});
+        }
+    }
+}
+
+} // namespace spacetow
