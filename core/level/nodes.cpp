@@ -9,9 +9,8 @@ namespace spacetow {
 
 namespace {
 
-/// The vertices of a shape, null when it has none.
 template <class Shape>
-auto* verticesOf(Shape& shape) {
+auto* verticesIn(Shape& shape) {
     using Vertices = std::conditional_t<std::is_const_v<Shape>, const std::vector<Vec2>, std::vector<Vec2>>;
     return std::visit(
         [](auto& of) -> Vertices* {
@@ -24,12 +23,24 @@ auto* verticesOf(Shape& shape) {
         shape);
 }
 
+} // namespace
+
+std::vector<Vec2>* verticesOf(LevelShape& shape) {
+    return verticesIn(shape);
+}
+
+const std::vector<Vec2>* verticesOf(const LevelShape& shape) {
+    return verticesIn(shape);
+}
+
 bool isClosed(const LevelShape& shape) {
     return std::visit(Overloaded{[](const EdgeChain& chain) { return chain.closed; },
                                  [](const LineChain& chain) { return chain.closed; },
                                  [](const Polygon&) { return true; }, [](const Circle&) { return false; }},
                       shape);
 }
+
+namespace {
 
 void mapNode(BodyObject& body, const NodeRef& node, const Affine& map) {
     if (node.shape < 0 || node.shape >= std::ssize(body.shapes)) {

@@ -33,6 +33,12 @@ struct NodePath {
     const Vec2& end(int segment) const { return points[static_cast<std::size_t>(segment + 1) % points.size()]; }
 };
 
+/// The vertices of a shape, local to its body; null for a circle.
+std::vector<Vec2>* verticesOf(LevelShape& shape);
+const std::vector<Vec2>* verticesOf(const LevelShape& shape);
+/// Whether the last vertex is joined to the first.
+bool isClosed(const LevelShape& shape);
+
 /// Of all shapes that have nodes; circles, ship, payload, connectors and groups have none.
 std::vector<NodePath> nodePaths(const ObjectData& data);
 bool hasNode(const ObjectData& data, int shape, int vertex);

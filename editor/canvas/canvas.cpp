@@ -1,6 +1,7 @@
 #include "editor/canvas/canvas.h"
 
 #include "core/level/edits.h"
+#include "editor/canvas/node_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/scene_painter.h"
 
@@ -28,6 +29,8 @@ Qt::CursorShape shapeFor(CursorShape shape) {
         return Qt::SizeAllCursor;
     case CursorShape::OpenHand:
         return Qt::OpenHandCursor;
+    case CursorShape::Insert:
+        return Qt::DragCopyCursor;
     case CursorShape::Pointing:
         break;
     }
@@ -161,7 +164,11 @@ void Canvas::paintEvent(QPaintEvent*) {
         }
         paintSelection(stage, *shown.level, shown.selection);
     }
-    paintToolOverlay(stage, m_toolbox.overlay());
+    const Overlay overlay = m_toolbox.overlay();
+    if (overlay.nodes) {
+        paintNodes(stage, *shown.level, shown.selection, *overlay.nodes);
+    }
+    paintToolOverlay(stage, overlay);
     if (hasFocus()) {
         painter.setPen(stroke(palette().color(QPalette::Highlight), 1));
         painter.setBrush(Qt::NoBrush);

@@ -13,6 +13,25 @@ inline constexpr auto hintCodes = std::to_array<std::string_view>({
     "select.selected", // number of objects
     "select.moving",   // m to the right, m upwards
     "select.band",     // number of objects
+    "select.node",
+    "nodes.none",
+    "nodes.without",
+    "nodes.idle",
+    "nodes.object",
+    "nodes.selected", // number of nodes
+    "nodes.node",
+    "nodes.segment",
+    "nodes.insert",
+    "nodes.moving",          // m to the right, m upwards
+    "nodes.moving-together", // m to the right, m upwards
+    "nodes.together",
+    "nodes.crosses",
+    "nodes.band",  // number of nodes
+    "nodes.lasso", // number of nodes
+    "knife.idle",
+    "knife.selected", // number of objects
+    "knife.cutting",  // number of places
+    "knife.nothing",
     "draw-edge.start",
     "draw-edge.next",  // number of points, m, degrees
     "draw-edge.close", // number of points
@@ -54,6 +73,16 @@ inline constexpr auto labelCodes = std::to_array<std::string_view>({
     "rotate",
     "reverse",
     "delete",
+    "move-nodes",
+    "rotate-nodes",
+    "insert-nodes",
+    "delete-nodes",
+    "delete-segments",
+    "join-nodes",
+    "break-nodes",
+    "reverse-part",
+    "straighten-nodes",
+    "knife",
     "duplicate",
     "cut",
     "paste",

@@ -1,10 +1,12 @@
 #pragma once
 // What a tool draws over the level while it is at work, in world coordinates. The canvas decides colours and widths.
 
+#include "core/level/nodes.h"
 #include "core/math/aabb.h"
 #include "core/math/vec.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,11 +42,19 @@ struct OverlayText {
     std::string text;
 };
 
+/// The nodes of objects in edit. Which of them are selected stands in the selection; only those in view are looked at.
+struct OverlayNodes {
+    std::vector<Key> keys;    // of the objects, ascending
+    std::vector<NodeRef> hot; // under the pointer; of a segment both ends
+    bool hotSegment = false;
+};
+
 struct Overlay {
     std::vector<OverlayLine> lines;
     std::vector<OverlayPoint> points;
     std::vector<OverlayCircle> circles;
     std::vector<OverlayText> texts;
+    std::optional<OverlayNodes> nodes;
 };
 
 } // namespace spacetow

@@ -1,8 +1,10 @@
 #include "editor/editing/select_tool.h"
 
 #include "core/level/outline.h"
-#include "editor/editing/pick.h"
+#include "editor/editing/node_pick.h"
+#include "editor/editing/node_tool.h"
 #include "editor/editing/select_gestures.h"
+#include "editor/editing/tools.h"
 
 #include <algorithm>
 
@@ -52,6 +54,9 @@ Key nextInPile(const std::vector<Key>& pile, const Selection& selection) {
 std::unique_ptr<Gesture> SelectTool::press(const ToolContext& context, const Pointer& pointer) {
     const Edit& edit = context.edit;
     const Modifiers& held = pointer.modifiers;
+    if (auto node = dragOfNode(context, pointer)) {
+        return node;
+    }
     if (held.alt && !held.shift && !edit.selection.empty()) {
         return std::make_unique<MoveGesture>(context, pointer, nearestPlace(edit, pointer.world));
     }
@@ -89,12 +94,23 @@ std::optional<FinishedEdit> SelectTool::secondaryClick(const ToolContext& contex
     return selecting(context, Selection({pile.front()}));
 }
 
+std::optional<ToolId> SelectTool::toolAfterDoubleClick(const ToolContext& context, const Pointer& pointer) const {
+    const std::vector<Key> pile = underPointer(context, pointer);
+    const bool held = pointer.modifiers != Modifiers();
+    return !held && !pile.empty() && hasNodes(context.edit.level->objects.find(pile.front())->data)
+               ? std::optional(ToolId::Nodes)
+               : std::nullopt;
+}
+
 Overlay SelectTool::overlay(const ToolContext&, const Pointer&) const {
     return {};
 }
 
 Hint SelectTool::hint(const ToolContext& context, const Pointer& pointer) const {
     const Selection& selection = context.edit.selection;
+    if (isOnNode(context, pointer)) {
+        return {"select.node", {}};
+    }
     const std::vector<Key> pile = underPointer(context, pointer);
     if (!pile.empty() && !selection.contains(pile.front())) {
         return {"select.object", {}};

@@ -15,6 +15,8 @@ class SelectTool : public Tool {
     std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
     /// With Shift or Ctrl toggles, with Alt goes on to the object underneath.
     std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;
+    /// The node tool edits what was hit.
+    std::optional<ToolId> toolAfterDoubleClick(const ToolContext& context, const Pointer& pointer) const override;
     /// Selects what the menu that may now open will be about.
     std::optional<FinishedEdit> secondaryClick(const ToolContext& context, const Pointer& pointer) override;
 

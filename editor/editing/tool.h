@@ -22,7 +22,8 @@ struct Hint {
     bool operator==(const Hint&) const = default;
 };
 
-enum class CursorShape : std::uint8_t { Arrow, Cross, Move, OpenHand, Pointing };
+enum class ToolId : std::uint8_t; // see tools.h
+enum class CursorShape : std::uint8_t { Arrow, Cross, Move, OpenHand, Pointing, Insert };
 
 /// Lives as long as a drag; made from the edit it starts with.
 class Gesture {
@@ -30,6 +31,8 @@ class Gesture {
     virtual ~Gesture() = default;
     /// The edit that releasing at this pointer would make.
     virtual Edit at(const Pointer& pointer) const = 0;
+    /// The pointer goes on; for drags that depend on the way, as a lasso does. Called before `at`.
+    virtual void follow(const Pointer&) {}
     virtual Label label() const = 0;
     virtual Overlay overlay(const Pointer&) const { return {}; }
     virtual Hint hint(const Pointer& pointer) const = 0;
@@ -68,6 +71,8 @@ class Tool {
         return click(context, pointer);
     }
     virtual std::optional<FinishedEdit> doubleClick(const ToolContext&, const Pointer&) { return {}; }
+    /// The tool that goes on where a double click has finished nothing.
+    virtual std::optional<ToolId> toolAfterDoubleClick(const ToolContext&, const Pointer&) const { return {}; }
     virtual std::optional<FinishedEdit> secondaryClick(const ToolContext&, const Pointer&) { return {}; }
     virtual std::optional<FinishedEdit> key(const ToolContext&, ToolKey, const Pointer&) { return {}; }
     /// The pointer moved without a gesture, whether the button is down or not.
@@ -78,6 +83,8 @@ class Tool {
     virtual void cancel() {}
 
     virtual Overlay overlay(const ToolContext& context, const Pointer& pointer) const = 0;
+    /// What of it stays while the pointer is elsewhere. `pixel` is the size of one, m.
+    virtual Overlay standing(const ToolContext&, double /*pixel*/) const { return {}; }
     virtual Hint hint(const ToolContext& context, const Pointer& pointer) const = 0;
     virtual CursorShape cursor(const ToolContext& context, const Pointer& pointer) const = 0;
 };

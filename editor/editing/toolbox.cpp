@@ -94,6 +94,10 @@ Toolbox::~Toolbox() {
 void Toolbox::choose(ToolId tool) {
     State& state = *m_state;
     cancel();
+    const Selection& selection = state.document.selection();
+    if (state.current == ToolId::Nodes && tool != ToolId::Nodes && !selection.nodes().empty()) {
+        state.document.select(selection.withNodes({})); // what other tools do is done to objects
+    }
     std::erase(state.before, tool);
     state.before.push_back(tool);
     state.current = tool;
@@ -131,6 +135,7 @@ void Toolbox::move(const Pointer& pointer) {
     state.inside = true;
     state.noticeDrag(pointer);
     if (state.gestureShows()) {
+        state.gesture->follow(pointer);
         state.document.preview(state.gesture->at(pointer));
     } else {
         state.tool().hover(state.context(snap), pointer);
@@ -163,7 +168,11 @@ void Toolbox::release(const Pointer& pointer) {
 void Toolbox::doubleClick(const Pointer& pointer) {
     m_state->abandon();
     m_state->last = pointer;
-    finish(m_state->tool().doubleClick(context(), pointer));
+    if (!finish(m_state->tool().doubleClick(context(), pointer))) {
+        if (const std::optional<ToolId> next = m_state->tool().toolAfterDoubleClick(context(), pointer)) {
+            choose(*next);
+        }
+    }
     changed.emit();
 }
 
@@ -193,6 +202,10 @@ void Toolbox::key(ToolKey key, const Pointer& pointer) {
             state.abandon();
         } else if (busy) {
             state.tool().cancel();
+        } else if (!state.document.selection().nodes().empty()) {
+            state.document.select(state.document.selection().withNodes({}));
+        } else if (state.current == ToolId::Nodes) {
+            choose(ToolId::Select);
         } else if (!state.document.selection().empty()) {
             state.document.select({});
         } else {
@@ -242,7 +255,7 @@ Overlay Toolbox::overlay() const {
         return state.gesture->overlay(state.last);
     }
     if (!state.inside && !state.tool().isBusy()) {
-        return {};
+        return state.tool().standing(state.context(snap), state.last.pixel);
     }
     return state.tool().overlay(state.context(snap), state.last);
 }

@@ -2,6 +2,8 @@
 
 #include "editor/editing/circle_tool.h"
 #include "editor/editing/draw_tool.h"
+#include "editor/editing/knife_tool.h"
+#include "editor/editing/node_tool.h"
 #include "editor/editing/place_tool.h"
 #include "editor/editing/select_tool.h"
 
@@ -16,6 +18,7 @@ std::unique_ptr<Tool> make() {
 
 constexpr ToolRow rows[] = {
     {ToolId::Select, make<SelectTool>},
+    {ToolId::Nodes, make<NodeTool>},
     {ToolId::Edge, make<DrawTool, DrawKind::Edge>},
     {ToolId::Line, make<DrawTool, DrawKind::Line>},
     {ToolId::Polygon, make<DrawTool, DrawKind::Polygon>},
@@ -23,6 +26,7 @@ constexpr ToolRow rows[] = {
     {ToolId::Ship, make<PlaceTool, PlaceKind::Ship>},
     {ToolId::Payload, make<PlaceTool, PlaceKind::Payload>},
     {ToolId::Finish, make<PlaceTool, PlaceKind::Finish>},
+    {ToolId::Knife, make<KnifeTool>},
 };
 
 } // namespace

@@ -13,6 +13,7 @@ namespace spacetow {
 
 enum class ToolId : std::uint8_t {
     Select,
+    Nodes,
     Edge,
     Line,
     Polygon,
@@ -20,6 +21,7 @@ enum class ToolId : std::uint8_t {
     Ship,
     Payload,
     Finish,
+    Knife,
 };
 
 struct ToolRow {

@@ -3,6 +3,7 @@
 #include "core/level/edits.h"
 #include "core/level/groups.h"
 #include "core/level/outline.h"
+#include "editor/editing/node_verbs.h"
 
 #include <algorithm>
 #include <utility>
@@ -41,6 +42,9 @@ std::optional<Vec2> middleOf(const Edit& edit) {
 
 std::optional<FinishedEdit> removeSelected(const ToolContext& context) {
     const Selection& selection = context.edit.selection;
+    if (!selection.nodes().empty()) {
+        return removeNodes(context);
+    }
     if (selection.empty()) {
         return {};
     }
@@ -63,6 +67,9 @@ std::optional<FinishedEdit> duplicateSelected(const ToolContext& context) {
 
 std::optional<FinishedEdit> nudgeSelected(const ToolContext& context, const Vec2& delta) {
     const Selection& selection = context.edit.selection;
+    if (!selection.nodes().empty()) {
+        return nudgeNodes(context, delta);
+    }
     if (selection.empty()) {
         return {};
     }
@@ -72,6 +79,9 @@ std::optional<FinishedEdit> nudgeSelected(const ToolContext& context, const Vec2
 
 std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double radians) {
     const Selection& selection = context.edit.selection;
+    if (!selection.nodes().empty()) {
+        return rotateNodes(context, radians);
+    }
     std::optional<Vec2> pivot = selection.pivot();
     if (!pivot) {
         pivot = middleOf(context.edit);
@@ -89,6 +99,9 @@ std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double ra
 
 std::optional<FinishedEdit> reverseSelected(const ToolContext& context) {
     const Selection& selection = context.edit.selection;
+    if (!selection.nodes().empty()) {
+        return reverseNodes(context);
+    }
     if (selection.empty()) {
         return {};
     }

@@ -1,6 +1,7 @@
 #pragma once
 // What menus and keys do to the selection, without a drag. Each gives the finished edit, or nothing when there is
-// nothing to do; Toolbox::finish makes it a history entry.
+// nothing to do; Toolbox::finish makes it a history entry. Where nodes are selected, removing, nudging, turning and
+// reversing is done to them; see node_verbs.h.
 
 #include "editor/editing/tool.h"
 

@@ -59,6 +59,16 @@ enum class Act : std::uint8_t {
     QuarterRight,
     Reverse,
 
+    // actions_nodes.cpp
+    InsertMidpoints,
+    DeleteSegments,
+    JoinNodes,
+    JoinBySegment,
+    BreakNodes,
+    StraightenNodes,
+    NextNode,
+    PreviousNode,
+
     // actions_level.cpp
     NextProblem,
     PreviousProblem,

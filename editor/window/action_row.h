@@ -52,6 +52,7 @@ std::span<const ActionRow> viewActions();
 std::span<const ActionRow> overlayActions();
 std::span<const ActionRow> toolActions();
 std::span<const ActionRow> objectActions();
+std::span<const ActionRow> nodeActions();
 std::span<const ActionRow> levelActions();
 std::span<const ActionRow> playActions();
 std::span<const ActionRow> helpActions();

@@ -13,7 +13,7 @@ namespace spacetow {
 namespace {
 
 constexpr auto topics = {fileActions,   editActions,  viewActions, overlayActions, toolActions,
-                         objectActions, levelActions, playActions, helpActions};
+                         objectActions, nodeActions, levelActions, playActions, helpActions};
 
 QString translated(const char* words) {
     return QCoreApplication::translate("Actions", words);

@@ -1,5 +1,6 @@
 // Undo, clipboard, selection.
 #include "editor/editing/clipboard.h"
+#include "editor/editing/node_verbs.h"
 #include "editor/editing/verbs.h"
 #include "editor/window/messages.h"
 #include "editor/window/verb_action.h"
@@ -19,6 +20,20 @@ void undo(MainWindow& window) {
 void redo(MainWindow& window) {
     window.toolbox().cancel();
     window.document().redo();
+}
+
+bool editsNodes(MainWindow& window) {
+    return window.toolbox().current() == ToolId::Nodes && !window.document().selection().empty();
+}
+
+void selectEverything(MainWindow& window) {
+    const Edit& shown = window.document().shown();
+    window.document().select(editsNodes(window) ? selectAllNodes(shown) : selectAll(shown));
+}
+
+void selectTheOthers(MainWindow& window) {
+    const Edit& shown = window.document().shown();
+    window.document().select(editsNodes(window) ? invertedNodes(shown) : invertedSelection(shown));
 }
 
 QString undoName(const MainWindow& window) {
@@ -136,7 +151,7 @@ constexpr ActionRow rows[] = {
      .keys = "Ctrl+A",
      .tip = QT_TRANSLATE_NOOP("Actions", "Select every object"),
      .flags = SeparatorBefore | InContextMenu,
-     .run = [](MainWindow& window) { window.document().select(selectAll(window.document().shown())); }},
+     .run = selectEverything},
     {.id = Act::SelectNone,
      .menu = MenuId::Edit,
      .text = QT_TRANSLATE_NOOP("Actions", "Select &None"),
@@ -148,9 +163,9 @@ constexpr ActionRow rows[] = {
      .menu = MenuId::Edit,
      .text = QT_TRANSLATE_NOOP("Actions", "In&vert Selection"),
      .icon = "invert",
-     .keys = "Ctrl+I",
+     .keys = "Ctrl+I !",
      .tip = QT_TRANSLATE_NOOP("Actions", "Select what is not selected"),
-     .run = [](MainWindow& window) { window.document().select(invertedSelection(window.document().shown())); }},
+     .run = selectTheOthers},
 };
 
 } // namespace

@@ -17,6 +17,9 @@ constexpr MessageText hints[] = {
     {"select.selected",
      QT_TRANSLATE_NOOP("messages", "%1 selected · drag: move · Alt + drag: move from anywhere · Shift or Ctrl + click: "
                                    "add or remove · Delete: remove · Escape: select nothing")},
+    {"select.node",
+     QT_TRANSLATE_NOOP("messages", "Node · drag: move it alone · Alt + drag: move the whole object · double "
+                                   "click: edit all nodes")},
     {"select.moving",
      QT_TRANSLATE_NOOP("messages",
                        "Moving by %1 m, %2 m · Shift: along one axis · Ctrl: snap off/on · Escape: cancel")},

@@ -21,6 +21,7 @@ std::span<const LabelText> labelTexts();
 /// Of all tools; those of a new one are declared here and listed in messages_hints.cpp.
 std::span<const MessageText> hintTexts();
 std::span<const MessageText> selectHints();
+std::span<const MessageText> nodeHints();
 std::span<const MessageText> drawHints();
 std::span<const MessageText> placeHints();
 

@@ -1,0 +1,18 @@
+#pragma once
+// Cuts along a line that is dragged: what is selected, or everything where nothing is.
+
+#include "editor/editing/tool.h"
+
+namespace spacetow {
+
+class KnifeTool : public Tool {
+  public:
+    std::string code() const override { return "knife"; }
+    std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
+
+    Overlay overlay(const ToolContext& context, const Pointer& pointer) const override;
+    Hint hint(const ToolContext& context, const Pointer& pointer) const override;
+    CursorShape cursor(const ToolContext&, const Pointer&) const override { return CursorShape::Cross; }
+};
+
+} // namespace spacetow

@@ -1,0 +1,137 @@
+#include "editor/editing/node_gestures.h"
+
+#include "core/geometry/polygon.h"
+#include "core/level/node_edits.h"
+#include "editor/editing/measure.h"
+#include "editor/editing/node_pick.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+std::vector<NodeRef> withThoseAtTheSamePlaces(const Level& level, const std::vector<NodeRef>& nodes) {
+    std::vector<Vec2> places;
+    for (const NodeRef& node : nodes) {
+        if (const std::optional<Vec2> at = nodePosition(level, node)) {
+            places.push_back(*at);
+        }
+    }
+    std::vector<NodeRef> all = nodesAt(level, places);
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+} // namespace
+
+MoveNodesGesture::MoveNodesGesture(const ToolContext& context, NodeDrag drag)
+    : m_edit(context.edit), m_snap(context.snap), m_drag(std::move(drag)),
+      m_together(withThoseAtTheSamePlaces(*m_edit.level, m_drag.nodes)) {}
+
+Vec2 MoveNodesGesture::deltaAt(const Pointer& pointer) const {
+    const Vec2 way = pointer.world - m_drag.start;
+    Pointer target = pointer;
+    target.world = m_drag.reference + way;
+    Vec2 delta = snapped(m_snap, target) - m_drag.reference;
+    if (pointer.modifiers.shift) {
+        delta[std::abs(way.x()) < std::abs(way.y()) ? 0 : 1] = 0;
+    }
+    return delta;
+}
+
+Edit MoveNodesGesture::at(const Pointer& pointer) const {
+    const Vec2 delta = deltaAt(pointer);
+    if (delta == Vec2(0, 0)) {
+        return m_edit;
+    }
+    const std::vector<NodeRef>& nodes = pointer.modifiers.alt ? m_drag.nodes : m_together;
+    Level level = withMappedNodes(*m_edit.level, nodes, Affine::translation(delta));
+    return {std::make_shared<const Level>(std::move(level)), m_edit.selection};
+}
+
+Label MoveNodesGesture::label() const {
+    return {"move-nodes", static_cast<int>(m_drag.nodes.size())};
+}
+
+Overlay MoveNodesGesture::overlay(const Pointer& pointer) const {
+    const Vec2 target = m_drag.reference + deltaAt(pointer);
+    Overlay overlay;
+    overlay.nodes = OverlayNodes{keysInEdit(m_edit), {}, {}};
+    overlay.lines.push_back({OverlayStyle::Measure, {m_drag.reference, target}});
+    overlay.points.push_back({OverlayStyle::Snap, target});
+    overlay.texts.push_back({target, lengthText(target.x()) + ", " + lengthText(target.y()) + " m"});
+    return overlay;
+}
+
+Hint MoveNodesGesture::hint(const Pointer& pointer) const {
+    const Edit moved = at(pointer);
+    const std::vector<NodeRef>& nodes = pointer.modifiers.alt ? m_drag.nodes : m_together;
+    switch (faultAt(*moved.level, nodes)) {
+    case NodeFault::Crosses:
+        return {"nodes.crosses", {}};
+    case NodeFault::Together:
+        return {"nodes.together", {}};
+    case NodeFault::None:
+        break;
+    }
+    const Vec2 delta = deltaAt(pointer);
+    const bool company = m_together.size() > m_drag.nodes.size();
+    return {company ? "nodes.moving-together" : "nodes.moving", {lengthText(delta.x()), lengthText(delta.y())}};
+}
+
+NodeBandGesture::NodeBandGesture(const Edit& edit, const Pointer& start, NodeBand band, bool extends)
+    : m_edit(edit), m_keys(keysInEdit(edit)), m_path{start.world}, m_band(band), m_extends(extends) {}
+
+void NodeBandGesture::follow(const Pointer& pointer) {
+    constexpr double apart = 2; // px
+    if (m_band == NodeBand::Lasso && (pointer.world - m_path.back()).norm() >= apart * pointer.pixel) {
+        m_path.push_back(pointer.world);
+    }
+}
+
+std::vector<Vec2> NodeBandGesture::lineAt(const Pointer& pointer) const {
+    if (m_band == NodeBand::Lasso) {
+        std::vector<Vec2> line = m_path;
+        line.push_back(pointer.world);
+        return line;
+    }
+    const Vec2& from = m_path.front();
+    return {from, {pointer.world.x(), from.y()}, pointer.world, {from.x(), pointer.world.y()}};
+}
+
+Edit NodeBandGesture::at(const Pointer& pointer) const {
+    const std::vector<Vec2> line = lineAt(pointer);
+    Aabb box;
+    for (const Vec2& point : line) {
+        box.include(point);
+    }
+    std::vector<NodeRef> nodes = nodesIn(*m_edit.level, m_keys, box);
+    if (m_band == NodeBand::Lasso) {
+        std::erase_if(nodes, [&](const NodeRef& node) {
+            return !contains(line, nodePosition(*m_edit.level, node).value_or(line.front()));
+        });
+    }
+    if (m_extends) {
+        const std::vector<NodeRef>& before = m_edit.selection.nodes();
+        nodes.insert(nodes.end(), before.begin(), before.end());
+    }
+    return {m_edit.level, Selection(m_edit.selection.keys(), std::move(nodes)).entering(m_edit.selection.entered())};
+}
+
+Overlay NodeBandGesture::overlay(const Pointer& pointer) const {
+    Overlay overlay;
+    overlay.nodes = OverlayNodes{m_keys, {}, {}};
+    overlay.lines.push_back({OverlayStyle::Band, lineAt(pointer), true});
+    return overlay;
+}
+
+Hint NodeBandGesture::hint(const Pointer& pointer) const {
+    return {m_band == NodeBand::Lasso ? "nodes.lasso" : "nodes.band",
+            {std::to_string(at(pointer).selection.nodes().size())}};
+}
+
+} // namespace spacetow

@@ -1,0 +1,63 @@
+#pragma once
+// The drags of the node tool: moving nodes, and choosing them with a band or a lasso.
+
+#include "editor/editing/tool.h"
+
+#include <vector>
+
+namespace spacetow {
+
+/// What is to be moved; the point that snaps is `reference`, the node that was grabbed.
+struct NodeDrag {
+    std::vector<NodeRef> nodes; // ascending
+    Vec2 reference{0, 0};
+    Vec2 start{0, 0}; // pointer when the button went down
+};
+
+/// Nodes of others at the same places come along, with Alt they stay. Shift keeps to one axis. The selection stays
+/// that of the edit it starts with.
+class MoveNodesGesture : public Gesture {
+  public:
+    MoveNodesGesture(const ToolContext& context, NodeDrag drag);
+
+    Edit at(const Pointer& pointer) const override;
+    Label label() const override;
+    Overlay overlay(const Pointer& pointer) const override;
+    Hint hint(const Pointer& pointer) const override;
+    CursorShape cursor(const Pointer&) const override { return CursorShape::Move; }
+
+  private:
+    Vec2 deltaAt(const Pointer& pointer) const;
+
+    Edit m_edit;
+    SnapSettings m_snap;
+    NodeDrag m_drag;
+    std::vector<NodeRef> m_together; // with those at the same places
+};
+
+enum class NodeBand : std::uint8_t { Box, Lasso };
+
+/// Selects the nodes of the objects in edit that lie inside; `extends` adds to those that are selected.
+class NodeBandGesture : public Gesture {
+  public:
+    NodeBandGesture(const Edit& edit, const Pointer& start, NodeBand band, bool extends);
+
+    void follow(const Pointer& pointer) override;
+    Edit at(const Pointer& pointer) const override;
+    Label label() const override { return {}; }
+    Overlay overlay(const Pointer& pointer) const override;
+    Hint hint(const Pointer& pointer) const override;
+    bool edits() const override { return false; }
+
+  private:
+    /// The closed line around what is to be selected.
+    std::vector<Vec2> lineAt(const Pointer& pointer) const;
+
+    Edit m_edit;
+    std::vector<Key> m_keys;
+    std::vector<Vec2> m_path; // of a lasso, from the start on
+    NodeBand m_band;
+    bool m_extends;
+};
+
+} // namespace spacetow

@@ -1,0 +1,34 @@
+#pragma once
+// Edits the nodes of the selected objects, which are those in edit.
+
+#include "editor/editing/pick.h"
+#include "editor/editing/tool.h"
+
+namespace spacetow {
+
+class NodeTool : public Tool {
+  public:
+    std::string code() const override { return "nodes"; }
+    /// A drag moves the selected nodes, or both ends of a segment; from empty ground or with Shift it draws a band,
+    /// with Shift and Alt a lasso.
+    std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
+    /// Selects a node, or both ends of a segment, or goes on to another object; with Shift it adds or takes away. With
+    /// Ctrl and Alt it puts a node on a segment.
+    std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;
+    /// Puts a node on a segment.
+    std::optional<FinishedEdit> doubleClick(const ToolContext& context, const Pointer& pointer) override;
+    std::optional<FinishedEdit> secondaryClick(const ToolContext& context, const Pointer& pointer) override;
+
+    Overlay overlay(const ToolContext& context, const Pointer& pointer) const override;
+    Overlay standing(const ToolContext& context, double pixel) const override;
+    Hint hint(const ToolContext& context, const Pointer& pointer) const override;
+    CursorShape cursor(const ToolContext& context, const Pointer& pointer) const override;
+};
+
+/// What looks like a handle is one, whatever the tool: the drag of the node under the pointer, when it belongs to the
+/// one object that is selected. Nothing where the object is so small that it could no longer be moved itself.
+std::unique_ptr<Gesture> dragOfNode(const ToolContext& context, const Pointer& pointer);
+/// Whether that would be a drag.
+bool isOnNode(const ToolContext& context, const Pointer& pointer);
+
+} // namespace spacetow

@@ -1,0 +1,100 @@
+// What is done to the nodes of selected objects.
+#include "core/level/node_edits.h"
+#include "editor/editing/node_verbs.h"
+#include "editor/window/verb_action.h"
+
+namespace spacetow {
+
+namespace {
+
+bool hasNodesSelected(const MainWindow& window) {
+    return !window.document().selection().nodes().empty();
+}
+
+bool hasSegmentSelected(const MainWindow& window) {
+    return window.document().selection().nodes().size() >= 2;
+}
+
+template <JoinWay way>
+bool isJoinable(const MainWindow& window) {
+    return canJoin(window.document().level(), window.document().selection().nodes(), way);
+}
+
+template <int direction>
+void selectNext(MainWindow& window) {
+    window.document().select(nextNode(window.document().shown(), direction));
+}
+
+bool editsNodes(const MainWindow& window) {
+    return window.toolbox().current() == ToolId::Nodes && !window.document().selection().empty();
+}
+
+constexpr ActionRow rows[] = {
+    {.id = Act::InsertMidpoints,
+     .menu = MenuId::Path,
+     .text = QT_TRANSLATE_NOOP("Actions", "Insert &Midpoints"),
+     .keys = "Ins",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Insert a node in the middle of each selected segment, or of all"),
+     .flags = NeedsSelection,
+     .run = doing<insertMidpoints>},
+    {.id = Act::DeleteSegments,
+     .menu = MenuId::Path,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Delete Segments"),
+     .keys = "Ctrl+Del",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Remove the segments between selected nodes and leave the chain open there"),
+     .run = doing<removeSegments>,
+     .isPossible = hasSegmentSelected},
+    {.id = Act::JoinNodes,
+     .menu = MenuId::Path,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Join Nodes"),
+     .keys = "Shift+J",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Weld two end nodes, or two neighbours, into one in the middle"),
+     .flags = SeparatorBefore,
+     .run = doing<joinNodes>,
+     .isPossible = isJoinable<JoinWay::Weld>},
+    {.id = Act::JoinBySegment,
+     .menu = MenuId::Path,
+     .text = QT_TRANSLATE_NOOP("Actions", "Join by a &Segment"),
+     .keys = "Ctrl+Shift+J",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Join two end nodes by a new segment"),
+     .run = doing<joinBySegment>,
+     .isPossible = isJoinable<JoinWay::Segment>},
+    {.id = Act::BreakNodes,
+     .menu = MenuId::Path,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Break at Nodes"),
+     .keys = "Shift+B",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Split chains at the selected nodes, open closed ones"),
+     .run = doing<breakNodes>,
+     .isPossible = hasNodesSelected},
+    {.id = Act::StraightenNodes,
+     .menu = MenuId::Path,
+     .text = QT_TRANSLATE_NOOP("Actions", "Make S&traight in 15° Steps"),
+     .keys = "Shift+L",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Turn the selected segments to the nearest multiple of 15°"),
+     .flags = SeparatorBefore,
+     .run = doing<straightenNodes>,
+     .isPossible = hasSegmentSelected},
+    {.id = Act::NextNode,
+     .menu = MenuId::Path,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Next Node"),
+     .keys = ".",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Select the next node"),
+     .flags = SeparatorBefore,
+     .run = selectNext<1>,
+     .isPossible = editsNodes},
+    {.id = Act::PreviousNode,
+     .menu = MenuId::Path,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Previous Node"),
+     .keys = ",",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Select the previous node"),
+     .run = selectNext<-1>,
+     .isPossible = editsNodes},
+};
+
+} // namespace
+
+std::span<const ActionRow> nodeActions() {
+    return rows;
+}
+
+} // namespace spacetow
