@@ -1,0 +1,48 @@
+#pragma once
+// A table of the exact coordinates of the nodes in edit. Rows that are selected are the selected nodes, both ways.
+
+#include "editor/panels/nodes_model.h"
+
+#include <QHBoxLayout>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWidget>
+
+namespace spacetow {
+
+class NodesPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// The document must outlive the panel.
+    explicit NodesPanel(Document& document, QWidget* parent = nullptr);
+    ~NodesPanel() override;
+
+    QTableView& table() { return m_table; }
+    const NodesModel& model() const { return m_model; }
+
+    QSize sizeHint() const override { return {310, 200}; }
+    QSize minimumSizeHint() const override { return {180, 90}; }
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    void refresh();
+    void showSelection();
+    void takeSelection();
+    void insertNode();
+    void removeSelectedNodes();
+
+    Document& m_document;
+    NodesModel m_model;
+    QVBoxLayout m_column;
+    QHBoxLayout m_buttons;
+    QTableView m_table;
+    QToolButton m_insert, m_remove;
+    int m_listener = 0;
+    bool m_showing = false; // rows are being selected to show the document's selection
+};
+
+} // namespace spacetow
