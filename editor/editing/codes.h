@@ -26,6 +26,10 @@ inline constexpr auto hintCodes = std::to_array<std::string_view>({
     "nodes.moving-together", // m to the right, m upwards
     "nodes.together",
     "nodes.crosses",
+    "nodes.scale-handle",
+    "nodes.turn-handle",
+    "nodes.scaling", // width, height in m
+    "nodes.turning", // degrees
     "nodes.band",  // number of nodes
     "nodes.lasso", // number of nodes
     "knife.idle",
@@ -75,6 +79,7 @@ inline constexpr auto labelCodes = std::to_array<std::string_view>({
     "delete",
     "move-nodes",
     "rotate-nodes",
+    "scale-nodes",
     "insert-nodes",
     "delete-nodes",
     "delete-segments",

@@ -10,27 +10,9 @@
 
 namespace spacetow {
 
-namespace {
-
-std::vector<NodeRef> withThoseAtTheSamePlaces(const Level& level, const std::vector<NodeRef>& nodes) {
-    std::vector<Vec2> places;
-    for (const NodeRef& node : nodes) {
-        if (const std::optional<Vec2> at = nodePosition(level, node)) {
-            places.push_back(*at);
-        }
-    }
-    std::vector<NodeRef> all = nodesAt(level, places);
-    all.insert(all.end(), nodes.begin(), nodes.end());
-    std::ranges::sort(all);
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-}
-
-} // namespace
-
 MoveNodesGesture::MoveNodesGesture(const ToolContext& context, NodeDrag drag)
     : m_edit(context.edit), m_snap(context.snap), m_drag(std::move(drag)),
-      m_together(withThoseAtTheSamePlaces(*m_edit.level, m_drag.nodes)) {}
+      m_together(withCompany(*m_edit.level, m_drag.nodes)) {}
 
 Vec2 MoveNodesGesture::deltaAt(const Pointer& pointer) const {
     const Vec2 way = pointer.world - m_drag.start;

@@ -3,6 +3,7 @@
 #include "core/geometry/intersect.h"
 #include "core/level/groups.h"
 #include "core/level/level_index.h"
+#include "core/level/node_edits.h"
 
 #include <algorithm>
 
@@ -102,6 +103,20 @@ std::optional<Vec2> placeOn(const Level& level, const Hit& segment, const Vec2& 
         }
     }
     return {};
+}
+
+std::vector<NodeRef> withCompany(const Level& level, const std::vector<NodeRef>& nodes) {
+    std::vector<Vec2> places;
+    for (const NodeRef& node : nodes) {
+        if (const std::optional<Vec2> at = nodePosition(level, node)) {
+            places.push_back(*at);
+        }
+    }
+    std::vector<NodeRef> all = nodesAt(level, places);
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
 Aabb boundsOfNodes(const Level& level, std::span<const NodeRef> nodes) {

@@ -28,6 +28,8 @@ std::optional<Vec2> placeOn(const Level& level, const Hit& segment, const Vec2& 
 inline NodeRef nodeOf(const Hit& hit) {
     return {hit.key, hit.shape, hit.index};
 }
+/// The nodes and all others at the same places, ascending.
+std::vector<NodeRef> withCompany(const Level& level, const std::vector<NodeRef>& nodes);
 Aabb boundsOfNodes(const Level& level, std::span<const NodeRef> nodes);
 
 } // namespace spacetow

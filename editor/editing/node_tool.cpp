@@ -3,6 +3,7 @@
 #include "core/level/node_edits.h"
 #include "core/level/object_geometry.h"
 #include "editor/editing/node_gestures.h"
+#include "editor/editing/node_handles.h"
 #include "editor/editing/node_pick.h"
 #include "editor/editing/select_tool.h"
 
@@ -74,6 +75,9 @@ std::optional<FinishedEdit> inserting(const ToolContext& context, const Pointer&
 std::unique_ptr<Gesture> NodeTool::press(const ToolContext& context, const Pointer& pointer) {
     const Edit& edit = context.edit;
     const Modifiers& held = pointer.modifiers;
+    if (const std::optional<NodeHandle> handle = nodeHandleAt(edit, m_turns, pointer)) {
+        return dragOfNodeHandle(context, *handle, m_turns, pointer);
+    }
     if (held.shift) {
         return std::make_unique<NodeBandGesture>(edit, pointer, held.alt ? NodeBand::Lasso : NodeBand::Box, true);
     }
@@ -97,9 +101,18 @@ std::optional<FinishedEdit> NodeTool::click(const ToolContext& context, const Po
     if (inserts(pointer)) {
         return inserting(context, pointer);
     }
+    if (nodeHandleAt(edit, m_turns, pointer)) {
+        return {};
+    }
     if (const std::optional<Hit> hit = hitUnder(context, pointer)) {
         std::vector<NodeRef> nodes = nodesOfHit(*edit.level, *hit);
+        if (!toggles(pointer) && hit->kind == HitKind::Node && edit.selection.nodes().size() > 1 &&
+            edit.selection.contains(nodes.front())) {
+            m_turns = !m_turns;
+            return {};
+        }
         if (!toggles(pointer)) {
+            m_turns = false;
             return choosing(context, selectionWith(edit, std::move(nodes)));
         }
         std::vector<NodeRef> chosen = edit.selection.nodes();
@@ -137,6 +150,10 @@ std::optional<FinishedEdit> NodeTool::secondaryClick(const ToolContext& context,
 
 Overlay NodeTool::overlay(const ToolContext& context, const Pointer& pointer) const {
     Overlay overlay = standing(context, pointer.pixel);
+    if (const std::optional<NodeHandle> handle = nodeHandleAt(context.edit, m_turns, pointer)) {
+        overlay.points.push_back({OverlayStyle::HotHandle, handle->at});
+        return overlay;
+    }
     const std::optional<Hit> hit = hitUnder(context, pointer, overlay.nodes->keys);
     if (!hit) {
         return overlay;
@@ -153,14 +170,20 @@ Overlay NodeTool::overlay(const ToolContext& context, const Pointer& pointer) co
     return overlay;
 }
 
-Overlay NodeTool::standing(const ToolContext& context, double) const {
+Overlay NodeTool::standing(const ToolContext& context, double pixel) const {
     Overlay overlay;
     overlay.nodes = OverlayNodes{keysInEdit(context.edit), {}, {}};
+    for (const NodeHandle& handle : nodeHandles(context.edit, m_turns, pixel)) {
+        overlay.points.push_back({m_turns ? OverlayStyle::HotHandle : OverlayStyle::Handle, handle.at});
+    }
     return overlay;
 }
 
 Hint NodeTool::hint(const ToolContext& context, const Pointer& pointer) const {
     const Selection& selection = context.edit.selection;
+    if (nodeHandleAt(context.edit, m_turns, pointer)) {
+        return {m_turns ? "nodes.turn-handle" : "nodes.scale-handle", {}};
+    }
     const std::vector<Key> keys = keysInEdit(context.edit);
     if (const std::optional<Hit> hit = hitUnder(context, pointer, keys)) {
         if (hit->kind == HitKind::Segment) {
@@ -178,6 +201,9 @@ Hint NodeTool::hint(const ToolContext& context, const Pointer& pointer) const {
 }
 
 CursorShape NodeTool::cursor(const ToolContext& context, const Pointer& pointer) const {
+    if (nodeHandleAt(context.edit, m_turns, pointer)) {
+        return CursorShape::Pointing;
+    }
     if (const std::optional<Hit> hit = hitUnder(context, pointer)) {
         return hit->kind == HitKind::Node ? CursorShape::Move : CursorShape::Insert;
     }

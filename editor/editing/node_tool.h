@@ -12,6 +12,7 @@ class NodeTool : public Tool {
     /// A drag moves the selected nodes, or both ends of a segment; from empty ground or with Shift it draws a band,
     /// with Shift and Alt a lasso.
     std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
+    /// A click on one of several selected nodes changes between handles that scale them and handles that turn them.
     /// Selects a node, or both ends of a segment, or goes on to another object; with Shift it adds or takes away. With
     /// Ctrl and Alt it puts a node on a segment.
     std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;
@@ -23,6 +24,9 @@ class NodeTool : public Tool {
     Overlay standing(const ToolContext& context, double pixel) const override;
     Hint hint(const ToolContext& context, const Pointer& pointer) const override;
     CursorShape cursor(const ToolContext& context, const Pointer& pointer) const override;
+
+  private:
+    bool m_turns = false; // what the handles do
 };
 
 /// What looks like a handle is one, whatever the tool: the drag of the node under the pointer, when it belongs to the

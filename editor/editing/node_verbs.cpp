@@ -21,16 +21,6 @@ std::optional<FinishedEdit> finishing(const ToolContext& context, const char* co
                         {std::make_shared<const Level>(std::move(edit.level)), std::move(selection)}};
 }
 
-std::vector<NodeRef> withCompany(const Level& level, const std::vector<NodeRef>& nodes) {
-    std::vector<Vec2> places;
-    for (const NodeRef& node : nodes) {
-        if (const std::optional<Vec2> at = nodePosition(level, node)) {
-            places.push_back(*at);
-        }
-    }
-    return nodesAt(level, places);
-}
-
 std::optional<FinishedEdit> joining(const ToolContext& context, JoinWay way) {
     return finishing(context, "join-nodes", joined(*context.edit.level, context.edit.selection.nodes(), way));
 }

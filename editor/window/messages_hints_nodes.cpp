@@ -43,6 +43,15 @@ constexpr MessageText hints[] = {
     {"nodes.crosses",
      QT_TRANSLATE_NOOP("messages", "The polygon crosses itself like this and cannot be played · move on, or Escape to "
                                    "cancel")},
+    {"nodes.scale-handle",
+     QT_TRANSLATE_NOOP("messages",
+                       "Drag: scale the selected nodes · Shift: about the middle · Ctrl: in proportion · Alt: "
+                       "snap off/on · click a selected node: turn them instead")},
+    {"nodes.turn-handle", QT_TRANSLATE_NOOP("messages", "Drag: turn the selected nodes · Ctrl: in steps of 15° · click "
+                                                        "a selected node: scale them instead")},
+    {"nodes.scaling", QT_TRANSLATE_NOOP("messages", "Scaling to %1 m × %2 m · Shift: about the middle · Ctrl: in "
+                                                    "proportion · Alt: snap off/on · Escape: cancel")},
+    {"nodes.turning", QT_TRANSLATE_NOOP("messages", "Turning by %1° · Ctrl: in steps of 15° · Escape: cancel")},
     {"nodes.band", QT_TRANSLATE_NOOP("messages", "%1 nodes selected · release: done · Escape: cancel")},
     {"nodes.lasso",
      QT_TRANSLATE_NOOP("messages", "%1 nodes selected · draw around the nodes · release: done · Escape: cancel")},

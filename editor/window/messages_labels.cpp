@@ -23,6 +23,7 @@ constexpr LabelText labels[] = {
     {"delete", QT_TRANSLATE_NOOP("messages", "Delete object"), QT_TRANSLATE_N_NOOP("messages", "Delete %n objects")},
     {"move-nodes", QT_TRANSLATE_NOOP("messages", "Move node"), QT_TRANSLATE_N_NOOP("messages", "Move %n nodes")},
     {"rotate-nodes", QT_TRANSLATE_NOOP("messages", "Rotate nodes"), QT_TRANSLATE_N_NOOP("messages", "Rotate %n nodes")},
+    {"scale-nodes", QT_TRANSLATE_NOOP("messages", "Scale nodes"), QT_TRANSLATE_N_NOOP("messages", "Scale %n nodes")},
     {"insert-nodes", QT_TRANSLATE_NOOP("messages", "Insert nodes"), QT_TRANSLATE_NOOP("messages", "Insert nodes")},
     {"delete-nodes", QT_TRANSLATE_NOOP("messages", "Delete node"), QT_TRANSLATE_N_NOOP("messages", "Delete %n nodes")},
     {"delete-segments", QT_TRANSLATE_NOOP("messages", "Delete segments"),

@@ -248,6 +248,27 @@ class NodeToolTest : public QObject {
         drive.drag({0, 0}, {1, 0});
         QCOMPARE(std::get<BodyObject>(drive.level().objects.find(1)->data).position, Vec2(1, 0));
     }
+    void handlesScaleTheSelectedNodesAndTurnThemAfterAnotherClick() {
+        Edited drive({1});
+        drive.document.select(selectAllNodes(drive.document.current()));
+        const double outside = 14 * drive.view.pixel();
+        drive.drag({2 + outside, 2 + outside}, {4 + outside, 3 + outside});
+        QCOMPARE(drive.points(1), (Points{{0, 0}, {4, 0}, {4, 3}}));
+        QCOMPARE(drive.points(2).front(), Vec2(4, 0)); // in the same place, so it came along
+        QCOMPARE(drive.document.undoLabel().code, std::string("scale-nodes"));
+        drive.document.undo();
+        drive.click({2, 2});
+        drive.held = ctrl;
+        drive.drag({2 + outside, 2 + outside}, {0 - outside, 2 + outside});
+        QCOMPARE(drive.points(1), (Points{{2, 0}, {2, 2}, {0, 2}}));
+    }
+    void nodesAreNotScaledDownToNothing() {
+        Edited drive({3});
+        drive.document.select(selectAllNodes(drive.document.current()));
+        const double outside = 14 * drive.view.pixel();
+        drive.drag({-2 + outside, 1}, {-9, 1});
+        QCOMPARE(drive.points(3), (Points{{-4, 0}, {-3.75, 0}, {-3.875, 2}}));
+    }
     void theCursorTellsWhatADragWouldDo() {
         Edited drive({1});
         drive.move({2, 2});
