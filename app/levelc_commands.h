@@ -17,5 +17,9 @@ int infoCommand(const QStringList& arguments);
 int renderCommand(const QStringList& arguments);
 int simulateCommand(const QStringList& arguments);
 int replayCommand(const QStringList& arguments);
+/// The JSON schema of level files.
+int schemaCommand(const QStringList& arguments);
+/// The fields of a part of them as a Markdown table.
+int fieldsCommand(const QStringList& arguments);
 
 } // namespace spacetow

@@ -1,6 +1,6 @@
 #pragma once
-// The fields of a level file, each said once: name, unit, range and whether it may be left out. Reading, writing,
-// checking and the test of the documentation all walk through these descriptions with a visitor of their own.
+// The fields of a level file, each said once: name, meaning, unit, range and whether it may be left out. Reading,
+// writing, checking, the inspector and the documents (describe.h) walk through these with a visitor of their own.
 //
 // A visitor has: number, integer, optionalNumber, optionalColor, depth, flag, text, choice, point, points, tags,
 // touches, key, optionalKey, shapes — each taking (const Field&, the value, its default where there is one).
@@ -26,6 +26,9 @@ struct Field {
     double max = 0;
     Presence presence = Presence::Optional;
     bool openMin = false; // the least value itself is not allowed
+    int least = 0;        // entries of a list
+    int most = 0;         // likewise; 0 for as many as a file may have
+    const char* meaning = "";
 };
 
 namespace limits {
@@ -70,6 +73,15 @@ constexpr Field plain(const char* name, Presence presence = Presence::Optional) 
     return {name, "", 0, 0, presence};
 }
 
+constexpr Field about(const char* meaning, Field field) {
+    field.meaning = meaning;
+    return field;
+}
+constexpr Field counted(Field field, int least, int most) {
+    field.least = least;
+    field.most = most;
+    return field;
+}
 constexpr Field required(Field field) {
     return with(Presence::Required, field);
 }
@@ -82,123 +94,174 @@ constexpr Field written(Field field) {
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& object, const BodyObject& defaults) {
     using namespace fields;
-    v.choice(plain("kind"), object.kind, defaults.kind, bodyKindNames);
-    v.point(written(symmetric("position", "m", limits::coordinate)), object.position, defaults.position);
-    v.number(symmetric("angle", "rad", limits::angle), object.angle, defaults.angle);
-    v.point(symmetric("velocity", "m/s", limits::speed), object.velocity, defaults.velocity);
-    v.number(symmetric("angularVelocity", "rad/s", limits::spin), object.angularVelocity, defaults.angularVelocity);
-    v.optionalNumber(positive("mass", "kg", limits::mass), object.mass);
-    v.number(positive("density", "kg/m²", limits::mass), object.density, defaults.density);
-    v.number(between("restitution", "", 0, 1), object.restitution, defaults.restitution);
-    v.number(between("friction", "", 0, 100), object.friction, defaults.friction);
-    v.number(between("linearDamping", "1/s", 0, limits::damping), object.linearDamping, defaults.linearDamping);
-    v.number(between("angularDamping", "1/s", 0, limits::damping), object.angularDamping, defaults.angularDamping);
-    v.tags(plain("tags", Presence::Written), object.filter.tags, defaults.filter.tags);
-    v.touches(plain("touches"), object.filter.touches);
-    v.flag(plain("tangible"), object.tangible, defaults.tangible);
-    v.flag(plain("frozen"), object.frozen, defaults.frozen);
-    v.shapes(plain("shapes", Presence::Required), object.shapes);
+    v.choice(about("Static bodies never move, kinematic ones move as told and are pushed by nothing, dynamic ones obey "
+                   "forces.",
+                   plain("kind")),
+             object.kind, defaults.kind, bodyKindNames);
+    v.point(
+        about("Where the origin of its coordinates is, in m.", written(symmetric("position", "m", limits::coordinate))),
+        object.position, defaults.position);
+    v.number(about("In rad, anticlockwise.", symmetric("angle", "rad", limits::angle)), object.angle, defaults.angle);
+    v.point(about("Of the centre of mass, in m/s.", symmetric("velocity", "m/s", limits::speed)), object.velocity,
+            defaults.velocity);
+    v.number(about("In rad/s, anticlockwise.", symmetric("angularVelocity", "rad/s", limits::spin)),
+             object.angularVelocity, defaults.angularVelocity);
+    v.optionalNumber(about("In kg; without it, the area times the density.", positive("mass", "kg", limits::mass)),
+                     object.mass);
+    v.number(
+        about("In kg/m²; walls count as 1 kg a metre times the density.", positive("density", "kg/m²", limits::mass)),
+        object.density, defaults.density);
+    v.number(about("Share of the speed that is left after a bounce.", between("restitution", "", 0, 1)),
+             object.restitution, defaults.restitution);
+    v.number(about("Coefficient of friction.", between("friction", "", 0, 100)), object.friction, defaults.friction);
+    v.number(
+        about("Share of the velocity lost each second, in 1/s.", between("linearDamping", "1/s", 0, limits::damping)),
+        object.linearDamping, defaults.linearDamping);
+    v.number(about("Share of the angular velocity lost each second, in 1/s.",
+                   between("angularDamping", "1/s", 0, limits::damping)),
+             object.angularDamping, defaults.angularDamping);
+    v.tags(about("What the body is: names of tags.", plain("tags", Presence::Written)), object.filter.tags,
+           defaults.filter.tags);
+    v.touches(about("What it touches: names of tags, or all.", plain("touches")), object.filter.touches);
+    v.flag(about("An intangible body is felt, but stops nothing.", plain("tangible")), object.tangible,
+           defaults.tangible);
+    v.flag(about("A frozen body keeps its place and angle.", plain("frozen")), object.frozen, defaults.frozen);
+    v.shapes(about("In the coordinates of the body.", counted(plain("shapes", Presence::Required), 1, 0)),
+             object.shapes);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& object, const ShipObject& defaults) {
     using namespace fields;
-    v.point(written(symmetric("position", "m", limits::coordinate)), object.position, defaults.position);
-    v.number(symmetric("angle", "rad", limits::angle), object.angle, defaults.angle);
+    v.point(about("Of its centre of mass, in m.", written(symmetric("position", "m", limits::coordinate))),
+            object.position, defaults.position);
+    v.number(about("In rad, anticlockwise; 0 is nose up.", symmetric("angle", "rad", limits::angle)), object.angle,
+             defaults.angle);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& object, const PayloadObject& defaults) {
     using namespace fields;
-    v.point(written(symmetric("position", "m", limits::coordinate)), object.position, defaults.position);
-    v.number(positive("radius", "m", limits::coordinate), object.radius, defaults.radius);
-    v.number(positive("mass", "kg", limits::mass), object.mass, defaults.mass);
+    v.point(about("Of its centre, in m.", written(symmetric("position", "m", limits::coordinate))), object.position,
+            defaults.position);
+    v.number(about("In m.", positive("radius", "m", limits::coordinate)), object.radius, defaults.radius);
+    v.number(about("In kg.", positive("mass", "kg", limits::mass)), object.mass, defaults.mass);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& object, const FinishObject& defaults) {
     using namespace fields;
-    v.point(required(symmetric("a", "m", limits::coordinate)), object.a, defaults.a);
-    v.point(required(symmetric("b", "m", limits::coordinate)), object.b, defaults.b);
+    v.point(about("One end, in m.", required(symmetric("a", "m", limits::coordinate))), object.a, defaults.a);
+    v.point(about("The other end, in m.", required(symmetric("b", "m", limits::coordinate))), object.b, defaults.b);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& object, const ConnectorObject& defaults) {
     using namespace fields;
-    v.key(plain("a", Presence::Required), object.a);
-    v.key(plain("b", Presence::Required), object.b);
-    v.point(symmetric("anchorA", "m", limits::coordinate), object.anchorA, defaults.anchorA);
-    v.point(symmetric("anchorB", "m", limits::coordinate), object.anchorB, defaults.anchorB);
-    v.optionalNumber(between("length", "m", 0, limits::coordinate), object.length);
-    v.number(between("stiffness", "N/m", 0, limits::stiffness), object.stiffness, defaults.stiffness);
-    v.number(between("damping", "N s/m", 0, limits::stiffness), object.damping, defaults.damping);
-    v.flag(plain("slack"), object.slack, defaults.slack);
-    v.flag(plain("bodiesCollide"), object.bodiesCollide, defaults.bodiesCollide);
-    v.choice(plain("truncation"), object.truncation, defaults.truncation, truncationNames);
-    v.number(between("limit", "N", 0, limits::force), object.limit, defaults.limit);
-    v.number(between("proportion", "", 0, 1), object.proportion, defaults.proportion);
+    v.key(about("Key of the one body.", plain("a", Presence::Required)), object.a);
+    v.key(about("Key of the other body.", plain("b", Presence::Required)), object.b);
+    v.point(
+        about("Where it holds the one body, in m, in its coordinates.", symmetric("anchorA", "m", limits::coordinate)),
+        object.anchorA, defaults.anchorA);
+    v.point(about("Where it holds the other body, in m, in its coordinates.",
+                  symmetric("anchorB", "m", limits::coordinate)),
+            object.anchorB, defaults.anchorB);
+    v.optionalNumber(about("Natural length in m; without it, the distance at the start.",
+                           between("length", "m", 0, limits::coordinate)),
+                     object.length);
+    v.number(about("In N/m.", between("stiffness", "N/m", 0, limits::stiffness)), object.stiffness, defaults.stiffness);
+    v.number(about("In N s/m.", between("damping", "N s/m", 0, limits::stiffness)), object.damping, defaults.damping);
+    v.flag(about("Whether it only pulls, as a rope does.", plain("slack")), object.slack, defaults.slack);
+    v.flag(about("Whether its two bodies may touch each other.", plain("bodiesCollide")), object.bodiesCollide,
+           defaults.bodiesCollide);
+    v.choice(about("How the tension of the spring is limited.", plain("truncation")), object.truncation,
+             defaults.truncation, truncationNames);
+    v.number(about("Most tension in N, for clamp, tanh and partial-tanh.", between("limit", "N", 0, limits::force)),
+             object.limit, defaults.limit);
+    v.number(about("Share of the limit below which partial-tanh changes nothing.", between("proportion", "", 0, 1)),
+             object.proportion, defaults.proportion);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& object, const GroupObject& defaults) {
     using namespace fields;
-    v.flag(plain("layer"), object.layer, defaults.layer);
-    v.optionalColor(plain("color"), object.color);
+    v.flag(about("A group at the top that is shown as a layer.", plain("layer")), object.layer, defaults.layer);
+    v.optionalColor(about("Red, green and blue; without it, the editor chooses.", plain("color")), object.color);
 }
 
 /// The fields that every kind of object has; "key" and "type" are read and written apart.
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& object, const Object& defaults) {
     using namespace fields;
-    v.text(plain("name"), object.name, defaults.name);
-    v.optionalKey(plain("parent"), object.parent);
-    v.flag(plain("visible"), object.visible, defaults.visible);
-    v.flag(plain("locked"), object.locked, defaults.locked);
+    v.text(about("For people; may be shared.", plain("name")), object.name, defaults.name);
+    v.optionalKey(about("Key of the group that it is in; without it, it is at the top.", plain("parent")),
+                  object.parent);
+    v.flag(about("Hidden objects are not drawn in the editor; they are played all the same. A group hides its members.",
+                 plain("visible")),
+           object.visible, defaults.visible);
+    v.flag(about("Locked objects are not picked, moved or deleted in the editor. A group locks its members.",
+                 plain("locked")),
+           object.locked, defaults.locked);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& guide, const Guide& defaults) {
     using namespace fields;
-    v.point(required(symmetric("point", "m", limits::coordinate)), guide.point, defaults.point);
-    v.number(symmetric("angle", "rad", limits::angle), guide.angle, defaults.angle);
-    v.text(plain("name"), guide.name, defaults.name);
+    v.point(about("A point of it, in m.", required(symmetric("point", "m", limits::coordinate))), guide.point,
+            defaults.point);
+    v.number(about("Of its direction, in rad; 0 is horizontal.", symmetric("angle", "rad", limits::angle)), guide.angle,
+             defaults.angle);
+    v.text(about("For people.", plain("name")), guide.name, defaults.name);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& shape, const EdgeChain& defaults) {
     using namespace fields;
-    v.flag(plain("closed"), shape.closed, defaults.closed);
-    v.depth(written(between("depth", "m", 0, limits::coordinate)), shape.depth, defaults.depth);
-    v.points(required(symmetric("vertices", "m", limits::coordinate)), shape.vertices);
+    v.flag(about("Whether the last vertex joins the first.", plain("closed")), shape.closed, defaults.closed);
+    v.depth(about("How far behind the line counts as inside the wall, in m; null for a wall without a back.",
+                  written(between("depth", "m", 0, limits::coordinate))),
+            shape.depth, defaults.depth);
+    v.points(about("Vertices in m, in the coordinates of the body.",
+                   counted(required(symmetric("vertices", "m", limits::coordinate)), 2, 0)),
+             shape.vertices);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& shape, const LineChain& defaults) {
     using namespace fields;
-    v.flag(plain("closed"), shape.closed, defaults.closed);
-    v.points(required(symmetric("vertices", "m", limits::coordinate)), shape.vertices);
+    v.flag(about("Whether the last vertex joins the first.", plain("closed")), shape.closed, defaults.closed);
+    v.points(about("Vertices in m, in the coordinates of the body.",
+                   counted(required(symmetric("vertices", "m", limits::coordinate)), 2, 0)),
+             shape.vertices);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& shape, const Polygon&) {
     using namespace fields;
-    v.points(required(symmetric("vertices", "m", limits::coordinate)), shape.vertices);
+    v.points(about("Vertices in m, in the coordinates of the body.",
+                   counted(required(symmetric("vertices", "m", limits::coordinate)), 3, limits::polygonVertices)),
+             shape.vertices);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& shape, const Circle& defaults) {
     using namespace fields;
-    v.point(symmetric("center", "m", limits::coordinate), shape.center, defaults.center);
-    v.number(required(positive("radius", "m", limits::coordinate)), shape.radius, defaults.radius);
+    v.point(about("Centre in m, in the coordinates of the body.", symmetric("center", "m", limits::coordinate)),
+            shape.center, defaults.center);
+    v.number(about("Radius in m.", required(positive("radius", "m", limits::coordinate))), shape.radius,
+             defaults.radius);
 }
 
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& rules, const Rules& defaults) {
     using namespace fields;
-    v.integer(written(between("lives", "", 1, 99)), rules.lives, defaults.lives);
-    v.number(written(positive("towRange", "m", limits::coordinate)), rules.towRange, defaults.towRange);
-    v.flag(written(plain("flipGravityOnTow")), rules.flipGravityOnTow, defaults.flipGravityOnTow);
-    v.text(written(plain("background")), rules.background, defaults.background);
+    v.integer(about("Attempts.", written(between("lives", "", 1, 99))), rules.lives, defaults.lives);
+    v.number(about("Greatest distance of ship and payload at which the rope can be attached, in m.",
+                   written(positive("towRange", "m", limits::coordinate))),
+             rules.towRange, defaults.towRange);
+    v.flag(about("Whether gravity turns round when the payload is towed.", written(plain("flipGravityOnTow"))),
+           rules.flipGravityOnTow, defaults.flipGravityOnTow);
+    v.text(about("Name of a shipped background.", written(plain("background"))), rules.background, defaults.background);
 }
 
 /// The simple fields of the level itself; "schema", "rules", "tags", "guides" and "objects" are structures of their
@@ -206,13 +269,16 @@ void visitFields(Visitor& v, T& rules, const Rules& defaults) {
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& level, const Level& defaults) {
     using namespace fields;
-    v.text(written(plain("name")), level.name, defaults.name);
-    v.text(plain("author"), level.author, defaults.author);
-    v.text(plain("description"), level.description, defaults.description);
-    v.point(written(symmetric("gravity", "m/s²", limits::gravity)), level.gravity, defaults.gravity);
-    v.number(written(positive("updateSeconds", "s", 0.1)), level.updateSeconds, defaults.updateSeconds);
-    v.integer(written(between("iterations", "", 1, 1000)), level.iterations, defaults.iterations);
-    v.integer(written(between("substeps", "", 1, 100)), level.substeps, defaults.substeps);
+    v.text(about("Name of the level.", written(plain("name"))), level.name, defaults.name);
+    v.text(about("Who made it.", plain("author")), level.author, defaults.author);
+    v.text(about("For people.", plain("description")), level.description, defaults.description);
+    v.point(about("In m/s².", written(symmetric("gravity", "m/s²", limits::gravity))), level.gravity, defaults.gravity);
+    v.number(about("Simulated by one update, in s.", written(positive("updateSeconds", "s", 0.1))), level.updateSeconds,
+             defaults.updateSeconds);
+    v.integer(about("Passes of motion and collision in one update.", written(between("iterations", "", 1, 1000))),
+              level.iterations, defaults.iterations);
+    v.integer(about("Sub-steps of motion in one iteration.", written(between("substeps", "", 1, 100))), level.substeps,
+              defaults.substeps);
 }
 
 /// Of an object, a shape, the rules or a level: `visitFields` with the defaults of its own type.

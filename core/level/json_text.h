@@ -25,6 +25,10 @@ class JsonText {
 
     void append(JsonText value) { m_members.emplace_back(std::string(), std::move(value)); }
     void append(std::string name, JsonText value) { m_members.emplace_back(std::move(name), std::move(value)); }
+    /// Appends the members of another object.
+    void take(const JsonText& object) {
+        m_members.insert(m_members.end(), object.m_members.begin(), object.m_members.end());
+    }
     /// Puts `value` where the segments of a JSON pointer lead; does nothing when the way is not there or the place is
     /// taken.
     void insert(const std::vector<std::string>& segments, JsonText value);
