@@ -80,13 +80,13 @@ bool coresOverlap(const Core& a, const Core& b) {
     return !(a.count == 2 && isBesideLine(a, b)) && !(b.count == 2 && isBesideLine(b, a));
 }
 
-struct Nearest {
+struct NearestPoints {
     double squared = std::numeric_limits<double>::infinity(); // m²
     Vec2 onA{0, 0}, onB{0, 0};
 };
 
 /// Looks at the points of `part` over the sides of `sides`.
-void includePoints(const Core& sides, const Core& part, bool sidesAreA, Nearest& nearest) {
+void includePoints(const Core& sides, const Core& part, bool sidesAreA, NearestPoints& nearest) {
     const int sideCount = sides.count == 2 ? 1 : sides.count;
     for (int i = 0; i < sideCount; ++i) {
         const Vec2& from = pointOf(sides, i);
@@ -113,7 +113,7 @@ ClosestPoints closestOfCores(const Core& a, const Core& b) {
     if (coresOverlap(a, b)) {
         return closest;
     }
-    Nearest nearest;
+    NearestPoints nearest;
     includePoints(a, b, true, nearest);
     includePoints(b, a, false, nearest);
     closest.onA = nearest.onA;

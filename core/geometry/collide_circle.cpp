@@ -5,7 +5,7 @@ namespace spacetow {
 
 namespace {
 
-enum Feature : unsigned { WallFace, WallPoint, ConvexFace, ConvexPoint };
+enum CircleFeature : unsigned { WallFace, WallPoint, ConvexFace, ConvexPoint };
 
 /// Contact of a circle with a point; `fallback` is the normal when the centre is on it.
 Manifold pointAgainstCircle(const Vec2& point, const Circle& circle, const Vec2& fallback, double margin) {

@@ -144,7 +144,7 @@ bool firstIsReference(const ConvexPart& a, const Axis& ofA, const ConvexPart& b,
 }
 
 /// The nearest features of two parts that do not overlap.
-struct Nearest {
+struct NearestFeatures {
     double squared = std::numeric_limits<double>::infinity();
     int cornerA = -1; // both corners, or the face of one and the corner of the other
     int cornerB = -1;
@@ -153,7 +153,7 @@ struct Nearest {
 };
 
 /// Looks at the corners of `part` over the faces of `reference`.
-void includeCorners(const ConvexPart& reference, const ConvexPart& part, bool referenceIsA, Nearest& nearest) {
+void includeCorners(const ConvexPart& reference, const ConvexPart& part, bool referenceIsA, NearestFeatures& nearest) {
     for (int i = 0; i < reference.count; ++i) {
         const Vec2& from = cornerOf(reference, i);
         const Vec2& to = cornerOf(reference, cornerAfter(reference, i));
@@ -184,7 +184,7 @@ bool isOverFace(const ConvexPart& reference, int face, const ConvexPart& other) 
     return 0 <= t && t <= faceLength(reference, face);
 }
 
-Manifold nearestManifold(const ConvexPart& a, const ConvexPart& b, const Nearest& nearest, double margin) {
+Manifold nearestManifold(const ConvexPart& a, const ConvexPart& b, const NearestFeatures& nearest, double margin) {
     Manifold manifold;
     if (nearest.faceA >= 0) {
         const Vec2& normal = normalOf(a, nearest.faceA);
@@ -273,7 +273,7 @@ Manifold notchManifold(const ConvexPart& reference, const NearestOn& nearest, co
 }
 
 Manifold apartManifold(const ConvexPart& a, const ConvexPart& b, double margin) {
-    Nearest nearest;
+    NearestFeatures nearest;
     includeCorners(a, b, true, nearest);
     includeCorners(b, a, false, nearest);
     const double distance = std::sqrt(nearest.squared);

@@ -7,20 +7,20 @@ namespace spacetow {
 
 namespace {
 
-enum Feature : unsigned { OnFace = 4, OnFaceCut, UnderFace, UnderFaceCut, OnPoint };
+enum WallFeature : unsigned { OnFace = 4, OnFaceCut, UnderFace, UnderFaceCut, OnPoint };
 
 // How much shallower a way out has to be before it is preferred to the wall's own normal.
 constexpr double preference = 1e-4; // m
 constexpr double share = 0.98;      // of the depth
 
 // Something that has come a little way through a cut of the polygon is the affair of the part beyond the cut.
-constexpr double littleWay = 0.02; // m
-constexpr double farAway = 0.01;   // m beyond twice the way
+constexpr double littleWayIntoCut = 0.02; // m
+constexpr double farFromWall = 0.01;      // m beyond twice the way
 
 // Below this distance the nearest features are a matter of rounding, and the overlapping case decides.
-constexpr double tie = 1e-6; // m
+constexpr double wallTie = 1e-6; // m
 
-constexpr double none = -std::numeric_limits<double>::infinity();
+constexpr double noSeparation = -std::numeric_limits<double>::infinity();
 
 /// A wall and a polygon, and what is asked of every pair.
 struct Pair {
@@ -209,9 +209,9 @@ Manifold apartManifold(const Pair& pair) {
 
 /// The least penetration along the polygon's own face normals, of those that may be contact normals.
 struct FaceChoice {
-    double deepest = none; // largest separation of all faces: above 0 they are apart
-    double cut = none;     // largest separation of the inner faces
-    double separation = none;
+    double deepest = noSeparation; // largest separation of all faces: above 0 they are apart
+    double cut = noSeparation;     // largest separation of the inner faces
+    double separation = noSeparation;
     int face = -1;
     const WallEnd* end = nullptr;
 };
@@ -243,20 +243,20 @@ FaceChoice chooseFace(const Pair& pair, const WallEnd* only) {
 double neighbourSeparation(const Pair& pair, const WallEnd& end) {
     const ConvexPart& convex = pair.convex;
     if (end.kind != WallEnd::Kind::Convex || end.nextNormal.dot(convex.center - end.point) < -onTheFace) {
-        return none;
+        return noSeparation;
     }
     for (int i = 0; i < convex.count; ++i) {
         const Vec2& normal = normalOf(convex, i);
         const Vec2& from = cornerOf(convex, i);
         if (std::min(normal.dot(end.point - from), normal.dot(end.next - from)) > 0) {
-            return none;
+            return noSeparation;
         }
     }
     return end.nextNormal.dot(cornerOf(convex, deepestCorner(convex, end.nextNormal)) - end.point);
 }
 
 bool cameThroughCut(const FaceChoice& choice, double separation) {
-    return choice.cut > -littleWay && separation < 2 * choice.cut - farAway;
+    return choice.cut > -littleWayIntoCut && separation < 2 * choice.cut - farFromWall;
 }
 
 bool clearlyAbove(double separation, double other) {
@@ -271,7 +271,7 @@ Manifold frontManifold(const Pair& pair) {
     if (std::max(above, choice.deepest) > pair.margin) {
         return noContact(std::max(above, choice.deepest));
     }
-    if (std::max(above, choice.deepest) > tie) {
+    if (std::max(above, choice.deepest) > wallTie) {
         return apartManifold(pair);
     }
     const double neighbours = std::max(neighbourSeparation(pair, side.start), neighbourSeparation(pair, side.end));
@@ -301,7 +301,7 @@ Manifold endManifold(const Pair& pair, const WallEnd& end) {
         return {};
     }
     const FaceChoice choice = chooseFace(pair, &end);
-    if (choice.deepest > tie) {
+    if (choice.deepest > wallTie) {
         Manifold manifold = convexAgainstCircle(pair.convex, {end.point, 0}, pair.margin);
         manifold.normal = -manifold.normal;
         return cornerAllows(pair.side, end, manifold.normal) ? manifold : Manifold{};

@@ -41,4 +41,10 @@ struct ConvexPart {
 
 using Part = std::variant<Circle, WallPart, ConvexPart>;
 
+/// A circle around the origin of its body, which looks the same however the body turns.
+inline bool isRound(const Part& part) {
+    const auto* circle = std::get_if<Circle>(&part);
+    return circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
+}
+
 } // namespace spacetow

@@ -6,10 +6,10 @@ namespace spacetow {
 
 namespace {
 
-constexpr double slack = 1e-6; // m, for rounding
+constexpr double backSlack = 1e-6; // m, for rounding
 
 void limit(WallBack& back, const Vec2& from, const Vec2& inward) {
-    back.limits[static_cast<std::size_t>(back.count++)] = {inward, inward.dot(from) - slack};
+    back.limits[static_cast<std::size_t>(back.count++)] = {inward, inward.dot(from) - backSlack};
 }
 
 /// `sense` is 1 at the start and −1 at the end of a wall.

@@ -6,13 +6,13 @@ namespace spacetow {
 
 namespace {
 
-std::vector<Key> sorted(std::span<const Key> keys) {
+std::vector<Key> sortedKeys(std::span<const Key> keys) {
     std::vector<Key> result(keys.begin(), keys.end());
     std::ranges::sort(result);
     return result;
 }
 
-bool has(const std::vector<Key>& keys, Key key) {
+bool isAmong(const std::vector<Key>& keys, Key key) {
     return std::ranges::binary_search(keys, key);
 }
 
@@ -20,7 +20,7 @@ bool has(const std::vector<Key>& keys, Key key) {
 template <class Change>
 Level changedObjects(Level level, const std::vector<Key>& keys, Change change) {
     for (int i = 0; i < level.objects.size(); ++i) {
-        if (has(keys, level.objects[i].key)) {
+        if (isAmong(keys, level.objects[i].key)) {
             Object object = level.objects[i];
             change(object);
             if (!(object == level.objects[i])) {
@@ -34,14 +34,14 @@ Level changedObjects(Level level, const std::vector<Key>& keys, Change change) {
 /// Those of the keys that are in no other of them.
 std::vector<Key> outermost(const Level& level, std::span<const Key> keys) {
     const GroupTree tree(level);
-    const std::vector<Key> wanted = sorted(keys);
+    const std::vector<Key> wanted = sortedKeys(keys);
     std::vector<Key> result;
     for (const Object& object : level.objects) {
-        if (!has(wanted, object.key)) {
+        if (!isAmong(wanted, object.key)) {
             continue;
         }
         const Object* parent = tree.parentOf(object);
-        while (parent != nullptr && !has(wanted, parent->key)) {
+        while (parent != nullptr && !isAmong(wanted, parent->key)) {
             parent = tree.parentOf(*parent);
         }
         if (parent == nullptr) {
@@ -138,7 +138,7 @@ bool GroupTree::isLocked(const Object& object) const {
 }
 
 std::vector<Key> withMembers(const Level& level, std::span<const Key> keys) {
-    std::vector<Key> result = sorted(keys);
+    std::vector<Key> result = sortedKeys(keys);
     const GroupTree tree(level);
     if (!tree.hasGroups()) {
         return result;
@@ -146,7 +146,7 @@ std::vector<Key> withMembers(const Level& level, std::span<const Key> keys) {
     const std::vector<Key> wanted = result;
     for (const Object& object : level.objects) {
         for (const Object* parent = tree.parentOf(object); parent != nullptr; parent = tree.parentOf(*parent)) {
-            if (has(wanted, parent->key)) {
+            if (isAmong(wanted, parent->key)) {
                 result.push_back(object.key);
                 break;
             }
@@ -176,7 +176,7 @@ Level grouped(Level level, std::span<const Key> keys, Object group) {
     const std::vector<Key> members = outermost(level, keys);
     int first = -1;
     for (int i = 0; i < level.objects.size() && first < 0; ++i) {
-        first = has(members, level.objects[i].key) ? i : -1;
+        first = isAmong(members, level.objects[i].key) ? i : -1;
     }
     if (first < 0) {
         return level;
@@ -190,10 +190,10 @@ Level grouped(Level level, std::span<const Key> keys, Object group) {
 }
 
 Level ungrouped(Level level, std::span<const Key> keys) {
-    const std::vector<Key> wanted = sorted(keys);
+    const std::vector<Key> wanted = sortedKeys(keys);
     for (int i = 0; i < level.objects.size(); ++i) {
         const Object group = level.objects[i];
-        if (!has(wanted, group.key) || !std::holds_alternative<GroupObject>(group.data)) {
+        if (!isAmong(wanted, group.key) || !std::holds_alternative<GroupObject>(group.data)) {
             continue;
         }
         for (int j = 0; j < level.objects.size(); ++j) {
@@ -221,12 +221,12 @@ Level regrouped(Level level, std::span<const Key> keys, const ObjectPlace& place
     std::erase(wanted, place.before);
     std::vector<Object> shifted;
     for (const Object& object : level.objects) {
-        if (has(wanted, object.key)) {
+        if (isAmong(wanted, object.key)) {
             shifted.push_back(object);
             shifted.back().parent = place.parent;
         }
     }
-    level.objects.eraseIf([&wanted](const Object& object) { return has(wanted, object.key); });
+    level.objects.eraseIf([&wanted](const Object& object) { return isAmong(wanted, object.key); });
     int index = place.before == 0 ? -1 : level.objects.indexOf(place.before);
     index = index < 0 ? level.objects.size() : index;
     for (Object& object : shifted) {
@@ -236,11 +236,11 @@ Level regrouped(Level level, std::span<const Key> keys, const ObjectPlace& place
 }
 
 Level withVisible(Level level, std::span<const Key> keys, bool visible) {
-    return changedObjects(std::move(level), sorted(keys), [visible](Object& object) { object.visible = visible; });
+    return changedObjects(std::move(level), sortedKeys(keys), [visible](Object& object) { object.visible = visible; });
 }
 
 Level withLocked(Level level, std::span<const Key> keys, bool locked) {
-    return changedObjects(std::move(level), sorted(keys), [locked](Object& object) { object.locked = locked; });
+    return changedObjects(std::move(level), sortedKeys(keys), [locked](Object& object) { object.locked = locked; });
 }
 
 } // namespace spacetow

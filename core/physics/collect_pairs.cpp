@@ -13,11 +13,6 @@ namespace spacetow {
 
 namespace {
 
-bool isRound(const Part& part) {
-    const auto* circle = std::get_if<Circle>(&part);
-    return circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
-}
-
 /// Ahead for the way that the body goes, and some in every direction.
 Room roomAround(const BodyMotion& m, const BodyStep& s, double seconds) {
     const double speed = std::sqrt(m.velocity.squaredNorm());

@@ -18,7 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // Deeper than this, bodies are pushed apart whatever it costs, m.
 constexpr double deepOverlap = 8 * linearSlop;
 constexpr int extraRounds = 2;
-constexpr int passesInRound = 2;
+constexpr int extraPasses = 2;
 constexpr int softerBounces = 8; // each time half as fast
 // What may be gained, of the energy that the impulses of an iteration move: beyond rounding, below notice.
 constexpr double tolerance = 1e-9;
@@ -118,7 +118,7 @@ void solveOnWhere(WorldData& data, Question which) {
     for (const Slot root : data.islands.all) {
         data.islands.unsettled[root] = which(data.islands.balances[root]) ? 1 : 0;
     }
-    solveOn(data, passesInRound);
+    solveOn(data, extraPasses);
 }
 
 void soften(RoundBatch& batch, std::uint32_t lane, bool& any) {

@@ -48,12 +48,12 @@ struct FieldTime {
     int iteration;
 };
 
-struct Gain {
+struct FieldGain {
     Vec2 velocity{0, 0};
     double angularVelocity = 0;
 };
 
-Gain gainOf(WorldData& data, Slot slot, const FieldSample& sample, const FieldTime& time) {
+FieldGain gainOf(WorldData& data, Slot slot, const FieldSample& sample, const FieldTime& time) {
     FieldForce sum;
     for (std::uint32_t i = 0; i < data.fields.size(); ++i) {
         if (feels(data, data.fields[i], slot)) {
@@ -67,7 +67,7 @@ Gain gainOf(WorldData& data, Slot slot, const FieldSample& sample, const FieldTi
         }
     }
     const BodyRecord& record = data.records[slot];
-    Gain gain;
+    FieldGain gain;
     if (!record.positionFrozen) {
         gain.velocity = time.seconds * sum.force / record.mass;
     }
@@ -113,10 +113,10 @@ void applyFields(WorldData& data, double seconds, int iteration) {
         }
         // The midpoint rule: second order for what depends on the velocity, too.
         FieldSample sample = sampleOf(data, slot);
-        const Gain first = gainOf(data, slot, sample, {seconds, iteration});
+        const FieldGain first = gainOf(data, slot, sample, {seconds, iteration});
         sample.velocity += 0.5 * first.velocity;
         sample.angularVelocity += 0.5 * first.angularVelocity;
-        const Gain gain = gainOf(data, slot, sample, {seconds, iteration});
+        const FieldGain gain = gainOf(data, slot, sample, {seconds, iteration});
         data.motions[slot].velocity += gain.velocity;
         data.motions[slot].angularVelocity += gain.angularVelocity;
     }

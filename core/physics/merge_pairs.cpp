@@ -9,11 +9,6 @@ namespace spacetow {
 
 namespace {
 
-bool isRound(const Part& part) {
-    const auto* circle = std::get_if<Circle>(&part);
-    return circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
-}
-
 bool connectedApart(const WorldData& data, Slot a, Slot b) {
     return !data.notColliding.empty() &&
            std::binary_search(data.notColliding.begin(), data.notColliding.end(), SlotPair(std::minmax(a, b)));

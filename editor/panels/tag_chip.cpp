@@ -8,10 +8,10 @@ namespace spacetow {
 
 namespace {
 
-constexpr int side = 8;     // px beside the text
-constexpr int dot = 10;     // px
-constexpr int gap = 6;      // px between dot and text
-constexpr int widest = 220; // px
+constexpr int side = 8;        // px beside the text
+constexpr int dot = 10;        // px
+constexpr int gapAfterDot = 6; // px between dot and text
+constexpr int widest = 220;    // px
 
 /// Black or white, whichever is read better on the colour.
 QColor inkOn(const QColor& color) {
@@ -44,7 +44,7 @@ void TagChip::setState(State state) {
 
 QSize TagChip::sizeHint() const {
     const int words = fontMetrics().horizontalAdvance(text());
-    return {std::min(widest, words + 2 * side + dot + gap), fontMetrics().height() + 8};
+    return {std::min(widest, words + 2 * side + dot + gapAfterDot), fontMetrics().height() + 8};
 }
 
 void TagChip::paintEvent(QPaintEvent*) {
@@ -75,7 +75,7 @@ void TagChip::paintEvent(QPaintEvent*) {
         painter.drawEllipse(mark);
     }
     painter.setPen(ink);
-    const QRectF words = box.adjusted(side + dot + gap, 0, -side + 2, 0);
+    const QRectF words = box.adjusted(side + dot + gapAfterDot, 0, -side + 2, 0);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(text(), Qt::ElideRight, static_cast<int>(words.width()) + 1));
 }

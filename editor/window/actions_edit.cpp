@@ -22,18 +22,18 @@ void redo(MainWindow& window) {
     window.document().redo();
 }
 
-bool editsNodes(MainWindow& window) {
+bool isInNodeTool(MainWindow& window) {
     return window.toolbox().current() == ToolId::Nodes && !window.document().selection().empty();
 }
 
 void selectEverything(MainWindow& window) {
     const Edit& shown = window.document().shown();
-    window.document().select(editsNodes(window) ? selectAllNodes(shown) : selectAll(shown));
+    window.document().select(isInNodeTool(window) ? selectAllNodes(shown) : selectAll(shown));
 }
 
 void selectTheOthers(MainWindow& window) {
     const Edit& shown = window.document().shown();
-    window.document().select(editsNodes(window) ? invertedNodes(shown) : invertedSelection(shown));
+    window.document().select(isInNodeTool(window) ? invertedNodes(shown) : invertedSelection(shown));
 }
 
 QString undoName(const MainWindow& window) {
@@ -77,7 +77,7 @@ void pasteInPlace(MainWindow& window) {
     pasteAt(window, std::nullopt);
 }
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow editRows[] = {
     {.id = Act::Undo,
      .menu = MenuId::Edit,
      .text = QT_TRANSLATE_NOOP("Actions", "&Undo"),
@@ -171,7 +171,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> editActions() {
-    return rows;
+    return editRows;
 }
 
 } // namespace spacetow

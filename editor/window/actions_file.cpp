@@ -26,7 +26,7 @@ void saveWith(MainWindow& window) {
     }
 }
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow fileRows[] = {
     {.id = Act::New,
      .menu = MenuId::File,
      .text = QT_TRANSLATE_NOOP("Actions", "&New"),
@@ -71,7 +71,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> fileActions() {
-    return rows;
+    return fileRows;
 }
 
 } // namespace spacetow

@@ -22,7 +22,7 @@ void showAbout(MainWindow& window) {
     box.exec();
 }
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow helpRows[] = {
     {.id = Act::Keys,
      .menu = MenuId::Help,
      .text = QT_TRANSLATE_NOOP("Actions", "&Keys…"),
@@ -44,7 +44,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> helpActions() {
-    return rows;
+    return helpRows;
 }
 
 } // namespace spacetow

@@ -5,7 +5,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow levelMenuRows[] = {
     {.id = Act::NextProblem,
      .menu = MenuId::Level,
      .text = QT_TRANSLATE_NOOP("Actions", "&Next Problem"),
@@ -24,7 +24,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> levelActions() {
-    return rows;
+    return levelMenuRows;
 }
 
 } // namespace spacetow

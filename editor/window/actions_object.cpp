@@ -11,7 +11,7 @@ namespace {
 constexpr double turn = std::numbers::pi / 12; // 15°
 constexpr double quarter = std::numbers::pi / 2;
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow objectMenuRows[] = {
     {.id = Act::RotateLeft,
      .menu = MenuId::Transform,
      .text = QT_TRANSLATE_NOOP("Actions", "Rotate &Left 15°"),
@@ -55,7 +55,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> objectActions() {
-    return rows;
+    return objectMenuRows;
 }
 
 } // namespace spacetow

@@ -17,7 +17,7 @@ bool hasOverlay(const MainWindow& window) {
     return window.overlays().*flag;
 }
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow overlaysRows[] = {
     {.id = Act::OverlayAabb,
      .menu = MenuId::Overlays,
      .text = QT_TRANSLATE_NOOP("Actions", "&Bounding Boxes"),
@@ -85,7 +85,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> overlayActions() {
-    return rows;
+    return overlaysRows;
 }
 
 } // namespace spacetow

@@ -5,7 +5,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow playRows[] = {
     {.id = Act::Play,
      .menu = MenuId::Play,
      .text = QT_TRANSLATE_NOOP("Actions", "&Play"),
@@ -52,7 +52,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> playActions() {
-    return rows;
+    return playRows;
 }
 
 } // namespace spacetow

@@ -5,7 +5,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow toolsRows[] = {
     {.id = ToolId::Select,
      .menu = MenuId::Insert,
      .text = QT_TRANSLATE_NOOP("Actions", "&Select"),
@@ -76,7 +76,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> toolActions() {
-    return rows;
+    return toolsRows;
 }
 
 } // namespace spacetow

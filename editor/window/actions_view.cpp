@@ -18,7 +18,7 @@ void setFullScreen(MainWindow& window, bool on) {
                              : window.windowState() & ~Qt::WindowFullScreen);
 }
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow viewRows[] = {
     {.id = Act::ZoomIn,
      .menu = MenuId::View,
      .text = QT_TRANSLATE_NOOP("Actions", "Zoom &In"),
@@ -95,7 +95,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> viewActions() {
-    return rows;
+    return viewRows;
 }
 
 } // namespace spacetow

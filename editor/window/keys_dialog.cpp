@@ -38,7 +38,7 @@ constexpr std::array gameLines{
 };
 // clang-format on
 
-QString translated(const char* words) {
+QString translatedKeys(const char* words) {
     return QCoreApplication::translate("Keys", words);
 }
 
@@ -59,13 +59,13 @@ QString withoutMnemonic(QString text) {
 
 QString KeysDialog::overview() {
     QString html = QStringLiteral("<table cellpadding=\"2\">");
-    html += heading(translated(QT_TRANSLATE_NOOP("Keys", "On the drawing board")));
+    html += heading(translatedKeys(QT_TRANSLATE_NOOP("Keys", "On the drawing board")));
     for (const KeyLine& each : canvasLines) {
-        html += line(translated(each.keys), translated(each.meaning));
+        html += line(translatedKeys(each.keys), translatedKeys(each.meaning));
     }
-    html += heading(translated(QT_TRANSLATE_NOOP("Keys", "In the game")));
+    html += heading(translatedKeys(QT_TRANSLATE_NOOP("Keys", "In the game")));
     for (const KeyLine& each : gameLines) {
-        html += line(translated(each.keys), translated(each.meaning));
+        html += line(translatedKeys(each.keys), translatedKeys(each.meaning));
     }
     std::optional<MenuId> last;
     for (const ActionRow& row : actionRows()) {

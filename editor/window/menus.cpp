@@ -8,7 +8,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MenuRow rows[] = {
+constexpr MenuRow menuTable[] = {
     {MenuId::File, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&File")},
     {MenuId::Recent, MenuId::File, QT_TRANSLATE_NOOP("spacetow::MainWindow", "Open &Recent"), Act::Open},
     {MenuId::Edit, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Edit")},
@@ -31,11 +31,11 @@ constexpr MenuRow rows[] = {
 } // namespace
 
 std::span<const MenuRow> menuRows() {
-    return rows;
+    return menuTable;
 }
 
 const MenuRow& menuRow(MenuId id) {
-    return *std::ranges::find(rows, id, &MenuRow::id);
+    return *std::ranges::find(menuTable, id, &MenuRow::id);
 }
 
 QString menuText(const MenuRow& row) {

@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MessageText hints[] = {
+constexpr MessageText drawHintTexts[] = {
     {"draw-edge.start",
      QT_TRANSLATE_NOOP("messages", "One-way wall · click: first point · drag: first segment · Ctrl: snap off/on · what "
                                    "comes from the left of the drawing direction is stopped")},
@@ -63,7 +63,7 @@ constexpr MessageText hints[] = {
 } // namespace
 
 std::span<const MessageText> drawHints() {
-    return hints;
+    return drawHintTexts;
 }
 
 } // namespace spacetow

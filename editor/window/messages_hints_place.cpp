@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MessageText hints[] = {
+constexpr MessageText placeHintTexts[] = {
     {"place-ship.start", QT_TRANSLATE_NOOP("messages", "Ship · click: put it here · drag: turn its nose · Ctrl: snap "
                                                        "off/on · choose the tool again for the payload")},
     {"place-ship.turning", QT_TRANSLATE_NOOP("messages", "Nose at %1° · Shift: 15° · release: done · Escape: cancel")},
@@ -28,7 +28,7 @@ constexpr MessageText hints[] = {
 } // namespace
 
 std::span<const MessageText> placeHints() {
-    return hints;
+    return placeHintTexts;
 }
 
 } // namespace spacetow

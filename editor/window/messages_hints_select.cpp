@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MessageText hints[] = {
+constexpr MessageText selectHintTexts[] = {
     {"select.idle", QT_TRANSLATE_NOOP("messages", "Click: select · drag: rubber band · Shift or Ctrl + click: add or "
                                                   "remove · Alt + click: next object underneath")},
     {"select.object",
@@ -29,7 +29,7 @@ constexpr MessageText hints[] = {
 } // namespace
 
 std::span<const MessageText> selectHints() {
-    return hints;
+    return selectHintTexts;
 }
 
 } // namespace spacetow

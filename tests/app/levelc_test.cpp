@@ -1,5 +1,6 @@
 #include "core/game/replay.h"
 #include "core/level/file.h"
+#include "tests/support/folders.h"
 #include "tests/support/random_level.h"
 #include "tests/support/test_main.h"
 
@@ -26,7 +27,7 @@ struct Run {
 
 Run levelc(const QStringList& arguments) {
     QProcess process;
-    process.start(QStringLiteral(SPACETOW_BINARY_DIR "/bin/levelc"), arguments);
+    process.start(binaryFolder() + "/bin/levelc", arguments);
     process.waitForFinished(120000);
     const bool ended = process.state() == QProcess::NotRunning && process.exitStatus() == QProcess::NormalExit;
     return {ended ? process.exitCode() : -1, QString::fromUtf8(process.readAllStandardOutput()),
@@ -247,11 +248,10 @@ class LevelcTest : public QObject {
     void aRecordedFlightWinsItsLevel_data() {
         QTest::addColumn<QString>("level");
         QTest::addColumn<QString>("flight");
-        const QString flights = QStringLiteral(SPACETOW_SOURCE_DIR "/tests/replays/");
+        const QString flights = sourceFolder() + "/tests/replays/";
         for (const QString& name : QDir(flights).entryList({"*.replay.json"})) {
             const QString level = QString(name).replace(".replay.json", ".json");
-            QTest::newRow(qPrintable(level))
-                << QStringLiteral(SPACETOW_SOURCE_DIR "/levels/") + level << flights + name;
+            QTest::newRow(qPrintable(level)) << sourceFolder() + "/levels/" + level << flights + name;
         }
         QTest::newRow("none that is not there") << QString() << QString();
     }

@@ -1,6 +1,8 @@
 // Holds the sources against ARCHITECTURE.md: who may include whom, and what no file may contain.
 
+#include "tests/architecture/name_rules.h"
 #include "tests/architecture/source_rules.h"
+#include "tests/support/folders.h"
 #include "tests/support/test_main.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ using namespace spacetow::test;
 
 namespace {
 
-const fs::path root = SPACETOW_SOURCE_DIR;
+const fs::path root = sourceFolder().toStdString();
 
 std::string contentOf(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -65,12 +67,15 @@ class ArchitectureTest : public QObject {
     void theTableNamesEveryFolderOfSources();
     void everyIncludePointsDown();
     void everyFileKeepsItsForm();
+    void unnamedNamesOfAFolderDiffer();
     void theRootHoldsOnlyWhatIsExpected();
 
     void aForbiddenIncludeIsFound_data();
     void aForbiddenIncludeIsFound();
     void anAllowedIncludePasses_data();
     void anAllowedIncludePasses();
+    void namesThatMeetAreFound_data();
+    void namesThatMeetAreFound();
     void aFileOfBadFormIsFound_data();
     void aFileOfBadFormIsFound();
 
@@ -111,6 +116,19 @@ void ArchitectureTest::everyFileKeepsItsForm() {
         append(problems, formProblems(source));
     }
     expectNone(problems);
+}
+
+void ArchitectureTest::unnamedNamesOfAFolderDiffer() {
+    const std::vector<Source> sources = sourcesUnder({"core", "editor", "app", "tests"});
+    std::size_t names = 0;
+    for (const Source& source : sources) {
+        names += localNamesIn(source.text).size();
+    }
+    QVERIFY(names > 500);
+    std::vector<Source> grouped;
+    std::copy_if(sources.begin(), sources.end(), std::back_inserter(grouped),
+                 [](const Source& source) { return folderOf(source.path) != "tests/bench"; });
+    expectNone(nameProblems(grouped));
 }
 
 void ArchitectureTest::theRootHoldsOnlyWhatIsExpected() {
@@ -210,6 +228,43 @@ void ArchitectureTest::anAllowedIncludePasses() {
     QFETCH(QString, path);
     QFETCH(QString, line);
     expectNone(includeProblems({path.toStdString(), line.toStdString() + "\n"}, m_layers));
+}
+
+void ArchitectureTest::namesThatMeetAreFound_data() {
+    QTest::addColumn<QString>("first");
+    QTest::addColumn<QString>("second");
+    QTest::addColumn<bool>("meet");
+
+    QTest::newRow("constants") << "constexpr double slack = 1e-6; // m"
+                               << "const int slack = 3;" << true;
+    QTest::newRow("types") << "struct Shot {"
+                           << "enum class Shot { Near, Far };" << true;
+    QTest::newRow("a type with a base") << "struct Drawer : Drive {"
+                                        << "using Drawer = std::function<void(int)>;" << true;
+    QTest::newRow("functions") << "bool isSame(const Vec2& a, const Vec2& b) {"
+                               << "int isSame(const Vec2& a, const Vec2& b) {" << true;
+    QTest::newRow("a function and a table") << "int scenes() {"
+                                            << "const char* const scenes[] = {" << true;
+    QTest::newRow("overloads") << "bool isSame(const Vec2& a, const Vec2& b) {"
+                               << "bool isSame(const Rot& a, const Rot& b) {" << false;
+    QTest::newRow("different names") << "struct Shot {"
+                                     << "struct Shots {" << false;
+    QTest::newRow("inside a function") << "    const int count = 1;"
+                                       << "    const int count = 2;" << false;
+    QTest::newRow("words of comments") << "// the same = twice"
+                                       << "// the same = twice" << false;
+}
+
+void ArchitectureTest::namesThatMeetAreFound() {
+    QFETCH(QString, first);
+    QFETCH(QString, second);
+    QFETCH(bool, meet);
+    const auto source = [](const char* path, const QString& line) {
+        return Source{path, "namespace {\n" + line.toStdString() + "\n} // namespace\n"};
+    };
+    QCOMPARE(nameProblems({source("core/math/a.cpp", first), source("core/math/b.cpp", second)}).size(),
+             std::size_t{meet ? 1U : 0U});
+    expectNone(nameProblems({source("core/math/a.cpp", first), source("core/base/b.cpp", second)}));
 }
 
 void ArchitectureTest::aFileOfBadFormIsFound_data() {

@@ -8,8 +8,8 @@ using namespace spacetow::test;
 
 namespace {
 
-struct Drawer : Drive {
-    Drawer() { toolbox.choose(ToolId::Circle); }
+struct CircleDrawer : Drive {
+    CircleDrawer() { toolbox.choose(ToolId::Circle); }
     Circle circle() const { return std::get<Circle>(std::get<BodyObject>(newest().data).shapes.front()); }
 };
 
@@ -29,7 +29,7 @@ class CircleToolTest : public QObject {
 };
 
 void CircleToolTest::aDragDrawsFromTheCentre() {
-    Drawer drive;
+    CircleDrawer drive;
     drive.press({1, 2});
     drive.move({1, 3});
     QCOMPARE(drive.circle().radius, 1.0); // while dragging
@@ -49,7 +49,7 @@ void CircleToolTest::aDragDrawsFromTheCentre() {
 }
 
 void CircleToolTest::twoClicksDrawToo() {
-    Drawer drive;
+    CircleDrawer drive;
     drive.click({1, 2});
     QVERIFY(drive.toolbox.isBusy());
     QVERIFY(drive.level().objects.empty());
@@ -69,7 +69,7 @@ void CircleToolTest::theRadiusSnaps_data() {
 void CircleToolTest::theRadiusSnaps() {
     QFETCH(bool, ctrl);
     QFETCH(double, radius);
-    Drawer drive;
+    CircleDrawer drive;
     drive.click({0, 0});
     drive.held.ctrl = ctrl;
     drive.click({1.1, 1.1});
@@ -77,7 +77,7 @@ void CircleToolTest::theRadiusSnaps() {
 }
 
 void CircleToolTest::aCircleWithoutRadiusIsNotDrawn() {
-    Drawer drive;
+    CircleDrawer drive;
     drive.click({{0, 0}, {0.1, 0}});
     QVERIFY(drive.level().objects.empty());
     QCOMPARE(drive.toolbox.hint().code, std::string("draw-circle.too-small"));
@@ -92,7 +92,7 @@ void CircleToolTest::aCircleWithoutRadiusIsNotDrawn() {
 }
 
 void CircleToolTest::escapeCancels() {
-    Drawer drive;
+    CircleDrawer drive;
     drive.press({0, 0});
     drive.move({3, 0});
     drive.key(ToolKey::Escape);
@@ -106,7 +106,7 @@ void CircleToolTest::escapeCancels() {
 }
 
 void CircleToolTest::aSecondDragMayGiveTheRadius() {
-    Drawer drive;
+    CircleDrawer drive;
     drive.click({0, 0});
     drive.drag({0.5, 0}, {2, 0});
     QVERIFY(drive.circle() == (Circle{{0, 0}, 2}));

@@ -3,6 +3,7 @@
 #include "core/base/random.h"
 #include "core/level/edits.h"
 #include "tests/support/drive.h"
+#include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
 using namespace spacetow;
@@ -33,10 +34,6 @@ double xOf(const Document& document, Key key) {
 struct TestClock {
     std::chrono::steady_clock::time_point now{};
 };
-
-QByteArray seedText(std::uint64_t seed) {
-    return "seed " + QByteArray::number(static_cast<qulonglong>(seed));
-}
 
 } // namespace
 

@@ -15,8 +15,8 @@ using namespace spacetow::test;
 
 namespace {
 
-struct Drawer : Drive {
-    Drawer() { toolbox.choose(ToolId::Polygon); }
+struct PolygonDrawer : Drive {
+    PolygonDrawer() { toolbox.choose(ToolId::Polygon); }
     void points(const std::vector<Vec2>& points) {
         for (const Vec2& point : points) {
             click(point);
@@ -53,7 +53,7 @@ void DrawPolygonTest::polygonsAreAnticlockwise() {
         for (const double angle : angles) {
             corners.emplace_back(4 * std::cos(angle), 4 * std::sin(angle));
         }
-        Drawer drive;
+        PolygonDrawer drive;
         drive.held.ctrl = true;
         drive.view.scale = 2000; // so that no two corners are within the closing distance
         drive.points(corners);
@@ -72,7 +72,7 @@ void DrawPolygonTest::polygonsAreAnticlockwise() {
 }
 
 void DrawPolygonTest::aPolygonThatCrossesItselfIsRefused() {
-    Drawer drive;
+    PolygonDrawer drive;
     drive.click({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
     drive.key(ToolKey::Enter);
     QVERIFY(drive.level().objects.empty());
@@ -86,7 +86,7 @@ void DrawPolygonTest::aPolygonThatCrossesItselfIsRefused() {
 }
 
 void DrawPolygonTest::aFlatPolygonIsRefused() {
-    Drawer drive;
+    PolygonDrawer drive;
     drive.click({{0, 0}, {1, 0}, {3, 0}});
     drive.key(ToolKey::Enter);
     QVERIFY(drive.level().objects.empty());
@@ -97,7 +97,7 @@ void DrawPolygonTest::aFlatPolygonIsRefused() {
 }
 
 void DrawPolygonTest::aPolygonOfAThousandCornersIsDrawn() {
-    Drawer drive;
+    PolygonDrawer drive;
     drive.held.ctrl = true;
     drive.view.scale = 20000;
     const std::vector<Vec2> corners = regularPolygon(1000, 5);

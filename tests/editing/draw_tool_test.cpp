@@ -8,15 +8,12 @@
 using namespace spacetow;
 using namespace spacetow::test;
 
-Q_DECLARE_METATYPE(spacetow::ToolId)
-Q_DECLARE_METATYPE(std::vector<spacetow::Vec2>)
-
 namespace {
 
 const std::vector<Vec2> triangle{{0, 0}, {2, 0}, {2, 2}};
 
-struct Drawer : Drive {
-    explicit Drawer(ToolId tool) { toolbox.choose(tool); }
+struct ChainDrawer : Drive {
+    explicit ChainDrawer(ToolId tool) { toolbox.choose(tool); }
     void points(const std::vector<Vec2>& points) {
         for (const Vec2& point : points) {
             click(point);
@@ -80,7 +77,7 @@ class DrawToolTest : public QObject {
 
 void DrawToolTest::clicksPlacePointsAndTheFirstOneCloses() {
     QFETCH(ToolId, tool);
-    Drawer drive(tool);
+    ChainDrawer drive(tool);
     drive.points(triangle);
     QVERIFY(drive.level().objects.empty());
     QVERIFY(drive.toolbox.isBusy());
@@ -94,7 +91,7 @@ void DrawToolTest::clicksPlacePointsAndTheFirstOneCloses() {
 
 void DrawToolTest::whatIsDrawnIsAStaticWall() {
     QFETCH(ToolId, tool);
-    Drawer drive(tool);
+    ChainDrawer drive(tool);
     drive.points({{1, 1}, {3, 1}, {3, 3}, {1, 1}});
     const auto& body = std::get<BodyObject>(drive.newest().data);
     QCOMPARE(body.kind, BodyKind::Static);
@@ -124,7 +121,7 @@ void DrawToolTest::aChainEndsOpen_data() {
 void DrawToolTest::aChainEndsOpen() {
     QFETCH(ToolId, tool);
     QFETCH(int, how);
-    Drawer drive(tool);
+    ChainDrawer drive(tool);
     drive.click({{0, 0}, {2, 0}});
     if (how == 2) {
         drive.doubleClick({2, 2});
@@ -151,7 +148,7 @@ void DrawToolTest::aPolygonClosesHoweverItEnds_data() {
 
 void DrawToolTest::aPolygonClosesHoweverItEnds() {
     QFETCH(int, how);
-    Drawer drive(ToolId::Polygon);
+    ChainDrawer drive(ToolId::Polygon);
     drive.click({{0, 0}, {2, 0}});
     if (how == 2) {
         drive.doubleClick({2, 2});
@@ -175,7 +172,7 @@ void DrawToolTest::tooFewPointsAreKept_data() {
 void DrawToolTest::tooFewPointsAreKept() {
     QFETCH(ToolId, tool);
     QFETCH(int, points);
-    Drawer drive(tool);
+    ChainDrawer drive(tool);
     drive.points({triangle.begin(), triangle.begin() + points});
     drive.key(ToolKey::Enter);
     QCOMPARE(drive.hintCode(), labelOf(tool) + std::string(".too-few"));
@@ -189,7 +186,7 @@ void DrawToolTest::tooFewPointsAreKept() {
 
 void DrawToolTest::backspaceDropsTheLastPoint() {
     QFETCH(ToolId, tool);
-    Drawer drive(tool);
+    ChainDrawer drive(tool);
     drive.click({{0, 0}, {2, 0}, {7, 7}});
     drive.key(ToolKey::Backspace);
     drive.click({2, 2});
@@ -203,7 +200,7 @@ void DrawToolTest::backspaceDropsTheLastPoint() {
 
 void DrawToolTest::escapeCancelsTheShape() {
     QFETCH(ToolId, tool);
-    Drawer drive(tool);
+    ChainDrawer drive(tool);
     drive.click({{0, 0}, {2, 0}});
     drive.key(ToolKey::Escape);
     QVERIFY(!drive.toolbox.isBusy());
@@ -215,7 +212,7 @@ void DrawToolTest::escapeCancelsTheShape() {
 }
 
 void DrawToolTest::theFirstDragDrawsASegment() {
-    Drawer drive(ToolId::Line);
+    ChainDrawer drive(ToolId::Line);
     drive.drag({0.1, 0}, {2, 0.9});
     QVERIFY(drive.toolbox.isBusy());
     drive.key(ToolKey::Enter);
@@ -230,7 +227,7 @@ void DrawToolTest::theFirstDragDrawsASegment() {
 }
 
 void DrawToolTest::laterDragsAdjustTheirPoint() {
-    Drawer drive(ToolId::Edge);
+    ChainDrawer drive(ToolId::Edge);
     drive.click({0, 0});
     drive.drag({2, 0}, {3, 1});
     drive.key(ToolKey::Enter);
@@ -238,7 +235,7 @@ void DrawToolTest::laterDragsAdjustTheirPoint() {
 }
 
 void DrawToolTest::escapeDuringADragKeepsThePointsPlaced() {
-    Drawer drive(ToolId::Edge);
+    ChainDrawer drive(ToolId::Edge);
     drive.click({{0, 0}, {2, 0}});
     drive.press({3, 3});
     drive.move({4, 4});
@@ -252,7 +249,7 @@ void DrawToolTest::escapeDuringADragKeepsThePointsPlaced() {
 
 void DrawToolTest::noSegmentHasZeroLength() {
     QFETCH(ToolId, tool);
-    Drawer drive(tool);
+    ChainDrawer drive(tool);
     drive.click({{0, 0}, {2, 0}, {2.05, 0.05}}); // the same grid point
     QCOMPARE(drive.hintCode(), labelOf(tool) + std::string(".same-point"));
     drive.move({2, 1});
@@ -263,7 +260,7 @@ void DrawToolTest::noSegmentHasZeroLength() {
 }
 
 void DrawToolTest::shiftAndCtrlChangeWhereAPointLands() {
-    Drawer drive(ToolId::Line);
+    ChainDrawer drive(ToolId::Line);
     drive.click({0, 0});
     drive.held = {true, false, false};
     drive.click({2, 0.2});
@@ -274,7 +271,7 @@ void DrawToolTest::shiftAndCtrlChangeWhereAPointLands() {
 }
 
 void DrawToolTest::closingIsPossibleOffTheGrid() {
-    Drawer drive(ToolId::Edge);
+    ChainDrawer drive(ToolId::Edge);
     drive.held.ctrl = true;
     drive.click({0.11, 0.13});
     drive.held.ctrl = false;
@@ -286,7 +283,7 @@ void DrawToolTest::closingIsPossibleOffTheGrid() {
 }
 
 void DrawToolTest::theRingShowsWhereAClickCloses() {
-    Drawer drive(ToolId::Edge);
+    ChainDrawer drive(ToolId::Edge);
     const auto rings = [&drive] {
         const Overlay overlay = drive.toolbox.overlay();
         return std::count_if(overlay.points.begin(), overlay.points.end(),
@@ -307,7 +304,7 @@ void DrawToolTest::theRingShowsWhereAClickCloses() {
 
 void DrawToolTest::theSolidSideLiesToTheRight() {
     const auto strokes = [](ToolId tool) {
-        Drawer drive(tool);
+        ChainDrawer drive(tool);
         drive.click({0, 0});
         drive.move({2, 0});
         std::vector<OverlayLine> lines = drive.toolbox.overlay().lines;
@@ -324,7 +321,7 @@ void DrawToolTest::theSolidSideLiesToTheRight() {
 }
 
 void DrawToolTest::lengthAndAngleAreShown() {
-    Drawer drive(ToolId::Line);
+    ChainDrawer drive(ToolId::Line);
     drive.click({1, 1});
     drive.move({1, 3});
     const Overlay overlay = drive.toolbox.overlay();
@@ -333,7 +330,7 @@ void DrawToolTest::lengthAndAngleAreShown() {
 }
 
 void DrawToolTest::theHintCountsPoints() {
-    Drawer drive(ToolId::Edge);
+    ChainDrawer drive(ToolId::Edge);
     drive.move({0, 0});
     QCOMPARE(drive.hintCode(), std::string("draw-edge.start"));
     drive.click({{0, 0}, {2, 0}});

@@ -13,10 +13,6 @@ namespace {
 using Points = std::vector<Vec2>;
 using Nodes = std::vector<NodeRef>;
 
-constexpr Modifiers none{};
-constexpr Modifiers shift{true, false, false};
-constexpr Modifiers ctrl{false, true, false};
-constexpr Modifiers alt{false, false, true};
 constexpr Modifiers ctrlAlt{false, true, true};
 constexpr Modifiers shiftAlt{true, false, true};
 

@@ -5,6 +5,7 @@
 #include "core/level/edits.h"
 #include "core/level/outline.h"
 #include "tests/support/drive.h"
+#include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
 #include <algorithm>
@@ -107,10 +108,6 @@ Level pileOfThree() {
     level.objects.append(bodyWith(2, Circle{{0, 0}, 1}));
     level.objects.append(bodyWith(3, Circle{{0, 0}, 1}));
     return level;
-}
-
-QByteArray seedText(std::uint64_t seed) {
-    return "seed " + QByteArray::number(static_cast<qulonglong>(seed));
 }
 
 } // namespace

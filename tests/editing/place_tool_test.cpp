@@ -8,8 +8,6 @@
 using namespace spacetow;
 using namespace spacetow::test;
 
-Q_DECLARE_METATYPE(spacetow::Vec2)
-
 namespace {
 
 struct Placer : Drive {

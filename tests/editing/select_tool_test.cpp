@@ -7,16 +7,8 @@
 using namespace spacetow;
 using namespace spacetow::test;
 
-Q_DECLARE_METATYPE(spacetow::Modifiers)
-Q_DECLARE_METATYPE(spacetow::Vec2)
-Q_DECLARE_METATYPE(std::vector<spacetow::Key>)
-
 namespace {
 
-constexpr Modifiers none{};
-constexpr Modifiers shift{true, false, false};
-constexpr Modifiers ctrl{false, true, false};
-constexpr Modifiers alt{false, false, true};
 
 /// Balls of radius 0.5: 1 at (0, 0), 2 at (3, 0), 3 at (0, 3), and 4 with radius 1 under 3. Key 5 is off the grid.
 Level balls() {

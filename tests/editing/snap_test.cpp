@@ -14,9 +14,9 @@ Pointer pointerAt(const Vec2& world, Modifiers modifiers = {}) {
     return {world, {0, 0}, modifiers, 0.01};
 }
 
-constexpr Modifiers shift{true, false, false};
-constexpr Modifiers ctrl{false, true, false};
-constexpr Modifiers shiftCtrl{true, true, false};
+constexpr Modifiers withShift{true, false, false};
+constexpr Modifiers withCtrl{false, true, false};
+constexpr Modifiers withBoth{true, true, false};
 
 double angleOf(const Vec2& v) {
     return std::atan2(v.y(), v.x()) * 180 / std::numbers::pi;
@@ -75,7 +75,7 @@ void SnapTest::shiftKeepsToMultiplesOfFifteenDegrees() {
         const Vec2 from(random.uniform(-5, 5), random.uniform(-5, 5));
         const Vec2 to(random.uniform(-5, 5), random.uniform(-5, 5));
         const bool grid = random.below(2) == 0;
-        const Vec2 point = snappedFrom({grid, 0.25}, pointerAt(to, shift), from);
+        const Vec2 point = snappedFrom({grid, 0.25}, pointerAt(to, withShift), from);
         if ((point - from).norm() < 0.1) {
             continue;
         }
@@ -95,7 +95,7 @@ void SnapTest::shiftOnTheGridEndsOnAGridLine() {
         Random random(seed);
         const Vec2 from(random.uniform(-5, 5), random.uniform(-5, 5));
         const Vec2 to(random.uniform(-5, 5), random.uniform(-5, 5));
-        const Vec2 point = snappedFrom({true, 0.25}, pointerAt(to, shift), from);
+        const Vec2 point = snappedFrom({true, 0.25}, pointerAt(to, withShift), from);
         const auto offGrid = [](double x) { return std::abs(x * 4 - std::round(x * 4)); };
         QVERIFY2(std::min(offGrid(point.x()), offGrid(point.y())) < 1e-9, qPrintable(QString("seed %1").arg(seed)));
     }
@@ -105,17 +105,17 @@ void SnapTest::axesAndDiagonalsStayOnTheGrid() {
     const Vec2 from(0.5, -1.25);
     for (const Vec2& to : {Vec2(3.1, -1.2), Vec2(0.6, 4.3), Vec2(-2.1, -1.3), Vec2(0.45, -7.3), Vec2(3.1, 1.3),
                            Vec2(-2.1, 1.2), Vec2(-3.3, -5.1), Vec2(2.2, -3.1)}) {
-        const Vec2 point = snappedFrom({true, 0.25}, pointerAt(to, shift), from);
+        const Vec2 point = snappedFrom({true, 0.25}, pointerAt(to, withShift), from);
         QVERIFY(point == onGrid({true, 0.25}, point));
         QVERIFY((point - to).norm() < 0.5);
     }
-    const Vec2 free = snappedFrom({true, 0.25}, pointerAt({3.1, -1.2}, shiftCtrl), from);
+    const Vec2 free = snappedFrom({true, 0.25}, pointerAt({3.1, -1.2}, withBoth), from);
     QVERIFY(free == Vec2(3.1, -1.25));
 }
 
 void SnapTest::withoutShiftTheStartDoesNotMatter() {
     QVERIFY(snappedFrom({true, 0.25}, pointerAt({1.2, 0.4}), {9, 9}) == Vec2(1.25, 0.5));
-    QVERIFY(snappedFrom({true, 0.25}, pointerAt({1.2, 0.4}, ctrl), {9, 9}) == Vec2(1.2, 0.4));
+    QVERIFY(snappedFrom({true, 0.25}, pointerAt({1.2, 0.4}, withCtrl), {9, 9}) == Vec2(1.2, 0.4));
 }
 
 SPACETOW_TEST(SnapTest)

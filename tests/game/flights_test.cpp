@@ -5,6 +5,7 @@
 #include "core/game/replay.h"
 #include "core/level/file.h"
 #include "core/level/lint.h"
+#include "tests/support/folders.h"
 #include "tests/support/record_flight.h"
 #include "tests/support/test_main.h"
 
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path root(SPACETOW_SOURCE_DIR);
+const fs::path root(sourceFolder().toStdString());
 
 std::vector<fs::path> levelFiles(const fs::path& folder) {
     std::vector<fs::path> files;

@@ -37,8 +37,6 @@ bool heard(const Session& session, Sound sound) {
 
 } // namespace
 
-Q_DECLARE_METATYPE(spacetow::Controls)
-
 class SessionTest : public QObject {
     Q_OBJECT
 

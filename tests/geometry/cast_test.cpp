@@ -3,6 +3,7 @@
 #include "core/geometry/closest.h"
 #include "core/geometry/convex_parts.h"
 #include "tests/geometry/random_parts.h"
+#include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
 using namespace spacetow;
@@ -36,13 +37,7 @@ bool areWalls(const Part& a, const Part& b) {
     return std::holds_alternative<WallPart>(a) && std::holds_alternative<WallPart>(b);
 }
 
-QByteArray seedText(unsigned seed) {
-    return "seed " + QByteArray::number(seed);
-}
-
 } // namespace
-
-Q_DECLARE_METATYPE(spacetow::Part)
 
 class CastTest : public QObject {
     Q_OBJECT

@@ -3,6 +3,7 @@
 #include "core/geometry/closest.h"
 #include "core/geometry/overlaps.h"
 #include "tests/geometry/random_parts.h"
+#include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
 using namespace spacetow;
@@ -51,10 +52,6 @@ Pair randomPair(Random& random, double reach) {
 
 bool isWall(const Part& part) {
     return std::holds_alternative<WallPart>(part);
-}
-
-QByteArray seedText(unsigned seed) {
-    return "seed " + QByteArray::number(seed);
 }
 
 } // namespace

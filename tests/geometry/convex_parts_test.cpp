@@ -83,8 +83,6 @@ void checkParts(const std::vector<Vec2>& outline, const QByteArray& name) {
 
 } // namespace
 
-Q_DECLARE_METATYPE(std::vector<spacetow::Vec2>)
-
 class ConvexPartsTest : public QObject {
     Q_OBJECT
 

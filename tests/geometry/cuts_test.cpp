@@ -3,6 +3,7 @@
 #include "core/geometry/closest.h"
 #include "core/geometry/overlaps.h"
 #include "tests/geometry/random_parts.h"
+#include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
 using namespace spacetow;
@@ -10,7 +11,7 @@ using namespace spacetow::test;
 
 namespace {
 
-double leastSeparation(const Manifold& manifold) {
+double leastSeparationIn(const Manifold& manifold) {
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < manifold.count; ++i) {
         least = std::min(least, manifold.points[static_cast<std::size_t>(i)].separation);
@@ -18,11 +19,7 @@ double leastSeparation(const Manifold& manifold) {
     return least;
 }
 
-QByteArray seedText(unsigned seed) {
-    return "seed " + QByteArray::number(seed);
-}
-
-Polygon randomStar(Random& random) {
+Polygon randomStarPolygon(Random& random) {
     Polygon star;
     const int count = 5 + static_cast<int>(random.below(12));
     for (int i = 0; i < count; ++i) {
@@ -81,7 +78,7 @@ struct Sinking {
                 const bool inside = closestPoints(part, {}, other, pose).distance <= 0;
                 sunk = inside ? further : sunk; // or it has slid past
                 const Manifold manifold = collide(part, {}, other, pose, 0);
-                deepest = std::max(deepest, manifold.count > 0 ? -leastSeparation(manifold) : 0.0);
+                deepest = std::max(deepest, manifold.count > 0 ? -leastSeparationIn(manifold) : 0.0);
             }
         }
     }
@@ -143,7 +140,7 @@ void CutsTest::nothingRestsOnACut() {
                 if (manifold.count > 0) {
                     carried = true;
                     QVERIFY(isNear(manifold.normal, Vec2(0, 1)));
-                    QVERIFY(isNear(leastSeparation(manifold), -0.005));
+                    QVERIFY(isNear(leastSeparationIn(manifold), -0.005));
                 }
             }
             QVERIFY(carried);
@@ -176,14 +173,14 @@ void CutsTest::cutsNeverThrowAnythingOutTheLongWay() {
     int met = 0;
     for (unsigned seed = 0; seed < 6000; ++seed) {
         Random random(seed);
-        const std::vector<Part> parts = partsOf(seed % 2 == 0 ? randomStar(random) : randomComb(random));
+        const std::vector<Part> parts = partsOf(seed % 2 == 0 ? randomStarPolygon(random) : randomComb(random));
         const std::array<std::vector<Part>, 6> bodies{
             std::vector<Part>{Circle{Vec2(0, 0), random.uniform(0.05, 0.5)}},
             {randomConvex(random)},
             {box(0.3, 0.2)},
             {line(Vec2(-0.7, 0), Vec2(0.6, 0.1))},
             partsOf(randomComb(random)),
-            partsOf(randomStar(random)),
+            partsOf(randomStarPolygon(random)),
         };
         const Sinking sinking(random, parts, bodies[random.below(6)]);
         if (sinking.sunk > 0) {
@@ -205,8 +202,8 @@ void CutsTest::theBackOfACombHoldsTheToothOfAnother() {
     for (const Part& part : partsOf(comb)) {
         for (const Part& other : partsOf(comb)) {
             const Manifold manifold = collide(part, {}, other, moved, 0.01);
-            const bool deeper = manifold.count > 0 && -leastSeparation(manifold) > deepest;
-            deepest = deeper ? -leastSeparation(manifold) : deepest;
+            const bool deeper = manifold.count > 0 && -leastSeparationIn(manifold) > deepest;
+            deepest = deeper ? -leastSeparationIn(manifold) : deepest;
             QVERIFY(!deeper || deepest < 0.02 || isNear(manifold.normal, moved.rotation * Vec2(0, -1), 1e-6));
         }
     }
@@ -241,7 +238,7 @@ void CutsTest::aTipInANotchIsAnticipatedByBothFlanks() {
                 QCOMPARE(turned.count, manifold.count);
                 QVERIFY(manifold.count == 0 || isNear(turned.normal, -manifold.normal));
                 anticipated |= manifold.count > 0 && isNear(manifold.normal, normal) &&
-                               isNear(leastSeparation(manifold), expected);
+                               isNear(leastSeparationIn(manifold), expected);
             }
         }
         QVERIFY2(anticipated, side < 0 ? "left" : "right");

@@ -19,8 +19,6 @@ Polygon polygonOf(std::vector<Vec2> vertices) {
 
 } // namespace
 
-Q_DECLARE_METATYPE(spacetow::Shape)
-
 class MassTest : public QObject {
     Q_OBJECT
 

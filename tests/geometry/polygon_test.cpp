@@ -8,17 +8,15 @@ using namespace spacetow::test;
 
 namespace {
 
-std::vector<Vec2> ship() {
+std::vector<Vec2> shipOutline() {
     return {Vec2(0, 0.7 / 3), Vec2(-0.2, -0.5 / 3), Vec2(0, -0.2 / 3), Vec2(0.2, -0.5 / 3)};
 }
 
-std::vector<Vec2> square(double half) {
+std::vector<Vec2> squareAround(double half) {
     return {Vec2(-half, -half), Vec2(half, -half), Vec2(half, half), Vec2(-half, half)};
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(std::vector<spacetow::Vec2>)
 
 class PolygonTest : public QObject {
     Q_OBJECT
@@ -38,9 +36,9 @@ class PolygonTest : public QObject {
 };
 
 void PolygonTest::areaAndCentroidFollowTheFormulas() {
-    QVERIFY(isNear(signedArea(ship()), 0.06, 1e-15));
-    QVERIFY(isNear(centroid(ship()), Vec2(0, 0), 1e-15));
-    QVERIFY(isNear(signedArea(square(1.5)), 9, 1e-14));
+    QVERIFY(isNear(signedArea(shipOutline()), 0.06, 1e-15));
+    QVERIFY(isNear(centroid(shipOutline()), Vec2(0, 0), 1e-15));
+    QVERIFY(isNear(signedArea(squareAround(1.5)), 9, 1e-14));
     for (int n = 3; n < 20; ++n) {
         const auto outline = regularPolygon(n, 2);
         QVERIFY(isNear(signedArea(outline), 0.5 * n * 4 * std::sin(2 * std::numbers::pi / n), 1e-13));
@@ -53,7 +51,7 @@ void PolygonTest::areaAndCentroidMoveWithTheOutline() {
         Random random(seed);
         const Transform by = randomPose(random, 1e4);
         std::vector<Vec2> moved;
-        for (const Vec2& v : ship()) {
+        for (const Vec2& v : shipOutline()) {
             moved.push_back(by.toWorld(v));
         }
         QVERIFY(isNear(signedArea(moved), 0.06, 1e-11));
@@ -73,8 +71,8 @@ void PolygonTest::anOutlineWithoutAreaHasItsMeanAsCentroid() {
 void PolygonTest::isSimpleTellsCrossingOutlines_data() {
     QTest::addColumn<std::vector<Vec2>>("outline");
     QTest::addColumn<bool>("simple");
-    QTest::newRow("square") << square(1) << true;
-    QTest::newRow("ship") << ship() << true;
+    QTest::newRow("square") << squareAround(1) << true;
+    QTest::newRow("ship") << shipOutline() << true;
     QTest::newRow("two points") << std::vector{Vec2(0, 0), Vec2(1, 0)} << false;
     QTest::newRow("bow tie") << std::vector{Vec2(0, 0), Vec2(1, 1), Vec2(1, 0), Vec2(0, 1)} << false;
     QTest::newRow("repeated vertex") << std::vector{Vec2(0, 0), Vec2(1, 0), Vec2(1, 0), Vec2(0, 1)} << false;
@@ -132,9 +130,9 @@ void PolygonTest::isSimpleIsFastForLargeOutlines() {
 }
 
 void PolygonTest::pointsAreInsideOrOutside() {
-    QVERIFY(contains(ship(), Vec2(0, 0)));
-    QVERIFY(!contains(ship(), Vec2(0, -0.1))); // in the notch
-    QVERIFY(contains(ship(), Vec2(0.17, -0.14)));
+    QVERIFY(contains(shipOutline(), Vec2(0, 0)));
+    QVERIFY(!contains(shipOutline(), Vec2(0, -0.1))); // in the notch
+    QVERIFY(contains(shipOutline(), Vec2(0.17, -0.14)));
     QVERIFY(!contains(std::vector<Vec2>{}, Vec2(0, 0)));
     const auto outline = regularPolygon(7, 1);
     for (unsigned seed = 0; seed < 1000; ++seed) {
@@ -154,8 +152,8 @@ void PolygonTest::theIncircleOfASquareIsHalfItsSide() {
         QVERIFY(isNear(incircleRadius(outline, Vec2(0, 0)), circumradius * std::sqrt(0.5), 1e-15));
         QVERIFY(isNear(outerRadius(outline, Vec2(0, 0)), circumradius, 1e-15));
     }
-    QVERIFY(isNear(incircleRadius(ship(), Vec2(0, 0)), 0.2 / 3, 1e-15)); // the notch is nearest
-    QVERIFY(isNear(outerRadius(ship(), Vec2(0, 0)), std::hypot(0.2, 0.5 / 3), 1e-15));
+    QVERIFY(isNear(incircleRadius(shipOutline(), Vec2(0, 0)), 0.2 / 3, 1e-15)); // the notch is nearest
+    QVERIFY(isNear(outerRadius(shipOutline(), Vec2(0, 0)), std::hypot(0.2, 0.5 / 3), 1e-15));
 }
 
 void PolygonTest::regularPolygonsStartUpright() {
@@ -172,7 +170,7 @@ void PolygonTest::regularPolygonsStartUpright() {
 }
 
 void PolygonTest::theOutlinePointLiesAhead() {
-    const auto outline = square(1);
+    const auto outline = squareAround(1);
     const auto right = outlinePoint(outline, Vec2(0, 0), Vec2(1, 0));
     QVERIFY(right && isNear(*right, Vec2(1, 0)));
     const auto up = outlinePoint(outline, Vec2(0.25, 0), Vec2(0, 0.01));

@@ -3,20 +3,13 @@
 #include "core/geometry/closest.h"
 #include "core/geometry/convex_parts.h"
 #include "tests/geometry/random_parts.h"
+#include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
 using namespace spacetow;
 using namespace spacetow::test;
 
-namespace {
-
-QByteArray seedText(unsigned seed) {
-    return "seed " + QByteArray::number(seed);
-}
-
-} // namespace
-
-Q_DECLARE_METATYPE(spacetow::Part)
+namespace {} // namespace
 
 class RayTest : public QObject {
     Q_OBJECT

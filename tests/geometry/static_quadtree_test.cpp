@@ -1,6 +1,7 @@
 #include "core/geometry/static_quadtree.h"
 
 #include "tests/geometry/random_parts.h"
+#include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ Aabb boxAt(const Vec2& center, const Vec2& half) {
 }
 
 /// Boxes on a coarse grid, so that borders coincide with each other and with the cells, or anywhere.
-std::vector<Aabb> randomBoxes(Random& random, std::size_t count, bool onGrid) {
+std::vector<Aabb> randomStaticBoxes(Random& random, std::size_t count, bool onGrid) {
     std::vector<Aabb> boxes;
     for (std::size_t i = 0; i < count; ++i) {
         if (onGrid) {
@@ -29,7 +30,7 @@ std::vector<Aabb> randomBoxes(Random& random, std::size_t count, bool onGrid) {
     return boxes;
 }
 
-std::vector<std::uint32_t> bruteForce(const std::vector<Aabb>& boxes, const Aabb& area) {
+std::vector<std::uint32_t> foundOneByOne(const std::vector<Aabb>& boxes, const Aabb& area) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i].overlaps(area)) {
@@ -37,10 +38,6 @@ std::vector<std::uint32_t> bruteForce(const std::vector<Aabb>& boxes, const Aabb
         }
     }
     return found;
-}
-
-QByteArray seedText(unsigned seed) {
-    return "seed " + QByteArray::number(seed);
 }
 
 } // namespace
@@ -63,12 +60,12 @@ void StaticQuadtreeTest::queriesEqualBruteForceEachBoxOnce() {
     for (unsigned seed = 0; seed < 10000; ++seed) {
         Random random(seed);
         const bool onGrid = random.below(2) == 0;
-        const StaticQuadtree tree(randomBoxes(random, random.below(60), onGrid));
-        for (const Aabb& area : randomBoxes(random, 4, onGrid)) {
+        const StaticQuadtree tree(randomStaticBoxes(random, random.below(60), onGrid));
+        for (const Aabb& area : randomStaticBoxes(random, 4, onGrid)) {
             std::vector<std::uint32_t> found;
             tree.query(area, found);
             std::sort(found.begin(), found.end());
-            QVERIFY2(found == bruteForce(tree.boxes(), area), seedText(seed));
+            QVERIFY2(found == foundOneByOne(tree.boxes(), area), seedText(seed));
         }
     }
 }
@@ -120,7 +117,7 @@ void StaticQuadtreeTest::stackedBoxesEndInALeaf() {
 void StaticQuadtreeTest::cellsCoverTheBoundsWithoutOverlap() {
     for (unsigned seed = 0; seed < 100; ++seed) {
         Random random(seed);
-        const std::vector<Aabb> boxes = randomBoxes(random, 50, false);
+        const std::vector<Aabb> boxes = randomStaticBoxes(random, 50, false);
         Aabb bounds;
         for (const Aabb& b : boxes) {
             bounds.include(b);
@@ -136,7 +133,7 @@ void StaticQuadtreeTest::cellsCoverTheBoundsWithoutOverlap() {
 
 void StaticQuadtreeTest::theTreeIsTheSameEveryTime() {
     Random random(9);
-    const std::vector<Aabb> boxes = randomBoxes(random, 500, false);
+    const std::vector<Aabb> boxes = randomStaticBoxes(random, 500, false);
     const StaticQuadtree first(boxes);
     const StaticQuadtree second(boxes);
     std::vector<std::uint32_t> ofFirst;
@@ -160,7 +157,7 @@ void StaticQuadtreeTest::aHundredThousandBoxesAreDividedWell() {
         std::vector<std::uint32_t> found;
         tree.query(area, found);
         std::sort(found.begin(), found.end());
-        QVERIFY(found == bruteForce(boxes, area));
+        QVERIFY(found == foundOneByOne(boxes, area));
     }
     // Enough leaves that no query has to look at more than a small share of the boxes.
     QVERIFY(tree.cells().size() > 5000);

@@ -25,8 +25,6 @@ double deepest(const std::vector<Manifold>& manifolds) {
 
 } // namespace
 
-Q_DECLARE_METATYPE(spacetow::Part)
-
 class WallJointsTest : public QObject {
     Q_OBJECT
 

@@ -10,8 +10,6 @@
 using namespace spacetow;
 using namespace spacetow::test;
 
-Q_DECLARE_METATYPE(spacetow::Part)
-
 class WallSideTest : public QObject {
     Q_OBJECT
 

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-QByteArray contents(const QString& path) {
+QByteArray contentsOnDisk(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(unreadable)");
 }
@@ -166,7 +166,7 @@ class DiskTest : public QObject {
         QCOMPARE(writeLevel(native(second), Level()), std::nullopt);
         QCOMPARE(writeLevel(native(second), populatedLevel()), std::nullopt);
         QVERIFY(QFileInfo(first).isSymLink() && QFileInfo(second).isSymLink() && !QFileInfo(path).isSymLink());
-        QCOMPARE(contents(path), QByteArray::fromStdString(levelText(populatedLevel())));
+        QCOMPARE(contentsOnDisk(path), QByteArray::fromStdString(levelText(populatedLevel())));
     }
 
     void whatCannotBeWrittenLeavesEverythingAsItWas_data() {
@@ -202,7 +202,7 @@ class DiskTest : public QObject {
     void aFullDiskLeavesTheOldFileWhole() {
         const QString path = m_folder->filePath("level.json");
         QCOMPARE(writeLevel(native(path), Level()), std::nullopt);
-        const QByteArray before = contents(path);
+        const QByteArray before = contentsOnDisk(path);
         std::optional<Error> error;
         {
             const FileSizeLimit limit(1000);
@@ -210,7 +210,7 @@ class DiskTest : public QObject {
         }
         QVERIFY(error.has_value());
         QCOMPARE(error->code, std::string("cannot-write"));
-        QCOMPARE(contents(path), before);
+        QCOMPARE(contentsOnDisk(path), before);
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
                  QStringList{"level.json"});
     }
@@ -218,7 +218,7 @@ class DiskTest : public QObject {
     void aProtectedFolderOrFileIsRespected() {
         const QString path = m_folder->filePath("level.json");
         QCOMPARE(writeLevel(native(path), Level()), std::nullopt);
-        const QByteArray before = contents(path);
+        const QByteArray before = contentsOnDisk(path);
         // Permissions do not bind root, so the attempt is made by a child that is somebody else.
         const auto asNobody = [&](const QString& target) {
             const pid_t child = ::fork();
@@ -237,7 +237,7 @@ class DiskTest : public QObject {
         QCOMPARE(::chmod(qPrintable(m_folder->path()), 0555), 0);
         QCOMPARE(asNobody(m_folder->filePath("new.json")), 0);
         QCOMPARE(::chmod(qPrintable(m_folder->path()), 0755), 0);
-        QCOMPARE(contents(path), before);
+        QCOMPARE(contentsOnDisk(path), before);
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
                  QStringList{"level.json"});
     }

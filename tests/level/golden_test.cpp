@@ -1,7 +1,9 @@
 #include "core/level/file.h"
 
+#include "core/level/describe.h"
 #include "core/level/field_reader.h"
 #include "core/level/fields.h"
+#include "tests/support/folders.h"
 #include "tests/support/random_level.h"
 #include "tests/support/test_main.h"
 
@@ -25,7 +27,7 @@ QByteArray contents(const QString& path) {
 }
 
 QString folder() {
-    return QStringLiteral(SPACETOW_SOURCE_DIR "/tests/golden");
+    return sourceFolder() + "/tests/golden";
 }
 
 /// "LINE: severity: code: arguments (pointer)" for each problem.
@@ -48,6 +50,7 @@ struct Described {
     std::string name;
     double min = 0, max = 0;
     bool hasRange = false, openMin = false, required = false;
+    std::string meaning;
 };
 
 /// The visitor of core/level/fields.h that lists the fields.
@@ -76,8 +79,8 @@ class FieldLister {
 
   private:
     void add(const Field& field, bool hasRange) {
-        m_out.push_back(
-            {m_owner, field.name, field.min, field.max, hasRange, field.openMin, field.presence == Presence::Required});
+        m_out.push_back({m_owner, field.name, field.min, field.max, hasRange, field.openMin,
+                         field.presence == Presence::Required, field.meaning});
     }
 
     std::vector<Described>& m_out;
@@ -117,6 +120,9 @@ QJsonObject definitionOf(const QJsonObject& schema, const std::string& owner) {
     if (owner == "rules") {
         return schema["properties"]["rules"].toObject();
     }
+    if (owner == "guide") {
+        return schema["properties"]["guides"]["items"].toObject();
+    }
     // What every object has stands in each of their definitions.
     return schema["$defs"][QString::fromStdString(owner == "object" ? "group" : owner)].toObject();
 }
@@ -131,8 +137,7 @@ QJsonObject limitsIn(QJsonObject field) {
 }
 
 QJsonObject schemaDocument() {
-    return QJsonDocument::fromJson(contents(QStringLiteral(SPACETOW_SOURCE_DIR "/resources/level.schema.json")))
-        .object();
+    return QJsonDocument::fromJson(contents(sourceFolder() + "/resources/level.schema.json")).object();
 }
 
 /// Every field name in a piece of JSON.
@@ -217,12 +222,31 @@ class GoldenTest : public QObject {
         }
     }
 
+    void theSchemaIsTheOneThatLevelcPrints() {
+        QCOMPARE(contents(sourceFolder() + "/resources/level.schema.json"),
+                 QByteArray::fromStdString(levelSchemaText()));
+    }
+
+    void theReadmeHoldsTheTablesThatLevelcPrints() {
+        const QString readme = contents(sourceFolder() + "/levels/README.md");
+        QVERIFY(describedParts().size() >= 15);
+        for (const std::string_view part : describedParts()) {
+            QVERIFY2(readme.contains(QString::fromStdString(fieldTable(part)) + '\n'), std::string(part).c_str());
+        }
+    }
+
+    void everyFieldIsExplained() {
+        for (const Described& field : allFields()) {
+            QVERIFY2(!field.meaning.empty(), (field.owner + '.' + field.name).c_str());
+        }
+    }
+
     void everyFieldOfAFullLevelIsInBothDocuments() {
         std::set<QString> names;
         collectNames(QJsonDocument::fromJson(QByteArray::fromStdString(levelText(populatedLevel()))).object(), names);
         QVERIFY(names.size() > 45);
-        const QString schema = contents(QStringLiteral(SPACETOW_SOURCE_DIR "/resources/level.schema.json"));
-        const QString readme = contents(QStringLiteral(SPACETOW_SOURCE_DIR "/levels/README.md"));
+        const QString schema = contents(sourceFolder() + "/resources/level.schema.json");
+        const QString readme = contents(sourceFolder() + "/levels/README.md");
         for (const QString& name : names) {
             QVERIFY2(schema.contains('"' + name + "\":"), qPrintable(name));
             QVERIFY2(readme.contains('`' + name + '`'), qPrintable(name));
@@ -230,7 +254,7 @@ class GoldenTest : public QObject {
     }
 
     void theReadmeGivesEveryRange() {
-        const QString readme = contents(QStringLiteral(SPACETOW_SOURCE_DIR "/levels/README.md"));
+        const QString readme = contents(sourceFolder() + "/levels/README.md");
         for (const Described& field : allFields()) {
             if (!field.hasRange) {
                 continue;
@@ -244,8 +268,8 @@ class GoldenTest : public QObject {
     }
 
     void theReadmeAndTheSchemaNameEverySpelling() {
-        const QString schema = contents(QStringLiteral(SPACETOW_SOURCE_DIR "/resources/level.schema.json"));
-        const QString readme = contents(QStringLiteral(SPACETOW_SOURCE_DIR "/levels/README.md"));
+        const QString schema = contents(sourceFolder() + "/resources/level.schema.json");
+        const QString readme = contents(sourceFolder() + "/levels/README.md");
         std::vector<std::string_view> names(objectTypeNames.begin(), objectTypeNames.end());
         names.insert(names.end(), shapeTypeNames.begin(), shapeTypeNames.end());
         names.insert(names.end(), bodyKindNames.begin(), bodyKindNames.end());
@@ -259,7 +283,7 @@ class GoldenTest : public QObject {
     }
 
     void theLevelsThatAreShippedAreCanonicalAndSound() {
-        const QString root = QStringLiteral(SPACETOW_SOURCE_DIR "/levels");
+        const QString root = sourceFolder() + "/levels";
         for (const QString& place : {root, root + "/sandbox"}) {
             for (const QString& name : QDir(place).entryList({"*.json"})) {
                 const std::string text = contents(place + '/' + name).toStdString();

@@ -34,7 +34,7 @@ Level nested() {
     return level;
 }
 
-std::vector<Key> keysOf(const Level& level) {
+std::vector<Key> allKeysOf(const Level& level) {
     std::vector<Key> keys;
     for (const Object& object : level.objects) {
         keys.push_back(object.key);
@@ -117,9 +117,9 @@ class GroupsTest : public QObject {
     }
 
     void removingAGroupRemovesItsMembersAndTheLastMemberItsGroup() {
-        QCOMPARE(keysOf(removed(nested(), Keys{3})), (Keys{1, 2, 6}));
-        QCOMPARE(keysOf(removed(nested(), Keys{4, 5})), (Keys{1, 2, 6}));
-        QCOMPARE(keysOf(removed(nested(), Keys{2, 3})), (Keys{1, 6}));
+        QCOMPARE(allKeysOf(removed(nested(), Keys{3})), (Keys{1, 2, 6}));
+        QCOMPARE(allKeysOf(removed(nested(), Keys{4, 5})), (Keys{1, 2, 6}));
+        QCOMPARE(allKeysOf(removed(nested(), Keys{2, 3})), (Keys{1, 6}));
     }
 
     void copiesOfAGroupHaveCopiesOfItsMembers() {
@@ -155,7 +155,7 @@ class GroupsTest : public QObject {
 
     void regroupingPutsObjectsWhereTheyAreWanted() {
         const Level level = regrouped(nested(), Keys{6}, {3, 5});
-        QCOMPARE(keysOf(level), (Keys{1, 2, 3, 4, 6, 5}));
+        QCOMPARE(allKeysOf(level), (Keys{1, 2, 3, 4, 6, 5}));
         QCOMPARE(at(level, 6).parent, Key{3});
     }
 

@@ -5,6 +5,7 @@
 #include "core/level/edits.h"
 #include "tests/support/full_run.h"
 #include "tests/support/random_level.h"
+#include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
 #include <numbers>
@@ -245,10 +246,6 @@ QByteArray fault(const Level& level, Random& random) {
         }
     }
     return {};
-}
-
-QByteArray seedText(unsigned seed) {
-    return "seed " + QByteArray::number(seed);
 }
 
 } // namespace

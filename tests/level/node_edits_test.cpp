@@ -3,7 +3,7 @@
 #include "core/level/edits.h"
 #include "core/level/knife.h"
 #include "core/level/lint.h"
-#include "tests/support/drive.h"
+#include "tests/support/body_with.h"
 #include "tests/support/random_level.h"
 #include "tests/support/test_main.h"
 

@@ -10,9 +10,7 @@ using namespace spacetow::test;
 
 namespace {
 
-using Keys = std::vector<Key>;
-
-std::vector<Key> keysOf(const Level& level) {
+std::vector<Key> everyKey(const Level& level) {
     std::vector<Key> keys;
     for (const Object& object : level.objects) {
         keys.push_back(object.key);
@@ -51,7 +49,7 @@ class NodesTest : public QObject {
 
     void everyNodeIsFoundAgainByItsPlace() {
         const Level level = populatedLevel();
-        const std::vector<NodeRef> nodes = allNodes(level, keysOf(level));
+        const std::vector<NodeRef> nodes = allNodes(level, everyKey(level));
         QCOMPARE(nodes.size(), std::size_t{3 + 3 + 3 + 2});
         for (const NodeRef& node : nodes) {
             QVERIFY(nodePosition(level, node).has_value());
@@ -68,7 +66,7 @@ class NodesTest : public QObject {
         const NodeRef moved{1, 2, 1};
         const Level after =
             withMappedNodes(before, std::vector<NodeRef>{moved, {5, 0, 1}}, Affine::translation({0.5, -0.25}));
-        for (const NodeRef& node : allNodes(before, keysOf(before))) {
+        for (const NodeRef& node : allNodes(before, everyKey(before))) {
             const bool goes = node == moved || node == NodeRef{5, 0, 1};
             const Vec2 delta = goes ? Vec2(0.5, -0.25) : Vec2(0, 0);
             QVERIFY((*nodePosition(after, node) - *nodePosition(before, node) - delta).norm() < 1e-9);

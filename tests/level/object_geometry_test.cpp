@@ -16,7 +16,7 @@ using namespace spacetow::test;
 namespace {
 
 constexpr double quarter = std::numbers::pi / 2;
-using Keys = std::vector<Key>;
+using KeyList = std::vector<Key>;
 
 Object triangle(const Vec2& position) {
     BodyObject body;
@@ -57,14 +57,14 @@ class ObjectGeometryTest : public QObject {
             level = withObject(std::move(level), object);
             const std::string before = levelText(level);
             for (int i = 0; i < 4; ++i) {
-                level = rotated(std::move(level), Keys{1}, {1.25, 0.75}, quarter);
+                level = rotated(std::move(level), KeyList{1}, {1.25, 0.75}, quarter);
             }
             QCOMPARE(levelText(level), before);
         }
     }
 
     void aQuarterTurnAboutAGridPointKeepsThePlaceOnTheGrid() {
-        const Level level = rotated(with(triangle({0.25, 0.5})), Keys{1}, {1.25, 0.75}, quarter);
+        const Level level = rotated(with(triangle({0.25, 0.5})), KeyList{1}, {1.25, 0.75}, quarter);
         QVERIFY((std::get<BodyObject>(level.objects[0].data).position == Vec2(1.5, -0.25)));
     }
 
@@ -84,7 +84,7 @@ class ObjectGeometryTest : public QObject {
             for (Vec2& corner : expected) {
                 corner = map(corner);
             }
-            const std::vector<Vec2> found = corners(transformed(before, Keys{1}, map));
+            const std::vector<Vec2> found = corners(transformed(before, KeyList{1}, map));
             for (const Vec2& corner : expected) {
                 QVERIFY(std::ranges::any_of(found, [&](const Vec2& p) { return (p - corner).norm() < 1e-8; }));
             }
@@ -99,20 +99,20 @@ class ObjectGeometryTest : public QObject {
         std::get<BodyObject>(object.data).shapes.emplace_back(EdgeChain{{{0, 0}, {1, 0.1}, {2, 0}}, true, 0.5});
         const Level before = with(object);
         const Affine flip = Affine::scaling({1, 2}, {-1, 1});
-        const Level once = transformed(before, Keys{1}, flip);
+        const Level once = transformed(before, KeyList{1}, flip);
         QVERIFY(!(once == before));
-        QCOMPARE(levelText(transformed(once, Keys{1}, flip)), levelText(before));
+        QCOMPARE(levelText(transformed(once, KeyList{1}, flip)), levelText(before));
     }
 
     void mirroringTheShipTurnsItsNoseRound() {
         const Level before = with({1, "", ShipObject{{1, 2}, 0.5}, {}});
-        const Level after = transformed(before, Keys{1}, Affine::scaling({0, 0}, {-1, 1}));
+        const Level after = transformed(before, KeyList{1}, Affine::scaling({0, 0}, {-1, 1}));
         QVERIFY((std::get<ShipObject>(after.objects[0].data) == ShipObject{{-1, 2}, -0.5}));
     }
 
     void scalingKeepsAnglesAndGrowsShapes() {
         Object object = triangle({1, 1});
-        const Level after = transformed(with(object), Keys{1}, Affine::scaling({0, 0}, {2, 3}));
+        const Level after = transformed(with(object), KeyList{1}, Affine::scaling({0, 0}, {2, 3}));
         const auto& body = std::get<BodyObject>(after.objects[0].data);
         QVERIFY((body.position == Vec2(2, 3)));
         QCOMPARE(body.angle, 0.0);
@@ -135,7 +135,7 @@ class ObjectGeometryTest : public QObject {
         const auto anchors = [](const Level& of) { return Outlines(of).of(of.objects[2]).paths.front().points; };
         const Affine map = Affine::scaling({1, 1}, {-2, 1.5});
         const std::vector<Vec2> before = anchors(level);
-        const std::vector<Vec2> after = anchors(transformed(level, Keys{1, 2}, map));
+        const std::vector<Vec2> after = anchors(transformed(level, KeyList{1, 2}, map));
         for (std::size_t i = 0; i < 2; ++i) {
             QVERIFY((after[i] - map(before[i])).norm() < 1e-9);
         }

@@ -3,6 +3,7 @@
 #include "core/base/random.h"
 #include "core/level/level.h"
 #include "tests/support/full_run.h"
+#include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
 using namespace spacetow;
@@ -80,10 +81,6 @@ struct Twin {
         return list.indexOf(last + 1) == -1 && list.find(last + 2) == nullptr;
     }
 };
-
-QByteArray seedText(unsigned seed) {
-    return "seed " + QByteArray::number(seed);
-}
 
 } // namespace
 

@@ -9,7 +9,7 @@ using namespace spacetow::test;
 
 namespace {
 
-constexpr double radius = 0.05;
+constexpr double bulletRadius = 0.05;
 const char* const targets[] = {"edge without depth", "line", "thin polygon", "circle"};
 
 /// A target whose surface passes the origin and looks along the turned y axis, 3 m to either side.
@@ -50,8 +50,8 @@ QString whatIsWrong(const Shot& shot) {
     wall.friction = shot.friction;
     add(world, wall);
     const Vec2 impact =
-        shot.target == "circle" ? Vec2(Vec2(0, -1) + (1 + radius) * shot.normal) : Vec2(shot.along, radius);
-    BodyDef bullet = ball(turn * (impact - shot.way * shot.distance), radius);
+        shot.target == "circle" ? Vec2(Vec2(0, -1) + (1 + bulletRadius) * shot.normal) : Vec2(shot.along, bulletRadius);
+    BodyDef bullet = ball(turn * (impact - shot.way * shot.distance), bulletRadius);
     bullet.velocity = turn * Vec2(shot.way * shot.speed);
     bullet.restitution = shot.restitution;
     bullet.friction = shot.friction;
@@ -62,8 +62,8 @@ QString whatIsWrong(const Shot& shot) {
         world.update();
         touched = touched || !world.events().began.empty();
         const Vec2 at = turn.inverse() * world.body(id).massCenter;
-        const bool behind = shot.target == "circle" ? (at - Vec2(0, -1)).norm() < 1 + 0.5 * radius
-                                                    : std::abs(at.x()) < 3 && at.y() < 0.5 * radius;
+        const bool behind = shot.target == "circle" ? (at - Vec2(0, -1)).norm() < 1 + 0.5 * bulletRadius
+                                                    : std::abs(at.x()) < 3 && at.y() < 0.5 * bulletRadius;
         if (behind) {
             return QString("behind the surface at (%1, %2)").arg(at.x()).arg(at.y());
         }
@@ -172,7 +172,7 @@ class BulletsTest : public QObject {
             rod.restitution = restitution;
             const BodyId id = add(world, rod);
             const double angle = 0.4 + pi * 0.8 * std::fmod(0.618 * k, 1);
-            BodyDef peg = ball(Rot::fromAngle(angle) * Vec2(1 + 3.9 * std::fmod(0.414 * k, 1), 0), radius);
+            BodyDef peg = ball(Rot::fromAngle(angle) * Vec2(1 + 3.9 * std::fmod(0.414 * k, 1), 0), bulletRadius);
             peg.kind = BodyKind::Static;
             peg.restitution = restitution;
             add(world, peg);

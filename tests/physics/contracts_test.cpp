@@ -1,4 +1,5 @@
 #include "tests/support/contact_scenes.h"
+#include "tests/support/odd_numbers.h"
 
 #include <csignal>
 #include <functional>
@@ -10,9 +11,6 @@ using namespace spacetow;
 using namespace spacetow::test;
 
 namespace {
-
-const double notANumber = std::numeric_limits<double>::quiet_NaN();
-const double infinite = std::numeric_limits<double>::infinity();
 
 using Mistake = std::function<void(World&, BodyId)>;
 

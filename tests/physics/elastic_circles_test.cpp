@@ -35,7 +35,7 @@ BodyDef elastic(const Vec2& at, double radius, double friction) {
     return def;
 }
 
-struct Shot {
+struct CircleShot {
     double speed;    // of one towards the other, m/s
     double offset;   // of the centres across the way, in sums of the radii
     double friction; // of both
@@ -44,7 +44,7 @@ struct Shot {
 };
 
 /// An empty text when the circles met and kept what they must keep.
-QString whatIsWrong(const Shot& shot, int degrees) {
+QString whatIsWrong(const CircleShot& shot, int degrees) {
     World world(withIterations(shot.iterations, {0, 0}));
     const Rot turn = Rot::fromAngle(degrees * pi / 180);
     // So that the impact falls on another moment of the update for every angle.

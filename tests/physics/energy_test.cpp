@@ -8,8 +8,8 @@ using namespace spacetow::test;
 
 namespace {
 
-constexpr double height = 6; // m, of the walls
-constexpr int updates = 250; // 5 s: fallen, settled, and at rest
+constexpr double height = 6;          // m, of the walls
+constexpr int updatesUntilRest = 250; // 5 s: fallen, settled, and at rest
 
 /// Balls, boxes, hexagons and ships that do not overlap, dropped into a room; nothing bounces.
 World randomPile(Random& random, int iterations) {
@@ -115,7 +115,7 @@ class EnergyTest : public QObject {
         expectNoRise(static_cast<std::uint64_t>(first), static_cast<std::uint64_t>(count),
                      [iterations](Random& random) {
                          World world = randomPile(random, iterations);
-                         return riseOf(world, updates);
+                         return riseOf(world, updatesUntilRest);
                      });
     }
 

@@ -1,4 +1,5 @@
 #include "tests/support/contact_scenes.h"
+#include "tests/support/odd_numbers.h"
 #include "tests/support/rows.h"
 
 #include <functional>
@@ -9,7 +10,6 @@ using namespace spacetow::test;
 
 namespace {
 
-const double notANumber = std::numeric_limits<double>::quiet_NaN();
 const double huge = std::numeric_limits<double>::max();
 
 /// What makes the state of one body, made of finite numbers, overflow.
@@ -95,14 +95,12 @@ World company(int iterations) {
     return world;
 }
 
-bool isSame(const BodyState& a, const BodyState& b) {
+bool isSameState(const BodyState& a, const BodyState& b) {
     return a.massCenter == b.massCenter && a.pose.rotation == b.pose.rotation && a.velocity == b.velocity &&
            a.angularVelocity == b.angularVelocity && a.active == b.active;
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(spacetow::BodyKind)
 
 class FaultsTest : public QObject {
     Q_OBJECT
@@ -146,7 +144,7 @@ class FaultsTest : public QObject {
                 ++faults;
             }
             for (const BodyId id : without.bodies()) {
-                QVERIFY2(isSame(world.body(id), without.body(id)), qPrintable(QString("update %1").arg(i)));
+                QVERIFY2(isSameState(world.body(id), without.body(id)), qPrintable(QString("update %1").arg(i)));
             }
         }
         QCOMPARE(faults, made ? 1 : 0);
@@ -227,7 +225,7 @@ class FaultsTest : public QObject {
                 QVERIFY(event.body == a || event.body == b);
             }
             for (const BodyId id : without.bodies()) {
-                QVERIFY(isSame(world.body(id), without.body(id)));
+                QVERIFY(isSameState(world.body(id), without.body(id)));
             }
             QVERIFY(isFinite(world.body(a).velocity) && isFinite(world.body(b).velocity));
         }

@@ -48,13 +48,13 @@ FieldId add(World& world, ForceFieldDef def) {
     return field.value();
 }
 
-void run(World& world, int updates) {
+void runUpdates(World& world, int updates) {
     for (int i = 0; i < updates; ++i) {
         world.update();
     }
 }
 
-double relativeError(double value, double expected) {
+double relativeErrorOf(double value, double expected) {
     return std::abs(value / expected - 1);
 }
 
@@ -94,7 +94,7 @@ class ForceFieldsTest : public QObject {
             lowest = std::min(lowest, energy());
         }
         const double period = 2 * std::numbers::pi / std::sqrt(stiffness);
-        QVERIFY2(relativeError(lastCrossing, 999.75 * period) < 1e-3, qPrintable(QString::number(lastCrossing)));
+        QVERIFY2(relativeErrorOf(lastCrossing, 999.75 * period) < 1e-3, qPrintable(QString::number(lastCrossing)));
         QVERIFY2(highest < 1.01 * start && lowest > 0.99 * start,
                  qPrintable(QString("%1 %2 %3").arg(lowest).arg(start).arg(highest)));
     }
@@ -111,12 +111,12 @@ class ForceFieldsTest : public QObject {
         const double inertia = world.body(id).inertia;
         add(world, drag(0.7, 1.1 * inertia));
         for (int second = 1; second <= 10; ++second) {
-            run(world, 50);
+            runUpdates(world, 50);
             const BodyState state = world.body(id);
-            QVERIFY(relativeError(state.velocity.x(), 3 * std::exp(-0.7 * second)) < 1e-3);
-            QVERIFY(relativeError(state.velocity.y(), -4 * std::exp(-0.7 * second)) < 1e-3);
-            QVERIFY(relativeError(state.angularVelocity, 2 * std::exp(-1.1 * second)) < 1e-3);
-            QVERIFY(relativeError(state.massCenter.x(), 3 / 0.7 * (1 - std::exp(-0.7 * second))) < 1e-3);
+            QVERIFY(relativeErrorOf(state.velocity.x(), 3 * std::exp(-0.7 * second)) < 1e-3);
+            QVERIFY(relativeErrorOf(state.velocity.y(), -4 * std::exp(-0.7 * second)) < 1e-3);
+            QVERIFY(relativeErrorOf(state.angularVelocity, 2 * std::exp(-1.1 * second)) < 1e-3);
+            QVERIFY(relativeErrorOf(state.massCenter.x(), 3 / 0.7 * (1 - std::exp(-0.7 * second))) < 1e-3);
         }
     }
 
@@ -129,7 +129,7 @@ class ForceFieldsTest : public QObject {
         for (int i = 0; i < 500; ++i) {
             world.update();
             QVERIFY(std::abs((world.body(id).massCenter - Vec2(0, 2)).norm() - 2) < 0.01);
-            QVERIFY(relativeError(world.body(id).velocity.norm(), 6) < 1e-3);
+            QVERIFY(relativeErrorOf(world.body(id).velocity.norm(), 6) < 1e-3);
         }
     }
 
@@ -143,8 +143,8 @@ class ForceFieldsTest : public QObject {
         for (int i = 0; i < fullOrQuick(50000, 5000); ++i) {
             world.update();
             const BodyState s = world.body(id);
-            QVERIFY(relativeError(0.5 * s.velocity.squaredNorm() - 1 / s.massCenter.norm(), 0.72 - 1) < 1e-3);
-            QVERIFY(relativeError(cross(s.massCenter, s.velocity), 1.2) < 1e-9);
+            QVERIFY(relativeErrorOf(0.5 * s.velocity.squaredNorm() - 1 / s.massCenter.norm(), 0.72 - 1) < 1e-3);
+            QVERIFY(relativeErrorOf(cross(s.massCenter, s.velocity), 1.2) < 1e-9);
         }
     }
 
@@ -158,12 +158,12 @@ class ForceFieldsTest : public QObject {
             const BodyId id = test::add(world, probe({1, 2}, {0.5, 1}));
             add(world, constant({2, -5}));
             add(world, constant({1, 2}));
-            run(world, 500);
+            runUpdates(world, 500);
             const BodyState state = world.body(id);
-            QVERIFY(relativeError(state.velocity.x(), 0.5 + 3 * 10) < 1e-9);
-            QVERIFY(relativeError(state.velocity.y(), 1 - 3 * 10) < 1e-9);
-            QVERIFY(relativeError(state.massCenter.x(), 1 + 0.5 * 10 + 1.5 * 100) < 1e-9);
-            QVERIFY(relativeError(state.massCenter.y(), 2 + 1 * 10 - 1.5 * 100) < 1e-9);
+            QVERIFY(relativeErrorOf(state.velocity.x(), 0.5 + 3 * 10) < 1e-9);
+            QVERIFY(relativeErrorOf(state.velocity.y(), 1 - 3 * 10) < 1e-9);
+            QVERIFY(relativeErrorOf(state.massCenter.x(), 1 + 0.5 * 10 + 1.5 * 100) < 1e-9);
+            QVERIFY(relativeErrorOf(state.massCenter.y(), 2 + 1 * 10 - 1.5 * 100) < 1e-9);
         }
     }
 
@@ -172,7 +172,7 @@ class ForceFieldsTest : public QObject {
         test::add(world, edgeBody({-5, 0}, {5, 0}));
         const BodyId id = test::add(world, probe({0, 0.3}));
         add(world, constant({0, -9.81}));
-        run(world, 200);
+        runUpdates(world, 200);
         QVERIFY(std::abs(world.body(id).massCenter.y() - 0.1) < 0.005);
         QVERIFY(world.body(id).velocity.norm() < 1e-3);
     }
@@ -190,9 +190,9 @@ class ForceFieldsTest : public QObject {
             if (!fieldFirst) {
                 add(world, constant({1, 2}));
             }
-            run(world, 50);
+            runUpdates(world, 50);
             hashes[fieldFirst ? 1 : 0] = world.hash();
-            QVERIFY(relativeError(world.body(a).velocity.x() + world.body(b).velocity.x(), 2) < 1e-9);
+            QVERIFY(relativeErrorOf(world.body(a).velocity.x() + world.body(b).velocity.x(), 2) < 1e-9);
         }
         QCOMPARE(hashes[0], hashes[1]);
     }
@@ -208,22 +208,22 @@ class ForceFieldsTest : public QObject {
         ForceFieldDef field = constant({1, 0});
         field.tags = TagMask::bit(3) | TagMask::bit(7);
         add(world, field);
-        run(world, 50);
-        QVERIFY(relativeError(world.body(with).velocity.x(), 1) < 1e-9);
+        runUpdates(world, 50);
+        QVERIFY(relativeErrorOf(world.body(with).velocity.x(), 1) < 1e-9);
         QCOMPARE(world.body(without).velocity.x(), 0.0);
         world.setFilter(without, {.tags = TagMask::bit(7)});
         world.setFilter(with, {.tags = TagMask::bit(2)});
-        run(world, 50);
-        QVERIFY(relativeError(world.body(with).velocity.x(), 1) < 1e-9);
-        QVERIFY(relativeError(world.body(without).velocity.x(), 1) < 1e-9);
+        runUpdates(world, 50);
+        QVERIFY(relativeErrorOf(world.body(with).velocity.x(), 1) < 1e-9);
+        QVERIFY(relativeErrorOf(world.body(without).velocity.x(), 1) < 1e-9);
     }
 
     void aBodyAddedAfterAFieldFeelsIt() {
         World world(weightless(4));
         add(world, constant({1, 0}));
         const BodyId id = test::add(world, probe({0, 0}));
-        run(world, 50);
-        QVERIFY(relativeError(world.body(id).velocity.x(), 1) < 1e-9);
+        runUpdates(world, 50);
+        QVERIFY(relativeErrorOf(world.body(id).velocity.x(), 1) < 1e-9);
     }
 
     void kinematicBodiesFeelManualFieldsOnlyAndStaticBodiesNone() {
@@ -238,10 +238,10 @@ class ForceFieldsTest : public QObject {
             ForceFieldDef field = constant({1, 0});
             field.source = source;
             add(world, field);
-            run(world, 50);
+            runUpdates(world, 50);
             QCOMPARE(world.body(ids[0]).velocity.x(), 0.0);
             QVERIFY(std::abs(world.body(ids[1]).velocity.x() - (source == ForceSource::Manual ? 1 : 0)) < 1e-9);
-            QVERIFY(relativeError(world.body(ids[2]).velocity.x(), 1) < 1e-9);
+            QVERIFY(relativeErrorOf(world.body(ids[2]).velocity.x(), 1) < 1e-9);
         }
     }
 
@@ -254,13 +254,13 @@ class ForceFieldsTest : public QObject {
         def.active = false;
         const BodyId inactive = test::add(world, def);
         add(world, {.force = [](const FieldSample&) { return FieldForce{Vec2(1, 1), 0.01}; }});
-        run(world, 50);
+        runUpdates(world, 50);
         QCOMPARE(world.body(frozen).velocity, Vec2(0, 0));
         QVERIFY(world.body(frozen).angularVelocity > 0);
         QCOMPARE(world.body(inactive).velocity, Vec2(0, 0));
         world.setActive(inactive, true);
-        run(world, 50);
-        QVERIFY(relativeError(world.body(inactive).velocity.x(), 1) < 1e-9);
+        runUpdates(world, 50);
+        QVERIFY(relativeErrorOf(world.body(inactive).velocity.x(), 1) < 1e-9);
     }
 
     void aRemovedFieldActsNoMore() {
@@ -268,11 +268,11 @@ class ForceFieldsTest : public QObject {
         const BodyId id = test::add(world, probe({0, 0}));
         const FieldId field = add(world, constant({1, 0}));
         QVERIFY(world.contains(field));
-        run(world, 50);
+        runUpdates(world, 50);
         world.removeField(field);
         QVERIFY(!world.contains(field));
         const Vec2 velocity = world.body(id).velocity;
-        run(world, 50);
+        runUpdates(world, 50);
         QCOMPARE(world.body(id).velocity, velocity);
         const FieldId next = add(world, constant({0, 1}));
         QVERIFY(next != field && !world.contains(field));
@@ -285,15 +285,15 @@ class ForceFieldsTest : public QObject {
         ForceFieldDef def = constant({1, 0});
         def.body = id;
         const FieldId field = add(world, def);
-        run(world, 50);
-        QVERIFY(relativeError(world.body(id).velocity.x(), 1) < 1e-9);
+        runUpdates(world, 50);
+        QVERIFY(relativeErrorOf(world.body(id).velocity.x(), 1) < 1e-9);
         QCOMPARE(world.body(other).velocity.x(), 0.0);
         world.removeBody(id);
         world.update();
         QVERIFY(!world.contains(field));
         const BodyId inItsPlace = test::add(world, probe({0, 0}));
         QCOMPARE(inItsPlace.index, id.index);
-        run(world, 50);
+        runUpdates(world, 50);
         QCOMPARE(world.body(inItsPlace).velocity.x(), 0.0);
         const Result<FieldId> refused = world.addField(def);
         QVERIFY(!refused);
@@ -324,8 +324,8 @@ class ForceFieldsTest : public QObject {
             QCOMPARE(world.events().fieldFaults[0].iteration, 0);
             QVERIFY(world.events().faults.empty());
         }
-        QVERIFY(relativeError(world.body(id).velocity.x(), 1) < 1e-9);
-        QVERIFY(relativeError(world.body(far).velocity.x(), 2) < 1e-9);
+        QVERIFY(relativeErrorOf(world.body(id).velocity.x(), 1) < 1e-9);
+        QVERIFY(relativeErrorOf(world.body(far).velocity.x(), 2) < 1e-9);
     }
 
     void aCopyOfAWorldGoesOnEqually() {
@@ -334,10 +334,10 @@ class ForceFieldsTest : public QObject {
         test::add(world, probe({0, 1}, {0.3, 0}));
         const FieldId field = add(world, springTo({0, -1}, 30));
         add(world, drag(0.2));
-        run(world, 20);
+        runUpdates(world, 20);
         World copy = world;
-        run(world, 50);
-        run(copy, 50);
+        runUpdates(world, 50);
+        runUpdates(copy, 50);
         QCOMPARE(copy.hash(), world.hash());
         copy.removeField(field);
         QVERIFY(world.contains(field));
@@ -353,7 +353,7 @@ class ForceFieldsTest : public QObject {
         for (World* world : {&with, &without}) {
             test::add(*world, edgeBody({-5, 0}, {5, 0}));
             test::add(*world, probe({0, 1}, {0.3, 0}));
-            run(*world, 100);
+            runUpdates(*world, 100);
         }
         QCOMPARE(with.body(with.bodies()[1]).massCenter, without.body(without.bodies()[1]).massCenter);
         QCOMPARE(with.body(with.bodies()[1]).velocity, without.body(without.bodies()[1]).velocity);

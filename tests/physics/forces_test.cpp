@@ -77,7 +77,7 @@ void gravityRows() {
     known("a body whose mass lies beside its origin falls as every other", turning.pose.position.y(), -4.905, 1e-9);
 }
 
-void forceRows() {
+void engineRows() {
     known("an engine force of 4 N gives 2 kg a speed of 0.04 m/s in 20 ms, once",
           speedAfterOnePush(ForceSource::Engine, false), 0.04);
     known("an engine force at a point counts once too", speedAfterOnePush(ForceSource::Engine, true), 0.04);
@@ -112,7 +112,7 @@ class ForcesTest : public QObject {
     void everyNumberIsWhatItsSentenceSays_data() {
         knownValueColumns();
         gravityRows();
-        forceRows();
+        engineRows();
         dampingRows();
     }
     void everyNumberIsWhatItsSentenceSays() { checkKnownValue(); }

@@ -11,7 +11,7 @@ using namespace spacetow::test;
 
 namespace {
 
-constexpr double radius = 0.1;
+constexpr double ballRadius = 0.1;
 constexpr double spacing = 0.24; // of rows and columns
 constexpr double gap = 0.5;      // from the lowest centres to the floor
 
@@ -25,8 +25,8 @@ std::vector<BodyId> addHeap(World& world, int rows, int columns, const Vec2& low
     std::vector<BodyId> balls;
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
-            BodyDef def =
-                rough(ball(lowestLeft + Vec2(spacing * column + 0.5 * radius * (row % 2), spacing * row), radius));
+            BodyDef def = rough(
+                ball(lowestLeft + Vec2(spacing * column + 0.5 * ballRadius * (row % 2), spacing * row), ballRadius));
             def.velocity = velocity;
             balls.push_back(add(world, def));
         }
@@ -40,20 +40,20 @@ struct Silos {
     std::vector<BodyId> balls;
 
     void addSilo(int rows, int columns, double left = 0) {
-        const double right = left + spacing * columns + 2 * radius;
+        const double right = left + spacing * columns + 2 * ballRadius;
         const double top = spacing * rows + 2;
         add(world, rough(lineBody({left, top}, {left, 0})));
         add(world, rough(lineBody({left, 0}, {right, 0})));
         add(world, rough(lineBody({right, 0}, {right, top})));
-        const std::vector<BodyId> more = addHeap(world, rows, columns, {left + 1.5 * radius, gap}, {0, 0});
+        const std::vector<BodyId> more = addHeap(world, rows, columns, {left + 1.5 * ballRadius, gap}, {0, 0});
         balls.insert(balls.end(), more.begin(), more.end());
     }
 
-    /// How far a row falls until those below have closed up, at most: they come to lie half a radius to the side of
+    /// How far a row falls until those below have closed up, at most: they come to lie half a ballRadius to the side of
     /// each other.
     static double fallOf(int row) {
-        const double closed = radius * std::sqrt(4 - 0.25);
-        return gap - radius + row * (spacing - closed);
+        const double closed = ballRadius * std::sqrt(4 - 0.25);
+        return gap - ballRadius + row * (spacing - closed);
     }
 
     double meanSquareSpeed() const {
@@ -142,14 +142,14 @@ class LandingTest : public QObject {
         for (const double height : {0.001, 0.002, 0.004, 0.008}) {
             World world(withIterations(iterations, {0, 0}));
             add(world, floorOf("edge"));
-            const BodyId hit = add(world, ball({0, radius + height}, radius));
-            BodyDef def = ball({0.02, 3 * radius + height}, radius);
+            const BodyId hit = add(world, ball({0, ballRadius + height}, ballRadius));
+            BodyDef def = ball({0.02, 3 * ballRadius + height}, ballRadius);
             def.velocity = {0, -5};
             const BodyId hammer = add(world, def);
             for (int i = 0; i < 10; ++i) {
                 world.update();
                 const double apart = (world.body(hammer).massCenter - world.body(hit).massCenter).norm();
-                QVERIFY2(apart > 2 * radius - 0.001,
+                QVERIFY2(apart > 2 * ballRadius - 0.001,
                          qPrintable(QString("from %1 m, update %2: %3 m").arg(height).arg(i).arg(apart)));
             }
         }

@@ -3,18 +3,15 @@
 #include "core/geometry/mass.h"
 #include "core/geometry/polygon.h"
 #include "core/physics/world.h"
-#include "tests/support/bodies.h"
+#include "tests/support/contact_scenes.h"
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 using namespace spacetow;
 using namespace spacetow::test;
 
 namespace {
-
-const double pi = std::numbers::pi;
 
 /// Of a body of 1 kg.
 struct Formula {
@@ -97,8 +94,6 @@ void otherRows() {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(spacetow::Shape)
 
 class MassFormulasTest : public QObject {
     Q_OBJECT

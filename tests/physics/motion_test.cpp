@@ -11,11 +11,11 @@ using namespace spacetow::test;
 
 namespace {
 
-UpdateParameters withIterations(int iterations, const Vec2& gravity = {0, 0}) {
+UpdateParameters parametersFor(int iterations, const Vec2& gravity = {0, 0}) {
     return {.gravity = gravity, .iterations = iterations};
 }
 
-void run(World& world, double seconds) {
+void runFor(World& world, double seconds) {
     const int updates = static_cast<int>(std::lround(seconds / world.parameters().seconds));
     for (int i = 0; i < updates; ++i) {
         world.update();
@@ -26,7 +26,7 @@ double relativeError(double value, double expected) {
     return std::abs(value - expected) / std::abs(expected);
 }
 
-void iterationRows() {
+void allIterationRows() {
     QTest::addColumn<int>("iterations");
     for (const int iterations : {4, 20, 100}) {
         QTest::addRow("%d iterations", iterations) << iterations;
@@ -57,22 +57,22 @@ class MotionTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void aFreeBodyFollowsTheParabola_data() { iterationRows(); }
+    void aFreeBodyFollowsTheParabola_data() { allIterationRows(); }
     void aFreeBodyFollowsTheParabola() {
         QFETCH(int, iterations);
-        World world(withIterations(iterations, {0.3, -9.81}));
+        World world(parametersFor(iterations, {0.3, -9.81}));
         BodyDef def = ball({1, 2}, 0.1);
         def.velocity = {3, 40};
         const BodyId id = add(world, def);
-        run(world, 10);
+        runFor(world, 10);
         const Vec2 expected = def.position + 10 * def.velocity + 50 * Vec2(0.3, -9.81);
         QVERIFY((world.body(id).pose.position - expected).norm() <= 1e-9 * expected.norm());
     }
 
-    void aConstantForceAndTorqueActExactlyOnce_data() { iterationRows(); }
+    void aConstantForceAndTorqueActExactlyOnce_data() { allIterationRows(); }
     void aConstantForceAndTorqueActExactlyOnce() {
         QFETCH(int, iterations);
-        World world(withIterations(iterations));
+        World world(parametersFor(iterations));
         BodyDef def = ball({0, 0}, 0.5);
         def.mass = 2;
         const BodyId id = add(world, def);
@@ -89,10 +89,10 @@ class MotionTest : public QObject {
         QVERIFY(relativeError(world.body(id).velocity.x(), 2) < 1e-9);
     }
 
-    void aKinematicBodyObeysManualForcesAndNothingElse_data() { iterationRows(); }
+    void aKinematicBodyObeysManualForcesAndNothingElse_data() { allIterationRows(); }
     void aKinematicBodyObeysManualForcesAndNothingElse() {
         QFETCH(int, iterations);
-        World world(withIterations(iterations, {0, -1}));
+        World world(parametersFor(iterations, {0, -1}));
         BodyDef def = ball({0, 0}, 0.5);
         def.kind = BodyKind::Kinematic;
         def.mass = 2;
@@ -106,51 +106,51 @@ class MotionTest : public QObject {
         QCOMPARE(world.body(id).velocity.x(), 0.0);
     }
 
-    void dampingIsExponentialAtAnyIterationCount_data() { iterationRows(); }
+    void dampingIsExponentialAtAnyIterationCount_data() { allIterationRows(); }
     void dampingIsExponentialAtAnyIterationCount() {
         QFETCH(int, iterations);
-        World world(withIterations(iterations));
+        World world(parametersFor(iterations));
         BodyDef def = ball({0, 0}, 0.5);
         def.velocity = {3, 0};
         def.angularVelocity = 2;
         def.linearDamping = 0.5;
         def.angularDamping = 1.25;
         const BodyId id = add(world, def);
-        run(world, 10);
+        runFor(world, 10);
         QVERIFY(relativeError(world.body(id).velocity.x(), 3 * std::exp(-5.0)) < 1e-9);
         QVERIFY(relativeError(world.body(id).angularVelocity, 2 * std::exp(-12.5)) < 1e-9);
         QVERIFY(relativeError(world.body(id).pose.position.x(), 6 * (1 - std::exp(-5.0))) < 1e-9);
     }
 
     void aBodyWhoseMassIsOffItsOriginFallsWithoutSpinning() {
-        World world(withIterations(4, {0, -9.81}));
+        World world(parametersFor(4, {0, -9.81}));
         BodyDef def;
         def.shapes = {Polygon{{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}}};
         const BodyId id = add(world, def);
-        run(world, 1);
+        runFor(world, 1);
         QCOMPARE(world.body(id).angularVelocity, 0.0);
         QVERIFY(std::abs(world.body(id).pose.position.y() + 4.905) < 1e-9);
     }
 
     void anInactiveBodyNeitherMovesNorFeelsForces() {
-        World world(withIterations(20, {0, -9.81}));
+        World world(parametersFor(20, {0, -9.81}));
         BodyDef def = ball({1, 1}, 0.5);
         def.active = false;
         const BodyId id = add(world, def);
         world.applyForce(id, {10, 0});
-        run(world, 1);
+        runFor(world, 1);
         QCOMPARE(world.body(id).pose.position.x(), 1.0);
         QCOMPARE(world.body(id).pose.position.y(), 1.0);
         world.setActive(id, true);
-        run(world, 1);
+        runFor(world, 1);
         QVERIFY(std::abs(world.body(id).pose.position.y() - (1 - 4.905)) < 1e-9);
     }
 
-    void aSpringSwingsWithItsPeriodAndKeepsItsEnergy_data() { iterationRows(); }
+    void aSpringSwingsWithItsPeriodAndKeepsItsEnergy_data() { allIterationRows(); }
     void aSpringSwingsWithItsPeriodAndKeepsItsEnergy() {
         QFETCH(int, iterations);
         const double stiffness = 400; // ω = 20 rad/s
-        Spring spring(withIterations(iterations), {1.1, 0}, {.length = 1, .stiffness = stiffness});
+        Spring spring(parametersFor(iterations), {1.1, 0}, {.length = 1, .stiffness = stiffness});
         const double start = spring.world.energy();
         int periods = 0;
         double before = 0.1;
@@ -176,13 +176,13 @@ class MotionTest : public QObject {
                  qPrintable(QString("%1 %2 %3").arg(lowest).arg(start).arg(highest)));
     }
 
-    void aDampedSpringDecaysAsItsFormulaSays_data() { iterationRows(); }
+    void aDampedSpringDecaysAsItsFormulaSays_data() { allIterationRows(); }
     void aDampedSpringDecaysAsItsFormulaSays() {
         QFETCH(int, iterations);
         const double stiffness = 100;
         const double damping = 0.5; // N s/m; the amplitude falls by e^(−t c/2m)
-        Spring spring(withIterations(iterations), {1.2, 0}, {.length = 1, .stiffness = stiffness, .damping = damping});
-        run(spring.world, 4);
+        Spring spring(parametersFor(iterations), {1.2, 0}, {.length = 1, .stiffness = stiffness, .damping = damping});
+        runFor(spring.world, 4);
         const BodyState state = spring.world.body(spring.weight);
         const double rate = 0.5 * damping;
         const double frequency = std::sqrt(stiffness - rate * rate);
@@ -201,7 +201,7 @@ class MotionTest : public QObject {
     void aStiffSpringStaysFiniteAndGainsNoEnergy() {
         QFETCH(int, iterations);
         QFETCH(int, substeps);
-        UpdateParameters parameters = withIterations(iterations);
+        UpdateParameters parameters = parametersFor(iterations);
         parameters.substeps = substeps;
         Spring spring(parameters, {1.001, 0}, {.length = 1, .stiffness = 1e9});
         double energy = spring.world.energy();
@@ -213,7 +213,7 @@ class MotionTest : public QObject {
         }
     }
 
-    void aPendulumOnTheTowRopeKeepsItsPeriodAndLength_data() { iterationRows(); }
+    void aPendulumOnTheTowRopeKeepsItsPeriodAndLength_data() { allIterationRows(); }
     void aPendulumOnTheTowRopeKeepsItsPeriodAndLength() {
         QFETCH(int, iterations);
         const double length = 1.5;
@@ -222,7 +222,7 @@ class MotionTest : public QObject {
                           .stiffness = 50000,
                           .damping = 100,
                           .truncation = {TruncationRule::PartialTanh, 150, 0.75, {}}};
-        Spring pendulum(withIterations(iterations, {0, -0.95}), {length * std::sin(start), -length * std::cos(start)},
+        Spring pendulum(parametersFor(iterations, {0, -0.95}), {length * std::sin(start), -length * std::cos(start)},
                         rope);
         double before = start;
         double lastCrossing = 0;
@@ -245,7 +245,7 @@ class MotionTest : public QObject {
     }
 
     void connectedBodiesKeepMomentumAndAngularMomentum() {
-        World world(withIterations(20));
+        World world(parametersFor(20));
         BodyDef a = box({0, 0}, 0.3, 0.1);
         a.velocity = {-1, 0.2};
         BodyDef b = box({1, 0.2}, 0.1, 0.2);
@@ -266,29 +266,29 @@ class MotionTest : public QObject {
             return std::pair(momentum, angular);
         };
         const auto [momentum, angular] = momenta();
-        run(world, 10);
+        runFor(world, 10);
         const auto [momentumAfter, angularAfter] = momenta();
         QVERIFY((momentumAfter - momentum).norm() < 1e-9);
         QVERIFY2(std::abs(angularAfter - angular) < 1e-9, qPrintable(QString::number(angularAfter - angular)));
     }
 
     void aSlackConnectorPullsAndNeverPushes() {
-        Spring spring(withIterations(20), {0.5, 0}, {.length = 1, .stiffness = 100, .slack = true});
-        run(spring.world, 1);
+        Spring spring(parametersFor(20), {0.5, 0}, {.length = 1, .stiffness = 100, .slack = true});
+        runFor(spring.world, 1);
         QCOMPARE(spring.world.body(spring.weight).pose.position.x(), 0.5);
-        Spring stretched(withIterations(20), {1.5, 0}, {.length = 1, .stiffness = 100, .slack = true});
+        Spring stretched(parametersFor(20), {1.5, 0}, {.length = 1, .stiffness = 100, .slack = true});
         stretched.world.update();
         QVERIFY(stretched.world.body(stretched.weight).velocity.x() < 0);
     }
 
     void coincidentAnchorsGiveFiniteForces() {
-        Spring spring(withIterations(20), {0, 0}, {.length = 0, .stiffness = 1000, .damping = 10});
-        run(spring.world, 1);
+        Spring spring(parametersFor(20), {0, 0}, {.length = 0, .stiffness = 1000, .damping = 10});
+        runFor(spring.world, 1);
         QVERIFY(isFinite(spring.world.body(spring.weight).pose.position));
     }
 
     void removingABodyRemovesItsConnectorsAndIsReported() {
-        World world(withIterations(4, {0, -1}));
+        World world(parametersFor(4, {0, -1}));
         BodyDef def = ball({0, 0}, 0.1);
         def.user = 42;
         const BodyId a = add(world, def);
@@ -323,7 +323,7 @@ class MotionTest : public QObject {
     }
 
     void whatOverflowsIsSwitchedOffAloneAndReported() {
-        World world(withIterations(4));
+        World world(parametersFor(4));
         const BodyId good = add(world, ball({0, 0}, 0.1));
         BodyDef def = ball({100, 0}, 0.1);
         def.mass = 1e-300;

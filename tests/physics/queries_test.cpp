@@ -12,7 +12,7 @@ using namespace spacetow::test;
 
 namespace {
 
-int scenes() {
+int queryScenes() {
     return std::getenv("SPACETOW_FULL") != nullptr ? 10000 : 500;
 }
 
@@ -52,7 +52,7 @@ class QueriesTest : public QObject {
 
   private slots:
     void pointQueriesAgreeWithEveryShape() {
-        for (int seed = 1; seed <= scenes(); ++seed) {
+        for (int seed = 1; seed <= queryScenes(); ++seed) {
             Random random(static_cast<std::uint64_t>(seed));
             const World world = randomWorld(random);
             const Vec2 point = randomPoint(random);
@@ -67,7 +67,7 @@ class QueriesTest : public QObject {
     }
 
     void aRayStopsWhereMarchingAlongItFirstEntersABody() {
-        for (int seed = 1; seed <= scenes(); ++seed) {
+        for (int seed = 1; seed <= queryScenes(); ++seed) {
             Random random(static_cast<std::uint64_t>(seed));
             const World world = randomWorld(random);
             const Vec2 from = randomPoint(random);

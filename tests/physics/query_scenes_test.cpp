@@ -35,7 +35,7 @@ Polygon randomStar(Random& random) {
     return star;
 }
 
-Shape randomShape(Random& random) {
+Shape randomQueryShape(Random& random) {
     switch (random.below(5)) {
     case 0: {
         const Vec2 center = randomPoint(random, 0.5);
@@ -62,13 +62,13 @@ Shape randomShape(Random& random) {
     }
 }
 
-World randomWorld(Random& random) {
+World randomQueryWorld(Random& random) {
     World world;
     const std::uint32_t count = random.below(14);
     for (std::uint32_t i = 0; i < count; ++i) {
-        BodyDef def{.shapes = {randomShape(random)}, .position = randomPoint(random, 4)};
+        BodyDef def{.shapes = {randomQueryShape(random)}, .position = randomPoint(random, 4)};
         if (random.below(4) == 0) {
-            def.shapes.push_back(randomShape(random));
+            def.shapes.push_back(randomQueryShape(random));
         }
         def.kind = static_cast<BodyKind>(random.below(3));
         def.angle = random.uniform(-3, 3);
@@ -192,7 +192,7 @@ Aabb boxOf(const World& world, BodyId id) {
 
 /// Some bodies have been added, moved or told to go since the last update, which nothing but the tree needs to know.
 World unsettledWorld(Random& random) {
-    World world = randomWorld(random);
+    World world = randomQueryWorld(random);
     const std::uint32_t change = random.below(4);
     if (change == 0) {
         return world;
@@ -207,7 +207,7 @@ World unsettledWorld(Random& random) {
         const BodyId id = ids[random.below(static_cast<std::uint32_t>(ids.size()))];
         world.setPose(id, randomPoint(random, 4), random.uniform(-3, 3));
         add(world, {.kind = static_cast<BodyKind>(random.below(3)),
-                    .shapes = {randomShape(random)},
+                    .shapes = {randomQueryShape(random)},
                     .position = randomPoint(random, 4)});
     }
     if (change > 2 && world.bodyCount() > 0) {
@@ -345,7 +345,7 @@ class QueryScenesTest : public QObject {
     void theClosestPointIsAsNearAsAnyOfTheOutline() {
         for (std::uint64_t seed = 1; seed <= sceneCount(); ++seed) {
             Random random(seed);
-            const World world = randomWorld(random);
+            const World world = randomQueryWorld(random);
             const Vec2 p = randomPoint(random, 5);
             forEachShape(world, [&](BodyId, const Placed& placed) {
                 double least = noBack;

@@ -1,4 +1,5 @@
 #include "tests/support/contact_scenes.h"
+#include "tests/support/odd_numbers.h"
 #include "tests/support/rows.h"
 
 #include <functional>
@@ -8,9 +9,6 @@ using namespace spacetow;
 using namespace spacetow::test;
 
 namespace {
-
-const double notANumber = std::numeric_limits<double>::quiet_NaN();
-const double infinite = std::numeric_limits<double>::infinity();
 
 using MakeBody = std::function<void(BodyDef&, double)>;
 using MakeConnector = std::function<void(ConnectorDef&, double)>;

@@ -8,14 +8,14 @@ using namespace spacetow::test;
 
 namespace {
 
-struct Momenta {
+struct RopeMomenta {
     Vec2 linear{0, 0};
     double angular = 0;
     double size = 0; // of the terms that make up both
 };
 
-Momenta momentaOf(const World& world) {
-    Momenta sum;
+RopeMomenta ropeMomentaOf(const World& world) {
+    RopeMomenta sum;
     for (const BodyId id : world.bodies()) {
         const BodyState s = world.body(id);
         if (s.kind != BodyKind::Dynamic) {
@@ -108,12 +108,12 @@ class RopesTest : public QObject {
         for (std::uint64_t seed = 1; seed <= seedCount(); ++seed) {
             Random random(seed);
             World world = pairOn(ropeNamed(rope), random, iterations);
-            const Momenta start = momentaOf(world);
+            const RopeMomenta start = ropeMomentaOf(world);
             bool pulled = false;
             for (int i = 0; i < 500; ++i) {
                 world.update();
                 pulled |= world.connector(world.connectors().front()).tension != 0;
-                const Momenta now = momentaOf(world);
+                const RopeMomenta now = ropeMomentaOf(world);
                 const double linear = (now.linear - start.linear).norm() / start.size;
                 const double angular = std::abs(now.angular - start.angular) / start.size;
                 QVERIFY2(linear <= 1e-9 && angular <= 1e-9,

@@ -40,7 +40,7 @@ struct Counts {
     }
 };
 
-bool isSame(const BodyState& a, const BodyState& b) {
+bool isSameMotion(const BodyState& a, const BodyState& b) {
     return a.velocity == b.velocity && a.angularVelocity == b.angularVelocity && a.massCenter == b.massCenter &&
            a.angle == b.angle;
 }
@@ -97,8 +97,8 @@ class ZonesTest : public QObject {
                     QVERIFY(event.a == gate && event.b == id && !event.solid);
                 }
                 const QString where = QString("direction %1, update %2").arg(step).arg(i);
-                QVERIFY2(isSame(world.body(id), without.body(free)), qPrintable(where));
-                QVERIFY2(isSame(world.body(gate), empty.body(alone)), qPrintable(where));
+                QVERIFY2(isSameMotion(world.body(id), without.body(free)), qPrintable(where));
+                QVERIFY2(isSameMotion(world.body(gate), empty.body(alone)), qPrintable(where));
             }
             QVERIFY2(
                 counts.began == 1 && counts.ended == 1,

@@ -40,16 +40,6 @@ void Drive::drag(const Vec2& from, const Vec2& to) {
     release(to);
 }
 
-Object bodyWith(Key key, LevelShape shape, const Vec2& position) {
-    BodyObject body;
-    body.shapes.push_back(std::move(shape));
-    body.position = position;
-    Object object;
-    object.key = key;
-    object.data = std::move(body);
-    return object;
-}
-
 std::vector<Vec2> worldPoints(const Object& object) {
     const auto& body = std::get<BodyObject>(object.data);
     const Transform pose{body.position, Rot::fromAngle(body.angle)};

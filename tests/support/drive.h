@@ -3,11 +3,18 @@
 
 #include "editor/editing/toolbox.h"
 #include "editor/editing/viewport.h"
+#include "tests/support/body_with.h"
 
 #include <initializer_list>
 #include <string>
 
 namespace spacetow::test {
+
+// Keys that are held.
+constexpr Modifiers none{};
+constexpr Modifiers shift{true, false, false};
+constexpr Modifiers ctrl{false, true, false};
+constexpr Modifiers alt{false, false, true};
 
 class Drive {
   public:
@@ -43,8 +50,6 @@ class Drive {
     Pointer m_last;
 };
 
-/// A static body with one shape, under the given key.
-Object bodyWith(Key key, LevelShape shape, const Vec2& position = {0, 0});
 /// The points of a chain or polygon, or the centre of a circle, in world coordinates.
 std::vector<Vec2> worldPoints(const Object& object);
 

@@ -3,9 +3,9 @@
 
 #include "core/physics/world.h"
 #include "tests/support/full_run.h"
+#include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace spacetow::test {
@@ -20,10 +20,6 @@ inline void iterationRows() {
     for (const int iterations : iterationCounts) {
         QTest::addRow("%d iterations", iterations) << iterations;
     }
-}
-
-inline QByteArray seedText(std::uint64_t seed) {
-    return "seed " + QByteArray::number(static_cast<qulonglong>(seed));
 }
 
 } // namespace spacetow::test

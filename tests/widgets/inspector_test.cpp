@@ -25,7 +25,7 @@ Object wall(Key key, double depth) {
     return {key, {}, body, {}};
 }
 
-Level levelOf(std::vector<Object> objects) {
+Level levelWith(std::vector<Object> objects) {
     Level level;
     for (Object& object : objects) {
         level.objects.append(std::move(object));
@@ -34,9 +34,9 @@ Level levelOf(std::vector<Object> objects) {
 }
 
 /// An inspector in sight, with these objects selected.
-struct Fixture {
-    Fixture(std::vector<Object> objects, std::vector<Key> selected)
-        : document(levelOf(std::move(objects))), inspector(document) {
+struct InspectorFixture {
+    InspectorFixture(std::vector<Object> objects, std::vector<Key> selected)
+        : document(levelWith(std::move(objects))), inspector(document) {
         document.select(Selection(std::move(selected)));
         inspector.resize(340, 900);
         inspector.show();
@@ -91,7 +91,7 @@ class InspectorTest : public QObject {
     }
 
     void whatIsEnteredGoesToAllSelectedObjects() {
-        Fixture test({circle(1, 0, 0.5), circle(2, 3, 0.7), circle(3, 5, 0.9)}, {1, 2});
+        InspectorFixture test({circle(1, 0, 0.5), circle(2, 3, 0.7), circle(3, 5, 0.9)}, {1, 2});
         QCOMPARE(test.number("radius").placeholderText(), QString("mixed"));
         QVERIFY(test.number("radius").text().isEmpty());
         test.type("radius", "0,25");
@@ -118,7 +118,7 @@ class InspectorTest : public QObject {
     void aNumberOutsideItsRangeChangesNothing() {
         QFETCH(QByteArray, id);
         QFETCH(QString, text);
-        Fixture test({circle(1, 0, 0.5)}, {1});
+        InspectorFixture test({circle(1, 0, 0.5)}, {1});
         const Level before = test.document.level();
         test.type(id.constData(), text);
         QVERIFY(test.document.level() == before);
@@ -127,7 +127,7 @@ class InspectorTest : public QObject {
 
     void lookingAtANumberDoesNotRoundIt() {
         const double third = 1.0 / 3;
-        Fixture test({circle(1, third, 0.5)}, {1});
+        InspectorFixture test({circle(1, third, 0.5)}, {1});
         NumberField& field = test.number("position.x");
         field.setFocus();
         QTest::keyClick(&field, Qt::Key_End);
@@ -138,7 +138,7 @@ class InspectorTest : public QObject {
     }
 
     void arrowKeysStepAndMakeOneEntry() {
-        Fixture test({circle(1, 0, 0.5)}, {1});
+        InspectorFixture test({circle(1, 0, 0.5)}, {1});
         NumberField& field = test.number("density");
         field.setFocus();
         for (int i = 0; i < 5; ++i) {
@@ -151,14 +151,14 @@ class InspectorTest : public QObject {
     }
 
     void anglesAreShownInDegrees() {
-        Fixture test({circle(1, 0, 0.5)}, {1});
+        InspectorFixture test({circle(1, 0, 0.5)}, {1});
         test.type("angle", "90");
         QVERIFY(std::abs(test.body(0).angle - 1.5707963267948966) < 1e-12);
         QCOMPARE(NumberField::parsed(test.number("angle").text()).value_or(0), 90.0);
     }
 
     void anEmptyDepthMeansNoBack() {
-        Fixture test({wall(1, 0.5)}, {1});
+        InspectorFixture test({wall(1, 0.5)}, {1});
         QCOMPARE(test.number("depth").value().value_or(0), 0.5);
         test.type("depth", "");
         QCOMPARE(std::get<EdgeChain>(test.body(0).shapes[0]).depth, noBack);
@@ -168,7 +168,7 @@ class InspectorTest : public QObject {
     }
 
     void anEmptyMassComesFromTheShapes() {
-        Fixture test({circle(1, 0, 0.5)}, {1});
+        InspectorFixture test({circle(1, 0, 0.5)}, {1});
         QVERIFY(!test.body(0).mass);
         test.type("mass", "2");
         QCOMPARE(test.body(0).mass.value_or(0), 2.0);
@@ -177,7 +177,7 @@ class InspectorTest : public QObject {
     }
 
     void onlySharedFieldsAreShown() {
-        Fixture test({circle(1, 0, 0.5), wall(2, noBack), {3, {}, ShipObject{}, {}}}, {1});
+        InspectorFixture test({circle(1, 0, 0.5), wall(2, noBack), {3, {}, ShipObject{}, {}}}, {1});
         const auto visible = [&test](const char* id) { return test.inspector.form().editor(id)->isVisible(); };
         QVERIFY(visible("radius") && !visible("depth") && visible("kind"));
         test.document.select(Selection({2}));
@@ -189,7 +189,7 @@ class InspectorTest : public QObject {
     }
 
     void switchesAndChoicesAreSetForAll() {
-        Fixture test({circle(1, 0, 0.5), circle(2, 1, 0.5)}, {1, 2});
+        InspectorFixture test({circle(1, 0, 0.5), circle(2, 1, 0.5)}, {1, 2});
         QTest::mouseClick(test.inspector.form().editor("frozen"), Qt::LeftButton, {}, QPoint(8, 8));
         QVERIFY(test.body(0).frozen && test.body(1).frozen);
         auto* kind = qobject_cast<QComboBox*>(test.inspector.form().editor("kind"));
@@ -202,7 +202,7 @@ class InspectorTest : public QObject {
     }
 
     void gesturesShowTheirNumbersLive() {
-        Fixture test({circle(1, 0, 0.5)}, {1});
+        InspectorFixture test({circle(1, 0, 0.5)}, {1});
         const std::vector<Key> keys{1};
         test.document.preview(
             {std::make_shared<Level>(moved(test.document.level(), keys, Vec2(2.5, 0))), test.document.selection()});
@@ -212,7 +212,7 @@ class InspectorTest : public QObject {
     }
 
     void theLevelIsEditedWhenNothingIsSelected() {
-        Fixture test({circle(1, 0, 0.5)}, {});
+        InspectorFixture test({circle(1, 0, 0.5)}, {});
         test.type("gravity.y", "-3.5");
         QCOMPARE(test.document.level().gravity.y(), -3.5);
         test.type("lives", "5");

@@ -12,9 +12,6 @@
 using namespace spacetow;
 using spacetow::test::TestWindow;
 
-Q_DECLARE_METATYPE(spacetow::Unsaved)
-Q_DECLARE_METATYPE(spacetow::Act)
-
 class MainWindowTest : public QObject {
     Q_OBJECT
 

@@ -2,6 +2,7 @@
 
 #include "editor/editing/codes.h"
 #include "editor/window/messages_table.h"
+#include "tests/support/folders.h"
 #include "tests/support/test_main.h"
 
 #include <QDirIterator>
@@ -16,7 +17,7 @@ namespace {
 /// All of our own code below the folder, in one text.
 QString sourcesIn(const QString& folder) {
     QString text;
-    QDirIterator files(QStringLiteral(SPACETOW_SOURCE_DIR "/") + folder, {"*.cpp", "*.h"}, QDir::Files,
+    QDirIterator files(test::sourceFolder() + "/" + folder, {"*.cpp", "*.h"}, QDir::Files,
                        QDirIterator::Subdirectories);
     while (files.hasNext()) {
         QFile file(files.next());

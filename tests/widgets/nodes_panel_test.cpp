@@ -1,6 +1,6 @@
 #include "editor/panels/nodes_panel.h"
 
-#include "tests/support/drive.h"
+#include "tests/support/body_with.h"
 #include "tests/support/test_main.h"
 
 using namespace spacetow;

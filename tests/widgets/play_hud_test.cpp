@@ -8,8 +8,6 @@
 
 using namespace spacetow;
 
-Q_DECLARE_METATYPE(spacetow::Phase)
-
 class PlayHudTest : public QObject {
     Q_OBJECT
 

@@ -62,8 +62,6 @@ Level ballAlone(double radius) {
 
 } // namespace
 
-Q_DECLARE_METATYPE(spacetow::Controls)
-
 class PlayViewTest : public QObject {
     Q_OBJECT
 

@@ -30,7 +30,7 @@ std::vector<Vec2> square(bool anticlockwise) {
 }
 
 /// 10 × 10 m about the origin at 20 pixels a metre.
-Viewport smallView() {
+Viewport sceneView() {
     Viewport view;
     view.scale = 20;
     view.size = Vec2(200, 200);
@@ -38,7 +38,7 @@ Viewport smallView() {
 }
 
 template <class Paint>
-QImage painted(const Viewport& view, const Paint& paint) {
+QImage paintedScene(const Viewport& view, const Paint& paint) {
     QImage image(static_cast<int>(view.size.x()), static_cast<int>(view.size.y()), QImage::Format_RGB32);
     image.fill(canvasTheme().background);
     QPainter painter(&image);
@@ -46,11 +46,11 @@ QImage painted(const Viewport& view, const Paint& paint) {
     return image;
 }
 
-QImage picture(const Level& level, const Viewport& view = smallView()) {
-    return painted(view, [&](const Stage& stage) { paintLevel(stage, level, Selection()); });
+QImage picture(const Level& level, const Viewport& view = sceneView()) {
+    return paintedScene(view, [&](const Stage& stage) { paintLevel(stage, level, Selection()); });
 }
 
-bool isBackground(const QImage& image, double x, double y, const Viewport& view = smallView()) {
+bool isBackground(const QImage& image, double x, double y, const Viewport& view = sceneView()) {
     const Vec2 at = view.toScreen(Vec2(x, y));
     return image.pixelColor(static_cast<int>(at.x()), static_cast<int>(at.y())) == canvasTheme().background;
 }
@@ -97,7 +97,7 @@ class ScenePainterTest : public QObject {
         QVERIFY(!isBackground(image, 0, -behind));
         QVERIFY(isBackground(image, 0, -beyond));
         QVERIFY(isBackground(image, 0, 0.3));
-        const Vec2 line = smallView().toScreen(Vec2(0, 0));
+        const Vec2 line = sceneView().toScreen(Vec2(0, 0));
         QVERIFY(image.pixelColor(static_cast<int>(line.x()), static_cast<int>(line.y())).lightness() > 150);
     }
 
@@ -178,7 +178,7 @@ class ScenePainterTest : public QObject {
         QPainter painter(&image);
         painter.setPen(Qt::magenta);
         painter.setBrush(Qt::green);
-        const Viewport view = smallView();
+        const Viewport view = sceneView();
         OverlayFlags all{true, true, true, true, true, true};
         paintLevel({painter, view, canvasTheme()}, mixedLevel(), Selection({1, 2, 3, 4, 5, 6, 7}));
         paintLevelOverlays({painter, view, canvasTheme()}, mixedLevel(), all);
@@ -202,10 +202,10 @@ class ScenePainterTest : public QObject {
         Object moving = level.objects[1];
         std::get<BodyObject>(moving.data).velocity = Vec2(1, 1);
         level.objects.replace(1, moving);
-        Viewport view = smallView();
+        Viewport view = sceneView();
         view.scale = 5; // the boxes of walls without a back reach far
         const QImage without = picture(level, view);
-        const QImage with = painted(view, [&](const Stage& stage) {
+        const QImage with = paintedScene(view, [&](const Stage& stage) {
             paintLevel(stage, level, Selection());
             paintLevelOverlays(stage, level, flags);
         });
@@ -229,7 +229,7 @@ class ScenePainterTest : public QObject {
         Snapshot snapshot;
         snapshot.bodies.push_back({look, Transform{}, Vec2(0, 0), 0, Aabb{}});
         const QImage played =
-            painted(smallView(), [&](const Stage& stage) { paintSnapshot(stage, snapshot, OverlayFlags()); });
+            paintedScene(sceneView(), [&](const Stage& stage) { paintSnapshot(stage, snapshot, OverlayFlags()); });
         QCOMPARE(played, picture(levelOf({body(1, EdgeChain{corners, true, noBack})})));
     }
 
@@ -243,7 +243,7 @@ class ScenePainterTest : public QObject {
     void extremeViewsAndValuesDoNoHarm() {
         QFETCH(double, scale);
         QFETCH(double, x);
-        Viewport view = smallView();
+        Viewport view = sceneView();
         view.scale = scale;
         view.center = Vec2(x, 0);
         Level level = mixedLevel();
@@ -252,7 +252,7 @@ class ScenePainterTest : public QObject {
         level.objects.append(body(10, Polygon{}));
         level.objects.append(body(11, EdgeChain{}));
         level.objects.append(body(12, LineChain{{Vec2(1, 1)}, true}));
-        const QImage image = painted(view, [&](const Stage& stage) {
+        const QImage image = paintedScene(view, [&](const Stage& stage) {
             paintGrid(stage, 0.25);
             paintLevel(stage, level, Selection({8, 9, 10, 11, 12}));
             paintLevelOverlays(stage, level, OverlayFlags{true, true, true, true, true, true});
@@ -287,7 +287,7 @@ class ScenePainterTest : public QObject {
         QFETCH(double, ratio);
         const auto level = std::make_shared<const Level>(mixedLevel());
         LayerCache::Request request;
-        request.view = smallView();
+        request.view = sceneView();
         request.level = level;
         request.gridStep = 0.25;
         request.pixelRatio = ratio;
@@ -317,7 +317,7 @@ class ScenePainterTest : public QObject {
         const auto after = std::make_shared<const Level>(moved(*before, keys, Vec2(0.1, 0)));
         LayerCache cache;
         LayerCache::Request request;
-        request.view = smallView();
+        request.view = sceneView();
         request.level = before;
         cache.layer(request);
         cache.setMoving(*before, *after);

@@ -16,8 +16,8 @@ Object body(Key key, TagMask tags, TagMask touches = TagMask::all()) {
     return {key, {}, made, {}};
 }
 
-struct Fixture {
-    explicit Fixture(std::vector<Object> objects) : document(levelOf(objects)), inspector(document) {
+struct TagGridFixture {
+    explicit TagGridFixture(std::vector<Object> objects) : document(levelOf(objects)), inspector(document) {
         std::vector<Key> keys;
         for (const Object& object : objects) {
             keys.push_back(object.key);
@@ -47,7 +47,7 @@ class TagGridTest : public QObject {
 
   private slots:
     void theButtonsSayTheNamesOfTheTags() {
-        Fixture test({body(1, TagMask::bit(wallTag))});
+        TagGridFixture test({body(1, TagMask::bit(wallTag))});
         for (int i = 0; i < TagTable::size; ++i) {
             const TagInfo& info = test.document.level().tags[i];
             const TagChip* chip = test.grid("tags").chip(i);
@@ -63,7 +63,7 @@ class TagGridTest : public QObject {
     }
 
     void aClickOnAMixedTagSetsItForAll() {
-        Fixture test({body(1, TagMask::bit(wallTag)), body(2, TagMask{3})});
+        TagGridFixture test({body(1, TagMask::bit(wallTag)), body(2, TagMask{3})});
         TagChip* ship = test.grid("tags").chip(shipTag);
         QVERIFY(ship->state() == TagChip::State::Mixed);
         ship->click();
@@ -79,7 +79,7 @@ class TagGridTest : public QObject {
     }
 
     void everythingStandsForAllTagsToCome() {
-        Fixture test({body(1, TagMask{1}, TagMask{5})});
+        TagGridFixture test({body(1, TagMask{1}, TagMask{5})});
         TagChip* everything = test.grid("touches").everythingChip();
         QVERIFY(everything->state() == TagChip::State::Off);
         everything->click();
@@ -107,7 +107,7 @@ class TagGridTest : public QObject {
     void aTagIsRenamedWhereItStands() {
         QFETCH(QString, name);
         QFETCH(QString, becomes);
-        Fixture test({body(1, TagMask{1})});
+        TagGridFixture test({body(1, TagMask{1})});
         Q_EMIT test.grid("tags").chip(wallTag)->editWanted();
         auto* line = test.grid("tags").findChild<QLineEdit*>();
         QVERIFY(line->isVisible());
@@ -120,7 +120,7 @@ class TagGridTest : public QObject {
     }
 
     void escapeKeepsTheName() {
-        Fixture test({body(1, TagMask{1})});
+        TagGridFixture test({body(1, TagMask{1})});
         Q_EMIT test.grid("tags").chip(wallTag)->editWanted();
         auto* line = test.grid("tags").findChild<QLineEdit*>();
         QTest::keyClicks(line, "other");
@@ -130,7 +130,7 @@ class TagGridTest : public QObject {
     }
 
     void aDoubleClickRenamesAndLeavesTheTagAsItWas() {
-        Fixture test({body(1, TagMask{1})});
+        TagGridFixture test({body(1, TagMask{1})});
         TagChip* wall = test.grid("tags").chip(wallTag);
         QTest::mouseClick(wall, Qt::LeftButton);
         QTest::mouseDClick(wall, Qt::LeftButton);
@@ -139,7 +139,7 @@ class TagGridTest : public QObject {
     }
 
     void aBitWithoutANameIsShownByNumberAndMayBeSwitchedOff() {
-        Fixture test({body(1, TagMask{1U | 1U << 17})});
+        TagGridFixture test({body(1, TagMask{1U | 1U << 17})});
         TagChip* nameless = test.grid("tags").chip(17);
         QVERIFY(nameless != nullptr);
         QCOMPARE(nameless->text(), QString("#17"));

@@ -1,6 +1,7 @@
 #include "editor/panels/form_rows.h"
 #include "editor/window/messages.h"
 #include "editor/window/messages_table.h"
+#include "tests/support/folders.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
@@ -108,7 +109,7 @@ class German {
 
 void addLanguages() {
     QTest::addColumn<QString>("path");
-    const QDir folder(QStringLiteral(SPACETOW_SOURCE_DIR "/translations"));
+    const QDir folder(test::sourceFolder() + "/translations");
     for (const QString& name : folder.entryList({"*.ts"}, QDir::Files)) {
         QTest::newRow(qPrintable(name)) << folder.filePath(name);
     }
@@ -151,7 +152,7 @@ class TranslationsTest : public QObject {
         QStringList arguments{"-silent", "-I", ".", "-no-obsolete", "app", "editor"};
         arguments << (isEnglish(path) ? QStringList{"-pluralonly", "-ts", copy} : QStringList{"-ts", copy});
         QProcess lupdate;
-        lupdate.setWorkingDirectory(QStringLiteral(SPACETOW_SOURCE_DIR));
+        lupdate.setWorkingDirectory(test::sourceFolder());
         lupdate.start(QLibraryInfo::path(QLibraryInfo::BinariesPath) + "/lupdate", arguments);
         QVERIFY2(lupdate.waitForFinished() && lupdate.exitCode() == 0, qPrintable(lupdate.errorString()));
         const QSet<QString> ours = textsOf(entriesOf(path));
