@@ -31,6 +31,14 @@ Qt::CursorShape shapeFor(CursorShape shape) {
         return Qt::OpenHandCursor;
     case CursorShape::Insert:
         return Qt::DragCopyCursor;
+    case CursorShape::SizeAcross:
+        return Qt::SizeHorCursor;
+    case CursorShape::SizeUpright:
+        return Qt::SizeVerCursor;
+    case CursorShape::SizeRising:
+        return Qt::SizeBDiagCursor;
+    case CursorShape::SizeFalling:
+        return Qt::SizeFDiagCursor;
     case CursorShape::Pointing:
         break;
     }

@@ -3,6 +3,7 @@
 #include "editor/canvas/wall_painter.h"
 
 #include <QFontMetricsF>
+#include <QPainterPath>
 
 #include <algorithm>
 
@@ -19,6 +20,8 @@ QPen penFor(const Theme& theme, OverlayStyle style) {
     case OverlayStyle::Band:
         return stroke(theme.band, 1.2, Qt::DashLine);
     case OverlayStyle::Handle:
+    case OverlayStyle::TurnHandle:
+    case OverlayStyle::Pivot:
         return stroke(theme.selection, 1.6);
     case OverlayStyle::HotHandle:
     case OverlayStyle::Snap:
@@ -49,6 +52,14 @@ void paintPoint(const Stage& stage, const OverlayPoint& point) {
         constexpr double arm = 6; // px
         stage.painter.drawLine(at - QPointF(arm, 0), at + QPointF(arm, 0));
         stage.painter.drawLine(at - QPointF(0, arm), at + QPointF(0, arm));
+    } else if (point.style == OverlayStyle::TurnHandle) {
+        stage.painter.setBrush(stage.theme.background);
+        stage.painter.drawEllipse(at, 4.5, 4.5);
+    } else if (point.style == OverlayStyle::Pivot) {
+        constexpr double arm = 8; // px
+        stage.painter.drawEllipse(at, 4, 4);
+        stage.painter.drawLine(at - QPointF(arm, 0), at + QPointF(arm, 0));
+        stage.painter.drawLine(at - QPointF(0, arm), at + QPointF(0, arm));
     } else if (point.style == OverlayStyle::HotHandle) {
         stage.painter.setBrush(stage.theme.background);
         stage.painter.drawEllipse(at, 6.5, 6.5);
@@ -75,12 +86,27 @@ void paintText(const Stage& stage, const OverlayText& text) {
     stage.painter.drawText(plate, Qt::AlignCenter, words);
 }
 
+/// Dims all that lies outside the box.
+void paintSpotlight(const Stage& stage, const Aabb& box) {
+    QPainterPath veil;
+    veil.addRect(QRectF(0, 0, stage.view.size.x(), stage.view.size.y()));
+    veil.addRect(QRectF(stage.at(Vec2(box.min.x(), box.max.y())), stage.at(Vec2(box.max.x(), box.min.y()))));
+    QColor dim = stage.theme.background;
+    dim.setAlpha(150);
+    stage.painter.fillPath(veil, dim);
+    stage.painter.setPen(penFor(stage.theme, OverlayStyle::Measure));
+    stage.painter.drawPath(veil);
+}
+
 } // namespace
 
 void paintToolOverlay(const Stage& stage, const Overlay& overlay) {
     stage.painter.save();
     stage.painter.setRenderHint(QPainter::Antialiasing);
     stage.painter.setBrush(Qt::NoBrush);
+    if (!overlay.spotlight.isEmpty()) {
+        paintSpotlight(stage, overlay.spotlight);
+    }
     for (const OverlayLine& line : overlay.lines) {
         paintLine(stage, line);
     }

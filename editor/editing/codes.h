@@ -10,9 +10,20 @@ namespace spacetow {
 inline constexpr auto hintCodes = std::to_array<std::string_view>({
     "select.idle",
     "select.object",
-    "select.selected", // number of objects
-    "select.moving",   // m to the right, m upwards
-    "select.band",     // number of objects
+    "select.group",
+    "select.selected-group", // number of objects
+    "select.in-group",       // number of objects
+    "select.in-named-group", // number of objects, name of the group
+    "select.lasso",          // number of objects
+    "select.selected",       // number of objects
+    "select.moving",         // m to the right, m upwards
+    "select.band",           // number of objects
+    "select.scale-handle",
+    "select.scaling", // width, height in m, width, height in %
+    "select.turn-handle",
+    "select.turning", // degrees
+    "select.pivot-handle",
+    "select.pivot", // x, y in m
     "select.node",
     "nodes.none",
     "nodes.without",
@@ -75,6 +86,25 @@ inline constexpr auto labelCodes = std::to_array<std::string_view>({
     "place-finish",
     "move",
     "rotate",
+    "scale",
+    "flip",
+    "align",
+    "distribute",
+    "order",
+    "group",
+    "ungroup",
+    "new-layer",
+    "to-layer",
+    "hide",
+    "isolate",
+    "show-all",
+    "lock",
+    "unlock-all",
+    "repeat",
+    "array",
+    "union",
+    "difference",
+    "intersection",
     "reverse",
     "delete",
     "move-nodes",

@@ -13,13 +13,15 @@
 namespace spacetow {
 
 enum class OverlayStyle : std::uint8_t {
-    Draft,     // outline of the shape being drawn
-    SolidSide, // short strokes on the solid side of a one-way wall being drawn
-    Band,      // rubber band
-    Handle,    // something to grab
-    HotHandle, // the one under the pointer, or the one that closes a shape
-    Snap,      // where the point will land
-    Measure,   // length and angle while drawing
+    Draft,      // outline of the shape being drawn
+    SolidSide,  // short strokes on the solid side of a one-way wall being drawn
+    Band,       // rubber band
+    Handle,     // something to grab
+    HotHandle,  // the one under the pointer, or the one that closes a shape
+    TurnHandle, // something that turns what is selected
+    Pivot,      // about which it turns, or what stays where it is
+    Snap,       // where the point will land
+    Measure,    // length and angle while drawing
 };
 
 struct OverlayLine {
@@ -55,6 +57,7 @@ struct Overlay {
     std::vector<OverlayCircle> circles;
     std::vector<OverlayText> texts;
     std::optional<OverlayNodes> nodes;
+    Aabb spotlight; // what is outside is dimmed; nothing is while it is empty
 };
 
 } // namespace spacetow

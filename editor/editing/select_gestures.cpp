@@ -1,15 +1,19 @@
 #include "editor/editing/select_gestures.h"
 
+#include "core/level/arrange.h"
 #include "core/level/edits.h"
+#include "editor/editing/group_picking.h"
 #include "editor/editing/measure.h"
 #include "editor/editing/pick.h"
 
+#include <array>
 #include <cmath>
 
 namespace spacetow {
 
 MoveGesture::MoveGesture(const ToolContext& context, const Pointer& start, const Vec2& reference)
-    : m_edit(context.edit), m_snap(context.snap), m_start(start.world), m_reference(reference) {}
+    : m_edit(context.edit), m_keys(unlockedKeys(*m_edit.level, m_edit.selection.keys())), m_snap(context.snap),
+      m_start(start.world), m_reference(reference) {}
 
 Vec2 MoveGesture::deltaAt(const Pointer& pointer) const {
     const Vec2 way = pointer.world - m_start;
@@ -25,8 +29,9 @@ Edit MoveGesture::at(const Pointer& pointer) const {
     if (delta == Vec2(0, 0)) {
         return m_edit;
     }
-    Level level = moved(*m_edit.level, m_edit.selection.keys(), delta);
-    return {std::make_shared<const Level>(std::move(level)), m_edit.selection};
+    const std::optional<Vec2>& pivot = m_edit.selection.pivot();
+    return {std::make_shared<const Level>(moved(*m_edit.level, m_keys, delta)),
+            pivot ? m_edit.selection.withPivot(*pivot + delta) : m_edit.selection};
 }
 
 Label MoveGesture::label() const {
@@ -58,11 +63,20 @@ Aabb BandGesture::boxAt(const Pointer& pointer) const {
 }
 
 Edit BandGesture::at(const Pointer& pointer) const {
-    std::vector<Key> keys = pickedIn(*m_edit.level, boxAt(pointer), pointer.modifiers.alt);
+    const Level& level = *m_edit.level;
+    const Aabb box = boxAt(pointer);
+    const bool wholly = pointer.modifiers.alt;
+    std::vector<Key> keys = membersOf(m_edit, pickedIn(level, box, wholly));
+    if (wholly) { // a group is inside when all that is in it is
+        std::erase_if(keys, [&](Key key) {
+            return std::holds_alternative<GroupObject>(level.objects.find(key)->data) &&
+                   !box.contains(placedBounds(level, std::array{key}));
+        });
+    }
     if (m_extends) {
         keys.insert(keys.end(), m_edit.selection.keys().begin(), m_edit.selection.keys().end());
     }
-    return {m_edit.level, Selection(std::move(keys))};
+    return {m_edit.level, Selection(std::move(keys)).entering(m_edit.selection.entered())};
 }
 
 Overlay BandGesture::overlay(const Pointer& pointer) const {

@@ -6,7 +6,7 @@
 namespace spacetow {
 
 /// Moves the selection of the edit it starts with. What snaps is the place of one object, `reference`, so that what
-/// is on the grid stays on it. Shift keeps to one axis.
+/// is on the grid stays on it. Shift keeps to one axis. The pivot goes along.
 class MoveGesture : public Gesture {
   public:
     MoveGesture(const ToolContext& context, const Pointer& start, const Vec2& reference);
@@ -16,11 +16,13 @@ class MoveGesture : public Gesture {
     Overlay overlay(const Pointer& pointer) const override;
     Hint hint(const Pointer& pointer) const override;
     CursorShape cursor(const Pointer&) const override { return CursorShape::Move; }
+    std::optional<Affine> map(const Pointer& pointer) const override { return Affine::translation(deltaAt(pointer)); }
 
   private:
     Vec2 deltaAt(const Pointer& pointer) const;
 
     Edit m_edit;
+    std::vector<Key> m_keys; // that move: what is locked stays
     SnapSettings m_snap;
     Vec2 m_start;
     Vec2 m_reference;

@@ -1,41 +1,36 @@
 #include "editor/editing/select_tool.h"
 
-#include "core/level/outline.h"
+#include "core/level/arrange.h"
+#include "core/level/nodes.h"
+#include "core/level/object_geometry.h"
+#include "editor/editing/lasso_gesture.h"
 #include "editor/editing/node_pick.h"
 #include "editor/editing/node_tool.h"
 #include "editor/editing/select_gestures.h"
 #include "editor/editing/tools.h"
 
 #include <algorithm>
+#include <array>
 
 namespace spacetow {
 
 namespace {
 
-std::vector<Key> underPointer(const ToolContext& context, const Pointer& pointer) {
-    return picked(*context.edit.level, pointer.world, grabPixels * pointer.pixel);
+constexpr double spotlightPixels = 12; // of room about the group that was entered
+
+std::vector<GroupPick> underPointer(const ToolContext& context, const Pointer& pointer) {
+    return pickedMembers(context.edit, pointer);
 }
 
 FinishedEdit selecting(const ToolContext& context, Selection selection) {
     return {{}, {context.edit.level, std::move(selection)}};
 }
 
-/// The place by which an object snaps.
-std::optional<Vec2> placeOf(const Object& object) {
-    if (const std::optional<Transform> pose = poseOf(object)) {
-        return pose->position;
-    }
-    if (const auto* finish = std::get_if<FinishObject>(&object.data)) {
-        return finish->a;
-    }
-    return {};
-}
-
 /// The place of the selected object nearest to the pointer, or the pointer itself when none has a place.
 Vec2 nearestPlace(const Edit& edit, const Vec2& pointer) {
     std::optional<Vec2> nearest;
-    for (const Object& object : edit.level->objects) {
-        const std::optional<Vec2> place = edit.selection.contains(object.key) ? placeOf(object) : std::nullopt;
+    for (const Key key : unlockedKeys(*edit.level, edit.selection.keys())) {
+        const std::optional<Vec2> place = placeOf(edit.level->objects.find(key)->data);
         if (place && (!nearest || (*place - pointer).norm() < (*nearest - pointer).norm())) {
             nearest = place;
         }
@@ -44,8 +39,8 @@ Vec2 nearestPlace(const Edit& edit, const Vec2& pointer) {
 }
 
 /// What follows the selected one in the pile under the pointer, from the top again after the bottom.
-Key nextInPile(const std::vector<Key>& pile, const Selection& selection) {
-    const auto top = std::find_if(pile.begin(), pile.end(), [&selection](Key key) { return selection.contains(key); });
+const GroupPick& nextInPile(const std::vector<GroupPick>& pile, const Selection& selection) {
+    const auto top = std::ranges::find_if(pile, [&](const GroupPick& pick) { return selection.contains(pick.key); });
     return top == pile.end() || top + 1 == pile.end() ? pile.front() : *(top + 1);
 }
 
@@ -54,66 +49,150 @@ Key nextInPile(const std::vector<Key>& pile, const Selection& selection) {
 std::unique_ptr<Gesture> SelectTool::press(const ToolContext& context, const Pointer& pointer) {
     const Edit& edit = context.edit;
     const Modifiers& held = pointer.modifiers;
-    if (auto node = dragOfNode(context, pointer)) {
+    const std::optional<Handle> handle = handleUnder(context, pointer);
+    const bool turns = handle && modeOf(context) == HandleMode::Turn;
+    // The handles that scale stand beside nodes, the pivot may lie on one.
+    if (auto node = turns ? nullptr : dragOfNode(context, pointer)) {
         return node;
     }
-    if (held.alt && !held.shift && !edit.selection.empty()) {
+    if (handle) {
+        return dragOf(*handle, modeOf(context), context, pointer);
+    }
+    if (held.alt && held.shift) {
+        return std::make_unique<LassoGesture>(edit, pointer.world);
+    }
+    if (held.alt && !edit.selection.empty()) {
         return std::make_unique<MoveGesture>(context, pointer, nearestPlace(edit, pointer.world));
     }
-    const std::vector<Key> pile = held.shift ? std::vector<Key>() : underPointer(context, pointer);
+    const std::vector<GroupPick> pile = held.shift ? std::vector<GroupPick>() : underPointer(context, pointer);
     if (pile.empty()) {
         return std::make_unique<BandGesture>(edit, pointer.world, held.shift || held.ctrl);
     }
+    const GroupPick& top = pile.front();
     ToolContext grabbed = context;
-    if (!edit.selection.contains(pile.front())) {
-        grabbed.edit.selection = Selection({pile.front()});
+    if (!edit.selection.contains(top.key)) {
+        grabbed.edit.selection = Selection({top.key}).entering(top.entered);
     }
-    const std::optional<Vec2> place = placeOf(*edit.level->objects.find(pile.front()));
+    const std::optional<Vec2> place = placeOf(edit.level->objects.find(top.key)->data);
     return std::make_unique<MoveGesture>(grabbed, pointer, place ? *place : nearestPlace(grabbed.edit, pointer.world));
 }
 
 std::optional<FinishedEdit> SelectTool::click(const ToolContext& context, const Pointer& pointer) {
     const Selection& selection = context.edit.selection;
-    const std::vector<Key> pile = underPointer(context, pointer);
-    const bool toggles = pointer.modifiers.shift || pointer.modifiers.ctrl;
+    if (handleUnder(context, pointer)) {
+        return {};
+    }
+    const std::vector<GroupPick> pile = underPointer(context, pointer);
+    const Modifiers& held = pointer.modifiers;
     if (pile.empty()) {
-        return selecting(context, toggles ? selection : Selection());
+        return selecting(context, held.shift || held.ctrl ? selection : Selection().entering(selection.entered()));
     }
-    if (toggles) {
-        return selecting(context, selection.toggled(pile.front()));
+    const GroupPick& top = pile.front();
+    if (held.ctrl && top.key != top.object) {
+        return selecting(context, directly(context.edit, top.object));
     }
-    return selecting(context, Selection({pointer.modifiers.alt ? nextInPile(pile, selection) : pile.front()}));
+    if (held.shift || held.ctrl) {
+        return selecting(context, selection.toggled(top.key).entering(top.entered));
+    }
+    if (!held.alt && selection.contains(top.key)) {
+        m_turning = m_turning == selection.keys() ? std::vector<Key>() : selection.keys();
+        return {};
+    }
+    const GroupPick& chosen = held.alt ? nextInPile(pile, selection) : top;
+    return selecting(context, Selection({chosen.key}).entering(chosen.entered));
+}
+
+std::optional<FinishedEdit> SelectTool::doubleClick(const ToolContext& context, const Pointer& pointer) {
+    const std::vector<GroupPick> pile = underPointer(context, pointer);
+    const std::optional<Selection> selection =
+        pile.empty() ? leaving(context.edit) : entering(context.edit, pile.front().key, pile.front().object);
+    if (!selection) {
+        return {};
+    }
+    return selecting(context, *selection);
 }
 
 std::optional<FinishedEdit> SelectTool::secondaryClick(const ToolContext& context, const Pointer& pointer) {
-    const std::vector<Key> pile = underPointer(context, pointer);
+    const std::vector<GroupPick> pile = underPointer(context, pointer);
     const Selection& selection = context.edit.selection;
-    if (pile.empty() || std::any_of(pile.begin(), pile.end(), [&](Key key) { return selection.contains(key); })) {
+    if (pile.empty() ||
+        std::ranges::any_of(pile, [&](const GroupPick& pick) { return selection.contains(pick.key); })) {
         return {};
     }
-    return selecting(context, Selection({pile.front()}));
+    return selecting(context, Selection({pile.front().key}).entering(pile.front().entered));
 }
 
 std::optional<ToolId> SelectTool::toolAfterDoubleClick(const ToolContext& context, const Pointer& pointer) const {
-    const std::vector<Key> pile = underPointer(context, pointer);
+    const std::vector<GroupPick> pile = underPointer(context, pointer);
     const bool held = pointer.modifiers != Modifiers();
-    return !held && !pile.empty() && hasNodes(context.edit.level->objects.find(pile.front())->data)
+    return !held && !pile.empty() && hasNodes(context.edit.level->objects.find(pile.front().key)->data)
                ? std::optional(ToolId::Nodes)
                : std::nullopt;
 }
 
-Overlay SelectTool::overlay(const ToolContext&, const Pointer&) const {
-    return {};
+const HandleFrame& SelectTool::frameOf(const ToolContext& context) const {
+    const bool known = m_framed && m_framed->edit.level == context.edit.level && m_framed->snap == context.snap &&
+                       m_framed->edit.selection == context.edit.selection;
+    if (!known) {
+        m_framed = Framed{context.edit, context.snap, handleFrame(context)};
+    }
+    return m_framed->frame;
+}
+
+HandleMode SelectTool::modeOf(const ToolContext& context) const {
+    const bool turns = m_turning == context.edit.selection.keys() || !frameOf(context).scales;
+    return turns ? HandleMode::Turn : HandleMode::Scale;
+}
+
+std::optional<Handle> SelectTool::handleUnder(const ToolContext& context, const Pointer& pointer) const {
+    if (context.edit.selection.empty()) {
+        return {};
+    }
+    return handleAt(frameOf(context), modeOf(context), pointer);
+}
+
+Overlay SelectTool::handles(const ToolContext& context, double pixel, const std::optional<Handle>& hot) const {
+    Overlay overlay;
+    if (!context.edit.selection.empty()) {
+        overlay = handleOverlay(frameOf(context), modeOf(context), pixel, hot);
+    }
+    if (const Key entered = context.edit.selection.entered(); entered != 0) {
+        overlay.spotlight = placedBounds(*context.edit.level, std::array{entered}).grown(spotlightPixels * pixel);
+    }
+    return overlay;
+}
+
+Overlay SelectTool::overlay(const ToolContext& context, const Pointer& pointer) const {
+    return handles(context, pointer.pixel, handleUnder(context, pointer));
+}
+
+Overlay SelectTool::standing(const ToolContext& context, double pixel) const {
+    return handles(context, pixel, std::nullopt);
 }
 
 Hint SelectTool::hint(const ToolContext& context, const Pointer& pointer) const {
     const Selection& selection = context.edit.selection;
-    if (isOnNode(context, pointer)) {
+    const std::optional<Handle> handle = handleUnder(context, pointer);
+    const bool turns = handle && modeOf(context) == HandleMode::Turn;
+    if (!turns && isOnNode(context, pointer)) {
         return {"select.node", {}};
     }
-    const std::vector<Key> pile = underPointer(context, pointer);
-    if (!pile.empty() && !selection.contains(pile.front())) {
-        return {"select.object", {}};
+    if (handle) {
+        return handleHint(*handle, modeOf(context));
+    }
+    const std::vector<GroupPick> pile = underPointer(context, pointer);
+    const bool overGroup = !pile.empty() && pile.front().key != pile.front().object;
+    if (!pile.empty() && !selection.contains(pile.front().key)) {
+        return {overGroup ? "select.group" : "select.object", {}};
+    }
+    if (overGroup) {
+        return {"select.selected-group", {std::to_string(selection.size())}};
+    }
+    if (selection.entered() != 0) {
+        const Object* group = context.edit.level->objects.find(selection.entered());
+        const std::string count = std::to_string(selection.size());
+        return group == nullptr || group->name.empty() ? Hint{"select.in-group", {count}}
+                                                       : Hint{"select.in-named-group", {count, group->name}};
     }
     if (selection.empty()) {
         return {"select.idle", {}};
@@ -122,11 +201,14 @@ Hint SelectTool::hint(const ToolContext& context, const Pointer& pointer) const 
 }
 
 CursorShape SelectTool::cursor(const ToolContext& context, const Pointer& pointer) const {
-    const std::vector<Key> pile = underPointer(context, pointer);
+    if (const std::optional<Handle> handle = handleUnder(context, pointer)) {
+        return handleCursor(*handle, modeOf(context));
+    }
+    const std::vector<GroupPick> pile = underPointer(context, pointer);
     if (pile.empty()) {
         return CursorShape::Arrow;
     }
-    return context.edit.selection.contains(pile.front()) ? CursorShape::Move : CursorShape::Pointing;
+    return context.edit.selection.contains(pile.front().key) ? CursorShape::Move : CursorShape::Pointing;
 }
 
 } // namespace spacetow

@@ -1,28 +1,47 @@
 #pragma once
-// Selects by click and rubber band, and moves what is selected.
+// Selects by click and rubber band; moves, scales and turns what is selected.
 
-#include "editor/editing/tool.h"
+#include "editor/editing/group_picking.h"
+#include "editor/editing/handles.h"
 
 namespace spacetow {
-
-/// How near the pointer must be to something to mean it, in pixels.
-constexpr double grabPixels = 6;
 
 class SelectTool : public Tool {
   public:
     std::string code() const override { return "select"; }
-    /// A drag moves, from empty ground or with Shift it draws a band, with Alt it moves the selection from anywhere.
+    /// A drag of a handle scales or turns; else a drag moves, from empty ground or with Shift it draws a band, with Alt
+    /// it moves the selection from anywhere, with both it draws a lasso.
     std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
-    /// With Shift or Ctrl toggles, with Alt goes on to the object underneath.
+    /// With Shift or Ctrl toggles, with Ctrl in groups by itself, with Alt goes on to the object underneath. On what is
+    /// selected it changes between the handles that scale and those that turn.
     std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;
+    /// Enters the group under the pointer; on empty ground leaves the one that was entered.
+    std::optional<FinishedEdit> doubleClick(const ToolContext& context, const Pointer& pointer) override;
     /// The node tool edits what was hit.
     std::optional<ToolId> toolAfterDoubleClick(const ToolContext& context, const Pointer& pointer) const override;
     /// Selects what the menu that may now open will be about.
     std::optional<FinishedEdit> secondaryClick(const ToolContext& context, const Pointer& pointer) override;
 
     Overlay overlay(const ToolContext& context, const Pointer& pointer) const override;
+    Overlay standing(const ToolContext& context, double pixel) const override;
     Hint hint(const ToolContext& context, const Pointer& pointer) const override;
     CursorShape cursor(const ToolContext& context, const Pointer& pointer) const override;
+
+  private:
+    Overlay handles(const ToolContext& context, double pixel, const std::optional<Handle>& hot) const;
+    const HandleFrame& frameOf(const ToolContext& context) const;
+    HandleMode modeOf(const ToolContext& context) const;
+    std::optional<Handle> handleUnder(const ToolContext& context, const Pointer& pointer) const;
+
+    std::vector<Key> m_turning; // the selection that shows the handles that turn
+
+    /// A frame takes time with the size of the selection, and is asked for whenever the pointer moves.
+    struct Framed {
+        Edit edit;
+        SnapSettings snap;
+        HandleFrame frame;
+    };
+    mutable std::optional<Framed> m_framed;
 };
 
 } // namespace spacetow

@@ -2,6 +2,7 @@
 // Tools turn pointer and keys into edits; they know no toolkit. A drag is a Gesture, a pure function of the pointer:
 // preview, commit, cancel and undo are written once, in the toolbox.
 
+#include "core/math/affine.h"
 #include "editor/editing/document.h"
 #include "editor/editing/input.h"
 #include "editor/editing/overlay.h"
@@ -23,7 +24,25 @@ struct Hint {
 };
 
 enum class ToolId : std::uint8_t; // see tools.h
-enum class CursorShape : std::uint8_t { Arrow, Cross, Move, OpenHand, Pointing, Insert };
+/// The last four are double arrows: to the right, upwards, and along the diagonals that rise and fall to the right.
+enum class CursorShape : std::uint8_t {
+    Arrow,
+    Cross,
+    Move,
+    OpenHand,
+    Pointing,
+    Insert,
+    SizeAcross,
+    SizeUpright,
+    SizeRising,
+    SizeFalling,
+};
+
+/// What the selection last went through, so that it can go through it again.
+struct Repeatable {
+    Affine map;
+    bool copies = false; // it happened to a copy
+};
 
 /// Lives as long as a drag; made from the edit it starts with.
 class Gesture {
@@ -37,6 +56,8 @@ class Gesture {
     virtual Overlay overlay(const Pointer&) const { return {}; }
     virtual Hint hint(const Pointer& pointer) const = 0;
     virtual CursorShape cursor(const Pointer&) const { return CursorShape::Cross; }
+    /// What releasing here would do to all that is selected, for those that can be repeated.
+    virtual std::optional<Affine> map(const Pointer&) const { return {}; }
     /// False for gestures that only select: they add no history entry.
     virtual bool edits() const { return true; }
 };
@@ -46,6 +67,7 @@ struct FinishedEdit {
     Label label;
     Edit edit;
     std::string mergeKey = {}; // see Document::commit
+    std::optional<Repeatable> repeatable = {};
 };
 
 /// What a tool needs to know beside the pointer.
@@ -54,6 +76,7 @@ struct ToolContext {
     SnapSettings snap;
     std::uint64_t seed = 1;              // for fresh keys; another at every call
     std::optional<Pointer> pressed = {}; // where the button went down, while it is held without a gesture
+    std::optional<Repeatable> last = {}; // what `repeated` would do once more
 };
 
 class Tool {

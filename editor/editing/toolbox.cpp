@@ -1,5 +1,6 @@
 #include "editor/editing/toolbox.h"
 
+#include "editor/editing/group_picking.h"
 #include "editor/editing/verbs.h"
 
 #include <algorithm>
@@ -39,6 +40,8 @@ struct Toolbox::State {
     bool inside = false;     // the pointer is in the view
     bool committing = false; // the history changes by our own doing
     int connection = 0;
+    std::optional<Repeatable> repeatable; // what was last done to a selection
+    std::vector<Key> copies;              // that came out of that
 
     Tool& tool() { return *tools[static_cast<std::size_t>(current)]; }
     bool gestureShows() const { return gesture && dragging; }
@@ -58,20 +61,35 @@ struct Toolbox::State {
         letGo();
     }
     void commit(const FinishedEdit& finished) {
+        noteRepeatable(finished);
         committing = true;
         document.commit(finished.label, finished.edit, finished.mergeKey);
         committing = false;
     }
+    /// A copy that is then moved, turned or scaled is repeated as one step.
+    void noteRepeatable(const FinishedEdit& finished) {
+        if (!finished.repeatable || finished.edit.level == document.current().level) {
+            return;
+        }
+        const std::vector<Key>& keys = finished.edit.selection.keys();
+        if (repeatable && repeatable->copies && !finished.repeatable->copies && keys == copies) {
+            repeatable->map = finished.repeatable->map * repeatable->map;
+            return;
+        }
+        repeatable = finished.repeatable;
+        copies = repeatable->copies ? keys : std::vector<Key>();
+    }
     void conclude(const Gesture& ended, const Pointer& pointer) {
         const Edit edit = ended.at(pointer);
         if (ended.edits()) {
-            commit({ended.label(), edit});
+            const std::optional<Affine> map = ended.map(pointer);
+            commit({ended.label(), edit, {}, map ? std::optional(Repeatable{*map}) : std::nullopt});
         } else {
             document.select(edit.selection);
         }
     }
     ToolContext context(const SnapSettings& settings) const {
-        return {document.current(), settings, seed, gesture ? std::nullopt : pressed};
+        return {document.current(), settings, seed, gesture ? std::nullopt : pressed, repeatable};
     }
 };
 
@@ -206,6 +224,8 @@ void Toolbox::key(ToolKey key, const Pointer& pointer) {
             state.document.select(state.document.selection().withNodes({}));
         } else if (state.current == ToolId::Nodes) {
             choose(ToolId::Select);
+        } else if (const std::optional<Selection> outside = leaving(state.document.current())) {
+            state.document.select(*outside);
         } else if (!state.document.selection().empty()) {
             state.document.select({});
         } else {

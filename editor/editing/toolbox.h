@@ -34,8 +34,8 @@ class Toolbox {
     void leave();
     /// Secondary button without a drag. False when the tool has no use for it, so that a menu may open.
     bool secondaryClick(const Pointer& pointer);
-    /// Escape peels one layer a press: gesture, half-drawn shape, nodes, node tool, selection, then
-    /// the Select tool.
+    /// Escape peels one layer a press: gesture, half-drawn shape, nodes, node tool, group that was entered, selection,
+    /// then the Select tool.
     void key(ToolKey key, const Pointer& pointer);
     /// Drops gesture and half-drawn shape.
     void cancel();

@@ -40,6 +40,15 @@ std::optional<Vec2> middleOf(const Edit& edit) {
 
 } // namespace
 
+std::optional<Vec2> turningPoint(const ToolContext& context) {
+    if (const std::optional<Vec2>& pivot = context.edit.selection.pivot()) {
+        return pivot;
+    }
+    const std::optional<Vec2> middle = middleOf(context.edit);
+    const bool onSteps = context.snap.grid && context.snap.step > 0;
+    return middle && onSteps ? onGrid(context.snap, *middle) : middle;
+}
+
 std::optional<FinishedEdit> removeSelected(const ToolContext& context) {
     const Selection& selection = context.edit.selection;
     if (!selection.nodes().empty()) {
@@ -48,8 +57,12 @@ std::optional<FinishedEdit> removeSelected(const ToolContext& context) {
     if (selection.empty()) {
         return {};
     }
-    Edit edit = withLevel(context.edit, removed(*context.edit.level, selection.keys()));
-    edit.selection = {};
+    const std::vector<Key> keys = unlockedKeys(*context.edit.level, selection.keys());
+    if (keys.empty()) {
+        return {};
+    }
+    Edit edit = withLevel(context.edit, removed(*context.edit.level, keys));
+    edit.selection = Selection().entering(selection.entered()).within(*edit.level);
     return FinishedEdit{labelOf("delete", selection), std::move(edit)};
 }
 
@@ -62,7 +75,11 @@ std::optional<FinishedEdit> duplicateSelected(const ToolContext& context) {
     }
     Selection selection(std::move(copies));
     const Label label = labelOf("duplicate", selection);
-    return FinishedEdit{label, {std::make_shared<const Level>(std::move(level)), std::move(selection)}};
+    selection = selection.entering(context.edit.selection.entered());
+    return FinishedEdit{label,
+                        {std::make_shared<const Level>(std::move(level)), std::move(selection)},
+                        {},
+                        Repeatable{Affine::translation(delta), true}};
 }
 
 std::optional<FinishedEdit> nudgeSelected(const ToolContext& context, const Vec2& delta) {
@@ -73,8 +90,12 @@ std::optional<FinishedEdit> nudgeSelected(const ToolContext& context, const Vec2
     if (selection.empty()) {
         return {};
     }
-    return FinishedEdit{labelOf("move", selection),
-                        withLevel(context.edit, moved(*context.edit.level, selection.keys(), delta)), "nudge"};
+    Edit edit =
+        withLevel(context.edit, moved(*context.edit.level, unlockedKeys(*context.edit.level, selection.keys()), delta));
+    if (const std::optional<Vec2>& pivot = selection.pivot()) {
+        edit.selection = selection.withPivot(*pivot + delta);
+    }
+    return FinishedEdit{labelOf("move", selection), std::move(edit), "nudge", Repeatable{Affine::translation(delta)}};
 }
 
 std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double radians) {
@@ -82,19 +103,38 @@ std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double ra
     if (!selection.nodes().empty()) {
         return rotateNodes(context, radians);
     }
-    std::optional<Vec2> pivot = selection.pivot();
-    if (!pivot) {
-        pivot = middleOf(context.edit);
-        if (pivot && context.snap.grid && context.snap.step > 0) {
-            pivot = onGrid(context.snap, *pivot);
-        }
-    }
+    const std::optional<Vec2> pivot = turningPoint(context);
     if (!pivot) {
         return {};
     }
-    Edit edit = withLevel(context.edit, rotated(*context.edit.level, selection.keys(), *pivot, radians));
+    const Level& level = *context.edit.level;
+    Edit edit = withLevel(context.edit, rotated(level, unlockedKeys(level, selection.keys()), *pivot, radians));
     edit.selection = selection.withPivot(pivot);
-    return FinishedEdit{labelOf("rotate", selection), std::move(edit), "rotate"};
+    return FinishedEdit{labelOf("rotate", selection), std::move(edit), "rotate",
+                        Repeatable{Affine::rotation(*pivot, radians)}};
+}
+
+std::optional<FinishedEdit> mapSelected(const ToolContext& context, const char* code, const Affine& map) {
+    const Selection& selection = context.edit.selection;
+    const Level& level = *context.edit.level;
+    const std::vector<Key> keys = unlockedKeys(level, selection.keys());
+    if (keys.empty()) {
+        return {};
+    }
+    Edit edit = withLevel(context.edit, transformed(level, keys, map));
+    if (const std::optional<Vec2>& pivot = selection.pivot()) {
+        edit.selection = selection.withPivot(map(*pivot));
+    }
+    return FinishedEdit{labelOf(code, selection), std::move(edit), {}, Repeatable{map}};
+}
+
+std::optional<FinishedEdit> flipSelected(const ToolContext& context, FlipAxis axis) {
+    const Selection& selection = context.edit.selection;
+    if (selection.empty()) {
+        return {};
+    }
+    return FinishedEdit{labelOf("flip", selection),
+                        withLevel(context.edit, flipped(*context.edit.level, selection.keys(), axis))};
 }
 
 std::optional<FinishedEdit> reverseSelected(const ToolContext& context) {
@@ -105,8 +145,9 @@ std::optional<FinishedEdit> reverseSelected(const ToolContext& context) {
     if (selection.empty()) {
         return {};
     }
-    return FinishedEdit{labelOf("reverse", selection),
-                        withLevel(context.edit, reversed(*context.edit.level, selection.keys()))};
+    return FinishedEdit{
+        labelOf("reverse", selection),
+        withLevel(context.edit, reversed(*context.edit.level, unlockedKeys(*context.edit.level, selection.keys())))};
 }
 
 Selection selectAll(const Edit& edit) {

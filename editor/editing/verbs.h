@@ -3,21 +3,30 @@
 // nothing to do; Toolbox::finish makes it a history entry. Where nodes are selected, removing, nudging, turning and
 // reversing is done to them; see node_verbs.h.
 
+#include "core/level/arrange.h"
 #include "editor/editing/tool.h"
 
 #include <optional>
 
 namespace spacetow {
 
+/// About which the selection turns: its pivot, or without one the middle of its points, on the grid while points snap
+/// to it, so that quarter turns keep on the grid what is on it. Nothing when nothing in it has a place.
+std::optional<Vec2> turningPoint(const ToolContext& context);
+
+/// What is locked stays, here and below.
 std::optional<FinishedEdit> removeSelected(const ToolContext& context);
 /// Copies one grid step to the right and down; the copies are selected.
 std::optional<FinishedEdit> duplicateSelected(const ToolContext& context);
 /// By `delta` metres. Repeated within a second it stays one history entry.
 std::optional<FinishedEdit> nudgeSelected(const ToolContext& context, const Vec2& delta);
-/// Anticlockwise about the pivot of the selection. Without one it is the middle of the selection's points, on the grid
-/// while points snap to it, so that quarter turns keep on the grid what is on it; the selection remembers that pivot,
-/// so that four quarters bring back every bit. Repeated within a second it stays one history entry.
+/// Anticlockwise about the turning point, which the selection remembers as its pivot, so that four quarters bring back
+/// every bit. Repeated within a second it stays one history entry.
 std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double radians);
+/// Mapped; `code` is that of the label. The determinant is not zero. The pivot goes along.
+std::optional<FinishedEdit> mapSelected(const ToolContext& context, const char* code, const Affine& map);
+/// Mirrored about the middle of its bounds.
+std::optional<FinishedEdit> flipSelected(const ToolContext& context, FlipAxis axis);
 /// Turns the solid side of the selected one-way walls round.
 std::optional<FinishedEdit> reverseSelected(const ToolContext& context);
 

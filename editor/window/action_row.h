@@ -53,6 +53,8 @@ std::span<const ActionRow> overlayActions();
 std::span<const ActionRow> toolActions();
 std::span<const ActionRow> objectActions();
 std::span<const ActionRow> nodeActions();
+std::span<const ActionRow> arrangeActions();
+std::span<const ActionRow> combineActions();
 std::span<const ActionRow> levelActions();
 std::span<const ActionRow> playActions();
 std::span<const ActionRow> helpActions();

@@ -12,8 +12,8 @@ namespace spacetow {
 
 namespace {
 
-constexpr auto topics = {fileActions,   editActions,  viewActions, overlayActions, toolActions,
-                         objectActions, nodeActions, levelActions, playActions, helpActions};
+constexpr auto topics = {fileActions, editActions,    viewActions,    overlayActions, toolActions, objectActions,
+                         nodeActions, arrangeActions, combineActions, levelActions,   playActions, helpActions};
 
 QString translated(const char* words) {
     return QCoreApplication::translate("Actions", words);

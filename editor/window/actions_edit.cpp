@@ -1,4 +1,5 @@
 // Undo, clipboard, selection.
+#include "editor/editing/arrange_verbs.h"
 #include "editor/editing/clipboard.h"
 #include "editor/editing/node_verbs.h"
 #include "editor/editing/verbs.h"
@@ -63,8 +64,8 @@ void pasteAt(MainWindow& window, const std::optional<Vec2>& at) {
     const std::string text = QApplication::clipboard()->text().toStdString();
     const std::optional<FinishedEdit> edit = pasted(window.toolbox().context(), text, at);
     if (!edit) {
-        window.statusLine().showMessage(MainWindow::tr("There is nothing on the clipboard that can be pasted here."),
-                                        4000);
+        window.messageBar().say(MessageBar::Tone::Info,
+                                MainWindow::tr("There is nothing on the clipboard that can be pasted here."));
     }
     window.toolbox().finish(edit);
 }
@@ -136,6 +137,14 @@ constexpr ActionRow editRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Copy the selection one grid step away"),
      .flags = NeedsSelection | InContextMenu,
      .run = doing<duplicateSelected>},
+    {.id = Act::DuplicateInPlace,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "Duplicate in P&lace"),
+     .icon = "duplicate-in-place",
+     .keys = "Alt+Shift+D",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Copy the selection onto itself; what is done to the copy can be repeated"),
+     .flags = NeedsSelection,
+     .run = doing<duplicateInPlace>},
     {.id = Act::Delete,
      .menu = MenuId::Edit,
      .text = QT_TRANSLATE_NOOP("Actions", "De&lete"),
@@ -166,6 +175,18 @@ constexpr ActionRow editRows[] = {
      .keys = "Ctrl+I !",
      .tip = QT_TRANSLATE_NOOP("Actions", "Select what is not selected"),
      .run = selectTheOthers},
+    {.id = Act::SelectSameKind,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "Select Same &Kind"),
+     .tip = QT_TRANSLATE_NOOP("Actions", "Select all objects of the same kind as those selected"),
+     .flags = NeedsSelection,
+     .run = [](MainWindow& window) { window.document().select(sameKind(window.document().shown())); }},
+    {.id = Act::SelectSameTags,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "Select Same Ta&gs"),
+     .tip = QT_TRANSLATE_NOOP("Actions", "Select all bodies with the same tags as those selected"),
+     .flags = NeedsSelection,
+     .run = [](MainWindow& window) { window.document().select(sameTags(window.document().shown())); }},
 };
 
 } // namespace

@@ -16,6 +16,7 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent), m_toolbox(m_document), m_actions(*this), m_column(&m_center),
       m_inspectorDock(tr("Inspector")), m_problemsDock(tr("Problems")), m_canvas(m_document, m_toolbox),
       m_inspector(m_document), m_problems(m_document, [](const Problem& problem) { return sentence(problem); }),
+      m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox),
       m_files(m_document, dialogQuestions(this),
               [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }) {
     setAcceptDrops(true);
@@ -43,6 +44,8 @@ void MainWindow::layOut() {
     m_column.setContentsMargins(0, 0, 0, 0);
     m_column.setSpacing(0);
     m_column.addWidget(&m_message);
+    m_column.addWidget(&m_arrays);
+    m_column.addWidget(&m_transform);
     m_column.addWidget(&m_stack, 1);
     m_stack.addWidget(&m_canvas);
     m_stack.addWidget(&m_play);
@@ -79,6 +82,8 @@ void MainWindow::play() {
         return;
     }
     enterTyping();
+    m_arrays.cancel();
+    m_transform.hide();
     m_toolbox.cancel();
     m_problems.check();
     if (m_problems.errors() > 0) {
@@ -152,6 +157,7 @@ void MainWindow::showObject(Key key) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     enterTyping();
+    m_arrays.cancel();
     m_toolbox.cancel();
     if (!m_files.mayLeave()) {
         event->ignore();

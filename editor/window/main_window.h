@@ -3,8 +3,10 @@
 // editor/editing, files in files.h, what each action does in its row, actions_<topic>.cpp.
 
 #include "editor/canvas/canvas.h"
+#include "editor/panels/array_bar.h"
 #include "editor/panels/inspector.h"
 #include "editor/panels/problems_panel.h"
+#include "editor/panels/transform_bar.h"
 #include "editor/play/play_view.h"
 #include "editor/window/actions.h"
 #include "editor/window/files.h"
@@ -59,6 +61,8 @@ class MainWindow : public QMainWindow {
     const PlayView& playView() const { return m_play; }
     Inspector& inspector() { return m_inspector; }
     ProblemsPanel& problems() { return m_problems; }
+    ArrayBar& arrayBar() { return m_arrays; }
+    TransformBar& transformBar() { return m_transform; }
     Actions& actions() { return m_actions; }
     Files& files() { return m_files; }
     MessageBar& messageBar() { return m_message; }
@@ -109,6 +113,8 @@ class MainWindow : public QMainWindow {
     Inspector m_inspector;
     ProblemsPanel m_problems;
     MessageBar m_message;
+    ArrayBar m_arrays;
+    TransformBar m_transform;
     StatusLine m_status;
     Files m_files;
     OverlayFlags m_overlays;

@@ -29,6 +29,8 @@ void MainWindow::listenToPanels() {
     connect(&m_canvas, &Canvas::viewChanged, this,
             [this] { m_status.setZoom(m_canvas.view().scale, Viewport().scale); });
     connect(&m_canvas, &Canvas::menuWanted, this, &MainWindow::openMenuAt);
+    connect(&m_transform, &TransformBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
+    connect(&m_arrays, &ArrayBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
     connect(&m_problems, &ProblemsPanel::objectWanted, this, &MainWindow::showObject);
     connect(&m_problems, &ProblemsPanel::problemsChanged, this,
             [this] { m_status.setProblems(m_problems.errors(), m_problems.warnings()); });

@@ -1,7 +1,7 @@
 // The menus and tool bars of the window, made from the table of actions.
 #include "editor/window/main_window.h"
 
-#include "editor/editing/pick.h"
+#include "editor/editing/group_picking.h"
 #include "editor/panels/names.h"
 
 #include <QFileInfo>
@@ -127,18 +127,18 @@ void MainWindow::fillRecent() {
 }
 
 void MainWindow::openMenuAt(const QPoint& global) {
-    constexpr double reach = 6; // px
-    const std::vector<Key> under =
-        picked(m_document.level(), m_canvas.pointerPosition(), reach * m_canvas.view().pixel());
-    if (!under.empty() && !m_document.selection().contains(under.front())) {
-        m_document.select(Selection({under.front()}));
+    const std::vector<GroupPick> under =
+        pickedMembers(m_document.current(), {.world = m_canvas.pointerPosition(), .pixel = m_canvas.view().pixel()});
+    if (!under.empty() && !m_document.selection().contains(under.front().key)) {
+        m_document.select(Selection({under.front().key}).entering(under.front().entered));
     }
     QMenu menu(this);
     if (under.size() > 1) {
         QMenu* const below = menu.addMenu(tr("Select &Under Pointer"));
-        for (const Key key : under) {
-            QAction* const action = below->addAction(displayName(*m_document.level().objects.find(key)));
-            connect(action, &QAction::triggered, this, [this, key] { m_document.select(Selection({key})); });
+        for (const GroupPick& pick : under) {
+            QAction* const action = below->addAction(displayName(*m_document.level().objects.find(pick.key)));
+            connect(action, &QAction::triggered, this,
+                    [this, pick] { m_document.select(Selection({pick.key}).entering(pick.entered)); });
         }
         menu.addSeparator();
     }

@@ -15,6 +15,17 @@ constexpr MessageText problems[] = {
     {"not-finite", QT_TRANSLATE_NOOP("messages", "“%1” is not a finite number, and a file cannot hold it.")},
     {"out-of-range", QT_TRANSLATE_NOOP("messages", "“%1” is %2; it must lie between %3 and %4.")},
     {"not-positive", QT_TRANSLATE_NOOP("messages", "“%1” is %2; it must be more than zero.")},
+    {"combine-too-few", QT_TRANSLATE_NOOP("messages", "Select at least two bodies made of polygons, not locked.")},
+    {"combine-no-polygon",
+     QT_TRANSLATE_NOOP("messages", "“%1” is not made of polygons alone. Only polygons can be united, subtracted and "
+                                   "intersected.")},
+    {"combine-too-far",
+     QT_TRANSLATE_NOOP("messages", "These bodies lie too far from the origin to be combined: at most 500 km.")},
+    {"combine-empty",
+     QT_TRANSLATE_NOOP("messages", "Nothing would be left of these bodies, so they stay as they are.")},
+    {"combine-not-simple",
+     QT_TRANSLATE_NOOP("messages", "The result would cross itself, so the bodies stay as they are. Move one of them a "
+                                   "little and try again.")},
     {"empty-file", QT_TRANSLATE_NOOP("messages", "The file is empty.")},
     {"not-utf8", QT_TRANSLATE_NOOP("messages", "The file is not text in UTF-8 from here on.")},
     {"zero-byte", QT_TRANSLATE_NOOP("messages", "There is a zero byte here, which text cannot hold.")},

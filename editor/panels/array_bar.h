@@ -1,0 +1,65 @@
+#pragma once
+// A bar above the canvas that makes arrays of what is selected: it shows them as they would be while the numbers are
+// being changed. What else is done to the level meanwhile closes it.
+
+#include "editor/editing/array_verb.h"
+#include "editor/editing/toolbox.h"
+#include "editor/panels/number_field.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QWidget>
+
+#include <optional>
+
+namespace spacetow {
+
+class ArrayBar : public QWidget {
+    Q_OBJECT
+
+  public:
+    enum class Kind { Linear, Radial };
+
+    /// Both must outlive the bar.
+    ArrayBar(Document& document, Toolbox& toolbox, QWidget* parent = nullptr);
+    ~ArrayBar() override;
+
+    /// Opens for what is selected; without a selection it stays closed.
+    void begin(Kind kind);
+    /// One history entry; the bar stays open and says why when the array cannot be made.
+    void apply();
+    void cancel();
+
+  Q_SIGNALS:
+    void closed();
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    void layOut();
+    void add(QLabel& label, const QString& text, NumberField& field);
+    void setNumbers();
+    void shut();
+    ArraySpec spec() const;
+    void preview();
+
+    Document& m_document;
+    Toolbox& m_toolbox;
+    int m_connection = 0;
+    bool m_updating = false;
+    Kind m_kind = Kind::Linear;
+    std::optional<ToolContext> m_context; // while open
+    LinearArray m_linear;
+    RadialArray m_radial;
+
+    QHBoxLayout m_row;
+    QLabel m_title, m_copiesLabel, m_xLabel, m_yLabel, m_angleLabel, m_refusal;
+    NumberField m_copies, m_x, m_y, m_angle;
+    QCheckBox m_turns;
+    QToolButton m_apply, m_cancel;
+};
+
+} // namespace spacetow
