@@ -11,7 +11,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degreeOfTurn = std::numbers::pi / 180;
 constexpr double flat = 1e-9; // m; what is no longer than this cannot be scaled
 
 } // namespace
@@ -122,7 +122,7 @@ void TransformBar::enter(Field field, double value) {
     }
     const bool relative = m_relative.isChecked();
     if (field == Angle) {
-        m_toolbox.finish(value == 0 ? std::nullopt : rotateSelected(context, value * degree));
+        m_toolbox.finish(value == 0 ? std::nullopt : rotateSelected(context, value * degreeOfTurn));
     } else if (field == X || field == Y) {
         const int axis = field == X ? 0 : 1;
         Vec2 way(0, 0);

@@ -6,7 +6,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow arrangeRows[] = {
     {.id = Act::Group,
      .menu = MenuId::Object,
      .text = QT_TRANSLATE_NOOP("Actions", "&Group"),
@@ -199,7 +199,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> arrangeActions() {
-    return rows;
+    return arrangeRows;
 }
 
 } // namespace spacetow

@@ -25,7 +25,7 @@ void combine(MainWindow& window) {
                                           Selection({combined.key}).entering(selection.entered())}});
 }
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow combineRows[] = {
     {.id = Act::Unite,
      .menu = MenuId::Path,
      .text = QT_TRANSLATE_NOOP("Actions", "&Union"),
@@ -55,7 +55,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> combineActions() {
-    return rows;
+    return combineRows;
 }
 
 } // namespace spacetow

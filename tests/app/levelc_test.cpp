@@ -171,12 +171,12 @@ class LevelcTest : public QObject {
         write("level.json", levelText(populatedLevel()));
         const Run run = levelc({"info", path("level.json")});
         QCOMPARE(run.status, 0);
-        for (const char* line :
-             {"name: Everything", "author: Nobody", "objects: 2 body, 1 ship, 1 payload, 1 finish, 1 connector",
-              "shapes: 1 edges, 1 lines, 1 polygon, 2 circle, 9 vertices", "gravity: (0.5, -2) m/s²",
-              "update: 0.01 s, 50 iterations, 4 sub-steps",
-              "rules: 5 lives, tow range 2.5 m, gravity flips on towing, background plain",
-              "tags: wall, ship, payload, finish, debris, ice"}) {
+        for (const char* line : {"name: Everything", "author: Nobody",
+                                 "objects: 3 body, 1 ship, 1 payload, 1 finish, 1 connector, 2 group",
+                                 "shapes: 1 edges, 1 lines, 1 polygon, 3 circle, 9 vertices", "gravity: (0.5, -2) m/s²",
+                                 "update: 0.01 s, 50 iterations, 4 sub-steps",
+                                 "rules: 5 lives, tow range 2.5 m, gravity flips on towing, background plain",
+                                 "tags: wall, ship, payload, finish, debris, ice"}) {
             QVERIFY2(run.out.contains(QString(line) + '\n'), line);
         }
         QVERIFY(run.out.contains(QRegularExpression("bounds: \\(-?[0-9.]+, -?[0-9.]+\\) to \\(42, 43\\) m\n")));

@@ -15,10 +15,10 @@ using namespace spacetow::test;
 
 namespace {
 
-using Keys = std::vector<Key>;
+using ArrangedKeys = std::vector<Key>;
 
 /// Balls of radius 0.5: 1 at (0, 0), 2 at (3, 0), 3 at (6, 1).
-Level balls() {
+Level ballsInARow() {
     Level level;
     level.objects.append(bodyWith(1, Circle{{0, 0}, 0.5}, {0, 0}));
     level.objects.append(bodyWith(2, Circle{{0, 0}, 0.5}, {3, 0}));
@@ -26,14 +26,14 @@ Level balls() {
     return level;
 }
 
-struct Editor : Drive {
-    explicit Editor(Keys keys) : Drive(balls()) { document.select(Selection(std::move(keys))); }
+struct ArrangeEditor : Drive {
+    explicit ArrangeEditor(ArrangedKeys keys) : Drive(ballsInARow()) { document.select(Selection(std::move(keys))); }
     template <class Verb, class... Arguments>
     bool run(Verb verb, Arguments... arguments) {
         return toolbox.finish(verb(toolbox.context(), arguments...));
     }
     Vec2 placeOf(Key key) const { return *spacetow::placeOf(level().objects.find(key)->data); }
-    const Keys& keys() const { return document.selection().keys(); }
+    const ArrangedKeys& keys() const { return document.selection().keys(); }
     std::string last() const { return document.undoLabel().code; }
 };
 
@@ -44,7 +44,7 @@ class ArrangeVerbsTest : public QObject {
 
   private slots:
     void withNothingSelectedThereIsNothingToArrange() {
-        Editor editor({});
+        ArrangeEditor editor({});
         QVERIFY(!editor.run(alignSelected, AlignTo::Left));
         QVERIFY(!editor.run(distributeSelected, Spread::Gaps, true));
         QVERIFY(!editor.run(orderSelected, OrderTo::Front));
@@ -61,7 +61,7 @@ class ArrangeVerbsTest : public QObject {
     }
 
     void aligningAndFlippingAreOneEntryEach() {
-        Editor editor({1, 2, 3});
+        ArrangeEditor editor({1, 2, 3});
         QVERIFY(editor.run(alignSelected, AlignTo::Top));
         QVERIFY(editor.placeOf(1) == Vec2(0, 1));
         QCOMPARE(editor.document.undoLabel(), (Label{"align", 3}));
@@ -69,25 +69,25 @@ class ArrangeVerbsTest : public QObject {
         QVERIFY(editor.placeOf(1) == Vec2(6, 1));
         editor.document.undo();
         editor.document.undo();
-        QVERIFY(editor.level() == balls());
+        QVERIFY(editor.level() == ballsInARow());
     }
 
     void aGroupIsSelectedAndComesApartAgain() {
-        Editor editor({1, 2});
+        ArrangeEditor editor({1, 2});
         QVERIFY(editor.run(groupSelected));
         QCOMPARE(editor.keys().size(), std::size_t{1});
         const Key group = editor.keys().front();
         QCOMPARE(editor.level().objects.find(1)->parent, group);
         QVERIFY(editor.run(ungroupSelected));
-        QCOMPARE(editor.keys(), (Keys{1, 2}));
+        QCOMPARE(editor.keys(), (ArrangedKeys{1, 2}));
         QVERIFY(editor.level().objects.find(group) == nullptr);
         QVERIFY(!editor.run(ungroupSelected));
     }
 
     void aLayerTakesTheSelectionAndGivesItOnToTheNext() {
-        Editor editor({1});
+        ArrangeEditor editor({1});
         QVERIFY(editor.run(newLayer));
-        QCOMPARE(editor.keys(), (Keys{1})); // a layer itself cannot be selected by a click
+        QCOMPARE(editor.keys(), (ArrangedKeys{1})); // a layer itself cannot be selected by a click
         const Key lower = editor.level().objects.find(1)->parent;
         QVERIFY(std::get<GroupObject>(editor.level().objects.find(lower)->data).layer);
         editor.document.select(Selection());
@@ -105,7 +105,7 @@ class ArrangeVerbsTest : public QObject {
     }
 
     void whatIsHiddenOrLockedIsNoLongerSelected() {
-        Editor editor({1});
+        ArrangeEditor editor({1});
         QVERIFY(editor.run(hideSelected));
         QVERIFY(editor.keys().empty());
         QVERIFY(!editor.level().objects.find(1)->visible);
@@ -115,14 +115,14 @@ class ArrangeVerbsTest : public QObject {
         QVERIFY(editor.level().objects.find(2)->locked);
         QVERIFY(editor.run(showAll));
         QVERIFY(editor.run(unlockAll));
-        QVERIFY(editor.level() == balls());
+        QVERIFY(editor.level() == ballsInARow());
         QVERIFY(!editor.run(showAll));
         QVERIFY(!editor.run(unlockAll));
     }
 
     void whatIsLockedIsNeitherMovedNorTurnedNorRemoved() {
-        Editor editor({2});
-        editor.document.commit({}, {std::make_shared<const Level>(withLocked(balls(), Keys{2}, true)), Selection({2})});
+        ArrangeEditor editor({2});
+        editor.document.commit({}, {std::make_shared<const Level>(withLocked(ballsInARow(), ArrangedKeys{2}, true)), Selection({2})});
         const Level before = editor.level();
         editor.run(nudgeSelected, Vec2(1, 0));
         editor.run(rotateSelected, 1.0);
@@ -135,14 +135,14 @@ class ArrangeVerbsTest : public QObject {
     }
 
     void isolatingKeepsTheSelection() {
-        Editor editor({1});
+        ArrangeEditor editor({1});
         QVERIFY(editor.run(isolateSelected));
-        QCOMPARE(editor.keys(), (Keys{1}));
+        QCOMPARE(editor.keys(), (ArrangedKeys{1}));
         QVERIFY(editor.level().objects.find(1)->visible && !editor.level().objects.find(3)->visible);
     }
 
     void aMoveIsRepeatedOnAnotherSelection() {
-        Editor editor({1});
+        ArrangeEditor editor({1});
         editor.drag({0, 0}, {1, 2});
         QVERIFY(editor.run(repeatLast));
         QVERIFY(editor.placeOf(1) == Vec2(2, 4));
@@ -153,7 +153,7 @@ class ArrangeVerbsTest : public QObject {
     }
 
     void aCopyThatWasMovedAndTurnedIsRepeatedAsOneStep() {
-        Editor editor({1});
+        ArrangeEditor editor({1});
         QVERIFY(editor.run(duplicateInPlace));
         QCOMPARE(editor.level().objects.size(), 4);
         const Key copy = editor.keys().front();
@@ -163,11 +163,11 @@ class ArrangeVerbsTest : public QObject {
         QVERIFY(editor.run(repeatLast));
         QCOMPARE(editor.level().objects.size(), 6);
         QVERIFY(editor.placeOf(editor.newest().key) == Vec2(0, 6));
-        QCOMPARE(editor.keys(), (Keys{editor.newest().key}));
+        QCOMPARE(editor.keys(), (ArrangedKeys{editor.newest().key}));
     }
 
     void turningIsRepeatedAboutTheSamePivot() {
-        Editor editor({2});
+        ArrangeEditor editor({2});
         editor.document.select(Selection({2}).withPivot(Vec2(0, 0)));
         QVERIFY(editor.run(duplicateInPlace));
         editor.document.select(editor.document.selection().withPivot(Vec2(0, 0)));
@@ -177,8 +177,8 @@ class ArrangeVerbsTest : public QObject {
     }
 
     void sameKindAndSameTagsAreSelected() {
-        Editor editor({});
-        Level level = balls();
+        ArrangeEditor editor({});
+        Level level = ballsInARow();
         level.objects.append({5, "", ShipObject{{-4, 0}, 0}, {}});
         BodyObject tagged = std::get<BodyObject>(level.objects.find(2)->data);
         tagged.filter.tags = TagMask{2};
@@ -187,8 +187,8 @@ class ArrangeVerbsTest : public QObject {
         level = withObject(std::move(level), object);
         editor.document.reset(level);
         editor.document.select(Selection({1}));
-        QCOMPARE(sameKind(editor.document.current()).keys(), (Keys{1, 2, 3}));
-        QCOMPARE(sameTags(editor.document.current()).keys(), (Keys{1, 3}));
+        QCOMPARE(sameKind(editor.document.current()).keys(), (ArrangedKeys{1, 2, 3}));
+        QCOMPARE(sameTags(editor.document.current()).keys(), (ArrangedKeys{1, 3}));
     }
 };
 

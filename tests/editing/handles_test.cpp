@@ -20,10 +20,6 @@ Q_DECLARE_METATYPE(spacetow::HandleSide)
 
 namespace {
 
-constexpr Modifiers none{};
-constexpr Modifiers shift{true, false, false};
-constexpr Modifiers ctrl{false, true, false};
-constexpr Modifiers alt{false, false, true};
 
 /// A room of 2 m × 1 m (1), solid inside; a ball (2) at (5, 0) with radius 0.5; the ship (3) at (-4, 0).
 Level scene() {

@@ -13,7 +13,7 @@ Q_DECLARE_METATYPE(spacetow::Vec2)
 
 namespace {
 
-using Keys = std::vector<Key>;
+using CombineKeys = std::vector<Key>;
 
 Object boxWith(Key key, const Vec2& position, const Vec2& size, double angle = 0) {
     BodyObject body;
@@ -67,12 +67,12 @@ class CombineTest : public QObject {
         QFETCH(double, area);
         QFETCH(Vec2, max);
         const Level before = boxes();
-        const Result<CombinedBodies> result = combinedBodies(before, Keys{1, 2}, static_cast<PolygonBoolean>(how));
+        const Result<CombinedBodies> result = combinedBodies(before, CombineKeys{1, 2}, static_cast<PolygonBoolean>(how));
         QVERIFY(bool(result));
         QCOMPARE(result.value().key, Key{1});
         const Level& level = result.value().level;
         QVERIFY(std::abs(areaOf(level, 1) - area) < 1e-9);
-        QVERIFY(placedBounds(level, Keys{1}).max == max);
+        QVERIFY(placedBounds(level, CombineKeys{1}).max == max);
         QCOMPARE(std::get<BodyObject>(level.objects.find(1)->data).density, 1.0);
         QVERIFY(level.objects.find(2) == nullptr && level.objects.find(4) == nullptr);
         QVERIFY(level.objects.find(3) != nullptr);
@@ -80,7 +80,7 @@ class CombineTest : public QObject {
     }
 
     void whatCannotBeCombinedIsRefused() {
-        const auto code = [](const Keys& keys, PolygonBoolean how) {
+        const auto code = [](const CombineKeys& keys, PolygonBoolean how) {
             const Result<CombinedBodies> result = combinedBodies(boxes(), keys, how);
             return result ? std::string() : result.error().code;
         };
@@ -91,7 +91,7 @@ class CombineTest : public QObject {
         QCOMPARE(code({1, 5}, PolygonBoolean::Union), std::string());
         Level far = boxes();
         far.objects.append(boxWith(6, {1e9, 0}, {1, 1}));
-        QCOMPARE(combinedBodies(far, Keys{1, 6}, PolygonBoolean::Union).error().code, std::string("combine-too-far"));
+        QCOMPARE(combinedBodies(far, CombineKeys{1, 6}, PolygonBoolean::Union).error().code, std::string("combine-too-far"));
     }
 };
 

@@ -183,7 +183,7 @@ QByteArray fault(const Level& level, Random& random) {
     Aabb all;
     for (int i = 0; i < level.objects.size(); ++i) {
         const Aabb box = boundsOf(level, level.objects[i]);
-        const bool isGroup = false;
+        const bool isGroup = std::holds_alternative<GroupObject>(level.objects[i].data);
         const Aabb& found = index.boundsOf(i);
         if (!isGroup &&
             (found.isEmpty() != box.isEmpty() || (!box.isEmpty() && (found.min != box.min || found.max != box.max)))) {
