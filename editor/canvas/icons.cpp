@@ -1,67 +1,101 @@
 #include "editor/canvas/icons.h"
 
 #include <QFile>
+#include <QIconEngine>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QSvgRenderer>
 
-#include <array>
+#include <utility>
 
 namespace spacetow {
 
 namespace {
-
-constexpr std::array sizes{16, 20, 24, 32, 40, 48, 64};
 
 QByteArray source(const QString& name) {
     QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-QPixmap drawn(const QByteArray& svg, int size) {
+QPixmap drawn(const QByteArray& svg, const QSize& size) {
     QSvgRenderer renderer(svg);
-    QPixmap pixmap(size, size);
+    QPixmap pixmap(size);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    renderer.render(&painter, QRectF(0, 0, size, size));
+    renderer.render(&painter, QRectF(QPointF(0, 0), size));
     return pixmap;
 }
 
-void add(QIcon& icon, const QByteArray& svg, const QColor& color, QIcon::Mode mode) {
-    QByteArray tinted = svg;
-    tinted.replace("currentColor", color.name(QColor::HexRgb).toLatin1());
-    for (const int size : sizes) {
-        QPixmap pixmap = drawn(tinted, size);
-        icon.addPixmap(pixmap, mode, QIcon::Off);
-        icon.addPixmap(pixmap, mode, QIcon::On);
+struct Inks {
+    QColor normal;
+    QColor disabled;
+    QColor selected; // on the colour of what is selected
+};
+
+/// Draws at the size that is asked for, and keeps what it drew: a hundred icons in all sizes would delay the start.
+class LineIcon : public QIconEngine {
+  public:
+    LineIcon(QString name, QByteArray svg, Inks inks)
+        : m_name(std::move(name)), m_svg(std::move(svg)), m_inks(std::move(inks)) {}
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+        const double ratio = painter->device() != nullptr ? painter->device()->devicePixelRatioF() : 1;
+        painter->drawPixmap(rect, scaledPixmap(rect.size() * ratio, mode, state, ratio));
     }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        return scaledPixmap(size, mode, state, 1);
+    }
+    /// The size is in device pixels.
+    QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State, double scale) override {
+        const QString color = ink(mode).name(QColor::HexRgb);
+        const QString key =
+            QStringLiteral("line-icon %1 %2 %3×%4").arg(m_name, color).arg(size.width()).arg(size.height());
+        QPixmap pixmap;
+        if (!QPixmapCache::find(key, &pixmap)) {
+            QByteArray tinted = m_svg;
+            tinted.replace("currentColor", color.toLatin1());
+            pixmap = drawn(tinted, size);
+            QPixmapCache::insert(key, pixmap);
+        }
+        pixmap.setDevicePixelRatio(scale);
+        return pixmap;
+    }
+    QSize actualSize(const QSize& size, QIcon::Mode, QIcon::State) override { return size; }
+    bool isNull() override { return false; }
+    QIconEngine* clone() const override { return new LineIcon(*this); }
+
+  private:
+    const QColor& ink(QIcon::Mode mode) const {
+        return mode == QIcon::Disabled ? m_inks.disabled : mode == QIcon::Selected ? m_inks.selected : m_inks.normal;
+    }
+
+    QString m_name;
+    QByteArray m_svg;
+    Inks m_inks;
+};
+
+QIcon lineIcon(const QString& name, const Inks& inks) {
+    QByteArray svg = source(name);
+    return svg.isEmpty() ? QIcon() : QIcon(new LineIcon(name, std::move(svg), inks)); // the icon owns its engine
 }
 
 } // namespace
 
 QIcon icon(const QString& name, const QPalette& palette) {
-    const QByteArray svg = source(name);
-    QIcon result;
-    if (!svg.isEmpty()) {
-        add(result, svg, palette.color(QPalette::Active, QPalette::ButtonText), QIcon::Normal);
-        add(result, svg, palette.color(QPalette::Disabled, QPalette::ButtonText), QIcon::Disabled);
-    }
-    return result;
+    return lineIcon(name, {palette.color(QPalette::Active, QPalette::ButtonText),
+                           palette.color(QPalette::Disabled, QPalette::ButtonText),
+                           palette.color(QPalette::Active, QPalette::HighlightedText)});
 }
 
 QIcon icon(const QString& name, const QColor& color) {
-    const QByteArray svg = source(name);
-    QIcon result;
-    if (!svg.isEmpty()) {
-        add(result, svg, color, QIcon::Normal);
-    }
-    return result;
+    return lineIcon(name, {color, color, color});
 }
 
 QIcon applicationIcon() {
     const QByteArray svg = source(QStringLiteral("spacetow"));
     QIcon result;
     for (const int size : {16, 24, 32, 48, 64, 128, 256}) {
-        result.addPixmap(drawn(svg, size));
+        result.addPixmap(drawn(svg, {size, size}));
     }
     return result;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The program's icons: line drawings from the resources in the colours of the palette, sharp at every size, so that
-// they are read on light and on dark panels.
+// The program's icons: line drawings from the resources in the colours of the palette, drawn when they are needed and
+// for the display they are shown on, so that they are sharp at every scale and read on light and on dark panels.
 
 #include <QIcon>
 #include <QPalette>
