@@ -76,7 +76,7 @@ JsonText pointSchema(const Field& field) {
     return json;
 }
 
-std::string pointText(const Vec2& point) {
+std::string pointSpelling(const Vec2& point) {
     return '[' + spelledNumber(point.x()) + ", " + spelledNumber(point.y()) + ']';
 }
 
@@ -136,7 +136,7 @@ class Describer {
         add(f, range, spellings(names), JsonText::text(names[static_cast<std::size_t>(byDefault)]));
     }
     void point(const Field& f, const Vec2&, const Vec2& byDefault) {
-        add(f, "[x, y], each " + rangeText(f), pointSchema(f), JsonText::raw(pointText(byDefault)));
+        add(f, "[x, y], each " + rangeText(f), pointSchema(f), JsonText::raw(pointSpelling(byDefault)));
     }
     void points(const Field& f, const std::vector<Vec2>&) {
         JsonText schema = typed("array");

@@ -29,7 +29,7 @@ bool editsNodes(const MainWindow& window) {
     return window.toolbox().current() == ToolId::Nodes && !window.document().selection().empty();
 }
 
-constexpr ActionRow rows[] = {
+constexpr ActionRow nodesRows[] = {
     {.id = Act::InsertMidpoints,
      .menu = MenuId::Path,
      .text = QT_TRANSLATE_NOOP("Actions", "Insert &Midpoints"),
@@ -94,7 +94,7 @@ constexpr ActionRow rows[] = {
 } // namespace
 
 std::span<const ActionRow> nodeActions() {
-    return rows;
+    return nodesRows;
 }
 
 } // namespace spacetow

@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MessageText hints[] = {
+constexpr MessageText nodesHints[] = {
     {"nodes.none", QT_TRANSLATE_NOOP("messages", "Nodes · click a wall, line, polygon or finish to edit its nodes")},
     {"nodes.without",
      QT_TRANSLATE_NOOP("messages", "What is selected has no nodes · click a wall, line, polygon or finish to edit it")},
@@ -71,7 +71,7 @@ constexpr MessageText hints[] = {
 } // namespace
 
 std::span<const MessageText> nodeHints() {
-    return hints;
+    return nodesHints;
 }
 
 } // namespace spacetow
