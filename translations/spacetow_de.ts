@@ -148,10 +148,6 @@
         <translation>Mehr vom Level zeigen, dafür kleiner</translation>
     </message>
     <message>
-        <source>&amp;Original Size</source>
-        <translation>&amp;Originalgröße</translation>
-    </message>
-    <message>
         <source>Show the level as large as in the game</source>
         <translation>Das Level so groß zeigen wie im Spiel</translation>
     </message>
@@ -308,10 +304,6 @@
         <translation>Das Schiff platzieren; Ziehen dreht es</translation>
     </message>
     <message>
-        <source>Pay&amp;load</source>
-        <translation>&amp;Fracht</translation>
-    </message>
-    <message>
         <source>Place the payload</source>
         <translation>Die Fracht platzieren</translation>
     </message>
@@ -322,10 +314,6 @@
     <message>
         <source>Draw the line that the payload has to cross</source>
         <translation>Die Linie zeichnen, die die Fracht überqueren muss</translation>
-    </message>
-    <message>
-        <source>Place S&amp;hip, Payload, Finish</source>
-        <translation>S&amp;chiff, Fracht, Ziellinie platzieren</translation>
     </message>
     <message>
         <source>Place ship, payload or finish; again for the next of them</source>
@@ -442,6 +430,402 @@
     <message>
         <source>Show version and license</source>
         <translation>Version und Lizenz anzeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make one thing of what is selected; a double click gets at its parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the selected groups apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the selection no longer; it is played all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Isolate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide everything but the selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sho&amp;w All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show everything that is hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the selection from being selected, moved and removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U&amp;nlock All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let everything that is locked be changed again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To &amp;Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the selection above everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;orward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the selection above the next object that overlaps it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Backward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the selection below the next object that overlaps it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To Ba&amp;ck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the selection below everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Left Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the left edges of the selected objects to that of the leftmost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Centers on a Vertical Line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the centers of the selected objects above each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Right Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the right edges of the selected objects to that of the rightmost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Top Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the top edges of the selected objects to that of the highest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;enters on a Horizontal Line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the centers of the selected objects beside each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Bottom Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the bottom edges of the selected objects to that of the lowest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space Left Edges Evenly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribute the left edges between those of the outermost objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space Centers Evenly Across</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribute the centers from left to right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make &amp;Gaps Across Equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribute the objects from left to right with the same gap between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space Bottom Edges Evenly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribute the bottom edges between those of the outermost objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space Centers Evenly Upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribute the centers from bottom to top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make Gaps &amp;Upwards Equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribute the objects from bottom to top with the same gap between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New &amp;Layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the selection into a new layer, or make an empty one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move to Layer &amp;Above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selection to the next higher layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move to Layer &amp;Below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selection to the next lower layer, or out of all layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Union</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make one body of the selected polygons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the upper polygons out of the lowest one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Intersection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what the selected polygons have in common</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate in P&amp;lace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the selection onto itself; what is done to the copy can be repeated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select Same &amp;Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select all objects of the same kind as those selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select Same Ta&amp;gs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select all bodies with the same tags as those selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert &amp;Midpoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert a node in the middle of each selected segment, or of all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete Segments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the segments between selected nodes and leave the chain open there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Join Nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weld two end nodes, or two neighbours, into one in the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join by a &amp;Segment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join two end nodes by a new segment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Break at Nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split chains at the selected nodes, open closed ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make S&amp;traight in 15° Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the selected segments to the nearest multiple of 15°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Next Node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the next node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Previous Node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the previous node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flip &amp;Horizontally</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap left and right; walls stay solid on the same side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flip &amp;Vertically</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap above and below; walls stay solid on the same side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;peat Last Transform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move, turn, scale or copy the selection once more as it was done last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Type Place and Size…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move, scale and turn the selection by numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Linear Array…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make copies of the selection in a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;adial Array…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make copies of the selection round its pivot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move, insert and delete the nodes of selected objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Knife</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut walls, lines and polygons along a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pa&amp;yload</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pl&amp;ace Ship, Payload, Finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Original Si&amp;ze</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -952,38 +1336,6 @@
         <translation>Neu starten · anhalten · Einzelbild weiter</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Bearbeiten</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Overlays, also while playing</source>
-        <translation>Einblendungen, auch beim Spielen</translation>
-    </message>
-    <message>
-        <source>Tools</source>
-        <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Object</source>
-        <translation>Objekt</translation>
-    </message>
-    <message>
-        <source>Play</source>
-        <translation>Spiel</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
-    </message>
-    <message>
         <source>On the drawing board</source>
         <translation>Auf der Zeichenfläche</translation>
     </message>
@@ -1030,6 +1382,14 @@
         <source>Connector</source>
         <translation>Verbindung</translation>
     </message>
+    <message>
+        <source>Layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -1045,16 +1405,8 @@
 <context>
     <name>messages</name>
     <message>
-        <source>Click: select · drag: rubber band · Shift or Ctrl + click: add or remove · Alt + click: next object underneath</source>
-        <translation>Klick: auswählen · Ziehen: Gummiband · Umschalt oder Strg + Klick: hinzufügen oder entfernen · Alt + Klick: nächstes Objekt darunter</translation>
-    </message>
-    <message>
         <source>Click: select · drag: select and move · Shift or Ctrl + click: add or remove · Shift + drag: rubber band</source>
         <translation>Klick: auswählen · Ziehen: auswählen und verschieben · Umschalt oder Strg + Klick: hinzufügen oder entfernen · Umschalt + Ziehen: Gummiband</translation>
-    </message>
-    <message>
-        <source>%1 selected · drag: move · Alt + drag: move from anywhere · Shift or Ctrl + click: add or remove · Delete: remove · Escape: select nothing</source>
-        <translation>%1 ausgewählt · Ziehen: verschieben · Alt + Ziehen: von überall verschieben · Umschalt oder Strg + Klick: hinzufügen oder entfernen · Entf: löschen · Esc: nichts auswählen</translation>
     </message>
     <message>
         <source>Moving by %1 m, %2 m · Shift: along one axis · Ctrl: snap off/on · Escape: cancel</source>
@@ -1612,6 +1964,517 @@
         <source>This is too large: at most %1 bytes are read.</source>
         <translation>Das ist zu groß: Gelesen werden höchstens %1 Byte.</translation>
     </message>
+    <message>
+        <source>Nodes · click a wall, line, polygon or finish to edit its nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is selected has no nodes · click a wall, line, polygon or finish to edit it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes · click or rubber band: select nodes · Shift + Alt + drag: lasso · double click on a segment: insert a node · Escape: done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: edit the nodes of this object · Shift + click: add it to those in edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 nodes selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Shift+J: join · Shift+R: turn the part between them round as a chain of its own · Escape: select none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Node · drag: move · Shift or Ctrl + click: add or remove · Shift + drag: rubber band · Alt while dragging: leave other nodes at this place behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Segment · drag: move both ends · click: select them · double click or Ctrl + Alt + click: insert a node here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: insert a node here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving by %1 m, %2 m together with other nodes at this place · Alt: leave them behind · Shift: along one axis · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two neighbouring nodes lie on one point, which leaves a side without length · move on, or Escape to cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The polygon crosses itself like this and cannot be played · move on, or Escape to cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: scale the selected nodes · Shift: about the middle · Ctrl: in proportion · Alt: snap off/on · click a selected node: turn them instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: turn the selected nodes · Ctrl: in steps of 15° · click a selected node: scale them instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scaling to %1 m × %2 m · Shift: about the middle · Ctrl: in proportion · Alt: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning by %1° · Ctrl: in steps of 15° · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 nodes selected · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 nodes selected · draw around the nodes · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Knife · drag a line across walls, lines and polygons to cut them · Shift: 15° · Ctrl: snap off/on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Knife · drag a line across to cut what is selected (%1) · Escape: select nothing, so as to cut everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting at %1 places · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to cut here yet · chains are cut where the line meets them, polygons where it goes right through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: select · drag: rubber band · Shift + Alt + drag: lasso · Shift or Ctrl + click: add or remove · Alt + click: next object underneath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 selected · drag: move · click again: turn or scale · Alt + drag: move from anywhere · Shift or Ctrl + click: add or remove · Delete: remove · Escape: select nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: select the group · double click: enter it · Ctrl + click: select by itself · drag: select and move · Shift + click: add or remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 selected · double click: enter the group · drag: move · click again: turn or scale · Ctrl + click: select by itself · Delete: remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inside a group, %1 selected · clicks select its members · Escape, or double click on empty ground: leave it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inside “%2”, %1 selected · clicks select its members · Escape, or double click on empty ground: leave it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 selected · Ctrl: only what lies wholly inside · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Node · drag: move it alone · Alt + drag: move the whole object · double click: edit all nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: scale · Shift: about the middle · Ctrl: keep the proportions · Alt: snap off/on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 × %2 m (%3 %, %4 %) · Shift: about the middle · Ctrl: keep the proportions · Alt: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: turn about the pivot · Shift: about the opposite corner · Ctrl: in steps of 15° · click the object: scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning by %1° · Shift: about the opposite corner · Ctrl: in steps of 15° · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: move the pivot, about which the selection turns · Ctrl: snap off/on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pivot at %1, %2 m · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Scale %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Flip object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Flip %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Align object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Align %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Distribute object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Distribute %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reorder object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Reorder %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Group %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Ungroup %n groups</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move object to another layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n objects to another layer</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hide object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Hide %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Isolate object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Isolate %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lock object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Lock %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Repeat transform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Repeat transform of %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>New layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Array of one copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Array of %n copies</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unite bodies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Unite %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Subtract bodies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Subtract %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Intersect bodies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Intersect %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n nodes</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rotate nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Rotate %n nodes</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Scale nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Scale %n nodes</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Insert nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n nodes</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete segments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Break at node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Break at %n nodes</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reverse part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straighten segments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut with the knife</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select at least two bodies made of polygons, not locked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These bodies lie too far from the origin to be combined: at most 500 km.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing would be left of these bodies, so they stay as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result would cross itself, so the bodies stay as they are. Move one of them a little and try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It belongs to the group %1, which does not exist; it is shown at the top. Put it into another group, or to the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It belongs to the object %1, which is not a group; it is shown at the top. Put it into another group, or to the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is in the group %1, which is in it, directly or not; it is shown at the top. Put one of them to the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A layer is in another group. Layers are at the top: put it there, or make it an ordinary group.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is hidden in the editor, but takes part in the game.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ArrayBar</name>
+    <message>
+        <source>Copies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation type="unfinished">Winkel</translation>
+    </message>
+    <message>
+        <source>Turn copies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the copies (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make no copies (Escape)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radial array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Linear array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Center x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y</source>
+        <comment>of a center or step</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a ship, a payload and a finish a level has one: there is nothing to copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That would be %1 objects; an array may have %2. Make fewer copies.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>spacetow::Canvas</name>
@@ -1777,6 +2640,34 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <source>Select &amp;Under Pointer</source>
         <translation>Unter dem &amp;Zeiger auswählen</translation>
     </message>
+    <message>
+        <source>S&amp;napping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grid S&amp;tep</source>
+        <translation type="unfinished">Raster&amp;schritt</translation>
+    </message>
+    <message>
+        <source>&amp;Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Align</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Transform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Level</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -1787,6 +2678,52 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::NodesModel</name>
+    <message>
+        <source>shape %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished">%1, %2</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::NodesPanel</name>
+    <message>
+        <source>Nodes of the objects in edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert a node halfway to the next one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the selected nodes</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1986,6 +2923,53 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>That is how a tag without a name is written.</source>
         <translation>So wird ein Merkmal ohne Namen geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TransformBar</name>
+    <message>
+        <source>Transform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move by metres and scale by percent instead of to a place and size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>Close this bar (Escape)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -86,6 +86,7 @@ constexpr ActionRow objectMenuRows[] = {
      .menu = MenuId::Transform,
      .text = QT_TRANSLATE_NOOP("Actions", "R&adial Array…"),
      .icon = "array-radial",
+     .keys = "Ctrl+Alt+D",
      .tip = QT_TRANSLATE_NOOP("Actions", "Make copies of the selection round its pivot"),
      .flags = NeedsSelection,
      .run = [](MainWindow& window) { window.arrayBar().begin(ArrayBar::Kind::Radial); }},
