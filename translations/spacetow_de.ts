@@ -433,399 +433,399 @@
     </message>
     <message>
         <source>&amp;Group</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gruppieren</translation>
     </message>
     <message>
         <source>Make one thing of what is selected; a double click gets at its parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht die Auswahl zu einem Ding; ein Doppelklick führt zu seinen Teilen</translation>
     </message>
     <message>
         <source>&amp;Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppierung &amp;aufheben</translation>
     </message>
     <message>
         <source>Take the selected groups apart</source>
-        <translation type="unfinished"></translation>
+        <translation>Löst die ausgewählten Gruppen auf</translation>
     </message>
     <message>
         <source>&amp;Hide</source>
-        <translation type="unfinished"></translation>
+        <translation>Au&amp;sblenden</translation>
     </message>
     <message>
         <source>Show the selection no longer; it is played all the same</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt die Auswahl nicht mehr; gespielt wird sie trotzdem</translation>
     </message>
     <message>
         <source>&amp;Isolate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nur Auswahl zeigen</translation>
     </message>
     <message>
         <source>Hide everything but the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Blendet alles außer der Auswahl aus</translation>
     </message>
     <message>
         <source>Sho&amp;w All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles &amp;zeigen</translation>
     </message>
     <message>
         <source>Show everything that is hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt alles, was ausgeblendet ist</translation>
     </message>
     <message>
         <source>&amp;Lock</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;perren</translation>
     </message>
     <message>
         <source>Keep the selection from being selected, moved and removed</source>
-        <translation type="unfinished"></translation>
+        <translation>Schützt die Auswahl davor, ausgewählt, verschoben und gelöscht zu werden</translation>
     </message>
     <message>
         <source>U&amp;nlock All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles &amp;entsperren</translation>
     </message>
     <message>
         <source>Let everything that is locked be changed again</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht alles Gesperrte wieder änderbar</translation>
     </message>
     <message>
         <source>To &amp;Front</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ganz nach vorn</translation>
     </message>
     <message>
         <source>Draw the selection above everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet die Auswahl über allem anderen</translation>
     </message>
     <message>
         <source>F&amp;orward</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nach vorn</translation>
     </message>
     <message>
         <source>Draw the selection above the next object that overlaps it</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet die Auswahl über dem nächsten Objekt, das sie überdeckt</translation>
     </message>
     <message>
         <source>&amp;Backward</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach &amp;hinten</translation>
     </message>
     <message>
         <source>Draw the selection below the next object that overlaps it</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet die Auswahl unter dem nächsten Objekt, mit dem sie sich überschneidet</translation>
     </message>
     <message>
         <source>To Ba&amp;ck</source>
-        <translation type="unfinished"></translation>
+        <translation>G&amp;anz nach hinten</translation>
     </message>
     <message>
         <source>Draw the selection below everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet die Auswahl unter allem anderen</translation>
     </message>
     <message>
         <source>&amp;Left Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Linke Kanten</translation>
     </message>
     <message>
         <source>Bring the left edges of the selected objects to that of the leftmost</source>
-        <translation type="unfinished"></translation>
+        <translation>Bringt die linken Kanten der ausgewählten Objekte zu der äußersten</translation>
     </message>
     <message>
         <source>&amp;Centers on a Vertical Line</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mitten auf eine Senkrechte</translation>
     </message>
     <message>
         <source>Bring the centers of the selected objects above each other</source>
-        <translation type="unfinished"></translation>
+        <translation>Bringt die Mitten der ausgewählten Objekte übereinander</translation>
     </message>
     <message>
         <source>&amp;Right Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rechte Kanten</translation>
     </message>
     <message>
         <source>Bring the right edges of the selected objects to that of the rightmost</source>
-        <translation type="unfinished"></translation>
+        <translation>Bringt die rechten Kanten der ausgewählten Objekte zu der äußersten</translation>
     </message>
     <message>
         <source>&amp;Top Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Obere Kanten</translation>
     </message>
     <message>
         <source>Bring the top edges of the selected objects to that of the highest</source>
-        <translation type="unfinished"></translation>
+        <translation>Bringt die oberen Kanten der ausgewählten Objekte zu der höchsten</translation>
     </message>
     <message>
         <source>C&amp;enters on a Horizontal Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitten &amp;auf eine Waagerechte</translation>
     </message>
     <message>
         <source>Bring the centers of the selected objects beside each other</source>
-        <translation type="unfinished"></translation>
+        <translation>Bringt die Mitten der ausgewählten Objekte nebeneinander</translation>
     </message>
     <message>
         <source>&amp;Bottom Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Untere Kanten</translation>
     </message>
     <message>
         <source>Bring the bottom edges of the selected objects to that of the lowest</source>
-        <translation type="unfinished"></translation>
+        <translation>Bringt die unteren Kanten der ausgewählten Objekte zu der tiefsten</translation>
     </message>
     <message>
         <source>Space Left Edges Evenly</source>
-        <translation type="unfinished"></translation>
+        <translation>Linke Kanten verteilen</translation>
     </message>
     <message>
         <source>Distribute the left edges between those of the outermost objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilt die linken Kanten gleichmäßig zwischen denen der äußersten Objekte</translation>
     </message>
     <message>
         <source>Space Centers Evenly Across</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitten waagerecht verteilen</translation>
     </message>
     <message>
         <source>Distribute the centers from left to right</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilt die Mitten gleichmäßig von links nach rechts</translation>
     </message>
     <message>
         <source>Make &amp;Gaps Across Equal</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände &amp;waagerecht angleichen</translation>
     </message>
     <message>
         <source>Distribute the objects from left to right with the same gap between them</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilt die Objekte von links nach rechts mit gleichen Abständen</translation>
     </message>
     <message>
         <source>Space Bottom Edges Evenly</source>
-        <translation type="unfinished"></translation>
+        <translation>Untere Kanten verteilen</translation>
     </message>
     <message>
         <source>Distribute the bottom edges between those of the outermost objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilt die unteren Kanten gleichmäßig zwischen denen der äußersten Objekte</translation>
     </message>
     <message>
         <source>Space Centers Evenly Upwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitten senkrecht verteilen</translation>
     </message>
     <message>
         <source>Distribute the centers from bottom to top</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilt die Mitten gleichmäßig von unten nach oben</translation>
     </message>
     <message>
         <source>Make Gaps &amp;Upwards Equal</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände &amp;senkrecht angleichen</translation>
     </message>
     <message>
         <source>Distribute the objects from bottom to top with the same gap between them</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilt die Objekte von unten nach oben mit gleichen Abständen</translation>
     </message>
     <message>
         <source>New &amp;Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue &amp;Ebene</translation>
     </message>
     <message>
         <source>Put the selection into a new layer, or make an empty one</source>
-        <translation type="unfinished"></translation>
+        <translation>Legt die Auswahl in eine neue Ebene oder eine leere Ebene an</translation>
     </message>
     <message>
         <source>Move to Layer &amp;Above</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Ebene &amp;höher</translation>
     </message>
     <message>
         <source>Move the selection to the next higher layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebt die Auswahl in die nächsthöhere Ebene</translation>
     </message>
     <message>
         <source>Move to Layer &amp;Below</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Ebene &amp;tiefer</translation>
     </message>
     <message>
         <source>Move the selection to the next lower layer, or out of all layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebt die Auswahl in die nächsttiefere Ebene oder aus allen Ebenen heraus</translation>
     </message>
     <message>
         <source>&amp;Union</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vereinigen</translation>
     </message>
     <message>
         <source>Make one body of the selected polygons</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht aus den ausgewählten Polygonen einen Körper</translation>
     </message>
     <message>
         <source>&amp;Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abziehen</translation>
     </message>
     <message>
         <source>Cut the upper polygons out of the lowest one</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneidet die oberen Polygone aus dem untersten heraus</translation>
     </message>
     <message>
         <source>&amp;Intersection</source>
-        <translation type="unfinished"></translation>
+        <translation>Ü&amp;berschneiden</translation>
     </message>
     <message>
         <source>Keep what the selected polygons have in common</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält, was die ausgewählten Polygone gemeinsam haben</translation>
     </message>
     <message>
         <source>Duplicate in P&amp;lace</source>
-        <translation type="unfinished"></translation>
+        <translation>An Or&amp;t und Stelle duplizieren</translation>
     </message>
     <message>
         <source>Copy the selection onto itself; what is done to the copy can be repeated</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopiert die Auswahl auf sich selbst; was mit der Kopie geschieht, lässt sich wiederholen</translation>
     </message>
     <message>
         <source>Select Same &amp;Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gleiche Art auswählen</translation>
     </message>
     <message>
         <source>Select all objects of the same kind as those selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt alle Objekte von der Art der ausgewählten aus</translation>
     </message>
     <message>
         <source>Select Same Ta&amp;gs</source>
-        <translation type="unfinished"></translation>
+        <translation>Gle&amp;iche Tags auswählen</translation>
     </message>
     <message>
         <source>Select all bodies with the same tags as those selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt alle Körper mit den Tags der ausgewählten aus</translation>
     </message>
     <message>
         <source>Insert &amp;Midpoints</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mittelpunkte einfügen</translation>
     </message>
     <message>
         <source>Insert a node in the middle of each selected segment, or of all</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt in der Mitte jedes ausgewählten Segments (oder aller) einen Knoten ein</translation>
     </message>
     <message>
         <source>&amp;Delete Segments</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Segmente löschen</translation>
     </message>
     <message>
         <source>Remove the segments between selected nodes and leave the chain open there</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt die Segmente zwischen ausgewählten Knoten; die Kette ist dort dann offen</translation>
     </message>
     <message>
         <source>&amp;Join Nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Knoten verbinden</translation>
     </message>
     <message>
         <source>Weld two end nodes, or two neighbours, into one in the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschmilzt zwei Endknoten oder zwei Nachbarn in der Mitte zu einem</translation>
     </message>
     <message>
         <source>Join by a &amp;Segment</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Durch ein Segment verbinden</translation>
     </message>
     <message>
         <source>Join two end nodes by a new segment</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindet zwei Endknoten durch ein neues Segment</translation>
     </message>
     <message>
         <source>&amp;Break at Nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>An Knoten &amp;trennen</translation>
     </message>
     <message>
         <source>Split chains at the selected nodes, open closed ones</source>
-        <translation type="unfinished"></translation>
+        <translation>Trennt Ketten an den ausgewählten Knoten, öffnet geschlossene</translation>
     </message>
     <message>
         <source>Make S&amp;traight in 15° Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;In 15°-Schritten ausrichten</translation>
     </message>
     <message>
         <source>Turn the selected segments to the nearest multiple of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreht die ausgewählten Segmente auf das nächste Vielfache von 15°</translation>
     </message>
     <message>
         <source>&amp;Next Node</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nächster Knoten</translation>
     </message>
     <message>
         <source>Select the next node</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt den nächsten Knoten aus</translation>
     </message>
     <message>
         <source>&amp;Previous Node</source>
-        <translation type="unfinished"></translation>
+        <translation>V&amp;origer Knoten</translation>
     </message>
     <message>
         <source>Select the previous node</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt den vorigen Knoten aus</translation>
     </message>
     <message>
         <source>Flip &amp;Horizontally</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Waagerecht spiegeln</translation>
     </message>
     <message>
         <source>Swap left and right; walls stay solid on the same side</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertauscht links und rechts; Wände bleiben auf derselben Seite fest</translation>
     </message>
     <message>
         <source>Flip &amp;Vertically</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Senkrecht spiegeln</translation>
     </message>
     <message>
         <source>Swap above and below; walls stay solid on the same side</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertauscht oben und unten; Wände bleiben auf derselben Seite fest</translation>
     </message>
     <message>
         <source>Re&amp;peat Last Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte &amp;Umformung wiederholen</translation>
     </message>
     <message>
         <source>Move, turn, scale or copy the selection once more as it was done last</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebt, dreht, skaliert oder kopiert die Auswahl noch einmal wie zuletzt</translation>
     </message>
     <message>
         <source>&amp;Type Place and Size…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ort und Größe eingeben…</translation>
     </message>
     <message>
         <source>Move, scale and turn the selection by numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebt, skaliert und dreht die Auswahl mit Zahlen</translation>
     </message>
     <message>
         <source>&amp;Linear Array…</source>
-        <translation type="unfinished"></translation>
+        <translation>Lineare &amp;Anordnung…</translation>
     </message>
     <message>
         <source>Make copies of the selection in a row</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht Kopien der Auswahl in einer Reihe</translation>
     </message>
     <message>
         <source>R&amp;adial Array…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kreisförmige Anordnung…</translation>
     </message>
     <message>
         <source>Make copies of the selection round its pivot</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht Kopien der Auswahl rings um ihren Drehpunkt</translation>
     </message>
     <message>
         <source>&amp;Nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>K&amp;noten</translation>
     </message>
     <message>
         <source>Move, insert and delete the nodes of selected objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebt, fügt ein und löscht Knoten der ausgewählten Objekte</translation>
     </message>
     <message>
         <source>&amp;Knife</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Messer</translation>
     </message>
     <message>
         <source>Cut walls, lines and polygons along a line</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneidet Wände, Linien und Polygone entlang einer Linie</translation>
     </message>
     <message>
         <source>Pa&amp;yload</source>
-        <translation type="unfinished"></translation>
+        <translation>L&amp;ast</translation>
     </message>
     <message>
         <source>Pl&amp;ace Ship, Payload, Finish</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;chiff, Last, Ziel setzen</translation>
     </message>
     <message>
         <source>Original Si&amp;ze</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Originalgröße</translation>
     </message>
 </context>
 <context>
@@ -1384,11 +1384,11 @@
     </message>
     <message>
         <source>Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
 </context>
 <context>
@@ -1966,514 +1966,514 @@
     </message>
     <message>
         <source>Nodes · click a wall, line, polygon or finish to edit its nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten · eine Wand, Linie, ein Polygon oder das Ziel anklicken, um die Knoten zu bearbeiten</translation>
     </message>
     <message>
         <source>What is selected has no nodes · click a wall, line, polygon or finish to edit it</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ausgewählte hat keine Knoten · eine Wand, Linie, ein Polygon oder das Ziel anklicken, um es zu bearbeiten</translation>
     </message>
     <message>
         <source>Nodes · click or rubber band: select nodes · Shift + Alt + drag: lasso · double click on a segment: insert a node · Escape: done</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten · Klick oder Gummiband: Knoten auswählen · Umschalt + Alt + ziehen: Lasso · Doppelklick auf ein Segment: Knoten einfügen · Esc: fertig</translation>
     </message>
     <message>
         <source>Click: edit the nodes of this object · Shift + click: add it to those in edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick: Knoten dieses Objekts bearbeiten · Umschalt + Klick: zu den bearbeiteten hinzunehmen</translation>
     </message>
     <message>
         <source>%1 nodes selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Shift+J: join · Shift+R: turn the part between them round as a chain of its own · Escape: select none</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Knoten ausgewählt · ziehen: verschieben · Pfeiltasten: rücken · Entf: löschen · Umschalt+B: trennen · Umschalt+J: verbinden · Umschalt+R: den Teil dazwischen als eigene Kette umkehren · Esc: keinen auswählen</translation>
     </message>
     <message>
         <source>Node · drag: move · Shift or Ctrl + click: add or remove · Shift + drag: rubber band · Alt while dragging: leave other nodes at this place behind</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten · ziehen: verschieben · Umschalt oder Strg + Klick: hinzunehmen oder wegnehmen · Umschalt + ziehen: Gummiband · Alt beim Ziehen: andere Knoten an dieser Stelle zurücklassen</translation>
     </message>
     <message>
         <source>Segment · drag: move both ends · click: select them · double click or Ctrl + Alt + click: insert a node here</source>
-        <translation type="unfinished"></translation>
+        <translation>Segment · ziehen: beide Enden verschieben · Klick: sie auswählen · Doppelklick oder Strg + Alt + Klick: hier einen Knoten einfügen</translation>
     </message>
     <message>
         <source>Click: insert a node here</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick: hier einen Knoten einfügen</translation>
     </message>
     <message>
         <source>Moving by %1 m, %2 m together with other nodes at this place · Alt: leave them behind · Shift: along one axis · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebung um %1 m, %2 m mit anderen Knoten an dieser Stelle · Alt: sie zurücklassen · Umschalt: entlang einer Achse · Strg: Einrasten aus/an · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Two neighbouring nodes lie on one point, which leaves a side without length · move on, or Escape to cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei benachbarte Knoten liegen aufeinander, eine Seite hat dann keine Länge · weiterziehen, oder Esc: abbrechen</translation>
     </message>
     <message>
         <source>The polygon crosses itself like this and cannot be played · move on, or Escape to cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>So kreuzt das Polygon sich selbst und lässt sich nicht spielen · weiterziehen, oder Esc: abbrechen</translation>
     </message>
     <message>
         <source>Drag: scale the selected nodes · Shift: about the middle · Ctrl: in proportion · Alt: snap off/on · click a selected node: turn them instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: ausgewählte Knoten skalieren · Umschalt: um die Mitte · Strg: im Verhältnis · Alt: Einrasten aus/an · Klick auf einen ausgewählten Knoten: stattdessen drehen</translation>
     </message>
     <message>
         <source>Drag: turn the selected nodes · Ctrl: in steps of 15° · click a selected node: scale them instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: ausgewählte Knoten drehen · Strg: in 15°-Schritten · Klick auf einen ausgewählten Knoten: stattdessen skalieren</translation>
     </message>
     <message>
         <source>Scaling to %1 m × %2 m · Shift: about the middle · Ctrl: in proportion · Alt: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalierung auf %1 m × %2 m · Umschalt: um die Mitte · Strg: im Verhältnis · Alt: Einrasten aus/an · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Turning by %1° · Ctrl: in steps of 15° · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung um %1° · Strg: in 15°-Schritten · Esc: abbrechen</translation>
     </message>
     <message>
         <source>%1 nodes selected · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Knoten ausgewählt · loslassen: fertig · Esc: abbrechen</translation>
     </message>
     <message>
         <source>%1 nodes selected · draw around the nodes · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Knoten ausgewählt · die Knoten umfahren · loslassen: fertig · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Knife · drag a line across walls, lines and polygons to cut them · Shift: 15° · Ctrl: snap off/on</source>
-        <translation type="unfinished"></translation>
+        <translation>Messer · eine Linie über Wände, Linien und Polygone ziehen, um sie zu schneiden · Umschalt: 15° · Strg: Einrasten aus/an</translation>
     </message>
     <message>
         <source>Knife · drag a line across to cut what is selected (%1) · Escape: select nothing, so as to cut everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Messer · eine Linie ziehen, um das Ausgewählte (%1) zu schneiden · Esc: nichts auswählen und damit alles schneiden</translation>
     </message>
     <message>
         <source>Cutting at %1 places · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt an %1 Stellen · loslassen: schneiden · Umschalt: 15° · Strg: Einrasten aus/an · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Nothing to cut here yet · chains are cut where the line meets them, polygons where it goes right through</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier gibt es noch nichts zu schneiden · Ketten werden geschnitten, wo die Linie sie trifft, Polygone, wo sie ganz hindurchgeht</translation>
     </message>
     <message>
         <source>Click: select · drag: rubber band · Shift + Alt + drag: lasso · Shift or Ctrl + click: add or remove · Alt + click: next object underneath</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick: auswählen · ziehen: Gummiband · Umschalt + Alt + ziehen: Lasso · Umschalt oder Strg + Klick: hinzunehmen oder wegnehmen · Alt + Klick: nächstes Objekt darunter</translation>
     </message>
     <message>
         <source>%1 selected · drag: move · click again: turn or scale · Alt + drag: move from anywhere · Shift or Ctrl + click: add or remove · Delete: remove · Escape: select nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ausgewählt · ziehen: verschieben · erneuter Klick: drehen oder skalieren · Alt + ziehen: von überall verschieben · Umschalt oder Strg + Klick: hinzunehmen oder wegnehmen · Entf: löschen · Esc: nichts auswählen</translation>
     </message>
     <message>
         <source>Click: select the group · double click: enter it · Ctrl + click: select by itself · drag: select and move · Shift + click: add or remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick: Gruppe auswählen · Doppelklick: hineingehen · Strg + Klick: einzeln auswählen · ziehen: auswählen und verschieben · Umschalt + Klick: hinzunehmen oder wegnehmen</translation>
     </message>
     <message>
         <source>%1 selected · double click: enter the group · drag: move · click again: turn or scale · Ctrl + click: select by itself · Delete: remove</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ausgewählt · Doppelklick: in die Gruppe gehen · ziehen: verschieben · erneuter Klick: drehen oder skalieren · Strg + Klick: einzeln auswählen · Entf: löschen</translation>
     </message>
     <message>
         <source>Inside a group, %1 selected · clicks select its members · Escape, or double click on empty ground: leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>In einer Gruppe, %1 ausgewählt · Klicks wählen ihre Mitglieder aus · Esc oder Doppelklick auf freien Grund: verlassen</translation>
     </message>
     <message>
         <source>Inside “%2”, %1 selected · clicks select its members · Escape, or double click on empty ground: leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>In „%2“, %1 ausgewählt · Klicks wählen ihre Mitglieder aus · Esc oder Doppelklick auf freien Grund: verlassen</translation>
     </message>
     <message>
         <source>%1 selected · Ctrl: only what lies wholly inside · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ausgewählt · Strg: nur was ganz darin liegt · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Node · drag: move it alone · Alt + drag: move the whole object · double click: edit all nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten · ziehen: ihn allein verschieben · Alt + ziehen: das ganze Objekt verschieben · Doppelklick: alle Knoten bearbeiten</translation>
     </message>
     <message>
         <source>Drag: scale · Shift: about the middle · Ctrl: keep the proportions · Alt: snap off/on</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: skalieren · Umschalt: um die Mitte · Strg: Seitenverhältnis halten · Alt: Einrasten aus/an</translation>
     </message>
     <message>
         <source>%1 × %2 m (%3 %, %4 %) · Shift: about the middle · Ctrl: keep the proportions · Alt: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 m (%3 %, %4 %) · Umschalt: um die Mitte · Strg: Seitenverhältnis halten · Alt: Einrasten aus/an · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Drag: turn about the pivot · Shift: about the opposite corner · Ctrl: in steps of 15° · click the object: scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: um den Drehpunkt drehen · Umschalt: um die Gegenecke · Strg: in 15°-Schritten · Klick auf das Objekt: skalieren</translation>
     </message>
     <message>
         <source>Turning by %1° · Shift: about the opposite corner · Ctrl: in steps of 15° · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung um %1° · Umschalt: um die Gegenecke · Strg: in 15°-Schritten · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Drag: move the pivot, about which the selection turns · Ctrl: snap off/on</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: den Drehpunkt verschieben, um den sich die Auswahl dreht · Strg: Einrasten aus/an</translation>
     </message>
     <message>
         <source>Pivot at %1, %2 m · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehpunkt bei %1, %2 m · Strg: Einrasten aus/an · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Scale object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt skalieren</translation>
     </message>
     <message numerus="yes">
         <source>Scale %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte skalieren</numerusform>
+            <numerusform>%n Objekte skalieren</numerusform>
         </translation>
     </message>
     <message>
         <source>Flip object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt spiegeln</translation>
     </message>
     <message numerus="yes">
         <source>Flip %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte spiegeln</numerusform>
+            <numerusform>%n Objekte spiegeln</numerusform>
         </translation>
     </message>
     <message>
         <source>Align object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt ausrichten</translation>
     </message>
     <message numerus="yes">
         <source>Align %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte ausrichten</numerusform>
+            <numerusform>%n Objekte ausrichten</numerusform>
         </translation>
     </message>
     <message>
         <source>Distribute object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt verteilen</translation>
     </message>
     <message numerus="yes">
         <source>Distribute %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte verteilen</numerusform>
+            <numerusform>%n Objekte verteilen</numerusform>
         </translation>
     </message>
     <message>
         <source>Reorder object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt umordnen</translation>
     </message>
     <message numerus="yes">
         <source>Reorder %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte umordnen</numerusform>
+            <numerusform>%n Objekte umordnen</numerusform>
         </translation>
     </message>
     <message>
         <source>Group object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt gruppieren</translation>
     </message>
     <message numerus="yes">
         <source>Group %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte gruppieren</numerusform>
+            <numerusform>%n Objekte gruppieren</numerusform>
         </translation>
     </message>
     <message>
         <source>Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppierung aufheben</translation>
     </message>
     <message numerus="yes">
         <source>Ungroup %n groups</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Gruppierungen aufheben</numerusform>
+            <numerusform>%n Gruppierungen aufheben</numerusform>
         </translation>
     </message>
     <message>
         <source>Move object to another layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt in andere Ebene verschieben</translation>
     </message>
     <message numerus="yes">
         <source>Move %n objects to another layer</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte in andere Ebene verschieben</numerusform>
+            <numerusform>%n Objekte in andere Ebene verschieben</numerusform>
         </translation>
     </message>
     <message>
         <source>Hide object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt ausblenden</translation>
     </message>
     <message numerus="yes">
         <source>Hide %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte ausblenden</numerusform>
+            <numerusform>%n Objekte ausblenden</numerusform>
         </translation>
     </message>
     <message>
         <source>Isolate object</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur das Objekt zeigen</translation>
     </message>
     <message numerus="yes">
         <source>Isolate %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Nur %n Objekte zeigen</numerusform>
+            <numerusform>Nur %n Objekte zeigen</numerusform>
         </translation>
     </message>
     <message>
         <source>Lock object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt sperren</translation>
     </message>
     <message numerus="yes">
         <source>Lock %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte sperren</numerusform>
+            <numerusform>%n Objekte sperren</numerusform>
         </translation>
     </message>
     <message>
         <source>Repeat transform</source>
-        <translation type="unfinished"></translation>
+        <translation>Umformung wiederholen</translation>
     </message>
     <message numerus="yes">
         <source>Repeat transform of %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Umformung von %n Objekten wiederholen</numerusform>
+            <numerusform>Umformung von %n Objekten wiederholen</numerusform>
         </translation>
     </message>
     <message>
         <source>New layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Ebene</translation>
     </message>
     <message>
         <source>Show all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles zeigen</translation>
     </message>
     <message>
         <source>Unlock all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles entsperren</translation>
     </message>
     <message>
         <source>Array of one copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Anordnung aus einer Kopie</translation>
     </message>
     <message numerus="yes">
         <source>Array of %n copies</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Anordnung aus %n Kopien</numerusform>
+            <numerusform>Anordnung aus %n Kopien</numerusform>
         </translation>
     </message>
     <message>
         <source>Unite bodies</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper vereinigen</translation>
     </message>
     <message numerus="yes">
         <source>Unite %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte vereinigen</numerusform>
+            <numerusform>%n Objekte vereinigen</numerusform>
         </translation>
     </message>
     <message>
         <source>Subtract bodies</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper abziehen</translation>
     </message>
     <message numerus="yes">
         <source>Subtract %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte abziehen</numerusform>
+            <numerusform>%n Objekte abziehen</numerusform>
         </translation>
     </message>
     <message>
         <source>Intersect bodies</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper überschneiden</translation>
     </message>
     <message numerus="yes">
         <source>Intersect %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekte überschneiden</numerusform>
+            <numerusform>%n Objekte überschneiden</numerusform>
         </translation>
     </message>
     <message>
         <source>Move node</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten verschieben</translation>
     </message>
     <message numerus="yes">
         <source>Move %n nodes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Knoten verschieben</numerusform>
+            <numerusform>%n Knoten verschieben</numerusform>
         </translation>
     </message>
     <message>
         <source>Rotate nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten drehen</translation>
     </message>
     <message numerus="yes">
         <source>Rotate %n nodes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Knoten drehen</numerusform>
+            <numerusform>%n Knoten drehen</numerusform>
         </translation>
     </message>
     <message>
         <source>Scale nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten skalieren</translation>
     </message>
     <message numerus="yes">
         <source>Scale %n nodes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Knoten skalieren</numerusform>
+            <numerusform>%n Knoten skalieren</numerusform>
         </translation>
     </message>
     <message>
         <source>Insert nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten einfügen</translation>
     </message>
     <message>
         <source>Delete node</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten löschen</translation>
     </message>
     <message numerus="yes">
         <source>Delete %n nodes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Knoten löschen</numerusform>
+            <numerusform>%n Knoten löschen</numerusform>
         </translation>
     </message>
     <message>
         <source>Delete segments</source>
-        <translation type="unfinished"></translation>
+        <translation>Segmente löschen</translation>
     </message>
     <message>
         <source>Join nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten verbinden</translation>
     </message>
     <message>
         <source>Break at node</source>
-        <translation type="unfinished"></translation>
+        <translation>An Knoten trennen</translation>
     </message>
     <message numerus="yes">
         <source>Break at %n nodes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>An %n Knoten trennen</numerusform>
+            <numerusform>An %n Knoten trennen</numerusform>
         </translation>
     </message>
     <message>
         <source>Reverse part</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil umkehren</translation>
     </message>
     <message>
         <source>Straighten segments</source>
-        <translation type="unfinished"></translation>
+        <translation>Segmente ausrichten</translation>
     </message>
     <message>
         <source>Cut with the knife</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit dem Messer schneiden</translation>
     </message>
     <message>
         <source>Select at least two bodies made of polygons, not locked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie mindestens zwei nicht gesperrte Körper aus Polygonen aus.</translation>
     </message>
     <message>
         <source>“%1” is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ besteht nicht nur aus Polygonen. Nur Polygone lassen sich vereinigen, abziehen und überschneiden.</translation>
     </message>
     <message>
         <source>These bodies lie too far from the origin to be combined: at most 500 km.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Körper liegen zu weit vom Ursprung, um verknüpft zu werden: höchstens 500 km.</translation>
     </message>
     <message>
         <source>Nothing would be left of these bodies, so they stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von diesen Körpern bliebe nichts übrig, deshalb bleiben sie, wie sie sind.</translation>
     </message>
     <message>
         <source>The result would cross itself, so the bodies stay as they are. Move one of them a little and try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ergebnis würde sich selbst kreuzen, deshalb bleiben die Körper, wie sie sind. Verschieben Sie einen ein wenig und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>It belongs to the group %1, which does not exist; it is shown at the top. Put it into another group, or to the top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gehört zur Gruppe %1, die es nicht gibt; es wird ganz oben gezeigt. Legen Sie es in eine andere Gruppe oder nach oben.</translation>
     </message>
     <message>
         <source>It belongs to the object %1, which is not a group; it is shown at the top. Put it into another group, or to the top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gehört zum Objekt %1, das keine Gruppe ist; es wird ganz oben gezeigt. Legen Sie es in eine andere Gruppe oder nach oben.</translation>
     </message>
     <message>
         <source>It is in the group %1, which is in it, directly or not; it is shown at the top. Put one of them to the top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist in der Gruppe %1, die selbst darin ist, direkt oder nicht; es wird ganz oben gezeigt. Legen Sie eine von beiden nach oben.</translation>
     </message>
     <message>
         <source>A layer is in another group. Layers are at the top: put it there, or make it an ordinary group.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Ebene liegt in einer anderen Gruppe. Ebenen sind ganz oben: Legen Sie sie dorthin, oder machen Sie eine gewöhnliche Gruppe daraus.</translation>
     </message>
     <message>
         <source>It is hidden in the editor, but takes part in the game.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist im Editor ausgeblendet, nimmt aber am Spiel teil.</translation>
     </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
     <message>
         <source>Copies</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopien</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished">Winkel</translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Turn copies</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopien drehen</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Anwenden</translation>
     </message>
     <message>
         <source>Make the copies (Enter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht die Kopien (Eingabe)</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Make no copies (Escape)</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht keine Kopien (Esc)</translation>
     </message>
     <message>
         <source>Radial array</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreisförmige Anordnung</translation>
     </message>
     <message>
         <source>Linear array</source>
-        <translation type="unfinished"></translation>
+        <translation>Lineare Anordnung</translation>
     </message>
     <message>
         <source>Center x</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte x</translation>
     </message>
     <message>
         <source>Step x</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt x</translation>
     </message>
     <message>
         <source>y</source>
         <comment>of a center or step</comment>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>Of a ship, a payload and a finish a level has one: there is nothing to copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schiff, Last und Ziel gibt es im Level nur einmal: Es gibt nichts zu kopieren.</translation>
     </message>
     <message>
         <source>That would be %1 objects; an array may have %2. Make fewer copies.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das wären %1 Objekte; eine Anordnung darf %2 haben. Machen Sie weniger Kopien.</translation>
     </message>
 </context>
 <context>
@@ -2642,31 +2642,35 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     </message>
     <message>
         <source>S&amp;napping</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;inrasten</translation>
     </message>
     <message>
         <source>Grid S&amp;tep</source>
-        <translation type="unfinished">Raster&amp;schritt</translation>
+        <translation>Rasterschritt</translation>
     </message>
     <message>
         <source>&amp;Order</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Reihenfolge</translation>
     </message>
     <message>
         <source>&amp;Align</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausr&amp;ichten</translation>
     </message>
     <message>
         <source>&amp;Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>U&amp;mformen</translation>
     </message>
     <message>
         <source>&amp;Path</source>
-        <translation type="unfinished"></translation>
+        <translation>P&amp;fad</translation>
     </message>
     <message>
         <source>&amp;Level</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Level</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
     </message>
 </context>
 <context>
@@ -2684,46 +2688,46 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <name>spacetow::NodesModel</name>
     <message>
         <source>shape %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Form %1: %2</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished">%1, %2</translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Node</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten</translation>
     </message>
     <message>
         <source>x [m]</source>
-        <translation type="unfinished"></translation>
+        <translation>x [m]</translation>
     </message>
     <message>
         <source>y [m]</source>
-        <translation type="unfinished"></translation>
+        <translation>y [m]</translation>
     </message>
 </context>
 <context>
     <name>spacetow::NodesPanel</name>
     <message>
         <source>Nodes of the objects in edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten der bearbeiteten Objekte</translation>
     </message>
     <message>
         <source>Insert</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfügen</translation>
     </message>
     <message>
         <source>Insert a node halfway to the next one</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt auf halbem Weg zum nächsten einen Knoten ein</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Delete the selected nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Löscht die ausgewählten Knoten</translation>
     </message>
 </context>
 <context>
@@ -2929,47 +2933,47 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <name>spacetow::TransformBar</name>
     <message>
         <source>Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>Umformen</translation>
     </message>
     <message>
         <source>X</source>
-        <translation type="unfinished"></translation>
+        <translation>X</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>Turn by</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen um</translation>
     </message>
     <message>
         <source>Relative</source>
-        <translation type="unfinished"></translation>
+        <translation>Relativ</translation>
     </message>
     <message>
         <source>Move by metres and scale by percent instead of to a place and size</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebt um Meter und skaliert um Prozent statt an einen Ort und auf eine Größe</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Close this bar (Escape)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließt diese Leiste (Esc)</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
 </context>
 </TS>

@@ -61,149 +61,149 @@
     </message>
     <message numerus="yes">
         <source>Scale %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Scale %n object</numerusform>
+            <numerusform>Scale %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Flip %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Flip %n object</numerusform>
+            <numerusform>Flip %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Align %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Align %n object</numerusform>
+            <numerusform>Align %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Distribute %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Distribute %n object</numerusform>
+            <numerusform>Distribute %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Reorder %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Reorder %n object</numerusform>
+            <numerusform>Reorder %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Group %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Group %n object</numerusform>
+            <numerusform>Group %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Ungroup %n groups</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ungroup %n group</numerusform>
+            <numerusform>Ungroup %n groups</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Move %n objects to another layer</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Move %n object to another layer</numerusform>
+            <numerusform>Move %n objects to another layer</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Hide %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Hide %n object</numerusform>
+            <numerusform>Hide %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Isolate %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Isolate %n object</numerusform>
+            <numerusform>Isolate %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Lock %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Lock %n object</numerusform>
+            <numerusform>Lock %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Repeat transform of %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Repeat transform of %n object</numerusform>
+            <numerusform>Repeat transform of %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Array of %n copies</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Array of %n copy</numerusform>
+            <numerusform>Array of %n copies</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Unite %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Unite %n object</numerusform>
+            <numerusform>Unite %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Subtract %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Subtract %n object</numerusform>
+            <numerusform>Subtract %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Intersect %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Intersect %n object</numerusform>
+            <numerusform>Intersect %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Move %n nodes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Move %n node</numerusform>
+            <numerusform>Move %n nodes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Rotate %n nodes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Rotate %n node</numerusform>
+            <numerusform>Rotate %n nodes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Scale %n nodes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Scale %n node</numerusform>
+            <numerusform>Scale %n nodes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Delete %n nodes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Delete %n node</numerusform>
+            <numerusform>Delete %n nodes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Break at %n nodes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Break at %n node</numerusform>
+            <numerusform>Break at %n nodes</numerusform>
         </translation>
     </message>
 </context>

@@ -14,8 +14,9 @@ namespace spacetow {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent), m_toolbox(m_document), m_actions(*this), m_column(&m_center),
-      m_inspectorDock(tr("Inspector")), m_problemsDock(tr("Problems")), m_canvas(m_document, m_toolbox),
-      m_inspector(m_document), m_problems(m_document, [](const Problem& problem) { return sentence(problem); }),
+      m_inspectorDock(tr("Inspector")), m_problemsDock(tr("Problems")), m_nodesDock(tr("Nodes")),
+      m_canvas(m_document, m_toolbox), m_inspector(m_document),
+      m_problems(m_document, [](const Problem& problem) { return sentence(problem); }), m_nodes(m_document),
       m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox),
       m_files(m_document, dialogQuestions(this),
               [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }) {
@@ -58,6 +59,10 @@ void MainWindow::layOut() {
     m_problemsDock.setObjectName(QStringLiteral("problems"));
     m_problemsDock.setWidget(&m_problems);
     addDockWidget(Qt::RightDockWidgetArea, &m_problemsDock);
+    m_nodesDock.setObjectName(QStringLiteral("nodes"));
+    m_nodesDock.setWidget(&m_nodes);
+    tabifyDockWidget(&m_problemsDock, &m_nodesDock);
+    m_nodesDock.hide(); // until it is asked for in View ▸ Panels
     resizeDocks({&m_inspectorDock, &m_problemsDock}, {520, 150}, Qt::Vertical);
     resize(sizeHint());
 }
@@ -138,7 +143,8 @@ void MainWindow::setOverlays(const OverlayFlags& overlays) {
 
 void MainWindow::enterTyping() {
     const QPointer<QWidget> typing = focusWidget();
-    if (typing && (m_inspectorDock.isAncestorOf(typing) || m_problemsDock.isAncestorOf(typing))) {
+    if (typing && (m_inspectorDock.isAncestorOf(typing) || m_problemsDock.isAncestorOf(typing) ||
+                   m_nodesDock.isAncestorOf(typing))) {
         typing->clearFocus(); // fields enter their text when they lose the focus
         if (typing && typing->isVisible()) {
             typing->setFocus();
@@ -238,6 +244,7 @@ void MainWindow::updateMode() {
     const bool playing = isPlaying();
     m_inspector.setEnabled(!playing);
     m_problems.setEnabled(!playing);
+    m_nodes.setEnabled(!playing);
     m_menus.at(MenuId::Recent)->setEnabled(!playing);
     m_actions.refresh();
     updateTool();

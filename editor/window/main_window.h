@@ -5,6 +5,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/panels/array_bar.h"
 #include "editor/panels/inspector.h"
+#include "editor/panels/nodes_panel.h"
 #include "editor/panels/problems_panel.h"
 #include "editor/panels/transform_bar.h"
 #include "editor/play/play_view.h"
@@ -61,6 +62,7 @@ class MainWindow : public QMainWindow {
     const PlayView& playView() const { return m_play; }
     Inspector& inspector() { return m_inspector; }
     ProblemsPanel& problems() { return m_problems; }
+    NodesPanel& nodes() { return m_nodes; }
     ArrayBar& arrayBar() { return m_arrays; }
     TransformBar& transformBar() { return m_transform; }
     Actions& actions() { return m_actions; }
@@ -106,12 +108,14 @@ class MainWindow : public QMainWindow {
     QStackedWidget m_stack;
     QDockWidget m_inspectorDock;
     QDockWidget m_problemsDock;
+    QDockWidget m_nodesDock;
     std::map<MenuId, QMenu*> m_menus; // owned by the menu bar
 
     Canvas m_canvas;
     PlayView m_play;
     Inspector m_inspector;
     ProblemsPanel m_problems;
+    NodesPanel m_nodes;
     MessageBar m_message;
     ArrayBar m_arrays;
     TransformBar m_transform;

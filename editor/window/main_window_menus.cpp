@@ -81,6 +81,7 @@ void MainWindow::makeMenus() {
     }
     m_menus.at(MenuId::Panels)->addAction(m_inspectorDock.toggleViewAction());
     m_menus.at(MenuId::Panels)->addAction(m_problemsDock.toggleViewAction());
+    m_menus.at(MenuId::Panels)->addAction(m_nodesDock.toggleViewAction());
     fillRecent();
     for (const auto& [id, menu] : m_menus) {
         menu->menuAction()->setVisible(!menu->isEmpty());

@@ -316,6 +316,16 @@ class MainWindowTest : public QObject {
         }
     }
 
+    void thePanelOfNodesIsOpenedFromTheMenu() {
+        TestWindow test;
+        auto* const dock = test.window->findChild<QDockWidget*>(QStringLiteral("nodes"));
+        QVERIFY(dock != nullptr && dock->isHidden());
+        dock->toggleViewAction()->trigger();
+        QVERIFY(!dock->isHidden() && dock->widget() == &test.window->nodes());
+        dock->toggleViewAction()->trigger();
+        QVERIFY(dock->isHidden());
+    }
+
     void theOverviewListsEveryKey() {
         const QString overview = KeysDialog::overview();
         for (const ActionRow& row : actionRows()) {
