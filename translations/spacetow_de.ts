@@ -2646,7 +2646,7 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     </message>
     <message>
         <source>Grid S&amp;tep</source>
-        <translation>Rasterschritt</translation>
+        <translation>Raster&amp;schritt</translation>
     </message>
     <message>
         <source>&amp;Order</source>
