@@ -11,7 +11,7 @@ using namespace spacetow::test;
 namespace {
 
 /// Balls between two walls whose handlers do whatever comes to mind.
-struct Chaos : Scene {
+struct Chaos : DispatchScene {
     Random random;
     std::vector<BodyId> bodies{addWall(-2), addWall(2)};
     std::set<BodyId> handled; // what the dispatcher should know

@@ -33,7 +33,7 @@ class DispatcherTest : public QObject {
     }
 
     void theTouchSaysWhetherItIsSolid() {
-        Scene scene;
+        DispatchScene scene;
         BodyDef zone = lineBody({1, -5}, {1, 5});
         zone.tangible = false;
         const BodyId gate = add(scene.world, zone);
@@ -49,7 +49,7 @@ class DispatcherTest : public QObject {
     }
 
     void tagsAreThoseOfThisIterationAndNothingIsLatched() {
-        Scene scene;
+        DispatchScene scene;
         scene.world.setParameters(withIterations(10, {0, -10}));
         BodyDef ground = floorOf("edge");
         ground.filter.tags = wallTag;
@@ -127,7 +127,7 @@ void DispatcherTest::callsComeInTheOrderOfIterationsTouchesTagsRemovals() {
     const std::uint64_t seed = 20260;
     qInfo("seed %llu", static_cast<unsigned long long>(seed));
     Random random(seed);
-    Scene scene;
+    DispatchScene scene;
     const auto record = [&](BodyId id) { scene.record(id); };
     for (const double x : {-3.0, 3.0}) {
         record(scene.addWall(x));

@@ -43,7 +43,7 @@ class SleepTest : public QObject {
         QVERIFY(!world.sleeping());
         add(world, edgeBody({-5, 0}, {5, 0}));
         const BodyId id = add(world, ball({0, 0.2}, 0.2));
-        run(world, 200);
+        runUpdates(world, 200);
         QVERIFY(!world.body(id).asleep);
     }
 
@@ -58,7 +58,7 @@ class SleepTest : public QObject {
         def.kind = BodyKind::Kinematic;
         def.velocity = {0.001, 0};
         const BodyId creeping = add(world, def);
-        run(world, 200);
+        runUpdates(world, 200);
         QVERIFY(!world.body(rolling).asleep);
         QVERIFY(!world.body(creeping).asleep);
         QVERIFY(std::abs(world.body(creeping).massCenter.x() - 0.004) < 1e-9);
@@ -71,7 +71,7 @@ class SleepTest : public QObject {
         def.velocity = {0.005, 0};
         add(world, def);
         const BodyId id = add(world, box({0, 0.2}, 0.1, 0.1));
-        run(world, 200);
+        runUpdates(world, 200);
         QVERIFY(!world.body(id).asleep);
         QVERIFY(std::abs(world.body(id).massCenter.x() - 0.02) < 0.002);
     }
@@ -87,12 +87,12 @@ class SleepTest : public QObject {
                 BodyDef def = ball({0, 0}, 0.2);
                 def.restitution = 1;
                 const BodyId still = add(world, def);
-                run(world, 50);
+                runUpdates(world, 50);
                 QCOMPARE(world.body(still).asleep, sleeping);
                 def.position = {-3, 0.1};
                 def.velocity = {speed, 0};
                 const BodyId hitting = add(world, def);
-                run(world, 200);
+                runUpdates(world, 200);
                 after.push_back(world.body(still));
                 after.push_back(world.body(hitting));
             }
@@ -160,16 +160,16 @@ class SleepTest : public QObject {
         const ConnectorId rope = world.addConnector({.a = hook, .b = first, .stiffness = 200, .damping = 5}).value();
         QVERIFY(bool(world.addConnector({.a = first, .b = second, .stiffness = 200, .damping = 5})));
         QVERIFY(runUntilAsleep(world, 2));
-        run(world, 50);
+        runUpdates(world, 50);
         QVERIFY(std::abs(world.connector(rope).tension - 2 * 9.81) < 0.1);
         const Vec2 place = world.body(second).massCenter;
         world.setVelocity(first, {0, 0}, 0);
-        run(world, 5);
+        runUpdates(world, 5);
         QVERIFY(!world.body(second).asleep);
         QVERIFY((world.body(second).massCenter - place).norm() < 0.01);
         QVERIFY(runUntilAsleep(world, 2));
         world.removeConnector(rope);
-        run(world, 50);
+        runUpdates(world, 50);
         QVERIFY(world.body(second).massCenter.y() < place.y() - 2);
     }
 
@@ -210,7 +210,7 @@ class SleepTest : public QObject {
                 if (round % 2 != 0) {
                     w->applyImpulseAt(id, kick, w->body(id).massCenter);
                 }
-                run(*w, 30);
+                runUpdates(*w, 30);
             }
             QCOMPARE(copy.hash(), world.hash());
             slept += sleepers(world);

@@ -212,7 +212,7 @@ class WakingTest : public QObject {
         Sleepers s;
         s.world.removeBody(s.block);
         s.world.removeBody(s.platform);
-        run(s.world, 100);
+        runUpdates(s.world, 100);
         QVERIFY(std::abs(s.world.body(s.beside).massCenter.y() - 0.1) < 0.01);
         QVERIFY(std::abs(s.world.body(s.lower).massCenter.y() - 0.1) < 0.01);
     }

@@ -24,7 +24,7 @@ struct Call {
 };
 
 /// A world in which balls move straight on, and what its handlers heard.
-struct Scene {
+struct DispatchScene {
     World world{withIterations(10, {0, 0})};
     Dispatcher dispatcher;
     std::vector<Call> calls;
@@ -72,7 +72,7 @@ struct Scene {
 };
 
 /// A ball that hits a wall after a few updates, and comes back.
-struct Hit : Scene {
+struct Hit : DispatchScene {
     BodyId wall = addWall(1);
     BodyId ball = addBall({0, 0}, {5, 0});
 };

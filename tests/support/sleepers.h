@@ -15,7 +15,7 @@ inline World sleepyWorld(int iterations = 20) {
     return world;
 }
 
-inline void run(World& world, int updates) {
+inline void runUpdates(World& world, int updates) {
     for (int i = 0; i < updates; ++i) {
         world.update();
     }
