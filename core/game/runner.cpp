@@ -31,8 +31,8 @@ Runner::~Runner() = default;
 
 void Runner::hold(const Controls& controls) {
     const std::uint8_t bits = toBits(controls);
-    m_held.store(bits);
-    m_latched.fetch_or(bits);
+    const std::uint8_t before = m_held.exchange(bits);
+    m_latched.fetch_or(static_cast<std::uint8_t>(bits & ~before)); // what is held already needs no latch
 }
 
 void Runner::pause() {

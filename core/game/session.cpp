@@ -55,7 +55,6 @@ void Session::buildStart() {
 
 void Session::beginLevel() {
     m_lives = std::max(1, m_level->rules.lives);
-    m_thrusted = 0;
     m_debris.clear();
     beginAttempt();
 }
@@ -75,6 +74,7 @@ void Session::beginAttempt() {
     m_ship = m_payload = {};
     m_rope = {};
     m_flown = 0;
+    m_thrusted = 0;
     m_flippedFor = -1;
     m_phase = Phase::Sandbox;
     m_payloadState = PayloadState::Absent;
@@ -100,6 +100,7 @@ void Session::beginAttempt() {
 void Session::step(const Controls& controls) {
     m_sounds = 0;
     ++m_update;
+    m_rested = m_rested || controls == Controls{};
     obey(pressed(controls, m_controls));
     m_controls = controls;
     if (isPlaying()) {
@@ -136,7 +137,7 @@ void Session::obey(const Controls& fresh) {
         break;
     case Phase::Crashed:
     case Phase::GameOver:
-        if (direction || fresh.tow) {
+        if (m_rested && (direction || fresh.tow)) {
             if (m_phase == Phase::GameOver) {
                 beginLevel();
             } else {
@@ -146,15 +147,20 @@ void Session::obey(const Controls& fresh) {
             hear(Sound::Respawn);
         }
         break;
-    case Phase::Sandbox:
     case Phase::Towing:
+        if (fresh.tow) {
+            letGoOfRope();
+        }
+        break;
+    case Phase::Sandbox:
     case Phase::Won:
         break;
     }
 }
 
 bool Session::payloadInRange() const {
-    if (m_phase != Phase::Flying || m_payloadState != PayloadState::Waiting) {
+    const bool free = m_payloadState == PayloadState::Waiting || m_payloadState == PayloadState::Dropped;
+    if (m_phase != Phase::Flying || !free) {
         return false;
     }
     const Vec2 gap = m_world.body(m_ship).massCenter - m_world.body(m_payload).massCenter;
@@ -167,18 +173,26 @@ void Session::attachRope() {
         return;
     }
     m_rope = added.value();
-    m_world.setFrozen(m_payload, false);
-    m_world.setVelocity(m_payload, Vec2(0, 0), 0);
+    if (m_payloadState == PayloadState::Waiting) {
+        m_world.setFrozen(m_payload, false);
+        m_world.setVelocity(m_payload, Vec2(0, 0), 0);
+    }
     m_payloadState = PayloadState::Towed;
     m_phase = Phase::Towing;
     hear(Sound::TowAttached);
-    if (m_level->rules.flipGravityOnTow) {
+    if (m_level->rules.flipGravityOnTow && m_flippedFor < 0) { // once an attempt
         UpdateParameters parameters = m_world.parameters();
         parameters.gravity = -parameters.gravity;
         m_world.setParameters(parameters);
         m_flippedFor = 0;
         hear(Sound::GravityFlip);
     }
+}
+
+void Session::letGoOfRope() {
+    breakRope();
+    m_phase = Phase::Flying;
+    hear(Sound::TowBroken);
 }
 
 Session::Verdict Session::verdict() const {
@@ -211,7 +225,7 @@ Session::Verdict Session::verdict() const {
 }
 
 void Session::judge() {
-    if (m_phase == Phase::Sandbox || m_phase == Phase::AwaitingInput) {
+    if (m_phase == Phase::Sandbox || m_phase == Phase::AwaitingInput || m_phase == Phase::Won) {
         return;
     }
     Verdict now = verdict();
@@ -220,7 +234,7 @@ void Session::judge() {
         m_payloadState = PayloadState::Dropped;
         now.payloadHit = Verdict::never; // it may have rested on a wall until now
     }
-    if (m_payloadState == PayloadState::Waiting || m_payloadState == PayloadState::Delivered) {
+    if (m_payloadState == PayloadState::Waiting) {
         now.payloadHit = Verdict::never;
     }
     // The finish comes before a wall in the same iteration, the loss of the ship before either.
@@ -228,7 +242,7 @@ void Session::judge() {
                       now.payloadHome <= now.payloadHit && now.payloadHome < now.shipHit;
     if (home) {
         win();
-        now.payloadHit = Verdict::never;
+        return;
     }
     const bool wasPlaying = isPlaying();
     if (now.shipHit != Verdict::never) {
@@ -248,6 +262,7 @@ void Session::loseAttempt() {
     }
     breakRope();
     --m_lives;
+    m_rested = false;
     m_phase = m_lives > 0 ? Phase::Crashed : Phase::GameOver;
 }
 
@@ -255,6 +270,10 @@ void Session::win() {
     breakRope();
     m_payloadState = PayloadState::Delivered;
     m_phase = Phase::Won;
+    for (const BodyId body : {m_ship, m_payload}) { // nobody steers any more, so nothing is to happen to them
+        m_world.setVelocity(body, Vec2(0, 0), 0);
+        m_world.setFrozen(body, true);
+    }
     hear(Sound::Won);
 }
 

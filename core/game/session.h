@@ -3,7 +3,7 @@
 // exactly like the original. It knows no clock and no thread; each step is one update of the world.
 //
 // An attempt begins with the level as it was drawn and the ship frozen. It ends when the payload is towed through the
-// finish, or costs one life when ship or payload is lost.
+// finish, where ship and payload then stay, or costs one life when ship or payload is lost.
 
 #include "core/base/random.h"
 #include "core/game/camera.h"
@@ -23,14 +23,15 @@ class Session {
   public:
     explicit Session(const Level& level, std::uint64_t seed = 1);
 
-    /// One update. A press counts when the key was not held in the update before.
+    /// One update. A press counts when the key was not held in the update before; after a crash all keys have to be let
+    /// go first, so that whoever is still steering sees that it is over.
     void step(const Controls& controls);
 
     Phase phase() const { return m_phase; }
     Hud hud() const;
     /// s since the first press of this attempt; stands still when it is over.
     double time() const { return static_cast<double>(m_flown) * updateSeconds(); }
-    /// s of thrust since the level began, all attempts together.
+    /// s of thrust in this attempt; stands still when it is over.
     double fuel() const { return static_cast<double>(m_thrusted) * updateSeconds(); }
     int lives() const { return m_lives; } // attempts left, this one included
     std::int64_t updates() const { return m_update; }
@@ -66,6 +67,7 @@ class Session {
     void beginLevel();
     void obey(const Controls& fresh);
     void attachRope();
+    void letGoOfRope();
     Verdict verdict() const;
     void judge();
     void loseAttempt();
@@ -98,8 +100,9 @@ class Session {
     ConnectorId m_rope;
     Controls m_controls;
     int m_lives = 0;
+    bool m_rested = false;       // no key was held since this phase began
     std::int64_t m_flown = 0;    // updates of this attempt
-    std::int64_t m_thrusted = 0; // updates of the level
+    std::int64_t m_thrusted = 0; // updates of this attempt
     double m_flippedFor = -1;    // s
     std::int64_t m_update = 0;
     std::uint32_t m_sounds = 0;

@@ -56,6 +56,7 @@ std::uint64_t Session::hash() const {
     hash.add(static_cast<std::uint64_t>(m_payloadState));
     hash.add(static_cast<std::uint64_t>(m_lives));
     hash.add(std::uint64_t{toBits(m_controls)});
+    hash.add(std::uint64_t{m_rested});
     hash.add(static_cast<std::uint64_t>(m_thrusted));
     hash.add(static_cast<std::uint64_t>(m_flown));
     hash.add(m_flippedFor);

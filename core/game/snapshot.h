@@ -66,7 +66,7 @@ enum class Sound : std::uint32_t {
 
 struct Hud {
     int lives;                // attempts left, this one included
-    double fuel;              // s of thrust in this level
+    double fuel;              // s of thrust in this attempt
     double time;              // s in this attempt
     bool towInRange;          // pressing the tow key now would attach the rope
     double gravityFlippedFor; // s since gravity was flipped, negative when it is not

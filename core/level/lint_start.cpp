@@ -1,8 +1,13 @@
 #include "core/geometry/bounds.h"
 #include "core/geometry/collide.h"
 #include "core/geometry/convex_parts.h"
+#include "core/level/bounds.h"
 #include "core/level/build.h"
+#include "core/level/json_text.h"
 #include "core/level/lint_findings.h"
+
+#include <array>
+#include <cmath>
 
 namespace spacetow {
 
@@ -78,6 +83,21 @@ bool touches(const Starter& starter, const BodyObject& body) {
     return false;
 }
 
+const char* kindOf(const BodyObject& body) {
+    if (body.shapes.size() != 1) {
+        return "kind-body";
+    }
+    constexpr std::array kinds{"kind-edges", "kind-lines", "kind-polygon", "kind-circle"}; // as in LevelShape
+    return kinds[body.shapes.front().index()];
+}
+
+/// The name, and for objects without one what they are and where their middle is.
+std::vector<std::string> whichObject(const Level& level, const Object& object, const BodyObject& body) {
+    const Vec2 middle = boundsOf(level, object).center();
+    const auto metres = [](double value) { return spelledNumber(std::round(100 * value) / 100 + 0.0); };
+    return {object.name, kindOf(body), metres(middle.x()), metres(middle.y())};
+}
+
 void checkFree(const Level& level, const std::vector<Starter>& starters, Findings& findings) {
     for (int i = 0; i < level.objects.size(); ++i) {
         const Object& object = level.objects[i];
@@ -87,7 +107,8 @@ void checkFree(const Level& level, const std::vector<Starter>& starters, Finding
         }
         for (const Starter& starter : starters) {
             if (mayTouch(starter.filter, body->filter) && touches(starter, *body)) {
-                findings.add(Severity::Error, starter.code, {object.name}, {starter.index, starter.key, "/position"});
+                findings.add(Severity::Error, starter.code, whichObject(level, object, *body),
+                             {starter.index, starter.key, "/position"});
             }
         }
     }

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -25,7 +26,7 @@ struct Message {
 
 Message messageOf(const HudInput& input) {
     if (input.paused) {
-        return {HudWords::tr("Paused"), HudWords::tr("P: go on · O: one step · Esc: menu")};
+        return {}; // nothing covers what one paused to look at; see addPaused
     }
     switch (input.phase) {
     case Phase::AwaitingInput:
@@ -72,7 +73,11 @@ QFont fitted(const QString& text, const QSizeF& room, QFont font) {
 
 QString minutes(double seconds) {
     const auto tenths = static_cast<long long>(std::floor(seconds * 10 + 1e-6));
-    return QStringLiteral("%1:%2.%3").arg(tenths / 600).arg(tenths / 10 % 60, 2, 10, QLatin1Char('0')).arg(tenths % 10);
+    return QStringLiteral("%1:%2%3%4")
+        .arg(tenths / 600)
+        .arg(tenths / 10 % 60, 2, 10, QLatin1Char('0'))
+        .arg(QLocale().decimalPoint())
+        .arg(tenths % 10);
 }
 
 class Layout {
@@ -88,7 +93,7 @@ class Layout {
         const std::array<std::pair<HudText::Role, QString>, 3> readings{
             std::pair(HudText::Role::Lives, HudWords::tr("Lives %1").arg(hud.lives)),
             std::pair(HudText::Role::Time, HudWords::tr("Time %1").arg(minutes(hud.time))),
-            std::pair(HudText::Role::Fuel, HudWords::tr("Fuel used %1 s").arg(hud.fuel, 0, 'f', 2))};
+            std::pair(HudText::Role::Fuel, HudWords::tr("Fuel used %1 s").arg(QLocale().toString(hud.fuel, 'f', 2)))};
         double x = margin;
         for (const auto& [role, text] : readings) {
             const QSizeF room(width, height);
@@ -122,6 +127,12 @@ class Layout {
         const QPointF corner((m_size.width() - needed.width()) / 2,
                              band.top * m_size.height() + (room.height() - needed.height()) / 2);
         m_texts.push_back({role, text, QRectF(corner, needed), font});
+    }
+
+    /// One line along the lower edge.
+    void addPaused() {
+        addCentred(HudText::Role::Paused, HudWords::tr("Paused · P: go on · O: one step · Esc: menu"), {0.94, 0.05},
+                   std::clamp(0.3 * m_unit, 9.0, 20.0));
     }
 
     double unit() const { return m_unit; }
@@ -165,7 +176,9 @@ std::vector<HudText> hudLayout(const HudInput& input, const QSizeF& size, const 
         layout.addCentred(HudText::Role::Banner, HudWords::tr("Gravity is upside down!"), {0.70, 0.12},
                           std::clamp(0.5 * layout.unit(), 11.0, 38.0));
     }
-    if (input.hud.towInRange && !input.paused) {
+    if (input.paused) {
+        layout.addPaused();
+    } else if (input.hud.towInRange) {
         layout.addCentred(HudText::Role::Hint, HudWords::tr("In range. Space: tow"), {0.84, 0.12},
                           std::clamp(0.4 * layout.unit(), 10.0, 30.0));
     }

@@ -1,5 +1,5 @@
 #pragma once
-// The head-up display: lives, fuel and time along the top, what to do next in the middle, the tow hint below. Sizes
+// The head-up display: lives, fuel and time along the top, what to do next above the middle, the tow hint below. Sizes
 // are logical pixels; whatever the window, no text leaves it and no two texts overlap.
 
 #include "core/game/snapshot.h"
@@ -16,7 +16,7 @@ class QPainter;
 namespace spacetow {
 
 struct HudText {
-    enum class Role { Lives, Fuel, Time, Title, Advice, Hint, Banner };
+    enum class Role { Lives, Fuel, Time, Title, Advice, Hint, Banner, Paused };
 
     Role role;
     QString text;

@@ -5,7 +5,9 @@
 
 #include <Qt>
 
-#include <set>
+#include <map>
+
+class QKeyEvent;
 
 namespace spacetow {
 
@@ -22,20 +24,21 @@ enum class PlayKey {
     Follow,
 };
 
-/// With modifiers other than Shift and the keypad's, a key belongs to the editor.
-PlayKey playKey(int key, Qt::KeyboardModifiers modifiers);
+/// With modifiers other than Shift and the keypad's, a key belongs to the editor. What steers goes by the place of the
+/// key, so that W, A and D lie as they should on any keyboard, and by its letter as well.
+PlayKey playKey(const QKeyEvent& event);
 
 /// The keys that steer, by what is pressed: letting go of A while Left is held keeps turning.
 class HeldKeys {
   public:
     /// True when the key steers.
-    bool press(int key, PlayKey meaning);
-    void release(int key) { m_keys.erase(key); }
+    bool press(const QKeyEvent& event);
+    void release(const QKeyEvent& event);
     void clear() { m_keys.clear(); }
     Controls controls() const;
 
   private:
-    std::set<int> m_keys;
+    std::map<quint32, PlayKey> m_keys; // by number of the key
 };
 
 } // namespace spacetow

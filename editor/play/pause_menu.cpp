@@ -1,5 +1,7 @@
 #include "editor/play/pause_menu.h"
 
+#include "editor/canvas/key_place.h"
+
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
@@ -28,20 +30,33 @@ QString styleFor(int type) {
         .arg(type);
 }
 
+QString titleFor(Phase phase) {
+    switch (phase) {
+    case Phase::Won:
+        return PauseMenu::tr("You made it!");
+    case Phase::Crashed:
+        return PauseMenu::tr("Crashed");
+    case Phase::GameOver:
+        return PauseMenu::tr("Game over");
+    default:
+        return PauseMenu::tr("Paused");
+    }
+}
+
 } // namespace
 
 PauseMenu::PauseMenu(QWidget* parent) : QFrame(parent) {
     setObjectName(QStringLiteral("pauseMenu"));
-    setAccessibleName(tr("Paused"));
     auto* layout = new QVBoxLayout(this); // owned by this widget, as are all children
-    auto* title = new QLabel(tr("Paused"), this);
-    title->setAlignment(Qt::AlignCenter);
-    layout->addWidget(title);
+    m_title = new QLabel(this);
+    m_title->setTextFormat(Qt::PlainText);
+    m_title->setAlignment(Qt::AlignCenter);
+    layout->addWidget(m_title);
     m_resume = addButton(tr("Resume"), tr("Go on playing (Esc)"));
-    QPushButton* restart = addButton(tr("Restart"), tr("Start the level over (R)"));
+    m_restart = addButton(tr("Restart"), tr("Start the level over (R)"));
     QPushButton* leave = addButton(tr("Back to the editor"), tr("Stop playing (F8)"));
     connect(m_resume, &QPushButton::clicked, this, &PauseMenu::resumed);
-    connect(restart, &QPushButton::clicked, this, &PauseMenu::restarted);
+    connect(m_restart, &QPushButton::clicked, this, &PauseMenu::restarted);
     connect(leave, &QPushButton::clicked, this, &PauseMenu::left);
     hide();
 }
@@ -55,11 +70,15 @@ QPushButton* PauseMenu::addButton(const QString& text, const QString& tip) {
     return button;
 }
 
-void PauseMenu::open() {
-    show(); // first, because only then are the buttons as large as they will be
+void PauseMenu::openFor(Phase phase) {
+    const QString title = titleFor(phase);
+    m_title->setText(title);
+    setAccessibleName(title);
+    m_resume->setVisible(phase != Phase::Won); // there is nothing left to go on with
+    show();                                    // first, because only then are the buttons as large as they will be
     placeIn(parentWidget()->size());
     raise();
-    m_resume->setFocus(Qt::OtherFocusReason);
+    (phase == Phase::Won ? m_restart : m_resume)->setFocus(Qt::OtherFocusReason);
 }
 
 void PauseMenu::placeIn(const QSize& room) {
@@ -92,10 +111,10 @@ bool PauseMenu::event(QEvent* event) {
 }
 
 void PauseMenu::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
+    switch (latinKey(*event)) {
     case Qt::Key_Escape:
     case Qt::Key_P:
-        Q_EMIT resumed();
+        Q_EMIT resumed(); // after a win as well: back to the message
         break;
     case Qt::Key_R:
         Q_EMIT restarted();

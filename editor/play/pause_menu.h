@@ -1,8 +1,11 @@
 #pragma once
-// The menu over a paused game: go on, start again, back to the editor. Works with mouse and keyboard.
+// The menu over a game that is held: go on, start again, back to the editor. Works with mouse and keyboard.
+
+#include "core/game/snapshot.h"
 
 #include <QFrame>
 
+class QLabel;
 class QPushButton;
 
 namespace spacetow {
@@ -13,8 +16,9 @@ class PauseMenu : public QFrame {
   public:
     explicit PauseMenu(QWidget* parent);
 
-    /// Shows the menu in the middle of its parent, with the focus on "Resume".
-    void open();
+    /// Shows the menu in the middle of its parent, with the focus on what one most likely wants. It says what has
+    /// happened in the game.
+    void openFor(Phase phase);
     /// As large as its words need, or smaller with smaller type where the parent has no room.
     void placeIn(const QSize& room);
 
@@ -30,7 +34,9 @@ class PauseMenu : public QFrame {
   private:
     QPushButton* addButton(const QString& text, const QString& tip);
 
+    QLabel* m_title;
     QPushButton* m_resume;
+    QPushButton* m_restart;
 };
 
 } // namespace spacetow

@@ -30,7 +30,7 @@ bool PlayView::event(QEvent* event) {
     // While a game runs its keys are the game's, even where the window has a shortcut on the same letter.
     if (event->type() == QEvent::ShortcutOverride && m_runner) {
         const auto* key = static_cast<QKeyEvent*>(event);
-        if (!isFunctionKey(key->key()) && playKey(key->key(), key->modifiers()) != PlayKey::None) {
+        if (!isFunctionKey(key->key()) && playKey(*key) != PlayKey::None) {
             event->accept();
             return true;
         }
@@ -39,7 +39,7 @@ bool PlayView::event(QEvent* event) {
 }
 
 void PlayView::keyPressEvent(QKeyEvent* event) {
-    const PlayKey meaning = playKey(event->key(), event->modifiers());
+    const PlayKey meaning = playKey(*event);
     if (!m_runner) {
         QWidget::keyPressEvent(event);
         return;
@@ -69,11 +69,10 @@ void PlayView::keyPressEvent(QKeyEvent* event) {
         break;
     }
     if (m_paused) {
-        return;
-    }
-    if (phase() == Phase::Won && (meaning == PlayKey::Tow || event->key() == Qt::Key_Return)) {
+        m_held.press(*event); // for the steps that follow, and when the game goes on
+    } else if (phase() == Phase::Won && (meaning == PlayKey::Tow || event->key() == Qt::Key_Return)) {
         restart();
-    } else if (m_held.press(event->key(), meaning)) {
+    } else if (m_held.press(*event)) {
         m_runner->hold(m_held.controls());
     } else if (plain && !isModifier(event->key()) && !isFunctionKey(event->key())) {
         tapIfOver();
@@ -84,7 +83,7 @@ void PlayView::keyPressEvent(QKeyEvent* event) {
 
 void PlayView::keyReleaseEvent(QKeyEvent* event) {
     if (!event->isAutoRepeat() && m_runner) {
-        m_held.release(event->key());
+        m_held.release(*event);
         m_runner->hold(m_held.controls());
     }
 }
@@ -108,7 +107,8 @@ void PlayView::letGo() {
 void PlayView::openMenu() {
     if (m_runner) {
         setPaused(true);
-        m_menu->open();
+        letGo(); // the releases will go to the menu
+        m_menu->openFor(phase());
         update();
     }
 }

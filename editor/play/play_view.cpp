@@ -107,11 +107,11 @@ void PlayView::setPaused(bool paused) {
     }
     m_paused = paused;
     if (paused) {
-        letGo();
         m_runner->pause();
     } else {
         m_menu->hide();
         setFocus(Qt::OtherFocusReason);
+        m_runner->hold(m_held.controls());
         m_runner->resume();
     }
     Q_EMIT pausedChanged(paused);
@@ -121,6 +121,7 @@ void PlayView::setPaused(bool paused) {
 void PlayView::stepOnce() {
     if (m_runner) {
         setPaused(true);
+        m_runner->hold(m_held.controls());
         m_runner->stepOnce();
         update();
     }

@@ -60,4 +60,23 @@ Session towing(const Level& level) {
     return session;
 }
 
+Level spaceWithCeiling() {
+    Level level = openSpace();
+    addWall(level, Vec2(3, 1), Vec2(-3, 1));
+    return level;
+}
+
+std::size_t count(const Session& session, BodyRole role) {
+    const std::shared_ptr<const Snapshot> picture = session.snapshot();
+    std::size_t found = 0;
+    for (const BodyPicture& body : picture->bodies) {
+        found += body.look->role == role ? 1u : 0u;
+    }
+    return found;
+}
+
+bool heard(const Session& session, Sound sound) {
+    return (session.snapshot()->sounds & static_cast<std::uint32_t>(sound)) != 0;
+}
+
 } // namespace spacetow::test

@@ -18,6 +18,9 @@ void addWall(Level& level, const Vec2& a, const Vec2& b);
 /// A dynamic ball with the wall tag.
 void addBall(Level& level, const Vec2& position, double radius, const Vec2& velocity);
 
+/// openSpace with a wall above the ship: holding thrust crashes into it.
+Level spaceWithCeiling();
+
 constexpr Controls idle{};
 constexpr Controls left{.left = true};
 constexpr Controls right{.right = true};
@@ -32,5 +35,10 @@ bool holdUntil(Session& session, const Controls& controls, Phase phase, int upda
 
 /// A session of openSpace in which the ship has just taken the payload in tow.
 Session towing(const Level& level);
+
+/// How many bodies of the role are in the picture.
+std::size_t count(const Session& session, BodyRole role);
+/// The sound began with the last update.
+bool heard(const Session& session, Sound sound);
 
 } // namespace spacetow::test

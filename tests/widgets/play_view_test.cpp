@@ -2,8 +2,10 @@
 
 #include "editor/play/play_view.h"
 #include "tests/support/game_levels.h"
+#include "tests/support/game_view.h"
 
 #include <QApplication>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QWheelEvent>
@@ -12,45 +14,6 @@ using namespace spacetow;
 using namespace spacetow::test;
 
 namespace {
-
-/// A view with a manual runner: nothing moves but by `run`.
-class Game {
-  public:
-    explicit Game(const Level& level = openSpace(), const QSize& size = {880, 660})
-        : m_view(nullptr, Runner::Mode::Manual) {
-        m_view.resize(size);
-        m_view.show();
-        m_view.start(level);
-    }
-    PlayView& view() { return m_view; }
-    Phase phase() { return picture()->phase; }
-    std::shared_ptr<const Snapshot> picture() { return m_view.runner()->frame()->now; }
-    void run(int updates) { m_view.runner()->advance(updates); }
-    void tap(Qt::Key key) {
-        QTest::keyPress(&m_view, key);
-        run(1);
-        QTest::keyRelease(&m_view, key);
-        run(1);
-    }
-    QWidget* menu() { return m_view.findChild<QWidget*>("pauseMenu"); }
-    QPushButton* button(const QString& text) {
-        for (auto* button : m_view.findChildren<QPushButton*>()) {
-            if (button->text() == text) {
-                return button;
-            }
-        }
-        return nullptr;
-    }
-
-  private:
-    PlayView m_view;
-};
-
-Level spaceWithCeiling() {
-    Level level = openSpace();
-    addWall(level, Vec2(3, 1), Vec2(-3, 1));
-    return level;
-}
 
 Level ballAlone(double radius) {
     Level level;
@@ -220,21 +183,51 @@ class PlayViewTest : public QObject {
             QVERIFY2(button->height() >= button->sizeHint().height(), qPrintable(button->text()));
         }
     }
-    void pauseKeepsTheSceneInSightAndStepsSingly() {
-        Game game;
-        game.tap(Qt::Key_W);
-        const std::int64_t at = game.picture()->update;
-        QTest::keyClick(&game.view(), Qt::Key_P);
-        QVERIFY(game.view().isPaused());
-        QVERIFY(!game.menu()->isVisible());
-        game.run(5);
-        QTest::keyClick(&game.view(), Qt::Key_O);
-        QTest::keyClick(&game.view(), Qt::Key_F10);
-        QCOMPARE(game.picture()->update, at + 2);
-        QTest::keyClick(&game.view(), Qt::Key_F9);
-        QVERIFY(!game.view().isPaused());
+    void theMenuSaysWhatHasHappened() {
+        Game crashed(spaceWithCeiling());
+        const auto says = [](Game& game, const QString& title) {
+            QTest::keyClick(&game.view(), Qt::Key_Escape);
+            for (const auto* label : game.menu()->findChildren<QLabel*>()) {
+                if (label->text() == title) {
+                    return game.menu()->isVisible();
+                }
+            }
+            return false;
+        };
+        crashed.tap(Qt::Key_A);
+        QVERIFY(says(crashed, "Paused"));
+        QTest::keyClick(crashed.menu(), Qt::Key_Escape);
+        QTest::keyPress(&crashed.view(), Qt::Key_D);
+        QTest::keyPress(&crashed.view(), Qt::Key_W);
+        crashed.run(600);
+        QVERIFY(crashed.phase() == Phase::Crashed);
+        QVERIFY(says(crashed, "Crashed"));
+        Game won;
+        won.tap(Qt::Key_D);
+        won.tap(Qt::Key_Space);
+        QTest::keyPress(&won.view(), Qt::Key_W);
+        won.run(300);
+        QCOMPARE(won.phase(), Phase::Won);
+        QVERIFY(says(won, "You made it!"));
+        QVERIFY(!won.button("Resume")->isVisible());
+        QTest::keyClick(won.menu(), Qt::Key_Return);
+        QCOMPARE(won.phase(), Phase::AwaitingInput);
+    }
+    void gameOverIsSeenThoughAKeyIsHeld() {
+        Level level = spaceWithCeiling();
+        level.rules.lives = 1;
+        Game game(level);
+        QTest::keyPress(&game.view(), Qt::Key_W);
+        game.run(200);
+        QCOMPARE(game.phase(), Phase::GameOver);
+        for (const Qt::Key key : {Qt::Key_A, Qt::Key_X, Qt::Key_Space}) {
+            game.tap(key);
+        }
+        QCOMPARE(game.phase(), Phase::GameOver);
+        QTest::keyRelease(&game.view(), Qt::Key_W);
         game.run(1);
-        QCOMPARE(game.picture()->update, at + 3);
+        game.tap(Qt::Key_X);
+        QCOMPARE(game.phase(), Phase::AwaitingInput);
     }
     void restartKeyStartsOver() {
         Game game;
