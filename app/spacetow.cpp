@@ -9,6 +9,10 @@
 #include <QStyleFactory>
 #include <QTranslator>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace {
 
 void installTranslations(QTranslator& own, QTranslator& toolkit) {
@@ -26,14 +30,46 @@ void installTranslations(QTranslator& own, QTranslator& toolkit) {
     QCoreApplication::installTranslator(&own);
 }
 
+void describe(QCommandLineParser& parser) {
+    parser.setApplicationDescription(
+        QCoreApplication::translate("main", "Draw levels and fly them: a level editor and physics sandbox."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("level"),
+                                 QCoreApplication::translate("main", "Level file to open; without it, an example."),
+                                 QStringLiteral("[LEVEL]"));
+}
+
+bool asksForWordsOnly(int argc, char** argv) {
+    constexpr std::array<std::string_view, 5> options{"-h", "--help", "--help-all", "-v", "--version"};
+    return std::any_of(argv + 1, argv + argc, [&options](std::string_view argument) {
+        return std::find(options.begin(), options.end(), argument) != options.end();
+    });
+}
+
+/// For these no window is needed, and there may be no display.
+int printWords(int argc, char** argv) {
+    const QCoreApplication application(argc, argv);
+    QTranslator own;
+    QTranslator toolkit;
+    installTranslations(own, toolkit);
+    QCommandLineParser parser;
+    describe(parser);
+    parser.process(application);
+    return 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+    QCoreApplication::setApplicationName(QStringLiteral("spacetow-studio"));
+    QCoreApplication::setOrganizationName(QStringLiteral("spacetow-studio"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(SPACETOW_VERSION));
+    if (asksForWordsOnly(argc, argv)) {
+        return printWords(argc, argv);
+    }
     QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("spacetow-studio"));
     QApplication::setApplicationDisplayName(QStringLiteral("SpaceTow Studio"));
-    QApplication::setOrganizationName(QStringLiteral("spacetow-studio"));
-    QApplication::setApplicationVersion(QStringLiteral(SPACETOW_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("spacetow-studio"));
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setWindowIcon(spacetow::applicationIcon());
@@ -43,13 +79,7 @@ int main(int argc, char** argv) {
     installTranslations(own, toolkit);
 
     QCommandLineParser parser;
-    parser.setApplicationDescription(
-        QCoreApplication::translate("main", "Draw levels and fly them: a level editor and physics sandbox."));
-    parser.addHelpOption();
-    parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("level"),
-                                 QCoreApplication::translate("main", "Level file to open; without it, an example."),
-                                 QStringLiteral("[LEVEL]"));
+    describe(parser);
     parser.process(application);
 
     spacetow::MainWindow window;

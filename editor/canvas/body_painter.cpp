@@ -17,6 +17,7 @@ namespace {
 constexpr double outline = 1.8;          // px
 constexpr double kinematicOutline = 2.6; // px
 constexpr double hatchFrom = 14;         // px; smaller static shapes are filled plainly
+constexpr double leastSize = 3;          // px; smaller shapes are drawn as dots of this size, or nobody would find them
 
 QPen outlinePen(const BodyColors& colors, const BodyStyle& style) {
     const double width = style.kind == BodyKind::Kinematic ? kinematicOutline : outline;
@@ -46,6 +47,12 @@ void hatch(const Stage& stage, const QPainterPath& path, const BodyColors& color
 }
 
 void paintFilled(const Stage& stage, const QPainterPath& path, const BodyColors& colors, const BodyStyle& style) {
+    const QRectF box = path.boundingRect();
+    if (std::max(box.width(), box.height()) < leastSize) {
+        const QPointF corner(leastSize / 2, leastSize / 2);
+        stage.painter.fillRect(QRectF(box.center() - corner, QSizeF(leastSize, leastSize)), colors.line);
+        return;
+    }
     stage.painter.fillPath(path, bodyBrush(colors, style));
     hatch(stage, path, colors, style);
     stage.painter.setPen(outlinePen(colors, style));

@@ -131,7 +131,7 @@ Vec2 Canvas::pointerPosition() const {
 Pointer Canvas::pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers) const {
     return {m_view.toWorld(toVec(position)), toVec(position),
             Modifiers{modifiers.testFlag(Qt::ShiftModifier), modifiers.testFlag(Qt::ControlModifier),
-                      modifiers.testFlag(Qt::AltModifier)},
+                      modifiers.testFlag(Qt::AltModifier) || m_belowHeld},
             m_view.pixel()};
 }
 

@@ -39,6 +39,13 @@ class Canvas : public QWidget {
     void centerSelection();
     void frameSelection();
 
+    /// A button is down that moves something or the view. Nothing else acts until it is up, or the mouse is lost.
+    bool isDragging() const { return m_drag != Drag::None; }
+    /// Ends a drag without its release: what it moved is back where it was.
+    void loseMouse();
+    /// As if the key had been pressed on the canvas.
+    void toolKey(ToolKey key);
+
     /// Where the pointer is or was last, in world coordinates; the middle of the view before it ever came.
     Vec2 pointerPosition() const;
 
@@ -71,7 +78,7 @@ class Canvas : public QWidget {
     void moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void modifiersChanged(Qt::KeyboardModifiers modifiers);
     bool nativeGesture(const QNativeGestureEvent& event);
-    bool toolKey(int key);
+    bool pressToolKey(int key);
     bool nudge(int key, Qt::KeyboardModifiers modifiers);
     void panBy(const QPointF& pixels);
     void updateCursor();
@@ -86,7 +93,9 @@ class Canvas : public QWidget {
     bool m_fitted = false; // since the last fitLevel() nobody has moved the view
 
     Drag m_drag = Drag::None;
+    Qt::MouseButton m_dragButton = Qt::NoButton;
     bool m_spaceHeld = false;
+    bool m_belowHeld = false; // serves as Alt, which many window managers keep for themselves
     QPointF m_pressedAt;
     std::optional<QPointF> m_position;
     int m_documentListener = 0;

@@ -1,5 +1,6 @@
 // Mouse, touchpad and keys of the canvas.
 #include "editor/canvas/canvas.h"
+#include "editor/canvas/key_place.h"
 #include "editor/editing/verbs.h"
 
 #include <QApplication>
@@ -20,6 +21,13 @@ constexpr double notch = 120;      // eighths of a degree, as the toolkit counts
 constexpr double menuDistance = 4; // px that a click may move and still be a click
 constexpr double arrowPan = 60;    // px
 constexpr double fineSteps = 5;    // arrow keys move by this fraction of a grid step
+constexpr int belowKey = Qt::Key_B;
+
+/// Keys that change what the mouse does while they are held.
+bool isModifier(const QKeyEvent& event) {
+    return event.key() == Qt::Key_Shift || event.key() == Qt::Key_Control || event.key() == Qt::Key_Alt ||
+           latinKey(event) == belowKey;
+}
 
 bool isTouchpad(const QWheelEvent& event) {
     return event.device() != nullptr && event.device()->type() == QInputDevice::DeviceType::TouchPad;
@@ -55,6 +63,7 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
     }
     m_pressedAt = event->position();
     m_position = event->position();
+    m_dragButton = event->button();
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && m_spaceHeld)) {
         m_drag = Drag::Pan;
     } else if (event->button() == Qt::RightButton) {
@@ -66,7 +75,17 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
     updateCursor();
 }
 
+void Canvas::loseMouse() {
+    m_drag = Drag::None;
+    m_spaceHeld = m_belowHeld = false;
+    m_toolbox.loseMouse();
+    updateCursor();
+}
+
 void Canvas::mouseMoveEvent(QMouseEvent* event) {
+    if (m_drag != Drag::None && !event->buttons().testFlag(m_dragButton)) {
+        loseMouse(); // the release went to somebody else
+    }
     const QPointF moved = event->position() - m_position.value_or(event->position());
     if (m_drag == Drag::PanOrMenu && (event->position() - m_pressedAt).manhattanLength() > menuDistance) {
         m_drag = Drag::Pan;
@@ -80,11 +99,7 @@ void Canvas::mouseMoveEvent(QMouseEvent* event) {
 
 void Canvas::mouseReleaseEvent(QMouseEvent* event) {
     const Pointer pointer = pointerAt(event->position(), event->modifiers());
-    const bool ends = event->button() == Qt::LeftButton ? m_drag == Drag::Tool || m_drag == Drag::Pan
-                      : event->button() == Qt::MiddleButton
-                          ? m_drag == Drag::Pan
-                          : event->button() == Qt::RightButton && (m_drag == Drag::Pan || m_drag == Drag::PanOrMenu);
-    if (!ends) {
+    if (m_drag == Drag::None || event->button() != m_dragButton) {
         return;
     }
     const Drag drag = std::exchange(m_drag, Drag::None);
@@ -99,6 +114,7 @@ void Canvas::mouseReleaseEvent(QMouseEvent* event) {
 void Canvas::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && !m_spaceHeld) {
         m_drag = Drag::Tool;
+        m_dragButton = Qt::LeftButton;
         m_toolbox.doubleClick(pointerAt(event->position(), event->modifiers()));
     } else {
         mousePressEvent(event);
@@ -126,6 +142,10 @@ bool Canvas::event(QEvent* event) {
     if (event->type() == QEvent::NativeGesture) {
         return nativeGesture(*static_cast<QNativeGestureEvent*>(event));
     }
+    if (event->type() == QEvent::WindowDeactivate || event->type() == QEvent::UngrabMouse ||
+        event->type() == QEvent::Hide) {
+        loseMouse();
+    }
     return QWidget::event(event);
 }
 
@@ -141,33 +161,40 @@ bool Canvas::nativeGesture(const QNativeGestureEvent& event) {
     return true;
 }
 
-bool Canvas::toolKey(int key) {
-    ToolKey toolKey{};
+void Canvas::toolKey(ToolKey key) {
+    if (isDragging() && m_drag != Drag::Tool) {
+        return;
+    }
+    m_toolbox.key(key, pointerAt(m_position.value_or(QPointF(rect().center())), QApplication::keyboardModifiers()));
+}
+
+bool Canvas::pressToolKey(int key) {
     switch (key) {
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        toolKey = ToolKey::Enter;
-        break;
+        toolKey(ToolKey::Enter);
+        return true;
     case Qt::Key_Escape:
-        toolKey = ToolKey::Escape;
-        break;
+        toolKey(ToolKey::Escape);
+        return true;
     case Qt::Key_Backspace:
-        toolKey = m_toolbox.isBusy() ? ToolKey::Backspace : ToolKey::Delete;
-        break;
+        toolKey(m_toolbox.isBusy() ? ToolKey::Backspace : ToolKey::Delete);
+        return true;
     case Qt::Key_Delete:
-        toolKey = ToolKey::Delete;
-        break;
+        toolKey(ToolKey::Delete);
+        return true;
     default:
         return false;
     }
-    m_toolbox.key(toolKey, pointerAt(m_position.value_or(QPointF(rect().center())), QApplication::keyboardModifiers()));
-    return true;
 }
 
 bool Canvas::nudge(int key, Qt::KeyboardModifiers modifiers) {
     const std::optional<Vec2> direction = arrowDirection(key);
     if (!direction) {
         return false;
+    }
+    if (isDragging()) {
+        return true;
     }
     if (m_document.selection().empty()) {
         panBy(QPointF(-direction->x(), direction->y()) * arrowPan);
@@ -193,9 +220,10 @@ void Canvas::keyPressEvent(QKeyEvent* event) {
             m_spaceHeld = true;
             updateCursor();
         }
-    } else if (event->key() == Qt::Key_Shift || event->key() == Qt::Key_Control || event->key() == Qt::Key_Alt) {
+    } else if (isModifier(*event)) {
+        m_belowHeld = m_belowHeld || latinKey(*event) == belowKey;
         modifiersChanged(QApplication::keyboardModifiers());
-    } else if (!toolKey(event->key()) && !nudge(event->key(), event->modifiers())) {
+    } else if (!pressToolKey(event->key()) && !nudge(event->key(), event->modifiers())) {
         QWidget::keyPressEvent(event);
     }
 }
@@ -204,7 +232,8 @@ void Canvas::keyReleaseEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
         m_spaceHeld = false;
         updateCursor();
-    } else if (event->key() == Qt::Key_Shift || event->key() == Qt::Key_Control || event->key() == Qt::Key_Alt) {
+    } else if (isModifier(*event)) {
+        m_belowHeld = m_belowHeld && (latinKey(*event) != belowKey || event->isAutoRepeat());
         modifiersChanged(QApplication::keyboardModifiers());
     } else {
         QWidget::keyReleaseEvent(event);
@@ -216,8 +245,7 @@ void Canvas::leaveEvent(QEvent*) {
 }
 
 void Canvas::focusOutEvent(QFocusEvent* event) {
-    m_spaceHeld = false;
-    updateCursor();
+    loseMouse();
     QWidget::focusOutEvent(event);
 }
 

@@ -194,6 +194,13 @@ void Toolbox::doubleClick(const Pointer& pointer) {
     changed.emit();
 }
 
+void Toolbox::loseMouse() {
+    if (isDragging()) {
+        m_state->abandon();
+        changed.emit();
+    }
+}
+
 void Toolbox::leave() {
     m_state->inside = false;
     changed.emit();
@@ -253,10 +260,9 @@ ToolContext Toolbox::context() {
 }
 
 bool Toolbox::finish(const std::optional<FinishedEdit>& finished) {
-    if (!finished) {
+    if (!finished || isDragging()) {
         return false;
     }
-    m_state->abandon();
     m_state->commit(*finished);
     return true;
 }

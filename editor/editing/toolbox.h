@@ -30,6 +30,8 @@ class Toolbox {
     void move(const Pointer& pointer);
     void release(const Pointer& pointer);
     void doubleClick(const Pointer& pointer);
+    /// The mouse is somebody else's before the button came up: the drag is cancelled, a half-drawn shape stays.
+    void loseMouse();
     /// The pointer has left the view: marks that follow it disappear until it is back.
     void leave();
     /// Secondary button without a drag. False when the tool has no use for it, so that a menu may open.
@@ -42,7 +44,7 @@ class Toolbox {
 
     /// For verbs that need no drag: `finish(removeSelected(context()))`. Each call gives other fresh keys.
     ToolContext context();
-    /// Commits what a verb made; false when it made nothing. Drops a gesture in progress.
+    /// Commits what a verb made; false when it made nothing, and during a drag, which nothing may cross.
     bool finish(const std::optional<FinishedEdit>& finished);
 
     /// The button is down: nothing but the pointer, its modifiers and Escape acts until the drag has ended.

@@ -8,7 +8,7 @@ namespace spacetow {
 
 class Viewport {
   public:
-    static constexpr double minScale = 0.5; // pixels a metre
+    static constexpr double minScale = 1e-4; // pixels a metre: all of the largest level fits into the smallest view
     static constexpr double maxScale = 20000;
 
     Vec2 center{0, 0};   // world point in the middle of the view

@@ -1,6 +1,12 @@
 #include "editor/panels/names.h"
 
+#include "core/level/bounds.h"
+
 #include <QCoreApplication>
+#include <QLocale>
+#include <QTextDocument>
+
+#include <cmath>
 
 namespace spacetow {
 
@@ -42,6 +48,31 @@ QString kindName(const Object& object) {
         return group->layer ? Names::tr("Layer") : Names::tr("Group");
     }
     return std::holds_alternative<FinishObject>(object.data) ? Names::tr("Finish") : Names::tr("Connector");
+}
+
+QString listedName(const Level& level, const Object& object) {
+    const QString kind = kindName(object);
+    if (!object.name.empty()) {
+        return Names::tr("%1 (%2)").arg(QString::fromStdString(object.name), kind);
+    }
+    const Aabb box = boundsOf(level, object);
+    if (box.isEmpty()) {
+        return kind;
+    }
+    const auto metres = [](double value) {
+        QLocale locale;
+        locale.setNumberOptions(QLocale::OmitGroupSeparator);
+        return locale.toString(std::round(100 * value) / 100 + 0.0, 'g', 12); // no minus before zero
+    };
+    return Names::tr("%1 at %2; %3").arg(kind, metres(box.center().x()), metres(box.center().y()));
+}
+
+QString menuSafe(const QString& name) {
+    return QString(name).replace(QLatin1Char('&'), QStringLiteral("&&"));
+}
+
+QString plainToolTip(const QString& text) {
+    return Qt::mightBeRichText(text) ? Qt::convertFromPlainText(text) : text;
 }
 
 QString displayName(const Object& object) {

@@ -11,5 +11,11 @@ namespace spacetow {
 QString kindName(const Object& object);
 /// Its own name, else what kind of thing it is.
 QString displayName(const Object& object);
+/// "floor (Polygon)", or for an object without a name "Polygon at 3; -2.5", so that it can be told from its like.
+QString listedName(const Level& level, const Object& object);
+/// For menus, where a single & would be the mark of a mnemonic.
+QString menuSafe(const QString& name);
+/// For tooltips, where a name with < in it would be taken for rich text.
+QString plainToolTip(const QString& text);
 
 } // namespace spacetow

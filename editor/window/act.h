@@ -41,6 +41,7 @@ enum class Act : std::uint8_t {
     Frame,
     Grid,
     Snap,
+    HidePanels,
     FullScreen,
 
     // actions_overlays.cpp

@@ -20,11 +20,13 @@ enum ActionFlag : unsigned {
     OnlyPlaying = 1u << 1, // with WhilePlaying: not while editing
     NeedsSelection = 1u << 2,
     NeedsSeveral = 1u << 3, // at least two objects selected
-    SeparatorBefore = 1u << 4,
-    KeyElsewhere = 1u << 5, // has no key of its own because another action leads there; see PlaceNext
-    OnMainBar = 1u << 6,
-    OnToolsBar = 1u << 7, // as every tool is
-    InContextMenu = 1u << 8,
+    NeedsNodes = 1u << 4,   // at least one node selected
+    SeparatorBefore = 1u << 5,
+    KeyElsewhere = 1u << 6, // has no key of its own because another action leads there; see PlaceNext
+    OnMainBar = 1u << 7,
+    OnToolsBar = 1u << 8, // as every tool is
+    InContextMenu = 1u << 9,
+    KeyOfCanvas = 1u << 10, // its key does something else in panels, as Tab does
 };
 
 struct ActionRow {

@@ -1,9 +1,11 @@
 #include "editor/window/actions.h"
 
 #include "editor/canvas/icons.h"
+#include "editor/canvas/key_place.h"
 #include "editor/window/main_window.h"
 
 #include <QCoreApplication>
+#include <QKeyEvent>
 #include <QScopedValueRollback>
 
 #include <vector>
@@ -53,17 +55,22 @@ QString plainText(const ActionRow& row) {
 }
 
 QList<QKeySequence> keysOf(const ActionRow& row) {
-    QList<QKeySequence> keys;
-    for (const QString& key : QString::fromLatin1(row.keys).split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-        keys << QKeySequence(key, QKeySequence::PortableText);
+    return keysIn(row.keys);
+}
+
+QList<QKeySequence> keysIn(const char* keys) {
+    QList<QKeySequence> all;
+    for (const QString& key : QString::fromLatin1(keys).split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+        all << QKeySequence(key, QKeySequence::PortableText);
     }
-    return keys;
+    return all;
 }
 
 Actions::Actions(MainWindow& window) : m_window(window), m_tools(nullptr) {
     for (const ActionRow& row : actionRows()) {
         auto action = std::make_unique<QAction>(translated(row.text));
         action->setShortcuts(keysOf(row));
+        action->setShortcutContext((row.flags & KeyOfCanvas) != 0 ? Qt::WidgetShortcut : Qt::WindowShortcut);
         action->setToolTip(toolTip(row));
         action->setStatusTip(translated(row.tip));
         action->setCheckable(row.isOn != nullptr || isTool(row));
@@ -77,25 +84,53 @@ Actions::Actions(MainWindow& window) : m_window(window), m_tools(nullptr) {
     tint(window.palette());
 }
 
+template <class Do>
+void Actions::carryOut(const Do& action) {
+    if (!m_window.canvas().isDragging()) {
+        action();
+    }
+    refresh();
+}
+
 void Actions::connectRow(const ActionRow& row) {
     QAction& action = (*this)[row.id];
     if (row.toggle != nullptr) {
         QObject::connect(&action, &QAction::toggled, &action, [this, &row](bool on) {
             if (!m_refreshing) {
-                row.toggle(m_window, on);
-                refresh();
+                carryOut([&] { row.toggle(m_window, on); });
             }
         });
         return;
     }
     QObject::connect(&action, &QAction::triggered, &action, [this, &row] {
-        if (const ToolId* tool = std::get_if<ToolId>(&row.id)) {
-            m_window.takeTool(*tool);
-        } else {
-            row.run(m_window);
-        }
-        refresh();
+        carryOut([&] {
+            if (const ToolId* tool = std::get_if<ToolId>(&row.id)) {
+                m_window.takeTool(*tool);
+            } else {
+                row.run(m_window);
+            }
+        });
     });
+}
+
+QAction* Actions::withKey(QKeyCombination key) const {
+    const QKeySequence wanted(key);
+    for (const auto& [id, action] : m_actions) {
+        if (action->shortcuts().contains(wanted)) {
+            return action.get();
+        }
+    }
+    return nullptr;
+}
+
+std::optional<QKeyCombination> Actions::keyByPlace(const QKeyEvent& stroke) const {
+    const std::optional<Qt::Key> key = keyAtPlace(stroke);
+    const bool latinLetter = stroke.key() >= Qt::Key_A && stroke.key() <= Qt::Key_Z;
+    if (!key || latinLetter) {
+        return {};
+    }
+    const QKeyCombination meant(stroke.modifiers() & ~Qt::GroupSwitchModifier, *key);
+    return withKey(meant) != nullptr ? std::optional(meant) : std::nullopt;
 }
 
 void Actions::tint(const QPalette& palette) const {
@@ -108,9 +143,11 @@ void Actions::tint(const QPalette& palette) const {
 
 bool Actions::isPossible(const ActionRow& row) const {
     const bool inThisMode = m_window.isPlaying() ? (row.flags & WhilePlaying) != 0 : (row.flags & OnlyPlaying) == 0;
-    const int selected = m_window.document().selection().size();
+    const Selection& selection = m_window.document().selection();
+    const int selected = selection.size();
     return inThisMode && (selected >= 1 || (row.flags & NeedsSelection) == 0) &&
            (selected >= 2 || (row.flags & NeedsSeveral) == 0) &&
+           (!selection.nodes().empty() || (row.flags & NeedsNodes) == 0) &&
            (row.isPossible == nullptr || row.isPossible(m_window));
 }
 

@@ -13,6 +13,7 @@
 #include <memory>
 #include <span>
 
+class QKeyEvent;
 class QPalette;
 
 namespace spacetow {
@@ -22,6 +23,8 @@ std::span<const ActionRow> actionRows();
 /// Translated, without mnemonic and ellipsis.
 QString plainText(const ActionRow& row);
 QList<QKeySequence> keysOf(const ActionRow& row);
+/// Of keys in their portable spelling, separated by blanks.
+QList<QKeySequence> keysIn(const char* keys);
 
 class Actions {
   public:
@@ -29,6 +32,11 @@ class Actions {
     explicit Actions(MainWindow& window);
 
     QAction& operator[](ActionId id) const { return *m_actions.at(id); }
+    /// The action that has this key; null when none has.
+    QAction* withKey(QKeyCombination key) const;
+    /// For a stroke that is nobody's key: the key of a US keyboard in its place, where that is an action's. A Latin
+    /// letter never stands for another one.
+    std::optional<QKeyCombination> keyByPlace(const QKeyEvent& stroke) const;
     /// Draws the icons in the colours of the palette.
     void tint(const QPalette& palette) const;
     /// Shows what is possible, what is on, and what it is called at this moment.
@@ -36,6 +44,9 @@ class Actions {
 
   private:
     void connectRow(const ActionRow& row);
+    /// Unless a drag is under way, which nothing may cross.
+    template <class Do>
+    void carryOut(const Do& action);
     bool isPossible(const ActionRow& row) const;
     bool isOn(const ActionRow& row) const;
 

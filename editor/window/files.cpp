@@ -36,6 +36,7 @@ Unsaved askAboutChanges(QWidget* parent, const QString& name) {
     QMessageBox box(parent);
     box.setIcon(QMessageBox::Warning);
     box.setWindowTitle(FileWords::tr("Unsaved changes"));
+    box.setTextFormat(Qt::PlainText); // the name may hold anything
     box.setText(FileWords::tr("Save the changes to “%1”?").arg(name));
     box.setInformativeText(FileWords::tr("If you discard them, they are lost."));
     const QAbstractButton* save = box.addButton(FileWords::tr("&Save"), QMessageBox::AcceptRole);
@@ -146,8 +147,8 @@ bool Files::open(const QString& path) {
     if (!file) {
         return false;
     }
+    preferences.addRecent(absolute); // before the news of the file goes out
     adopt(*file, absolute);
-    preferences.addRecent(absolute);
     return true;
 }
 
@@ -209,8 +210,8 @@ bool Files::writeTo(const QString& path) {
     }
     m_path = path;
     m_untitled.clear();
-    m_document.markSaved();
     preferences.addRecent(path);
+    m_document.markSaved();
     changed.emit();
     return true;
 }

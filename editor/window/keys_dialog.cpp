@@ -18,8 +18,9 @@ struct KeyLine {
 // clang-format off
 constexpr std::array canvasLines{
     KeyLine{QT_TRANSLATE_NOOP("Keys", "Click · Shift or Ctrl + click"), QT_TRANSLATE_NOOP("Keys", "Select · add to the selection or take from it")},
-    KeyLine{QT_TRANSLATE_NOOP("Keys", "Drag on empty space"), QT_TRANSLATE_NOOP("Keys", "Select with a rubber band; Alt: only what lies wholly inside")},
-    KeyLine{QT_TRANSLATE_NOOP("Keys", "Alt + click"), QT_TRANSLATE_NOOP("Keys", "Select the next object underneath")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Drag on empty space"), QT_TRANSLATE_NOOP("Keys", "Select with a rubber band; Alt or B: only what lies wholly inside")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Alt + click · B + click"), QT_TRANSLATE_NOOP("Keys", "Select the next object underneath; a right click lists them all")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Alt + drag · B + drag"), QT_TRANSLATE_NOOP("Keys", "Move the selection from anywhere")},
     KeyLine{QT_TRANSLATE_NOOP("Keys", "Shift while dragging"), QT_TRANSLATE_NOOP("Keys", "Keep to an axis, or to steps of 15°")},
     KeyLine{QT_TRANSLATE_NOOP("Keys", "Ctrl while dragging"), QT_TRANSLATE_NOOP("Keys", "Switch snapping off or on for the moment")},
     KeyLine{QT_TRANSLATE_NOOP("Keys", "Enter or right click"), QT_TRANSLATE_NOOP("Keys", "End the shape that is being drawn")},
@@ -32,7 +33,7 @@ constexpr std::array canvasLines{
 constexpr std::array gameLines{
     KeyLine{QT_TRANSLATE_NOOP("Keys", "W or Up"), QT_TRANSLATE_NOOP("Keys", "Thrust")},
     KeyLine{QT_TRANSLATE_NOOP("Keys", "A or Left · D or Right"), QT_TRANSLATE_NOOP("Keys", "Turn left · turn right")},
-    KeyLine{QT_TRANSLATE_NOOP("Keys", "Space"), QT_TRANSLATE_NOOP("Keys", "Tow the payload when it is near")},
+    KeyLine{QT_TRANSLATE_NOOP("Keys", "Space"), QT_TRANSLATE_NOOP("Keys", "Tow the payload when it is near; again: let it go")},
     KeyLine{QT_TRANSLATE_NOOP("Keys", "Esc"), QT_TRANSLATE_NOOP("Keys", "Hold the game and show the menu")},
     KeyLine{QT_TRANSLATE_NOOP("Keys", "R · P · O"), QT_TRANSLATE_NOOP("Keys", "Restart · hold · next frame")},
 };

@@ -9,12 +9,12 @@
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QPointer>
+#include <QScreen>
 
 namespace spacetow {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent), m_toolbox(m_document), m_actions(*this), m_column(&m_center),
-      m_inspectorDock(tr("Inspector")), m_problemsDock(tr("Problems")), m_nodesDock(tr("Nodes")),
       m_canvas(m_document, m_toolbox), m_inspector(m_document),
       m_problems(m_document, [](const Problem& problem) { return sentence(problem); }), m_nodes(m_document),
       m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox),
@@ -53,18 +53,17 @@ void MainWindow::layOut() {
     setCentralWidget(&m_center);
     setStatusBar(&m_status);
 
-    m_inspectorDock.setObjectName(QStringLiteral("inspector"));
-    m_inspectorDock.setWidget(&m_inspector);
-    addDockWidget(Qt::RightDockWidgetArea, &m_inspectorDock);
-    m_problemsDock.setObjectName(QStringLiteral("problems"));
-    m_problemsDock.setWidget(&m_problems);
-    addDockWidget(Qt::RightDockWidgetArea, &m_problemsDock);
-    m_nodesDock.setObjectName(QStringLiteral("nodes"));
-    m_nodesDock.setWidget(&m_nodes);
-    tabifyDockWidget(&m_problemsDock, &m_nodesDock);
-    m_nodesDock.hide(); // until it is asked for in View ▸ Panels
-    resizeDocks({&m_inspectorDock, &m_problemsDock}, {520, 150}, Qt::Vertical);
-    resize(sizeHint());
+    setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks); // at once, without sliding about
+    m_panels.emplace(*this);
+    if (const QScreen* monitor = screen()) {
+        resize(firstSize(monitor->availableGeometry().size()));
+    }
+}
+
+QSize MainWindow::firstSize(const QSize& available) {
+    constexpr QSize wanted(1280, 800);
+    constexpr QSize frame(16, 48); // what the desktop puts round a window, at most
+    return wanted.boundedTo(available - frame);
 }
 
 bool MainWindow::open(const QString& path) {
@@ -97,6 +96,7 @@ void MainWindow::play() {
             tr("The level has %n errors and may not play as it should; see Problems.", nullptr, m_problems.errors()));
     }
     m_play.start(*m_document.current().level);
+    m_panels->setAway(true);
     m_stack.setCurrentWidget(&m_play);
     m_play.setFocus();
     updateMode();
@@ -108,6 +108,7 @@ void MainWindow::stopPlaying() {
         return;
     }
     m_stack.setCurrentWidget(&m_canvas);
+    m_panels->setAway(m_panelsHidden);
     m_canvas.setFocus();
     updateMode();
 }
@@ -134,6 +135,11 @@ void MainWindow::setSnap(const SnapSettings& snap) {
     m_canvas.update();
 }
 
+void MainWindow::setPanelsHidden(bool hidden) {
+    m_panelsHidden = hidden;
+    m_panels->setAway(hidden || isPlaying());
+}
+
 void MainWindow::setOverlays(const OverlayFlags& overlays) {
     m_overlays = overlays;
     m_canvas.setOverlays(overlays);
@@ -143,8 +149,7 @@ void MainWindow::setOverlays(const OverlayFlags& overlays) {
 
 void MainWindow::enterTyping() {
     const QPointer<QWidget> typing = focusWidget();
-    if (typing && (m_inspectorDock.isAncestorOf(typing) || m_problemsDock.isAncestorOf(typing) ||
-                   m_nodesDock.isAncestorOf(typing))) {
+    if (typing && m_panels->holding(typing) != nullptr) {
         typing->clearFocus(); // fields enter their text when they lose the focus
         if (typing && typing->isVisible()) {
             typing->setFocus();
@@ -164,13 +169,14 @@ void MainWindow::showObject(Key key) {
 void MainWindow::closeEvent(QCloseEvent* event) {
     enterTyping();
     m_arrays.cancel();
+    m_canvas.loseMouse();
     m_toolbox.cancel();
     if (!m_files.mayLeave()) {
         event->ignore();
         return;
     }
     m_play.stop();
-    m_files.preferences.setWindow(saveGeometry(), saveState());
+    m_files.preferences.setWindow(saveGeometry(), m_panels->arrangement());
     event->accept();
 }
 
@@ -207,14 +213,34 @@ void MainWindow::showEvent(QShowEvent* event) {
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && !isPlaying()) {
         m_canvas.setFocus(); // out of the panels
-    } else {
+    } else if (!actByPlace(*event)) {
         QMainWindow::keyPressEvent(event);
     }
 }
 
+bool MainWindow::actByPlace(const QKeyEvent& stroke) {
+    const std::optional<QKeyCombination> key = m_actions.keyByPlace(stroke);
+    if (!key) {
+        return false;
+    }
+    // Who is being typed into has copy, undo and the like of his own, and comes first, as with any key.
+    QWidget* const typing = focusWidget();
+    QKeyEvent offer(QEvent::ShortcutOverride, key->key(), key->keyboardModifiers());
+    offer.ignore();
+    if (typing != nullptr && QApplication::sendEvent(typing, &offer) && offer.isAccepted()) {
+        QKeyEvent press(QEvent::KeyPress, key->key(), key->keyboardModifiers());
+        QApplication::sendEvent(typing, &press);
+    } else {
+        m_actions.withKey(*key)->trigger();
+    }
+    return true;
+}
+
 void MainWindow::updateTitle() {
     setWindowFilePath(m_files.path());
-    setWindowTitle(tr("%1[*] - SpaceTow Studio").arg(m_files.name()));
+    QString name = m_files.name();
+    name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]")); // once, it would be the mark of a changed file
+    setWindowTitle(tr("%1[*] - SpaceTow Studio").arg(name));
     fillRecent();
 }
 

@@ -13,15 +13,16 @@
 #include "editor/window/files.h"
 #include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
+#include "editor/window/panels.h"
 #include "editor/window/status_line.h"
 
-#include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <map>
+#include <optional>
 #include <span>
 
 namespace spacetow {
@@ -49,6 +50,9 @@ class MainWindow : public QMainWindow {
     /// Each of these switches is remembered until the program runs again.
     void setGridVisible(bool visible);
     void setSnap(const SnapSettings& snap);
+    /// By the user; while a game is running they are away in any case.
+    void setPanelsHidden(bool hidden);
+    bool arePanelsHidden() const { return m_panelsHidden; }
     const OverlayFlags& overlays() const { return m_overlays; }
     void setOverlays(const OverlayFlags& overlays);
 
@@ -66,11 +70,13 @@ class MainWindow : public QMainWindow {
     ArrayBar& arrayBar() { return m_arrays; }
     TransformBar& transformBar() { return m_transform; }
     Actions& actions() { return m_actions; }
+    Panels& panels() { return *m_panels; }
     Files& files() { return m_files; }
     MessageBar& messageBar() { return m_message; }
     StatusLine& statusLine() { return m_status; }
 
-    QSize sizeHint() const override { return {1280, 800}; }
+    /// Of a window that has no remembered size, frame excluded, on a screen with so much room; logical pixels.
+    static QSize firstSize(const QSize& available);
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -92,6 +98,8 @@ class MainWindow : public QMainWindow {
     void listenToPanels();
     void restore();
     void showObject(Key key);
+    /// A stroke that is nobody's key may be one by its place.
+    bool actByPlace(const QKeyEvent& stroke);
 
     void updateTitle();
     void updateTool();
@@ -106,9 +114,6 @@ class MainWindow : public QMainWindow {
     QWidget m_center;
     QVBoxLayout m_column;
     QStackedWidget m_stack;
-    QDockWidget m_inspectorDock;
-    QDockWidget m_problemsDock;
-    QDockWidget m_nodesDock;
     std::map<MenuId, QMenu*> m_menus; // owned by the menu bar
 
     Canvas m_canvas;
@@ -121,7 +126,9 @@ class MainWindow : public QMainWindow {
     TransformBar m_transform;
     StatusLine m_status;
     Files m_files;
+    std::optional<Panels> m_panels; // once there is a window to add them to
     OverlayFlags m_overlays;
+    bool m_panelsHidden = false;
     ToolId m_shownTool = ToolId::Select;
 };
 

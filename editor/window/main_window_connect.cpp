@@ -7,7 +7,9 @@ void MainWindow::listen() {
     m_document.changed.connect([this](const Change& change) {
         updateSelection();
         updateTool();
-        if (change.before.selection.size() != change.after.selection.size()) {
+        const Selection& before = change.before.selection;
+        const Selection& after = change.after.selection;
+        if (before.size() != after.size() || before.nodes().size() != after.nodes().size()) {
             m_actions.refresh();
         }
     });
@@ -27,7 +29,7 @@ void MainWindow::listenToPanels() {
     connect(&m_canvas, &Canvas::pointerMoved, &m_status, &StatusLine::setPointer);
     connect(&m_canvas, &Canvas::pointerLeft, &m_status, &StatusLine::clearPointer);
     connect(&m_canvas, &Canvas::viewChanged, this,
-            [this] { m_status.setZoom(m_canvas.view().scale, Viewport().scale); });
+            [this] { m_status.setZoom(m_canvas.view().scale / Viewport().scale); });
     connect(&m_canvas, &Canvas::menuWanted, this, &MainWindow::openMenuAt);
     connect(&m_transform, &TransformBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
     connect(&m_arrays, &ArrayBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
@@ -36,7 +38,9 @@ void MainWindow::listenToPanels() {
             [this] { m_status.setProblems(m_problems.errors(), m_problems.warnings()); });
     m_status.setProblems(m_problems.errors(), m_problems.warnings());
     connect(&m_status, &StatusLine::problemsClicked, &m_actions[Act::NextProblem], &QAction::trigger);
-    connect(&m_status, &StatusLine::zoomClicked, &m_actions[Act::ZoomReset], &QAction::trigger);
+    connect(&m_status, &StatusLine::zoomChosen, this,
+            [this](double zoom) { m_canvas.zoomTo(zoom * Viewport().scale); });
+    connect(&m_status, &StatusLine::left, this, [this] { m_canvas.setFocus(); });
     connect(&m_status, &StatusLine::stepChosen, this, [this](double step) {
         SnapSettings snap = m_toolbox.snap;
         snap.step = step;

@@ -74,14 +74,17 @@ void MainWindow::makeMenus() {
             menu->addSeparator();
         }
         menu->addAction(&m_actions[row.id]);
+        if ((row.flags & KeyOfCanvas) != 0) {
+            m_canvas.addAction(&m_actions[row.id]);
+        }
         addMenusAfter(row.menu, row.id);
     }
     for (const MenuRow& row : menuRows()) {
         addMenusAfter(row.id, std::nullopt);
     }
-    m_menus.at(MenuId::Panels)->addAction(m_inspectorDock.toggleViewAction());
-    m_menus.at(MenuId::Panels)->addAction(m_problemsDock.toggleViewAction());
-    m_menus.at(MenuId::Panels)->addAction(m_nodesDock.toggleViewAction());
+    m_menus.at(MenuId::Panels)->addSeparator();
+    m_menus.at(MenuId::Panels)->addActions(m_panels->actions());
+    m_status.setSnapMenu(*m_menus.at(MenuId::Snapping));
     fillRecent();
     for (const auto& [id, menu] : m_menus) {
         menu->menuAction()->setVisible(!menu->isEmpty());
@@ -111,9 +114,9 @@ void MainWindow::fillRecent() {
     recent.clear();
     const QStringList files = m_files.preferences.recentFiles();
     for (const QString& path : files) {
-        QAction* const action = recent.addAction(QFileInfo(path).fileName());
+        QAction* const action = recent.addAction(menuSafe(QFileInfo(path).fileName()));
         action->setStatusTip(path);
-        action->setToolTip(path);
+        action->setToolTip(plainToolTip(path));
         connect(action, &QAction::triggered, this, [this, path] { open(path); });
     }
     if (files.isEmpty()) {
@@ -137,7 +140,8 @@ void MainWindow::openMenuAt(const QPoint& global) {
     if (under.size() > 1) {
         QMenu* const below = menu.addMenu(tr("Select &Under Pointer"));
         for (const GroupPick& pick : under) {
-            QAction* const action = below->addAction(displayName(*m_document.level().objects.find(pick.key)));
+            QAction* const action =
+                below->addAction(menuSafe(listedName(m_document.level(), *m_document.level().objects.find(pick.key))));
             connect(action, &QAction::triggered, this,
                     [this, pick] { m_document.select(Selection({pick.key}).entering(pick.entered)); });
         }

@@ -52,7 +52,14 @@ QString sentenceOf(std::span<const MessageText> texts, const std::string& code,
 } // namespace
 
 QString sentence(const Problem& problem) {
-    return sentenceOf(problemTexts(), problem.code, problem.arguments);
+    const std::string unnamed = problem.code + "-unnamed";
+    const std::vector<std::string>& arguments = problem.arguments;
+    if (arguments.size() < 2 || !arguments[0].empty() || textOf(problemTexts(), unnamed) == nullptr) {
+        return sentenceOf(problemTexts(), problem.code, arguments);
+    }
+    std::vector<std::string> told = arguments;
+    told[1] = sentenceOf(problemTexts(), arguments[1], {}).toStdString(); // a code itself: what kind of thing it is
+    return sentenceOf(problemTexts(), unnamed, told);
 }
 
 QString sentence(const Error& error) {

@@ -9,15 +9,15 @@ namespace {
 
 constexpr MessageText selectHintTexts[] = {
     {"select.idle",
-     QT_TRANSLATE_NOOP("messages", "Click: select · drag: rubber band · Shift + Alt + drag: lasso · Shift or "
-                                   "Ctrl + click: add or remove · Alt + click: next object underneath")},
+     QT_TRANSLATE_NOOP("messages", "Click: select · drag: rubber band · Shift + Alt (or B) + drag: lasso · Shift or "
+                                   "Ctrl + click: add or remove · Alt or B + click: next object underneath")},
     {"select.object",
      QT_TRANSLATE_NOOP(
          "messages",
          "Click: select · drag: select and move · Shift or Ctrl + click: add or remove · Shift + drag: rubber band")},
     {"select.selected",
      QT_TRANSLATE_NOOP("messages",
-                       "%1 selected · drag: move · click again: turn or scale · Alt + drag: move from anywhere "
+                       "%1 selected · drag: move · click again: turn or scale · Alt or B + drag: move from anywhere "
                        "· Shift or Ctrl + click: add or remove · Delete: remove · Escape: select nothing")},
     {"select.group",
      QT_TRANSLATE_NOOP("messages",
@@ -35,15 +35,15 @@ constexpr MessageText selectHintTexts[] = {
     {"select.lasso",
      QT_TRANSLATE_NOOP("messages", "%1 selected · Ctrl: only what lies wholly inside · Escape: cancel")},
     {"select.node",
-     QT_TRANSLATE_NOOP("messages", "Node · drag: move it alone · Alt + drag: move the whole object · double "
+     QT_TRANSLATE_NOOP("messages", "Node · drag: move it alone · Alt or B + drag: move the whole object · double "
                                    "click: edit all nodes")},
     {"select.moving",
      QT_TRANSLATE_NOOP("messages",
                        "Moving by %1 m, %2 m · Shift: along one axis · Ctrl: snap off/on · Escape: cancel")},
     {"select.scale-handle", QT_TRANSLATE_NOOP("messages", "Drag: scale · Shift: about the middle · Ctrl: keep the "
-                                                          "proportions · Alt: snap off/on")},
+                                                          "proportions · Alt or B: snap off/on")},
     {"select.scaling", QT_TRANSLATE_NOOP("messages", "%1 × %2 m (%3 %, %4 %) · Shift: about the middle · Ctrl: keep "
-                                                     "the proportions · Alt: snap off/on · Escape: cancel")},
+                                                     "the proportions · Alt or B: snap off/on · Escape: cancel")},
     {"select.turn-handle",
      QT_TRANSLATE_NOOP("messages", "Drag: turn about the pivot · Shift: about the opposite corner · Ctrl: in steps of "
                                    "15° · click the object: scale")},
@@ -52,7 +52,8 @@ constexpr MessageText selectHintTexts[] = {
     {"select.pivot-handle",
      QT_TRANSLATE_NOOP("messages", "Drag: move the pivot, about which the selection turns · Ctrl: snap off/on")},
     {"select.pivot", QT_TRANSLATE_NOOP("messages", "Pivot at %1, %2 m · Ctrl: snap off/on · Escape: cancel")},
-    {"select.band", QT_TRANSLATE_NOOP("messages", "%1 selected · Alt: only what lies wholly inside · Escape: cancel")},
+    {"select.band",
+     QT_TRANSLATE_NOOP("messages", "%1 selected · Alt or B: only what lies wholly inside · Escape: cancel")},
 };
 
 } // namespace

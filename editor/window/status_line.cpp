@@ -1,6 +1,7 @@
 #include "editor/window/status_line.h"
 
 #include "editor/canvas/icons.h"
+#include "editor/panels/names.h"
 
 #include <QEvent>
 #include <QLocale>
@@ -49,17 +50,18 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_steps(tr("Grid S
     m_pointer.setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     // Wide enough for what is usual, so that the line does not jump about under the moving pointer.
     m_pointer.setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("x -00.00  y -00.00 m")));
-    for (QToolButton* button : {&m_snap, &m_zoom, &m_problems}) {
-        dressButton(*button);
-    }
-    m_snap.setToolTip(tr("Distance at which points snap; Shift+G switches snapping off and on"));
+    dressButton(m_snap);
+    addPermanentWidget(&m_zoom);
+    dressButton(m_problems);
+    m_snap.setToolTip(tr("How points snap; Shift+G switches snapping off and on"));
+    m_snap.setObjectName(QStringLiteral("snap"));
     m_snap.setMenu(&m_steps);
     m_snap.setPopupMode(QToolButton::InstantPopup);
     m_snap.setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }")); // it would lie on the text
     fillSteps();
-    m_zoom.setToolTip(tr("Zoom to original size (Ctrl+0)"));
     m_problems.setToolTip(tr("Next problem (F4)"));
-    connect(&m_zoom, &QToolButton::clicked, this, &StatusLine::zoomClicked);
+    connect(&m_zoom, &ZoomField::zoomChosen, this, &StatusLine::zoomChosen);
+    connect(&m_zoom, &ZoomField::left, this, &StatusLine::left);
     connect(&m_problems, &QToolButton::clicked, this, &StatusLine::problemsClicked);
     setProblems(0, 0);
 }
@@ -91,7 +93,7 @@ void StatusLine::dressButton(QToolButton& button) {
 void StatusLine::setHint(const QString& sentence) {
     if (sentence != m_hint) {
         m_hint = sentence;
-        m_hintLabel.setToolTip(sentence);
+        m_hintLabel.setToolTip(plainToolTip(sentence));
         elide();
     }
 }
@@ -132,9 +134,8 @@ void StatusLine::setSnap(const SnapSettings& snap) {
     m_snap.setText(snap.grid ? tr("Snap %1 m").arg(QLocale().toString(snap.step)) : tr("Snap off"));
 }
 
-void StatusLine::setZoom(double scale, double usual) {
-    const double percent = 100 * scale / usual;
-    m_zoom.setText(tr("%1 %").arg(QLocale().toString(percent, 'f', percent < 10 ? 1 : 0)));
+void StatusLine::setZoom(double zoom) {
+    m_zoom.setZoom(zoom);
 }
 
 void StatusLine::setProblems(int errors, int warnings) {

@@ -4,6 +4,7 @@
 
 #include "core/math/aabb.h"
 #include "editor/editing/snap.h"
+#include "editor/window/zoom_field.h"
 
 #include <QActionGroup>
 #include <QLabel>
@@ -29,16 +30,19 @@ class StatusLine : public QStatusBar {
     /// The box of what is selected, in metres; empty when it has no extent.
     void setSelection(int count, const Aabb& box);
     void setSnap(const SnapSettings& snap);
-    void setZoom(double scale, double usual); // pixels a metre
+    void setZoom(double zoom); // 1 is the original size
     void setProblems(int errors, int warnings);
 
     QString hint() const { return m_hint; }
-    /// The distances at which points may snap; the menu of the button that shows the current one.
+    /// The distances at which points may snap.
     QMenu& stepMenu() { return m_steps; }
+    /// Opens from the button that shows how points snap; must outlive this line or be gone before it is clicked.
+    void setSnapMenu(QMenu& menu) { m_snap.setMenu(&menu); }
 
   Q_SIGNALS:
     void stepChosen(double metres);
-    void zoomClicked();
+    void zoomChosen(double zoom);
+    void left(); // done with typing here
     void problemsClicked();
 
   protected:
@@ -58,7 +62,7 @@ class StatusLine : public QStatusBar {
     QActionGroup m_stepGroup;
     std::vector<std::unique_ptr<QAction>> m_stepActions;
     QToolButton m_snap;
-    QToolButton m_zoom;
+    ZoomField m_zoom;
     QToolButton m_problems;
     int m_errors = 0;
     int m_warnings = 0;

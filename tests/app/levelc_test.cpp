@@ -35,7 +35,7 @@ Run levelc(const QStringList& arguments) {
 }
 
 /// A box that falls and a ground to fall on.
-Level falling() {
+Level falling(double groundHalf = 50) {
     Level level;
     level.name = "Falling";
     level.gravity = {0, -10};
@@ -45,7 +45,7 @@ Level falling() {
     box.position = {0, 20};
     box.velocity = {1, 0};
     BodyObject ground;
-    ground.shapes = {EdgeChain{{{-50, 0}, {50, 0}}, false, noBack}};
+    ground.shapes = {EdgeChain{{{-groundHalf, 0}, {groundHalf, 0}}, false, noBack}};
     level.objects.append({0xb0, "ball", box, {}});
     level.objects.append({0xb1, "ground", ground, {}});
     return level;
@@ -205,7 +205,7 @@ class LevelcTest : public QObject {
     }
 
     void renderDrawsPicturesOfTheSizeAskedFor() {
-        write("level.json", levelText(falling()));
+        write("level.json", levelText(falling(10)));
         const Run png = levelc({"render", path("level.json"), "-o", path("out.png"), "--size", "320x200", "--overlays",
                                 "aabb,incircle,velocity,orientation,normals,quadtree"});
         QCOMPARE(png.status, 0);

@@ -22,20 +22,18 @@ class TestWindow {
         QSettings::setDefaultFormat(QSettings::IniFormat);
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("settings")));
         QCoreApplication::setOrganizationName(QStringLiteral("spacetow-test"));
-        window = std::make_unique<MainWindow>();
-        window->files().questions = {[this](const QString&) { return toOpen; },
-                                     [this](const QString&) { return toSave; },
-                                     [this](const QString&) {
-                                         ++asked;
-                                         return unsaved;
-                                     }};
+        makeWindow();
         window->resize(1280, 800);
-        window->show();
-        window->activateWindow();
-        QApplication::processEvents();
-        window->toolbox().snap.grid = false;
+        show();
     }
     ~TestWindow() { unsaved = Unsaved::Discard; }
+
+    /// As if the program were started again, with what it remembers.
+    void reopen() {
+        window.reset();
+        makeWindow();
+        show();
+    }
 
     QString file(const QString& name) const { return m_folder.filePath(name); }
     Canvas& canvas() { return window->canvas(); }
@@ -72,6 +70,18 @@ class TestWindow {
         trigger(ToolId::Select);
     }
 
+    /// Keys 1 and 2, each a ball about the origin.
+    static Level twoBallsAtOneSpot() {
+        Level level;
+        for (const Key key : {Key{1}, Key{2}}) {
+            Object ball;
+            ball.key = key;
+            ball.data = BodyObject{.shapes = {Circle{{0, 0}, 0.5}}};
+            level.objects.append(ball);
+        }
+        return level;
+    }
+
     QString toOpen;
     QString toSave;
     Unsaved unsaved = Unsaved::Cancel;
@@ -79,6 +89,22 @@ class TestWindow {
     std::unique_ptr<MainWindow> window;
 
   private:
+    void makeWindow() {
+        window = std::make_unique<MainWindow>();
+        window->files().questions = {[this](const QString&) { return toOpen; },
+                                     [this](const QString&) { return toSave; },
+                                     [this](const QString&) {
+                                         ++asked;
+                                         return unsaved;
+                                     }};
+    }
+    void show() {
+        window->show();
+        window->activateWindow();
+        QApplication::processEvents();
+        window->toolbox().snap.grid = false;
+    }
+
     QTemporaryDir m_folder;
 };
 

@@ -7,7 +7,10 @@
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
+#include <QLineEdit>
+#include <QMenu>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QWheelEvent>
 
 using namespace spacetow;
@@ -84,6 +87,32 @@ class CanvasTest : public QObject {
         QCOMPARE(canvas.view().scale, zoomed);
     }
 
+    void aStrayObjectFarAwayIsShownWithTheRest_data() {
+        QTest::addColumn<double>("far");
+        QTest::newRow("10 km") << 1e4;
+        QTest::newRow("as far as it goes") << 1e6;
+    }
+    void aStrayObjectFarAwayIsShownWithTheRest() {
+        QFETCH(double, far);
+        TestWindow test;
+        Level level = levelWithABall();
+        Object stray = level.objects[0];
+        stray.key = 2;
+        std::get<BodyObject>(stray.data).position = {far, 0};
+        level = added(level, stray);
+        test.trigger(Act::Grid); // off: nothing but the objects is to be seen
+        test.document().reset(level);
+        test.canvas().fitLevel();
+        QVERIFY(test.canvas().view().visible().contains(boundsOf(level)));
+        const QImage image = test.canvas().grab().toImage();
+        for (const double x : {3.0, far}) {
+            const QPoint at = test.at(x, x == far ? 0 : 2);
+            const QColor there = image.pixelColor(at);
+            const QColor elsewhere = image.pixelColor(at + QPoint(0, 40));
+            QVERIFY2(std::abs(there.lightness() - elsewhere.lightness()) > 40, qPrintable(QString::number(x)));
+        }
+    }
+
     void zoomingStaysWithinItsLimits() {
         TestWindow test;
         for (int i = 0; i < 100; ++i) {
@@ -94,6 +123,27 @@ class CanvasTest : public QObject {
             wheel(test.canvas(), QPoint(10, 10), -10, {});
         }
         QCOMPARE(test.canvas().view().scale, Viewport::minScale);
+    }
+
+    void theZoomIsTypedIntoTheStatusBar() {
+        TestWindow test;
+        auto* field = test.window->statusLine().findChild<ZoomField*>();
+        field->setFocus();
+        field->lineEdit()->selectAll();
+        QTest::keyClicks(field, "250");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(test.canvas().view().scale, 2.5 * Viewport().scale);
+        QCOMPARE(field->currentText(), QString("250 %"));
+        QVERIFY(test.canvas().hasFocus());
+    }
+
+    void theSnapButtonOpensTheMenuOfSnapping() {
+        TestWindow test;
+        const auto* button = test.window->statusLine().findChild<QToolButton*>("snap");
+        QVERIFY(button->menu()->actions().contains(&test.window->actions()[Act::Snap]));
+        const QString before = button->text();
+        test.trigger(Act::Snap);
+        QVERIFY(button->text() != before);
     }
 
     void draggingMovesTheView_data() {

@@ -4,6 +4,8 @@
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
+#include <QAction>
+#include <QDockWidget>
 #include <QFile>
 #include <QMimeData>
 #include <QSet>
@@ -333,6 +335,24 @@ class MainWindowTest : public QObject {
                 QVERIFY2(overview.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()), row.text);
             }
         }
+    }
+
+    void theFirstWindowFitsTheScreen_data() {
+        QTest::addColumn<QSize>("screen");
+        QTest::newRow("1366 x 768 less a bar") << QSize(1366, 728);
+        QTest::newRow("1920 x 1080 at 150 %, less a bar") << QSize(1280, 680);
+        QTest::newRow("800 x 600") << QSize(800, 600);
+        QTest::newRow("large") << QSize(3840, 2160);
+    }
+    void theFirstWindowFitsTheScreen() {
+        QFETCH(QSize, screen);
+        const QSize size = MainWindow::firstSize(screen);
+        QVERIFY(size.width() < screen.width() && size.height() + 30 < screen.height());
+        QVERIFY(size.width() <= 1280 && size.height() <= 800);
+        QVERIFY(size.width() >= std::min(1200, screen.width() - 40));
+        TestWindow test;
+        test.window->resize(size);
+        QCOMPARE(test.window->size(), size); // nothing in it asks for more
     }
 
     void nothingIsCutOffInASmallWindow_data() {

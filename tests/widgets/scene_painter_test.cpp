@@ -329,6 +329,24 @@ class ScenePainterTest : public QObject {
         cache.clearMoving();
         QVERIFY(cache.layer(request).toImage().pixelColor(100, 100) != editingTheme().background);
     }
+
+    void whatIsSmallerThanAPixelIsStillSeen_data() {
+        QTest::addColumn<bool>("circle");
+        QTest::newRow("circle") << true;
+        QTest::newRow("polygon") << false;
+    }
+    void whatIsSmallerThanAPixelIsStillSeen() {
+        QFETCH(bool, circle);
+        Viewport view = sceneView();
+        view.scale = 0.01;
+        const Level level =
+            levelOf({body(1, circle ? LevelShape(Circle{{0, 0}, 1}) : LevelShape(Polygon{square(true)}))});
+        const QImage image = picture(level, view);
+        const QColor line = canvasTheme().body(BodyKind::Static, Circle{}).line;
+        const QColor background = canvasTheme().background;
+        QVERIFY(std::abs(image.pixelColor(100, 100).lightness() - background.lightness()) >
+                0.8 * std::abs(line.lightness() - background.lightness()));
+    }
 };
 
 SPACETOW_TEST(ScenePainterTest)

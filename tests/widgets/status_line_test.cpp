@@ -3,6 +3,8 @@
 #include "tests/support/test_main.h"
 
 #include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
 
 using namespace spacetow;
 
@@ -38,6 +40,72 @@ class StatusLineTest : public QObject {
         }
         QVERIFY(label->text() != hint);
         QCOMPARE(label->toolTip(), hint);
+    }
+
+    void aPercentageIsReadAsPeopleWriteIt_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("zoom"); // 0: none
+        QTest::newRow("number") << "150" << 1.5;
+        QTest::newRow("percent") << "150%" << 1.5;
+        QTest::newRow("with a blank") << " 12.5 % " << 0.125;
+        QTest::newRow("small") << "0.13 %" << 0.0013;
+        QTest::newRow("words") << "large" << 0.0;
+        QTest::newRow("nothing") << "" << 0.0;
+        QTest::newRow("negative") << "-50" << 0.0;
+        QTest::newRow("zero") << "0" << 0.0;
+        QTest::newRow("no number") << "nan" << 0.0;
+        QTest::newRow("endless") << "inf" << 0.0;
+    }
+    void aPercentageIsReadAsPeopleWriteIt() {
+        QFETCH(QString, text);
+        QFETCH(double, zoom);
+        QCOMPARE(ZoomField::zoomIn(text).value_or(0), zoom);
+    }
+
+    void aDecimalCommaIsReadWhereItIsWritten() {
+        const QLocale before;
+        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+        QCOMPARE(ZoomField::zoomIn("12,5 %").value_or(0), 0.125);
+        QCOMPARE(ZoomField::zoomIn("12.5").value_or(0), 0.125);
+        QCOMPARE(ZoomField::zoomIn(ZoomField::textFor(0.015)).value_or(0), 0.015);
+        QLocale::setDefault(before);
+    }
+
+    void aZoomIsTypedAndEntered() {
+        StatusLine line;
+        line.show();
+        auto* field = line.findChild<ZoomField*>();
+        QSignalSpy chosen(&line, &StatusLine::zoomChosen);
+        QSignalSpy left(&line, &StatusLine::left);
+        line.setZoom(1);
+        QCOMPARE(field->currentText(), QString("100 %"));
+        field->setFocus();
+        field->lineEdit()->selectAll();
+        QTest::keyClicks(field, "250");
+        line.setZoom(2); // meanwhile the view moves
+        QCOMPARE(field->currentText(), QString("250"));
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(chosen[0][0].toDouble(), 2.5);
+        QCOMPARE(left.count(), 1);
+        field->lineEdit()->selectAll();
+        QTest::keyClicks(field, "rubbish");
+        QTest::keyClick(field, Qt::Key_Escape);
+        QCOMPARE(field->currentText(), QString("200 %"));
+        QCOMPARE(chosen.count(), 1);
+    }
+
+    void rubbishIsNoZoom() {
+        StatusLine line;
+        line.show();
+        auto* field = line.findChild<ZoomField*>();
+        QSignalSpy chosen(&line, &StatusLine::zoomChosen);
+        line.setZoom(0.5);
+        field->lineEdit()->selectAll();
+        QTest::keyClicks(field, "many");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(chosen.count(), 0);
+        QCOMPARE(field->currentText(), QString("50 %"));
     }
 };
 

@@ -1,0 +1,122 @@
+#include "editor/window/panels.h"
+
+#include "editor/window/main_window.h"
+
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QToolBar>
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+constexpr PanelRow allPanels[] = {
+    {.name = "inspector",
+     .title = QT_TRANSLATE_NOOP("Panels", "&Inspector"),
+     .area = Qt::RightDockWidgetArea,
+     .height = 520,
+     .make = [](MainWindow& window) -> QWidget* { return &window.inspector(); }},
+    {.name = "problems",
+     .title = QT_TRANSLATE_NOOP("Panels", "&Problems"),
+     .area = Qt::RightDockWidgetArea,
+     .height = 150,
+     .make = [](MainWindow& window) -> QWidget* { return &window.problems(); }},
+    {.name = "nodes",
+     .title = QT_TRANSLATE_NOOP("Panels", "&Nodes"),
+     .area = Qt::RightDockWidgetArea,
+     .shownAtFirst = false,
+     .tabOf = "problems",
+     .make = [](MainWindow& window) -> QWidget* { return &window.nodes(); }},
+};
+
+QString translatedTitle(const char* words) {
+    return QCoreApplication::translate("Panels", words);
+}
+
+} // namespace
+
+std::span<const PanelRow> panelRows() {
+    return allPanels;
+}
+
+Panels::Panels(MainWindow& window) : m_window(window) {
+    for (const PanelRow& row : allPanels) {
+        add(row);
+    }
+    placeAtFirst();
+}
+
+void Panels::add(const PanelRow& row) {
+    auto* const dock = new QDockWidget(translatedTitle(row.title).remove(QLatin1Char('&')), &m_window); // owned by it
+    dock->setObjectName(QLatin1String(row.name));
+    dock->setWidget(row.make(m_window));
+    m_window.addDockWidget(row.area, dock);
+    QAction* const action = dock->toggleViewAction();
+    action->setText(translatedTitle(row.title));
+    action->setShortcuts(keysIn(row.keys));
+    action->setStatusTip(QCoreApplication::translate("Panels", "Show or hide this panel"));
+    m_window.addAction(action);
+    m_docks[dock->objectName()] = dock;
+}
+
+void Panels::placeAtFirst() {
+    QList<QDockWidget*> stacked;
+    QList<int> heights;
+    for (const PanelRow& row : allPanels) {
+        QDockWidget& one = dock(QLatin1String(row.name));
+        if (row.tabOf != nullptr) {
+            QDockWidget& other = dock(QLatin1String(row.tabOf));
+            m_window.tabifyDockWidget(&other, &one);
+            other.raise();
+        } else {
+            stacked << &one;
+            heights << row.height;
+        }
+        one.setVisible(row.shownAtFirst);
+    }
+    m_window.resizeDocks(stacked, heights, Qt::Vertical);
+}
+
+QList<QAction*> Panels::actions() const {
+    QList<QAction*> all;
+    for (const PanelRow& row : allPanels) {
+        all << dock(QLatin1String(row.name)).toggleViewAction();
+    }
+    return all;
+}
+
+QDockWidget* Panels::holding(const QWidget* widget) const {
+    for (const auto& [name, dock] : m_docks) {
+        if (dock->isAncestorOf(widget)) {
+            return dock;
+        }
+    }
+    return nullptr;
+}
+
+void Panels::setAway(bool away) {
+    if (away == m_away) {
+        return;
+    }
+    if (!away) {
+        m_away = false;
+        m_window.restoreState(m_arrangement);
+        return;
+    }
+    m_arrangement = m_window.saveState();
+    m_away = true;
+    for (const auto& [name, dock] : m_docks) {
+        dock->hide();
+    }
+    if (auto* tools = m_window.findChild<QToolBar*>(QStringLiteral("tools"))) {
+        tools->hide();
+    }
+}
+
+QByteArray Panels::arrangement() const {
+    return m_away ? m_arrangement : m_window.saveState();
+}
+
+} // namespace spacetow

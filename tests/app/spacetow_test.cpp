@@ -1,0 +1,45 @@
+#include "tests/support/folders.h"
+#include "tests/support/test_main.h"
+
+#include <QProcess>
+
+using namespace spacetow::test;
+
+class SpacetowTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void helpAndVersionNeedNoDisplay_data() {
+        QTest::addColumn<QString>("option");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("--help") << "--help"
+                                << "Usage: ";
+        QTest::newRow("-h") << "-h"
+                            << "[LEVEL]";
+        QTest::newRow("--version") << "--version"
+                                   << "spacetow-studio ";
+        QTest::newRow("-v") << "-v"
+                            << "spacetow-studio ";
+    }
+    void helpAndVersionNeedNoDisplay() {
+        QFETCH(QString, option);
+        QFETCH(QString, words);
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+            environment.remove(name);
+        }
+        environment.insert("QT_QPA_PLATFORM", "xcb"); // which would end without a display
+        environment.insert("LC_ALL", "C");
+        process.setProcessEnvironment(environment);
+        process.start(binaryFolder() + "/bin/spacetow", {option});
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 0);
+        const QString out = QString::fromUtf8(process.readAllStandardOutput());
+        QVERIFY2(out.contains(words), qPrintable(out));
+    }
+};
+
+SPACETOW_TEST(SpacetowTest)
+#include "spacetow_test.moc"

@@ -1,0 +1,153 @@
+#include "editor/window/panels.h"
+
+#include "tests/support/test_main.h"
+#include "tests/support/window.h"
+
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+
+using namespace spacetow;
+using spacetow::test::TestWindow;
+
+namespace {
+
+QDockWidget& dockOf(TestWindow& test, const char* name) {
+    return test.window->panels().dock(QLatin1String(name));
+}
+
+struct Placed {
+    bool visible, floating;
+    Qt::DockWidgetArea area;
+    QRect place;
+
+    bool operator==(const Placed&) const = default;
+};
+
+std::map<QString, Placed> placesOf(TestWindow& test) {
+    QApplication::processEvents();
+    std::map<QString, Placed> places;
+    for (const PanelRow& row : panelRows()) {
+        const QDockWidget& one = dockOf(test, row.name);
+        places[row.name] = {one.isVisible(), one.isFloating(),
+                            test.window->dockWidgetArea(&const_cast<QDockWidget&>(one)),
+                            one.isVisible() ? one.geometry() : QRect()};
+    }
+    return places;
+}
+
+bool anyShown(TestWindow& test) {
+    for (const PanelRow& row : panelRows()) {
+        if (dockOf(test, row.name).isVisible()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+class PanelsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theMenuListsEveryPanelOnce() {
+        TestWindow test;
+        for (const PanelRow& row : panelRows()) {
+            int times = 0;
+            for (const QMenu* menu : test.window->menuBar()->findChildren<QMenu*>()) {
+                times += static_cast<int>(menu->actions().count(dockOf(test, row.name).toggleViewAction()));
+            }
+            QVERIFY2(times == 1, row.name);
+            QVERIFY2(!dockOf(test, row.name).windowTitle().isEmpty(), row.name);
+            QVERIFY2(dockOf(test, row.name).isVisible() == row.shownAtFirst, row.name);
+        }
+    }
+
+    void tabOnTheCanvasPutsThePanelsAwayAndBack() {
+        TestWindow test;
+        const auto before = placesOf(test);
+        test.canvas().setFocus();
+        test.key(Qt::Key_Tab);
+        QVERIFY(!anyShown(test));
+        QVERIFY(!test.window->findChild<QToolBar*>("tools")->isVisible());
+        QVERIFY(test.window->actions()[Act::HidePanels].isChecked());
+        QVERIFY(test.canvas().hasFocus());
+        test.key(Qt::Key_Tab);
+        QVERIFY(placesOf(test) == before);
+        QVERIFY(!test.window->actions()[Act::HidePanels].isChecked());
+    }
+
+    void tabInAPanelGoesToTheNextField() {
+        TestWindow test;
+        QWidget* field = test.window->inspector().form().editor("name");
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Tab);
+        QVERIFY(anyShown(test));
+        QVERIFY(!field->hasFocus());
+        QVERIFY(test.window->focusWidget() != nullptr && test.window->focusWidget() != &test.canvas());
+    }
+
+    void playLeavesThePanelsOutOfTheWay() {
+        TestWindow test;
+        test.window->openExample();
+        test.window->addDockWidget(Qt::LeftDockWidgetArea, &dockOf(test, "problems"));
+        const auto before = placesOf(test);
+        test.trigger(Act::Play);
+        QVERIFY(!anyShown(test));
+        QVERIFY(test.window->findChild<QToolBar*>("main")->isVisible());
+        test.trigger(Act::Stop);
+        QVERIFY(placesOf(test) == before);
+        QVERIFY(test.window->findChild<QToolBar*>("tools")->isVisible());
+    }
+
+    void aPanelClosedBeforePlayStaysClosed() {
+        TestWindow test;
+        test.window->openExample();
+        dockOf(test, "problems").close();
+        test.trigger(Act::Play);
+        test.trigger(Act::Stop);
+        QVERIFY(!dockOf(test, "problems").isVisible());
+        QVERIFY(dockOf(test, "inspector").isVisible());
+    }
+
+    void hiddenPanelsStayHiddenThroughAGame() {
+        TestWindow test;
+        test.window->openExample();
+        const auto before = placesOf(test);
+        test.trigger(Act::HidePanels);
+        test.trigger(Act::Play);
+        test.trigger(Act::Stop);
+        QVERIFY(!anyShown(test));
+        test.trigger(Act::HidePanels);
+        QVERIFY(placesOf(test) == before);
+    }
+
+    void panelsComeBackAsTheyWereLeft_data() {
+        QTest::addColumn<bool>("playing");
+        QTest::newRow("closed while editing") << false;
+        QTest::newRow("closed while playing") << true;
+    }
+    void panelsComeBackAsTheyWereLeft() {
+        QFETCH(bool, playing);
+        TestWindow test;
+        test.window->tabifyDockWidget(&dockOf(test, "inspector"), &dockOf(test, "problems"));
+        dockOf(test, "problems").raise();
+        QApplication::processEvents();
+        if (playing) {
+            test.trigger(Act::Play);
+        }
+        QVERIFY(test.window->close());
+        test.reopen();
+        QVERIFY(test.window->tabifiedDockWidgets(&dockOf(test, "inspector")).contains(&dockOf(test, "problems")));
+        dockOf(test, "problems").close();
+        QVERIFY(test.window->close());
+        test.reopen();
+        QVERIFY(!dockOf(test, "problems").isVisible());
+        QVERIFY(dockOf(test, "inspector").isVisible());
+    }
+};
+
+SPACETOW_TEST(PanelsTest)
+#include "panels_test.moc"
