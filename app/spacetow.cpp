@@ -6,7 +6,6 @@
 #include <QCommandLineParser>
 #include <QLibraryInfo>
 #include <QLocale>
-#include <QStyleFactory>
 #include <QTranslator>
 
 #include <algorithm>
@@ -71,7 +70,6 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("SpaceTow Studio"));
     QApplication::setDesktopFileName(QStringLiteral("spacetow-studio"));
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setWindowIcon(spacetow::applicationIcon());
 
     QTranslator own;

@@ -182,7 +182,7 @@ void paintShip(const Stage& stage, const Transform& pose) {
         painter.fillPath(outlineOf(stage, pose, glass), stage.theme.shipGlass);
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(stroke(stage.theme.shipLight, 1.4));
+    painter.setPen(stroke(stage.theme.shipLine, 1.4));
     painter.drawPath(path);
 }
 
@@ -196,7 +196,7 @@ void paintPayload(const Stage& stage, const Vec2& center, double radius) {
     shine.setColorAt(0, stage.theme.payloadLight);
     shine.setColorAt(1, stage.theme.payloadDark);
     stage.painter.setBrush(shine);
-    stage.painter.setPen(stroke(stage.theme.payloadLight, 1.4));
+    stage.painter.setPen(stroke(stage.theme.payloadLine, 1.4));
     stage.painter.drawEllipse(middle, size, size);
     stage.painter.setBrush(Qt::NoBrush);
 }
@@ -236,7 +236,7 @@ void paintConnector(const Stage& stage, const Vec2& a, const Vec2& b, double len
     // Like a rubber band: the longer the thinner, so that the state is not told by hue alone.
     const double width = 2.4 / (ratio * ratio);
     QPainter& painter = stage.painter;
-    painter.setPen(stroke(stage.theme.halo, width + 2.5));
+    painter.setPen(stroke(stage.theme.casing, width + 2.5));
     painter.drawLine(stage.at(a), stage.at(b));
     painter.setPen(stroke(Theme::connector(distance, length), width));
     painter.drawLine(stage.at(a), stage.at(b));

@@ -1,6 +1,7 @@
 #include "editor/canvas/canvas.h"
 
 #include "core/level/edits.h"
+#include "editor/canvas/guide_painter.h"
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/scene_painter.h"
@@ -89,6 +90,11 @@ void Canvas::setGridVisible(bool visible) {
     update();
 }
 
+void Canvas::setGuidesVisible(bool visible) {
+    m_toolbox.guidesVisible = visible;
+    update();
+}
+
 void Canvas::setOverlays(const OverlayFlags& overlays) {
     m_overlays = overlays;
     update();
@@ -159,12 +165,16 @@ void Canvas::paintEvent(QPaintEvent*) {
     request.overlays = live ? OverlayFlags() : m_overlays;
     request.gridStep = m_grid ? m_toolbox.snap.step : 0;
     request.pixelRatio = devicePixelRatioF();
+    request.shade = shadeOf(palette());
 
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_layer.layer(request));
-    const Stage stage{painter, m_view, editingTheme()};
+    const Stage stage{painter, m_view, editingTheme(request.shade)};
     if (m_layer.hasMoving()) {
         paintObjects(stage, *shown.level, [this](const Object& object) { return m_layer.isMoving(object.key); });
+    }
+    if (m_toolbox.guidesVisible) {
+        paintGuides(stage, *shown.level, m_toolbox.guideInReach());
     }
     if (live) {
         if (m_overlays.any()) {
@@ -173,6 +183,9 @@ void Canvas::paintEvent(QPaintEvent*) {
         paintSelection(stage, *shown.level, shown.selection);
     }
     const Overlay overlay = m_toolbox.overlay();
+    if (overlay.hovered != 0) {
+        paintHovered(stage, *shown.level, overlay.hovered);
+    }
     if (overlay.nodes) {
         paintNodes(stage, *shown.level, shown.selection, *overlay.nodes);
     }

@@ -30,6 +30,13 @@ class Canvas : public QWidget {
     bool isGridVisible() const { return m_grid; }
     void setGridVisible(bool visible);
     void setOverlays(const OverlayFlags& overlays);
+    bool areGuidesVisible() const { return m_toolbox.guidesVisible; }
+    void setGuidesVisible(bool visible);
+
+    /// A drag that began on a ruler and goes on here. Positions are global; a guide of this angle comes out of it.
+    void beginGuide(double angle, const QPointF& global, Qt::KeyboardModifiers modifiers);
+    void dragGuide(const QPointF& global, Qt::KeyboardModifiers modifiers);
+    void endGuide(const QPointF& global, Qt::KeyboardModifiers modifiers);
 
     /// About the middle of the view.
     void zoom(double factor);
@@ -56,6 +63,8 @@ class Canvas : public QWidget {
     void pointerLeft();
     void viewChanged();
     void menuWanted(const QPoint& global);
+    /// Somebody wants to type where this guide is.
+    void guideOpened(std::size_t index);
 
   protected:
     bool event(QEvent* event) override;
@@ -72,7 +81,7 @@ class Canvas : public QWidget {
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
-    enum class Drag { None, Tool, Pan, PanOrMenu };
+    enum class Drag { None, Tool, Guide, Pan, PanOrMenu };
 
     Pointer pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
     void moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers);

@@ -1,6 +1,7 @@
 // Mouse, touchpad and keys of the canvas.
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/key_place.h"
+#include "editor/editing/guide_gestures.h"
 #include "editor/editing/verbs.h"
 
 #include <QApplication>
@@ -112,12 +113,41 @@ void Canvas::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Canvas::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && !m_spaceHeld) {
+    const std::optional<std::size_t> guide = m_toolbox.guideInReach();
+    if (event->button() == Qt::LeftButton && !m_spaceHeld && guide) {
+        m_drag = Drag::Tool; // the release is still to come
+        m_dragButton = Qt::LeftButton;
+        Q_EMIT guideOpened(*guide);
+    } else if (event->button() == Qt::LeftButton && !m_spaceHeld) {
         m_drag = Drag::Tool;
         m_dragButton = Qt::LeftButton;
         m_toolbox.doubleClick(pointerAt(event->position(), event->modifiers()));
     } else {
         mousePressEvent(event);
+    }
+}
+
+void Canvas::beginGuide(double angle, const QPointF& global, Qt::KeyboardModifiers modifiers) {
+    if (m_drag == Drag::None) {
+        m_drag = Drag::Guide;
+        m_dragButton = Qt::LeftButton;
+        m_position = mapFromGlobal(global);
+        m_toolbox.begin(std::make_unique<NewGuideGesture>(m_toolbox.context(), angle),
+                        pointerAt(*m_position, modifiers));
+    }
+}
+
+void Canvas::dragGuide(const QPointF& global, Qt::KeyboardModifiers modifiers) {
+    if (m_drag == Drag::Guide) {
+        moveTo(mapFromGlobal(global), modifiers);
+    }
+}
+
+void Canvas::endGuide(const QPointF& global, Qt::KeyboardModifiers modifiers) {
+    if (m_drag == Drag::Guide) {
+        m_drag = Drag::None;
+        m_toolbox.release(pointerAt(mapFromGlobal(global), modifiers));
+        updateCursor();
     }
 }
 
@@ -162,7 +192,7 @@ bool Canvas::nativeGesture(const QNativeGestureEvent& event) {
 }
 
 void Canvas::toolKey(ToolKey key) {
-    if (isDragging() && m_drag != Drag::Tool) {
+    if (m_drag == Drag::Pan || m_drag == Drag::PanOrMenu) {
         return;
     }
     m_toolbox.key(key, pointerAt(m_position.value_or(QPointF(rect().center())), QApplication::keyboardModifiers()));

@@ -1,11 +1,13 @@
 #include "editor/canvas/icons.h"
 
 #include <QFile>
+#include <QGuiApplication>
 #include <QIconEngine>
 #include <QPainter>
 #include <QPixmapCache>
 #include <QSvgRenderer>
 
+#include <optional>
 #include <utility>
 
 namespace spacetow {
@@ -32,10 +34,16 @@ struct Inks {
     QColor selected; // on the colour of what is selected
 };
 
+Inks inksOf(const QPalette& palette) {
+    return {palette.color(QPalette::Active, QPalette::ButtonText),
+            palette.color(QPalette::Disabled, QPalette::ButtonText),
+            palette.color(QPalette::Active, QPalette::HighlightedText)};
+}
+
 /// Draws at the size that is asked for, and keeps what it drew: a hundred icons in all sizes would delay the start.
 class LineIcon : public QIconEngine {
   public:
-    LineIcon(QString name, QByteArray svg, Inks inks)
+    LineIcon(QString name, QByteArray svg, std::optional<Inks> inks)
         : m_name(std::move(name)), m_svg(std::move(svg)), m_inks(std::move(inks)) {}
 
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
@@ -65,16 +73,17 @@ class LineIcon : public QIconEngine {
     QIconEngine* clone() const override { return new LineIcon(*this); }
 
   private:
-    const QColor& ink(QIcon::Mode mode) const {
-        return mode == QIcon::Disabled ? m_inks.disabled : mode == QIcon::Selected ? m_inks.selected : m_inks.normal;
+    QColor ink(QIcon::Mode mode) const {
+        const Inks inks = m_inks ? *m_inks : inksOf(QGuiApplication::palette());
+        return mode == QIcon::Disabled ? inks.disabled : mode == QIcon::Selected ? inks.selected : inks.normal;
     }
 
     QString m_name;
     QByteArray m_svg;
-    Inks m_inks;
+    std::optional<Inks> m_inks; // none: the application's
 };
 
-QIcon lineIcon(const QString& name, const Inks& inks) {
+QIcon lineIcon(const QString& name, const std::optional<Inks>& inks) {
     QByteArray svg = source(name);
     return svg.isEmpty() ? QIcon() : QIcon(new LineIcon(name, std::move(svg), inks)); // the icon owns its engine
 }
@@ -82,13 +91,15 @@ QIcon lineIcon(const QString& name, const Inks& inks) {
 } // namespace
 
 QIcon icon(const QString& name, const QPalette& palette) {
-    return lineIcon(name, {palette.color(QPalette::Active, QPalette::ButtonText),
-                           palette.color(QPalette::Disabled, QPalette::ButtonText),
-                           palette.color(QPalette::Active, QPalette::HighlightedText)});
+    return lineIcon(name, inksOf(palette));
+}
+
+QIcon livingIcon(const QString& name) {
+    return lineIcon(name, {});
 }
 
 QIcon icon(const QString& name, const QColor& color) {
-    return lineIcon(name, {color, color, color});
+    return lineIcon(name, Inks{color, color, color});
 }
 
 QIcon applicationIcon() {

@@ -9,6 +9,8 @@ namespace spacetow {
 
 /// The icon ":/icons/NAME.svg" in the text colours of the palette; an empty icon when there is none of that name.
 QIcon icon(const QString& name, const QPalette& palette);
+/// In those of the application, whatever they are when it is drawn: for who is not told that they have changed.
+QIcon livingIcon(const QString& name);
 /// In one colour, for marks such as warnings.
 QIcon icon(const QString& name, const QColor& color);
 /// The picture of the program itself, in its own colours.

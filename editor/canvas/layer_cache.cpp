@@ -77,7 +77,8 @@ bool LayerCache::isCurrent(const Request& request) const {
     // What is moving is not in the picture, so that another level does no harm as long as the rest is shared.
     const bool sameLevel = request.level == m_painted.level || hasMoving();
     return sameLevel && request.gridStep == m_painted.gridStep && request.overlays == m_painted.overlays &&
-           request.selection == m_painted.selection && request.view.scale == m_painted.view.scale;
+           request.selection == m_painted.selection && request.view.scale == m_painted.view.scale &&
+           request.shade == m_painted.shade;
 }
 
 bool LayerCache::shiftTo(const Request& request) {
@@ -109,7 +110,7 @@ void LayerCache::paint(const QRegion& where) {
         QPainter painter(&m_pixmap);
         painter.setClipRect(strip);
         painter.translate(strip.topLeft());
-        const Stage stage{painter, view, editingTheme()};
+        const Stage stage{painter, view, editingTheme(m_painted.shade)};
         painter.fillRect(QRectF(QPointF(0, 0), strip.size()), stage.theme.background);
         if (m_painted.gridStep > 0) {
             paintGrid(stage, m_painted.gridStep);

@@ -24,6 +24,7 @@ class LayerCache {
         OverlayFlags overlays; // of all objects, moving ones included
         double gridStep = 0;   // m; 0 for no grid
         double pixelRatio = 1; // device pixels a logical one
+        Shade shade = Shade::Dark;
     };
 
     /// The picture for the request, painted anew only where it must be. Objects marked as moving are not in it.

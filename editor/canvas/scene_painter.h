@@ -20,6 +20,8 @@ using Wanted = std::function<bool(const Object&)>;
 void paintObjects(const Stage& stage, const Level& level, const Wanted& wanted);
 /// Outlines of the selected objects, with a dot at each vertex.
 void paintSelection(const Stage& stage, const Level& level, const Selection& selection);
+/// The outline of what a click would select: an object, or a group with its members.
+void paintHovered(const Stage& stage, const Level& level, Key hovered);
 
 /// Statics, kinematics, dynamics, connectors, then the overlays that are switched on.
 void paintSnapshot(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);

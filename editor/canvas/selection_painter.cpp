@@ -73,4 +73,24 @@ void paintSelection(const Stage& stage, const Level& level, const Selection& sel
     painter.restore();
 }
 
+void paintHovered(const Stage& stage, const Level& level, Key hovered) {
+    const Outlines outlines(level);
+    QPainter& painter = stage.painter;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (const Key key : withMembers(level, std::span(&hovered, 1))) {
+        const Object* const object = level.objects.find(key);
+        if (object == nullptr) {
+            continue;
+        }
+        const Outline outline = outlines.of(*object);
+        painter.setPen(stroke(stage.theme.halo, 4)); // apart from a wall of a like colour
+        strokeOutline(stage, outline);
+        painter.setPen(stroke(stage.theme.hover, 2));
+        strokeOutline(stage, outline);
+    }
+    painter.restore();
+}
+
 } // namespace spacetow

@@ -24,6 +24,7 @@ QPen penFor(const Theme& theme, OverlayStyle style) {
     case OverlayStyle::Pivot:
         return stroke(theme.selection, 1.6);
     case OverlayStyle::HotHandle:
+        return stroke(theme.hover, 2.2);
     case OverlayStyle::Snap:
         return stroke(theme.snap, 1.8);
     case OverlayStyle::Measure:

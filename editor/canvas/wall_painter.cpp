@@ -11,6 +11,9 @@ namespace spacetow {
 namespace {
 
 constexpr double fadeDepth = 0.45; // m, how far the band of a wall without a back reaches
+constexpr double fadeLeast = 6;    // px, so that it is seen from far away
+constexpr double fadeMost = 56;    // px, so that its other end is seen from near by
+constexpr double bandLeast = 6;    // px, of a wall that has a back
 constexpr int fadeLayers = 8;
 constexpr double minMitre = 0.35; // sharper corners are bevelled
 
@@ -183,11 +186,12 @@ QPainterPath rockBehind(const Stage& stage, std::span<const WallRun> runs) {
 }
 
 void paintRims(const Stage& stage, std::span<const WallRun> runs, const QColor& color) {
+    const double reach = std::clamp(stage.pixels(fadeDepth), fadeLeast, fadeMost);
     // Layers that cannot be told apart would only cost time.
-    const int layers = std::clamp(static_cast<int>(stage.pixels(fadeDepth) / 3), 1, fadeLayers);
+    const int layers = std::clamp(static_cast<int>(reach / 3), 1, fadeLayers);
     for (const WallRun& run : runs) {
         if (std::isfinite(run.depth)) {
-            fillRim(stage, run, run.depth, faded(color, 0.34));
+            fillRim(stage, run, std::max(run.depth, bandLeast * stage.view.pixel()), faded(color, 0.34));
             if (stage.pixels(run.depth) > 3) {
                 stage.painter.setPen(stroke(faded(color, 0.8), 1, Qt::DotLine));
                 paintBack(stage, run);
@@ -195,7 +199,7 @@ void paintRims(const Stage& stage, std::span<const WallRun> runs, const QColor& 
             continue;
         }
         for (int i = layers; i >= 1; --i) {
-            fillRim(stage, run, fadeDepth * i / layers, faded(color, 0.55 / layers));
+            fillRim(stage, run, reach * stage.view.pixel() * i / layers, faded(color, 0.55 / layers));
         }
     }
 }

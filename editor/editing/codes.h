@@ -74,6 +74,11 @@ inline constexpr auto hintCodes = std::to_array<std::string_view>({
     "place-finish.start",
     "place-finish.end", // m, degrees
     "place-finish.too-short",
+    "guide.hover",
+    "guide.new", // x, y in m, degrees
+    "guide.outside",
+    "guide.moving", // x, y in m, degrees
+    "guide.delete",
 });
 
 inline constexpr auto labelCodes = std::to_array<std::string_view>({
@@ -121,6 +126,10 @@ inline constexpr auto labelCodes = std::to_array<std::string_view>({
     "duplicate",
     "cut",
     "paste",
+    "add-guide",
+    "change-guide",
+    "delete-guide",
+    "clear-guides",
 });
 
 } // namespace spacetow

@@ -57,7 +57,8 @@ struct Overlay {
     std::vector<OverlayCircle> circles;
     std::vector<OverlayText> texts;
     std::optional<OverlayNodes> nodes;
-    Aabb spotlight; // what is outside is dimmed; nothing is while it is empty
+    Key hovered = 0; // object or group that a click would select; 0 for none
+    Aabb spotlight;  // what is outside is dimmed; nothing is while it is empty
 };
 
 } // namespace spacetow

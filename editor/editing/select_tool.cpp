@@ -3,6 +3,7 @@
 #include "core/level/arrange.h"
 #include "core/level/nodes.h"
 #include "core/level/object_geometry.h"
+#include "editor/editing/guide_gestures.h"
 #include "editor/editing/lasso_gesture.h"
 #include "editor/editing/node_pick.h"
 #include "editor/editing/node_tool.h"
@@ -66,6 +67,10 @@ std::unique_ptr<Gesture> SelectTool::press(const ToolContext& context, const Poi
     }
     const std::vector<GroupPick> pile = held.shift ? std::vector<GroupPick>() : underPointer(context, pointer);
     if (pile.empty()) {
+        const std::optional<std::size_t> guide = guideInReach(context, pointer);
+        if (guide && !held.shift && !held.ctrl) {
+            return std::make_unique<MoveGuideGesture>(context, *guide);
+        }
         return std::make_unique<BandGesture>(edit, pointer.world, held.shift || held.ctrl);
     }
     const GroupPick& top = pile.front();
@@ -163,7 +168,14 @@ Overlay SelectTool::handles(const ToolContext& context, double pixel, const std:
 }
 
 Overlay SelectTool::overlay(const ToolContext& context, const Pointer& pointer) const {
-    return handles(context, pointer.pixel, handleUnder(context, pointer));
+    const std::optional<Handle> handle = handleUnder(context, pointer);
+    Overlay overlay = handles(context, pointer.pixel, handle);
+    if (!handle && !context.pressed) {
+        const std::vector<GroupPick> pile = underPointer(context, pointer);
+        const bool selects = !pile.empty() && !context.edit.selection.contains(pile.front().key);
+        overlay.hovered = selects ? pile.front().key : 0;
+    }
+    return overlay;
 }
 
 Overlay SelectTool::standing(const ToolContext& context, double pixel) const {
@@ -194,6 +206,9 @@ Hint SelectTool::hint(const ToolContext& context, const Pointer& pointer) const 
         return group == nullptr || group->name.empty() ? Hint{"select.in-group", {count}}
                                                        : Hint{"select.in-named-group", {count, group->name}};
     }
+    if (guideInReach(context, pointer)) {
+        return {"guide.hover", {}};
+    }
     if (selection.empty()) {
         return {"select.idle", {}};
     }
@@ -206,7 +221,7 @@ CursorShape SelectTool::cursor(const ToolContext& context, const Pointer& pointe
     }
     const std::vector<GroupPick> pile = underPointer(context, pointer);
     if (pile.empty()) {
-        return CursorShape::Arrow;
+        return guideInReach(context, pointer) ? CursorShape::Move : CursorShape::Arrow;
     }
     return context.edit.selection.contains(pile.front().key) ? CursorShape::Move : CursorShape::Pointing;
 }

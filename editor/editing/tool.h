@@ -77,6 +77,7 @@ struct ToolContext {
     std::uint64_t seed = 1;              // for fresh keys; another at every call
     std::optional<Pointer> pressed = {}; // where the button went down, while it is held without a gesture
     std::optional<Repeatable> last = {}; // what `repeated` would do once more
+    bool guides = true;                  // are shown, so that they can be taken
 };
 
 class Tool {

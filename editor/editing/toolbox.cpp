@@ -1,6 +1,7 @@
 #include "editor/editing/toolbox.h"
 
 #include "editor/editing/group_picking.h"
+#include "editor/editing/guide_gestures.h"
 #include "editor/editing/verbs.h"
 
 #include <algorithm>
@@ -88,8 +89,8 @@ struct Toolbox::State {
             document.select(edit.selection);
         }
     }
-    ToolContext context(const SnapSettings& settings) const {
-        return {document.current(), settings, seed, gesture ? std::nullopt : pressed, repeatable};
+    ToolContext context(const SnapSettings& settings, bool guides) const {
+        return {document.current(), settings, seed, gesture ? std::nullopt : pressed, repeatable, guides};
     }
 };
 
@@ -147,6 +148,16 @@ void Toolbox::press(const Pointer& pointer) {
     changed.emit();
 }
 
+void Toolbox::begin(std::unique_ptr<Gesture> gesture, const Pointer& pointer) {
+    State& state = *m_state;
+    state.abandon();
+    state.last = pointer;
+    state.gesture = std::move(gesture);
+    state.pressed = pointer;
+    state.dragging = true; // a click is none of the tool's
+    changed.emit();
+}
+
 void Toolbox::move(const Pointer& pointer) {
     State& state = *m_state;
     state.last = pointer;
@@ -156,7 +167,7 @@ void Toolbox::move(const Pointer& pointer) {
         state.gesture->follow(pointer);
         state.document.preview(state.gesture->at(pointer));
     } else {
-        state.tool().hover(state.context(snap), pointer);
+        state.tool().hover(state.context(snap, guidesVisible), pointer);
     }
     changed.emit();
 }
@@ -256,7 +267,7 @@ void Toolbox::cancel() {
 ToolContext Toolbox::context() {
     constexpr std::uint64_t stride = 0x9e3779b97f4a7c15ull; // odd, so that no seed comes twice
     m_state->seed += stride;
-    return m_state->context(snap);
+    return m_state->context(snap, guidesVisible);
 }
 
 bool Toolbox::finish(const std::optional<FinishedEdit>& finished) {
@@ -281,14 +292,15 @@ Overlay Toolbox::overlay() const {
         return state.gesture->overlay(state.last);
     }
     if (!state.inside && !state.tool().isBusy()) {
-        return state.tool().standing(state.context(snap), state.last.pixel);
+        return state.tool().standing(state.context(snap, guidesVisible), state.last.pixel);
     }
-    return state.tool().overlay(state.context(snap), state.last);
+    return state.tool().overlay(state.context(snap, guidesVisible), state.last);
 }
 
 Hint Toolbox::hint() const {
     State& state = *m_state;
-    return state.gestureShows() ? state.gesture->hint(state.last) : state.tool().hint(state.context(snap), state.last);
+    return state.gestureShows() ? state.gesture->hint(state.last)
+                                : state.tool().hint(state.context(snap, guidesVisible), state.last);
 }
 
 CursorShape Toolbox::cursor() const {
@@ -296,7 +308,13 @@ CursorShape Toolbox::cursor() const {
     if (state.gestureShows()) {
         return state.gesture->cursor(state.last);
     }
-    return state.tool().cursor(state.context(snap), state.last);
+    return state.tool().cursor(state.context(snap, guidesVisible), state.last);
+}
+
+std::optional<std::size_t> Toolbox::guideInReach() const {
+    const State& state = *m_state;
+    const bool takes = state.current == ToolId::Select && state.inside && !state.pressed;
+    return takes ? spacetow::guideInReach(state.context(snap, guidesVisible), state.last) : std::nullopt;
 }
 
 } // namespace spacetow

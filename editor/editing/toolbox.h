@@ -21,12 +21,15 @@ class Toolbox {
     /// One key for several tools: the one of them that was in the hand last or, where one is, the next.
     void chooseAmong(std::span<const ToolId> tools);
     ToolId current() const;
-    SnapSettings snap; // shared by all tools
+    SnapSettings snap;         // shared by all tools
+    bool guidesVisible = true; // what is hidden is not taken by mistake
 
     /// Primary button. A drag starts once the pointer has moved by more than four pixels. A modifier that changes
     /// while the pointer rests is a move with the last position. A double click comes instead of the second press;
     /// the release after it does nothing.
     void press(const Pointer& pointer);
+    /// A drag that begins outside the view, such as on a ruler, whatever tool is in the hand; a half-drawn shape stays.
+    void begin(std::unique_ptr<Gesture> gesture, const Pointer& pointer);
     void move(const Pointer& pointer);
     void release(const Pointer& pointer);
     void doubleClick(const Pointer& pointer);
@@ -53,6 +56,8 @@ class Toolbox {
     Overlay overlay() const;
     Hint hint() const;
     CursorShape cursor() const;
+    /// The guide that a press would take, by its index in the level.
+    std::optional<std::size_t> guideInReach() const;
 
     Signal<> changed; // overlay, hint, cursor or current tool may differ
 

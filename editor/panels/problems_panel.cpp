@@ -2,6 +2,7 @@
 
 #include "core/level/lint.h"
 #include "editor/canvas/icons.h"
+#include "editor/canvas/palette.h"
 #include "editor/panels/names.h"
 
 #include <algorithm>
@@ -13,10 +14,9 @@ namespace {
 constexpr int soon = 120; // ms after an edit
 
 QIcon markFor(Severity severity, const QPalette& palette) {
-    const bool dark = palette.color(QPalette::Base).lightness() < 128;
-    return severity == Severity::Error
-               ? icon(QStringLiteral("error"), dark ? QColor(255, 120, 108) : QColor(196, 40, 28))
-               : icon(QStringLiteral("warning"), dark ? QColor(255, 200, 80) : QColor(160, 100, 0));
+    const MarkColors colors = markColors(shadeOf(palette));
+    return severity == Severity::Error ? icon(QStringLiteral("error"), colors.error)
+                                       : icon(QStringLiteral("warning"), colors.warning);
 }
 
 } // namespace

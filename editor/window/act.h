@@ -43,6 +43,12 @@ enum class Act : std::uint8_t {
     Snap,
     HidePanels,
     FullScreen,
+    Rulers,
+    Guides,
+    ClearGuides,
+    AppearanceSystem,
+    AppearanceLight,
+    AppearanceDark,
 
     // actions_overlays.cpp
     OverlayAabb,
@@ -55,6 +61,7 @@ enum class Act : std::uint8_t {
 
     // actions_tools.cpp; each tool is an action too, under its ToolId
     PlaceNext,
+    AddGuide,
 
     // actions_object.cpp
     RotateLeft,

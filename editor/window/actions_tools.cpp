@@ -1,9 +1,15 @@
 // What the tools are called, and their keys. What they do stands in their table, editor/editing/tools.cpp.
+#include "editor/editing/guide_verbs.h"
 #include "editor/window/main_window.h"
 
 namespace spacetow {
 
 namespace {
+
+void addGuideHere(MainWindow& window) {
+    window.toolbox().finish(addGuide(window.toolbox().context(), window.canvas().pointerPosition()));
+    window.openGuide(window.document().level().guides.size() - 1);
+}
 
 constexpr ActionRow toolsRows[] = {
     {.id = ToolId::Select,
@@ -73,6 +79,14 @@ constexpr ActionRow toolsRows[] = {
      .keys = "I",
      .tip = QT_TRANSLATE_NOOP("Actions", "Place ship, payload or finish; again for the next of them"),
      .run = [](MainWindow& window) { window.takeNextOf(placeTools); }},
+    {.id = Act::AddGuide,
+     .menu = MenuId::Insert,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Guide…"),
+     .icon = "guide",
+     .keys = "Shift+I",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Add a guide at the pointer and type where it is"),
+     .flags = SeparatorBefore,
+     .run = addGuideHere},
 };
 
 } // namespace

@@ -1,4 +1,5 @@
 // What part of the level is shown, and what beside it.
+#include "editor/editing/guide_verbs.h"
 #include "editor/window/main_window.h"
 
 namespace spacetow {
@@ -11,6 +12,18 @@ void setSnapping(MainWindow& window, bool on) {
     SnapSettings snap = window.toolbox().snap;
     snap.grid = on;
     window.setSnap(snap);
+}
+
+/// Light and dark switched off leave it to the desktop; leaving it to the desktop switched off keeps what is seen.
+template <Appearance appearance>
+void setAppearance(MainWindow& window, bool on) {
+    const Appearance seen = shadeOf(window.palette()) == Shade::Dark ? Appearance::Dark : Appearance::Light;
+    window.setAppearance(on ? appearance : appearance == Appearance::System ? seen : Appearance::System);
+}
+
+template <Appearance appearance>
+bool hasAppearance(const MainWindow& window) {
+    return window.appearance() == appearance;
 }
 
 void setFullScreen(MainWindow& window, bool on) {
@@ -59,7 +72,7 @@ constexpr ActionRow viewRows[] = {
      .run = [](MainWindow& window) { window.canvas().centerSelection(); }},
     {.id = Act::Frame,
      .menu = MenuId::View,
-     .text = QT_TRANSLATE_NOOP("Actions", "F&rame Selection"),
+     .text = QT_TRANSLATE_NOOP("Actions", "Fra&me Selection"),
      .keys = "Shift+F 3",
      .tip = QT_TRANSLATE_NOOP("Actions", "Show the selection as large as fits"),
      .flags = InContextMenu,
@@ -73,6 +86,29 @@ constexpr ActionRow viewRows[] = {
      .flags = SeparatorBefore | OnMainBar,
      .toggle = [](MainWindow& window, bool on) { window.setGridVisible(on); },
      .isOn = [](const MainWindow& window) { return window.canvas().isGridVisible(); }},
+    {.id = Act::Rulers,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Rulers"),
+     .icon = "ruler",
+     .keys = "Ctrl+Alt+R",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show the rulers, out of which guides are dragged"),
+     .toggle = [](MainWindow& window, bool on) { window.setRulersVisible(on); },
+     .isOn = [](const MainWindow& window) { return window.canvasFrame().areRulersVisible(); }},
+    {.id = Act::Guides,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "Guid&es"),
+     .icon = "guide",
+     .keys = "| Ctrl+Alt+G",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show the guides; what is hidden is neither taken nor snapped to"),
+     .toggle = [](MainWindow& window, bool on) { window.setGuidesVisible(on); },
+     .isOn = [](const MainWindow& window) { return window.canvas().areGuidesVisible(); }},
+    {.id = Act::ClearGuides,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Delete All Guides"),
+     .keys = "Alt+Shift+I",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Take all guides out of the level"),
+     .run = [](MainWindow& window) { window.toolbox().finish(clearGuides(window.toolbox().context())); },
+     .isPossible = [](const MainWindow& window) { return !window.document().level().guides.empty(); }},
     {.id = Act::Snap,
      .menu = MenuId::Snapping,
      .text = QT_TRANSLATE_NOOP("Actions", "&Snap to Grid"),
@@ -98,6 +134,33 @@ constexpr ActionRow viewRows[] = {
      .flags = WhilePlaying | SeparatorBefore,
      .toggle = setFullScreen,
      .isOn = [](const MainWindow& window) { return window.isFullScreen(); }},
+    {.id = Act::AppearanceSystem,
+     .menu = MenuId::Appearance,
+     .text = QT_TRANSLATE_NOOP("Actions", "Like the &Desktop"),
+     .icon = "desktop",
+     .keys = "Ctrl+F9",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Light or dark as the desktop is, and changing with it"),
+     .flags = WhilePlaying,
+     .toggle = setAppearance<Appearance::System>,
+     .isOn = hasAppearance<Appearance::System>},
+    {.id = Act::AppearanceLight,
+     .menu = MenuId::Appearance,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Light"),
+     .icon = "sun",
+     .keys = "Ctrl+F10",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Light panels and a white drawing board"),
+     .flags = WhilePlaying,
+     .toggle = setAppearance<Appearance::Light>,
+     .isOn = hasAppearance<Appearance::Light>},
+    {.id = Act::AppearanceDark,
+     .menu = MenuId::Appearance,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Dark"),
+     .icon = "moon",
+     .keys = "Ctrl+F11",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Dark panels and a drawing board as dark as space"),
+     .flags = WhilePlaying,
+     .toggle = setAppearance<Appearance::Dark>,
+     .isOn = hasAppearance<Appearance::Dark>},
 };
 
 } // namespace

@@ -14,10 +14,10 @@
 namespace spacetow {
 
 MainWindow::MainWindow(QWidget* parent)
-    : QMainWindow(parent), m_toolbox(m_document), m_actions(*this), m_column(&m_center),
-      m_canvas(m_document, m_toolbox), m_inspector(m_document),
+    : QMainWindow(parent), m_wardrobe(Preferences().appearance()), m_toolbox(m_document), m_actions(*this),
+      m_column(&m_center), m_frame(m_document, m_toolbox), m_canvas(m_frame.canvas()), m_inspector(m_document),
       m_problems(m_document, [](const Problem& problem) { return sentence(problem); }), m_nodes(m_document),
-      m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox),
+      m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
       m_files(m_document, dialogQuestions(this),
               [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }) {
     setAcceptDrops(true);
@@ -47,8 +47,9 @@ void MainWindow::layOut() {
     m_column.addWidget(&m_message);
     m_column.addWidget(&m_arrays);
     m_column.addWidget(&m_transform);
+    m_column.addWidget(&m_guideBar);
     m_column.addWidget(&m_stack, 1);
-    m_stack.addWidget(&m_canvas);
+    m_stack.addWidget(&m_frame);
     m_stack.addWidget(&m_play);
     setCentralWidget(&m_center);
     setStatusBar(&m_status);
@@ -88,6 +89,7 @@ void MainWindow::play() {
     enterTyping();
     m_arrays.cancel();
     m_transform.hide();
+    m_guideBar.dismiss();
     m_toolbox.cancel();
     m_problems.check();
     if (m_problems.errors() > 0) {
@@ -107,7 +109,7 @@ void MainWindow::stopPlaying() {
     if (!isPlaying()) {
         return;
     }
-    m_stack.setCurrentWidget(&m_canvas);
+    m_stack.setCurrentWidget(&m_frame);
     m_panels->setAway(m_panelsHidden);
     m_canvas.setFocus();
     updateMode();
@@ -126,6 +128,31 @@ void MainWindow::takeNextOf(std::span<const ToolId> tools) {
 void MainWindow::setGridVisible(bool visible) {
     m_canvas.setGridVisible(visible);
     m_files.preferences.setGrid(visible);
+}
+
+void MainWindow::setGuidesVisible(bool visible) {
+    m_canvas.setGuidesVisible(visible);
+    m_files.preferences.setGuides(visible);
+    if (!visible) {
+        m_guideBar.dismiss();
+    }
+}
+
+void MainWindow::openGuide(std::size_t index) {
+    setGuidesVisible(true);
+    m_guideBar.open(index);
+    m_actions.refresh();
+}
+
+void MainWindow::setAppearance(Appearance appearance) {
+    m_files.preferences.setAppearance(appearance);
+    m_wardrobe.setAppearance(appearance);
+    m_actions.refresh();
+}
+
+void MainWindow::setRulersVisible(bool visible) {
+    m_frame.setRulersVisible(visible);
+    m_files.preferences.setRulers(visible);
 }
 
 void MainWindow::setSnap(const SnapSettings& snap) {
@@ -264,6 +291,7 @@ void MainWindow::updateSelection() {
         }
     }
     m_status.setSelection(shown.selection.size(), box);
+    m_frame.setExtent(box);
 }
 
 void MainWindow::updateMode() {

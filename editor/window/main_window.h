@@ -3,13 +3,16 @@
 // editor/editing, files in files.h, what each action does in its row, actions_<topic>.cpp.
 
 #include "editor/canvas/canvas.h"
+#include "editor/canvas/canvas_frame.h"
 #include "editor/panels/array_bar.h"
+#include "editor/panels/guide_bar.h"
 #include "editor/panels/inspector.h"
 #include "editor/panels/nodes_panel.h"
 #include "editor/panels/problems_panel.h"
 #include "editor/panels/transform_bar.h"
 #include "editor/play/play_view.h"
 #include "editor/window/actions.h"
+#include "editor/window/appearance.h"
 #include "editor/window/files.h"
 #include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
@@ -49,10 +52,16 @@ class MainWindow : public QMainWindow {
     void takeNextOf(std::span<const ToolId> tools);
     /// Each of these switches is remembered until the program runs again.
     void setGridVisible(bool visible);
+    void setRulersVisible(bool visible);
+    void setGuidesVisible(bool visible);
+    /// Shows the bar in which place, angle and name of this guide are typed.
+    void openGuide(std::size_t index);
     void setSnap(const SnapSettings& snap);
     /// By the user; while a game is running they are away in any case.
     void setPanelsHidden(bool hidden);
     bool arePanelsHidden() const { return m_panelsHidden; }
+    Appearance appearance() const { return m_wardrobe.appearance(); }
+    void setAppearance(Appearance appearance);
     const OverlayFlags& overlays() const { return m_overlays; }
     void setOverlays(const OverlayFlags& overlays);
 
@@ -62,6 +71,8 @@ class MainWindow : public QMainWindow {
     const Toolbox& toolbox() const { return m_toolbox; }
     Canvas& canvas() { return m_canvas; }
     const Canvas& canvas() const { return m_canvas; }
+    CanvasFrame& canvasFrame() { return m_frame; }
+    const CanvasFrame& canvasFrame() const { return m_frame; }
     PlayView& playView() { return m_play; }
     const PlayView& playView() const { return m_play; }
     Inspector& inspector() { return m_inspector; }
@@ -73,6 +84,7 @@ class MainWindow : public QMainWindow {
     Panels& panels() { return *m_panels; }
     Files& files() { return m_files; }
     MessageBar& messageBar() { return m_message; }
+    GuideBar& guideBar() { return m_guideBar; }
     StatusLine& statusLine() { return m_status; }
 
     /// Of a window that has no remembered size, frame excluded, on a screen with so much room; logical pixels.
@@ -106,6 +118,7 @@ class MainWindow : public QMainWindow {
     void updateSelection();
     void updateMode();
 
+    Wardrobe m_wardrobe; // before anything that has colours
     Document m_document;
     Toolbox m_toolbox;
     Actions m_actions;
@@ -116,7 +129,8 @@ class MainWindow : public QMainWindow {
     QStackedWidget m_stack;
     std::map<MenuId, QMenu*> m_menus; // owned by the menu bar
 
-    Canvas m_canvas;
+    CanvasFrame m_frame;
+    Canvas& m_canvas;
     PlayView m_play;
     Inspector m_inspector;
     ProblemsPanel m_problems;
@@ -124,6 +138,7 @@ class MainWindow : public QMainWindow {
     MessageBar m_message;
     ArrayBar m_arrays;
     TransformBar m_transform;
+    GuideBar m_guideBar;
     StatusLine m_status;
     Files m_files;
     std::optional<Panels> m_panels; // once there is a window to add them to

@@ -21,6 +21,7 @@ void MainWindow::listen() {
     m_files.changed.connect([this] { updateTitle(); });
     m_files.opened.connect([this] {
         m_toolbox.cancel();
+        m_guideBar.dismiss();
         m_canvas.fitLevel();
     });
 }
@@ -30,6 +31,8 @@ void MainWindow::listenToPanels() {
     connect(&m_canvas, &Canvas::pointerLeft, &m_status, &StatusLine::clearPointer);
     connect(&m_canvas, &Canvas::viewChanged, this,
             [this] { m_status.setZoom(m_canvas.view().scale / Viewport().scale); });
+    connect(&m_canvas, &Canvas::guideOpened, this, &MainWindow::openGuide);
+    connect(&m_guideBar, &GuideBar::dismissed, &m_canvas, qOverload<>(&Canvas::setFocus));
     connect(&m_canvas, &Canvas::menuWanted, this, &MainWindow::openMenuAt);
     connect(&m_transform, &TransformBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
     connect(&m_arrays, &ArrayBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
@@ -52,6 +55,8 @@ void MainWindow::listenToPanels() {
 
 void MainWindow::restore() {
     setGridVisible(m_files.preferences.grid());
+    setGuidesVisible(m_files.preferences.guides());
+    setRulersVisible(m_files.preferences.rulers());
     setSnap(m_files.preferences.snap());
     setOverlays(m_files.preferences.overlays());
     restoreGeometry(m_files.preferences.geometry());

@@ -17,6 +17,7 @@ constexpr MenuRow menuTable[] = {
     {MenuId::Snapping, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "S&napping"), Act::Grid},
     {MenuId::GridStep, MenuId::Snapping, QT_TRANSLATE_NOOP("spacetow::MainWindow", "Grid S&tep"), Act::Snap},
     {MenuId::Panels, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Panels"), Act::Grid},
+    {MenuId::Appearance, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Appearance"), Act::Grid},
     {MenuId::Insert, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Insert")},
     {MenuId::Object, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Object")},
     {MenuId::Order, MenuId::Object, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Order")},

@@ -19,6 +19,7 @@ enum class MenuId : std::uint8_t {
     Snapping,
     GridStep,
     Panels,
+    Appearance,
     Insert,
     Object,
     Order,

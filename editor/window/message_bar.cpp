@@ -1,6 +1,7 @@
 #include "editor/window/message_bar.h"
 
 #include "editor/canvas/icons.h"
+#include "editor/canvas/palette.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -15,16 +16,20 @@ struct Dress {
     const char* icon;
 };
 
-Dress dressFor(MessageBar::Tone tone) {
+Dress dressFor(MessageBar::Tone tone, Shade shade) {
+    const bool dark = shade == Shade::Dark;
     switch (tone) {
     case MessageBar::Tone::Info:
-        return {QColor(214, 232, 250), QColor(20, 50, 84), "info"};
+        return dark ? Dress{QColor(30, 58, 92), QColor(206, 228, 255), "info"}
+                    : Dress{QColor(221, 235, 251), QColor(20, 50, 84), "info"};
     case MessageBar::Tone::Warning:
-        return {QColor(255, 233, 178), QColor(84, 54, 0), "warning"};
+        return dark ? Dress{QColor(82, 62, 18), QColor(255, 226, 160), "warning"}
+                    : Dress{QColor(255, 239, 200), QColor(84, 54, 0), "warning"};
     case MessageBar::Tone::Error:
         break;
     }
-    return {QColor(252, 212, 206), QColor(106, 18, 12), "error"};
+    return dark ? Dress{QColor(96, 34, 30), QColor(255, 218, 212), "error"}
+                : Dress{QColor(253, 224, 220), QColor(106, 18, 12), "error"};
 }
 
 } // namespace
@@ -59,7 +64,7 @@ void MessageBar::dismiss() {
 }
 
 void MessageBar::dress() {
-    const Dress dress = dressFor(m_tone);
+    const Dress dress = dressFor(m_tone, shadeOf(palette()));
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, dress.ink);
     m_text.setPalette(colors);
@@ -70,12 +75,12 @@ void MessageBar::dress() {
 
 void MessageBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), dressFor(m_tone).plate);
+    painter.fillRect(rect(), dressFor(m_tone, shadeOf(palette())).plate);
 }
 
 void MessageBar::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
-        update();
+        dress();
     }
     QWidget::changeEvent(event);
 }

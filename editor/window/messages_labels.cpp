@@ -67,6 +67,11 @@ constexpr LabelText labels[] = {
     {"change-level", QT_TRANSLATE_NOOP("messages", "Change level"), QT_TRANSLATE_NOOP("messages", "Change level")},
     {"change-tag", QT_TRANSLATE_NOOP("messages", "Change tag"), QT_TRANSLATE_NOOP("messages", "Change tag")},
     {"paste", QT_TRANSLATE_NOOP("messages", "Paste object"), QT_TRANSLATE_N_NOOP("messages", "Paste %n objects")},
+    {"add-guide", QT_TRANSLATE_NOOP("messages", "Add guide"), QT_TRANSLATE_NOOP("messages", "Add guide")},
+    {"change-guide", QT_TRANSLATE_NOOP("messages", "Change guide"), QT_TRANSLATE_NOOP("messages", "Change guide")},
+    {"delete-guide", QT_TRANSLATE_NOOP("messages", "Delete guide"), QT_TRANSLATE_NOOP("messages", "Delete guide")},
+    {"clear-guides", QT_TRANSLATE_NOOP("messages", "Delete all guides"),
+     QT_TRANSLATE_NOOP("messages", "Delete all guides")},
 };
 
 } // namespace

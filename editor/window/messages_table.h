@@ -24,5 +24,6 @@ std::span<const MessageText> selectHints();
 std::span<const MessageText> nodeHints();
 std::span<const MessageText> drawHints();
 std::span<const MessageText> placeHints();
+std::span<const MessageText> guideHints();
 
 } // namespace spacetow

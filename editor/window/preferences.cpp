@@ -89,6 +89,35 @@ void Preferences::setGrid(bool visible) {
     QSettings().setValue("grid", visible);
 }
 
+bool Preferences::rulers() const {
+    return QSettings().value("rulers", true).toBool();
+}
+
+void Preferences::setRulers(bool visible) {
+    QSettings().setValue("rulers", visible);
+}
+
+bool Preferences::guides() const {
+    return QSettings().value("guides", true).toBool();
+}
+
+void Preferences::setGuides(bool visible) {
+    QSettings().setValue("guides", visible);
+}
+
+Appearance Preferences::appearance() const {
+    const QString name = QSettings().value("appearance").toString();
+    return name == QLatin1String("light")  ? Appearance::Light
+           : name == QLatin1String("dark") ? Appearance::Dark
+                                           : Appearance::System;
+}
+
+void Preferences::setAppearance(Appearance appearance) {
+    QSettings().setValue("appearance", appearance == Appearance::Light  ? QStringLiteral("light")
+                                       : appearance == Appearance::Dark ? QStringLiteral("dark")
+                                                                        : QStringLiteral("system"));
+}
+
 OverlayFlags Preferences::overlays() const {
     const QSettings settings;
     OverlayFlags overlays;

@@ -4,6 +4,7 @@
 
 #include "editor/canvas/overlay_flags.h"
 #include "editor/editing/snap.h"
+#include "editor/window/appearance.h"
 
 #include <QByteArray>
 #include <QStringList>
@@ -28,6 +29,12 @@ class Preferences {
     void setSnap(const SnapSettings& snap);
     bool grid() const;
     void setGrid(bool visible);
+    bool rulers() const;
+    void setRulers(bool visible);
+    bool guides() const;
+    void setGuides(bool visible);
+    Appearance appearance() const;
+    void setAppearance(Appearance appearance);
     OverlayFlags overlays() const;
     void setOverlays(const OverlayFlags& overlays);
 };

@@ -1,6 +1,7 @@
 #include "editor/window/status_line.h"
 
 #include "editor/canvas/icons.h"
+#include "editor/canvas/palette.h"
 #include "editor/panels/names.h"
 
 #include <QEvent>
@@ -95,6 +96,7 @@ void StatusLine::setHint(const QString& sentence) {
         m_hint = sentence;
         m_hintLabel.setToolTip(plainToolTip(sentence));
         elide();
+        fit();
     }
 }
 
@@ -110,6 +112,35 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     return QStatusBar::eventFilter(watched, event);
 }
 
+void StatusLine::fit() {
+    constexpr int around = 6; // px that a part takes beside its own width
+    constexpr int grip = 28;  // px at the end of the line
+    const auto widthOf = [](const QWidget& part) {
+        return std::max(part.sizeHint().width(), part.minimumWidth()) + around;
+    };
+    // The hint is what the line is for, and shortens itself.
+    const int hint = std::min(m_hintLabel.fontMetrics().horizontalAdvance(m_hint) + 16, width() * 2 / 5);
+    const int room = width() - grip - hint - widthOf(m_problems);
+    const bool selected = !m_selectionCount.isEmpty();
+    m_selection.setText(m_selectionCount + m_selectionSize);
+    const int whole = widthOf(m_zoom) + widthOf(m_snap) + widthOf(m_pointer) + (selected ? widthOf(m_selection) : 0);
+    if (whole > room) {
+        m_selection.setText(m_selectionCount);
+    }
+    int taken = 0;
+    const std::array<std::pair<QWidget*, bool>, 4> parts{
+        {{&m_zoom, true}, {&m_selection, selected}, {&m_snap, true}, {&m_pointer, true}}};
+    for (const auto& [part, wanted] : parts) {
+        taken += wanted ? widthOf(*part) : 0;
+        part->setVisible(wanted && taken <= room);
+    }
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+    QStatusBar::resizeEvent(event);
+    fit();
+}
+
 void StatusLine::setPointer(double x, double y) {
     m_pointer.setText(tr("x %1  y %2 m").arg(metres(x), metres(y)));
 }
@@ -119,12 +150,10 @@ void StatusLine::clearPointer() {
 }
 
 void StatusLine::setSelection(int count, const Aabb& box) {
-    m_selection.setVisible(count > 0);
-    if (count > 0) {
-        const QString size =
-            box.isEmpty() ? QString() : tr(", %1 × %2 m").arg(metres(box.size().x()), metres(box.size().y()));
-        m_selection.setText(tr("%n selected", nullptr, count) + size);
-    }
+    m_selectionCount = count > 0 ? tr("%n selected", nullptr, count) : QString();
+    m_selectionSize =
+        count > 0 && !box.isEmpty() ? tr(", %1 × %2 m").arg(metres(box.size().x()), metres(box.size().y())) : QString();
+    fit();
 }
 
 void StatusLine::setSnap(const SnapSettings& snap) {
@@ -132,23 +161,24 @@ void StatusLine::setSnap(const SnapSettings& snap) {
         action->setChecked(action->data().toDouble() == snap.step);
     }
     m_snap.setText(snap.grid ? tr("Snap %1 m").arg(QLocale().toString(snap.step)) : tr("Snap off"));
+    fit();
 }
 
 void StatusLine::setZoom(double zoom) {
     m_zoom.setZoom(zoom);
+    fit();
 }
 
 void StatusLine::setProblems(int errors, int warnings) {
     m_errors = errors;
     m_warnings = warnings;
-    const QPalette& colors = palette();
-    const bool dark = colors.color(QPalette::Window).lightness() < 128;
+    const MarkColors colors = markColors(shadeOf(palette()));
     if (errors > 0) {
-        m_problems.setIcon(icon(QStringLiteral("error"), dark ? QColor(255, 120, 108) : QColor(196, 40, 28)));
+        m_problems.setIcon(icon(QStringLiteral("error"), colors.error));
     } else if (warnings > 0) {
-        m_problems.setIcon(icon(QStringLiteral("warning"), dark ? QColor(255, 200, 80) : QColor(160, 100, 0)));
+        m_problems.setIcon(icon(QStringLiteral("warning"), colors.warning));
     } else {
-        m_problems.setIcon(icon(QStringLiteral("ok"), dark ? QColor(120, 220, 150) : QColor(20, 120, 60)));
+        m_problems.setIcon(icon(QStringLiteral("ok"), colors.good));
     }
     const QString text = errors > 0 && warnings > 0
                              ? tr("%1, %2").arg(tr("%n errors", nullptr, errors), tr("%n warnings", nullptr, warnings))
@@ -156,6 +186,7 @@ void StatusLine::setProblems(int errors, int warnings) {
                          : warnings > 0 ? tr("%n warnings", nullptr, warnings)
                                         : tr("No problems");
     m_problems.setText(text);
+    fit();
 }
 
 void StatusLine::changeEvent(QEvent* event) {

@@ -48,9 +48,12 @@ class StatusLine : public QStatusBar {
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void elide();
+    /// Leaves out what matters least where there is no room for everything.
+    void fit();
     void dressButton(QToolButton& button);
     void fillSteps();
 
@@ -64,6 +67,8 @@ class StatusLine : public QStatusBar {
     QToolButton m_snap;
     ZoomField m_zoom;
     QToolButton m_problems;
+    QString m_selectionCount; // "3 selected"
+    QString m_selectionSize;  // ", 2.00 × 1.00 m"
     int m_errors = 0;
     int m_warnings = 0;
 };

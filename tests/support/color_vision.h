@@ -33,7 +33,7 @@ inline double contrast(const QColor& a, const QColor& b) {
         const Triple l = linear(color);
         return 0.2126 * l[0] + 0.7152 * l[1] + 0.0722 * l[2];
     };
-    const auto [low, high] = std::minmax(luminance(a), luminance(b));
+    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
     return (high + 0.05) / (low + 0.05);
 }
 

@@ -6,6 +6,7 @@
 #include "tests/support/body_with.h"
 
 #include <initializer_list>
+#include <memory>
 #include <string>
 
 namespace spacetow::test {
@@ -27,6 +28,7 @@ class Drive {
     Modifiers held; // what is held down with everything that follows
 
     void press(const Vec2& world) { toolbox.press(at(world)); }
+    void begin(std::unique_ptr<Gesture> gesture, const Vec2& world) { toolbox.begin(std::move(gesture), at(world)); }
     void move(const Vec2& world) { toolbox.move(at(world)); }
     void release(const Vec2& world) { toolbox.release(at(world)); }
     void click(const Vec2& world);

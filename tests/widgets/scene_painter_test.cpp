@@ -5,11 +5,13 @@
 #include "editor/canvas/grid_painter.h"
 #include "editor/canvas/layer_cache.h"
 #include "editor/canvas/overlay_painter.h"
+#include "tests/support/color_vision.h"
 #include "tests/support/test_main.h"
 
 #include <QImage>
 
 using namespace spacetow;
+using namespace spacetow::test;
 
 namespace {
 
@@ -210,6 +212,38 @@ class ScenePainterTest : public QObject {
             paintLevelOverlays(stage, level, flags);
         });
         QVERIFY(with != without);
+    }
+
+    void theSolidSideIsSeenAtEveryZoom_data() {
+        QTest::addColumn<double>("depth");
+        QTest::addColumn<bool>("closed");
+        QTest::newRow("a wall without a back") << noBack << false;
+        QTest::newRow("a thick wall") << 0.5 << false;
+        QTest::newRow("a thin wall") << 0.05 << false;
+        QTest::newRow("a cave") << noBack << true;
+    }
+    void theSolidSideIsSeenAtEveryZoom() {
+        QFETCH(double, depth);
+        QFETCH(bool, closed);
+        for (const Shade shade : {Shade::Light, Shade::Dark}) {
+            for (double scale = Viewport::minScale; scale <= Viewport::maxScale; scale *= 1.9) {
+                Viewport view = sceneView();
+                view.scale = scale;
+                // From left to right, so that what is below is solid; its ends are out of view.
+                const double far = 200 / scale;
+                const std::vector<Vec2> corners =
+                    closed ? std::vector{Vec2(-far, 0), Vec2(far, 0), Vec2(far, far), Vec2(-far, far)}
+                           : std::vector{Vec2(-far, 0), Vec2(far, 0)};
+                const Level level = levelOf({body(1, EdgeChain{corners, closed, depth})});
+                QImage image(200, 200, QImage::Format_RGB32);
+                image.fill(editingTheme(shade).background);
+                QPainter painter(&image);
+                paintLevel({painter, view, editingTheme(shade)}, level, Selection());
+                painter.end();
+                const double apart = difference(image.pixelColor(100, 103), image.pixelColor(100, 97));
+                QVERIFY2(apart > 10, qPrintable(QStringLiteral("%1 at %2 pixels a metre").arg(apart).arg(scale)));
+            }
+        }
     }
 
     void theSamePictureComesOutEveryTime() {

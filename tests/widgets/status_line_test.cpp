@@ -5,6 +5,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
+#include <QToolButton>
+
+#include <algorithm>
 
 using namespace spacetow;
 
@@ -106,6 +109,46 @@ class StatusLineTest : public QObject {
         QTest::keyClick(field, Qt::Key_Return);
         QCOMPARE(chosen.count(), 0);
         QCOMPARE(field->currentText(), QString("50 %"));
+    }
+
+    void whereThereIsNoRoomTheLeastImportantGoesFirst() {
+        StatusLine line;
+        line.show();
+        line.setHint(hint);
+        line.setPointer(-10, 20);
+        line.setSelection(12, Aabb{Vec2(0, 0), Vec2(3, 4)});
+        line.setSnap({});
+        line.setZoom(1);
+        const auto shows = [&line](const QString& part) {
+            const QList<QWidget*> parts = line.findChildren<QWidget*>();
+            return std::ranges::any_of(parts, [&part](const QWidget* widget) {
+                const auto* words = qobject_cast<const QLabel*>(widget);
+                const auto* button = qobject_cast<const QToolButton*>(widget);
+                const auto* field = qobject_cast<const QLineEdit*>(widget);
+                const QString text = words != nullptr    ? words->text()
+                                     : button != nullptr ? button->text()
+                                     : field != nullptr  ? field->text()
+                                                         : QString();
+                return widget->isVisible() && text.contains(part);
+            });
+        };
+        const QStringList byImportance{"No problems", "100 %", "12 selected", "Snap 0.25 m", "x -10.00"};
+        for (int width = 2000; width >= 300; width -= 10) {
+            line.resize(width, line.height());
+            QCoreApplication::processEvents();
+            bool before = true;
+            for (const QString& part : byImportance) {
+                QVERIFY2(before || !shows(part), qPrintable(QStringLiteral("%1 at %2").arg(part).arg(width)));
+                before = shows(part);
+            }
+            QVERIFY(shows("No problems"));
+            QVERIFY(line.minimumSizeHint().width() <= std::max(width, 400));
+            QVERIFY(line.findChild<QLabel*>(QStringLiteral("hint"))->width() >= width / 3);
+        }
+        QVERIFY(!shows("x -10.00"));
+        line.resize(2000, line.height());
+        QCoreApplication::processEvents();
+        QVERIFY(shows("12 selected, 3.00 × 4.00 m") && shows("x -10.00"));
     }
 };
 

@@ -1,0 +1,158 @@
+#include "editor/panels/guide_bar.h"
+
+#include "core/level/guides.h"
+#include "editor/canvas/icons.h"
+#include "editor/editing/guide_verbs.h"
+
+#include <QKeyEvent>
+
+#include <cmath>
+#include <numbers>
+
+namespace spacetow {
+
+namespace {
+
+constexpr double oneDegree = std::numbers::pi / 180;
+constexpr double farthest = 1e6; // m, as the file allows
+
+} // namespace
+
+GuideBar::GuideBar(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_row(this), m_xLabel(tr("X")), m_yLabel(tr("Y")),
+      m_angleLabel(QStringLiteral("∠")) {
+    layOut();
+    connect(&m_x, &NumberField::entered, this, [this](std::optional<double> value) {
+        change([value](Guide& guide) { guide.point.x() = value.value_or(guide.point.x()); });
+    });
+    connect(&m_y, &NumberField::entered, this, [this](std::optional<double> value) {
+        change([value](Guide& guide) { guide.point.y() = value.value_or(guide.point.y()); });
+    });
+    connect(&m_angle, &NumberField::entered, this, [this](std::optional<double> value) {
+        change([value](Guide& guide) { guide.angle = value ? *value * oneDegree : guide.angle; });
+    });
+    connect(&m_name, &QLineEdit::editingFinished, this,
+            [this] { change([this](Guide& guide) { guide.name = m_name.text().toStdString(); }); });
+    connect(&m_delete, &QToolButton::clicked, this, [this] {
+        if (const std::optional<FinishedEdit> edit = deleteGuide(m_document.current(), m_index.value_or(0))) {
+            m_document.commit(edit->label, edit->edit);
+        }
+        dismiss();
+    });
+    connect(&m_close, &QToolButton::clicked, this, &GuideBar::dismiss);
+    m_listener = m_document.changed.connect([this](const Change&) { refresh(); });
+    hide();
+}
+
+GuideBar::~GuideBar() {
+    m_document.changed.disconnect(m_listener);
+}
+
+void GuideBar::layOut() {
+    constexpr double steps = 0.25; // m
+    for (NumberField* field : {&m_x, &m_y}) {
+        field->setSpec({.unit = tr("m"), .min = -farthest, .max = farthest, .step = steps});
+    }
+    m_angle.setSpec({.unit = QStringLiteral("°"), .min = -360, .max = 360, .step = 5});
+    m_name.setMinimumWidth(50);
+    m_name.setMaximumWidth(240);
+    m_name.setPlaceholderText(tr("Name"));
+    m_row.setContentsMargins(8, 5, 4, 5);
+    m_row.setSpacing(4); // the bar stands between two panels in a window of 800 pixels
+    const std::initializer_list<std::pair<QLabel*, QLineEdit*>> fields{
+        {&m_xLabel, &m_x}, {&m_yLabel, &m_y}, {&m_angleLabel, &m_angle}};
+    for (const auto& [label, field] : fields) {
+        label->setBuddy(field);
+        m_row.addWidget(label);
+        m_row.addWidget(field, 1);
+    }
+    m_x.setAccessibleName(tr("X of the guide"));
+    m_y.setAccessibleName(tr("Y of the guide"));
+    m_angle.setAccessibleName(tr("Angle of the guide"));
+    m_name.setAccessibleName(tr("Name of the guide"));
+    m_row.addWidget(&m_name, 1);
+    m_row.addStretch(1);
+    const std::initializer_list<std::pair<QToolButton*, QString>> buttons{{&m_delete, tr("Delete this guide")},
+                                                                          {&m_close, tr("Close")}};
+    for (const auto& [button, name] : buttons) {
+        button->setAutoRaise(true);
+        button->setToolTip(name);
+        button->setAccessibleName(name);
+        m_row.addWidget(button);
+    }
+    tint();
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+}
+
+void GuideBar::tint() {
+    m_delete.setIcon(icon(QStringLiteral("delete"), palette()));
+    m_close.setIcon(icon(QStringLiteral("close"), palette()));
+}
+
+void GuideBar::open(std::size_t index) {
+    m_index = index;
+    refresh();
+    if (m_index) {
+        show();
+        const Vec2 along = directionOf(m_document.level().guides[index]);
+        NumberField& first = std::abs(along.x()) > std::abs(along.y()) ? m_y : m_x;
+        first.setFocus();
+        first.selectAll();
+    }
+}
+
+void GuideBar::dismiss() {
+    if (!isHidden()) {
+        hide();
+        m_index.reset();
+        Q_EMIT dismissed();
+    }
+}
+
+void GuideBar::refresh() {
+    if (!m_index) {
+        return;
+    }
+    const std::vector<Guide>& guides = m_document.level().guides;
+    if (*m_index >= guides.size()) {
+        dismiss();
+        return;
+    }
+    const Guide& guide = guides[*m_index];
+    m_x.setValue(guide.point.x());
+    m_y.setValue(guide.point.y());
+    // What was typed in degrees comes back as it was typed.
+    constexpr double finest = 1e9;
+    m_angle.setValue(std::round(guide.angle / oneDegree * finest) / finest);
+    if (!(m_name.hasFocus() && m_name.isModified())) {
+        m_name.setText(QString::fromStdString(guide.name));
+    }
+}
+
+void GuideBar::change(const std::function<void(Guide&)>& how) {
+    if (!m_index || *m_index >= m_document.current().level->guides.size()) {
+        return;
+    }
+    Guide guide = m_document.current().level->guides[*m_index];
+    how(guide);
+    if (const std::optional<FinishedEdit> edit = changeGuide(m_document.current(), *m_index, guide)) {
+        m_document.commit(edit->label, edit->edit, edit->mergeKey);
+    }
+}
+
+void GuideBar::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) {
+        dismiss();
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void GuideBar::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        tint();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace spacetow

@@ -1,0 +1,62 @@
+#pragma once
+// The bar in which a guide's place, angle and name are typed. Each entry is one step of the history; Escape and the
+// cross close the bar. Lengths are metres, the angle is shown in degrees.
+
+#include "editor/editing/document.h"
+#include "editor/panels/number_field.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QWidget>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+namespace spacetow {
+
+class GuideBar : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// The document must outlive the bar.
+    explicit GuideBar(Document& document, QWidget* parent = nullptr);
+    ~GuideBar() override;
+
+    /// Shows the guide of this index, ready to type the coordinate that matters.
+    void open(std::size_t index);
+    void dismiss();
+    std::optional<std::size_t> guide() const { return m_index; }
+
+    NumberField& x() { return m_x; }
+    NumberField& y() { return m_y; }
+    NumberField& angle() { return m_angle; }
+    QLineEdit& name() { return m_name; }
+    QToolButton& deleteButton() { return m_delete; }
+
+  Q_SIGNALS:
+    void dismissed();
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void layOut();
+    void refresh();
+    void tint();
+    void change(const std::function<void(Guide&)>& how);
+
+    Document& m_document;
+    std::optional<std::size_t> m_index;
+    QHBoxLayout m_row;
+    QLabel m_xLabel, m_yLabel, m_angleLabel;
+    NumberField m_x, m_y, m_angle;
+    QLineEdit m_name;
+    QToolButton m_delete, m_close;
+    int m_listener = 0;
+};
+
+} // namespace spacetow

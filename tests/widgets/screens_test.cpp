@@ -1,0 +1,161 @@
+// The window in each of its modes, in light and dark, small and large: nothing may be cut off. With SPACETOW_SCREENS
+// naming a folder every one of them is left there as a picture; QT_SCALE_FACTOR=2 takes them as on a fine display.
+#include "editor/window/keys_dialog.h"
+#include "tests/support/test_main.h"
+#include "tests/support/window.h"
+
+#include <QDir>
+#include <QToolBar>
+
+#include <functional>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+struct Mode {
+    std::string name;
+    std::function<void(TestWindow&)> enter;
+};
+
+/// Takes the tool and draws half a shape with it.
+Mode busy(const ToolRow& row) {
+    return {"tool " + row.make()->code(), [tool = row.id](TestWindow& test) {
+                test.window->takeTool(tool);
+                const Vec2 center = test.canvas().view().center;
+                test.click(center.x() - 1, center.y() - 1);
+                test.click(center.x() + 1, center.y() - 1);
+                QTest::mouseMove(&test.canvas(), test.at(center.x() + 1.5, center.y() + 0.5));
+            }};
+}
+
+const std::vector<Mode>& modes() {
+    static const std::vector<Mode> all = [] {
+        std::vector<Mode> modes{
+            {"edit", [](TestWindow&) {}},
+            {"selected", [](TestWindow& test) { test.trigger(Act::SelectAll); }},
+            {"one selected",
+             [](TestWindow& test) { test.document().select(Selection({test.level().objects[0].key})); }},
+            {"overlays",
+             [](TestWindow& test) {
+                 test.window->setOverlays({true, true, true, true, true, true});
+             }},
+            {"information",
+             [](TestWindow& test) {
+                 test.window->messageBar().say(MessageBar::Tone::Info, QStringLiteral("This level was made by an older "
+                                                                                      "version and has been brought up "
+                                                                                      "to date."));
+             }},
+            {"warning",
+             [](TestWindow& test) {
+                 test.window->messageBar().say(MessageBar::Tone::Warning,
+                                               QStringLiteral("The level has 3 errors and may not play as it should; "
+                                                              "see Problems."));
+             }},
+            {"error",
+             [](TestWindow& test) {
+                 test.window->messageBar().say(MessageBar::Tone::Error,
+                                               QStringLiteral("The file /home/user/levels/a_rather_long_name.json "
+                                                              "cannot be written: there is no space left on the "
+                                                              "device. The level is as it was."));
+             }},
+            {"play", [](TestWindow& test) { test.trigger(Act::Play); }},
+            {"pause",
+             [](TestWindow& test) {
+                 test.trigger(Act::Play);
+                 QTest::keyClick(&test.window->playView(), Qt::Key_Escape);
+             }},
+        };
+        for (const ToolRow& tool : toolRows()) {
+            modes.push_back(busy(tool));
+        }
+        return modes;
+    }();
+    return all;
+}
+
+void save(QWidget& widget, const QString& name) {
+    const QString folder = qEnvironmentVariable("SPACETOW_SCREENS");
+    if (folder.isEmpty()) {
+        return;
+    }
+    const double ratio = widget.devicePixelRatioF();
+    QDir().mkpath(folder);
+    QString file = QStringLiteral("%1 @%2.png").arg(name).arg(ratio);
+    QVERIFY(widget.grab().save(QDir(folder).filePath(file.replace(QLatin1Char(' '), QLatin1Char('-')))));
+}
+
+} // namespace
+
+class ScreensTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
+
+    void nothingIsCutOff_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<bool>("dark");
+        for (const QSize size : {QSize(800, 600), QSize(1920, 1080), QSize(3840, 2160)}) {
+            for (const bool dark : {false, true}) {
+                QTest::addRow("%dx%d %s", size.width(), size.height(), dark ? "dark" : "light") << size << dark;
+            }
+        }
+    }
+    void nothingIsCutOff() {
+        QFETCH(QSize, size);
+        QFETCH(bool, dark);
+        const QString look = QLatin1String(QTest::currentDataTag());
+        for (const Mode& mode : modes()) {
+            TestWindow test;
+            test.window->setAppearance(dark ? Appearance::Dark : Appearance::Light);
+            test.window->openExample();
+            test.window->resize(size);
+            QApplication::processEvents();
+            QCOMPARE(test.window->size(), size); // its parts leave it that small
+            test.canvas().fitLevel();
+            mode.enter(test);
+            QApplication::processEvents();
+            QVERIFY2(cutOffTexts(*test.window).isEmpty(),
+                     qPrintable(QStringLiteral("%1: %2").arg(QString::fromStdString(mode.name),
+                                                             cutOffTexts(*test.window).join(QStringLiteral(", ")))));
+            save(*test.window, QStringLiteral("%1 %2").arg(QString::fromStdString(mode.name), look));
+        }
+    }
+
+    void dialogsFitTheSmallestScreen_data() {
+        QTest::addColumn<bool>("dark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+    void dialogsFitTheSmallestScreen() {
+        QFETCH(bool, dark);
+        TestWindow test;
+        test.window->setAppearance(dark ? Appearance::Dark : Appearance::Light);
+        KeysDialog keys(test.window.get());
+        keys.show();
+        QApplication::processEvents();
+        QCOMPARE(cutOffTexts(keys), QStringList());
+        QVERIFY(keys.minimumSizeHint().width() <= 800 && keys.minimumSizeHint().height() <= 600);
+        save(keys, QStringLiteral("keys %1").arg(QLatin1String(dark ? "dark" : "light")));
+    }
+
+    void everyActionOfABarIsReachedInTheSmallestWindow() {
+        TestWindow test;
+        test.window->resize(800, 600);
+        QApplication::processEvents();
+        for (QToolBar* bar : test.window->findChildren<QToolBar*>()) {
+            int hidden = 0;
+            for (QAction* action : bar->actions()) {
+                const QWidget* const button = bar->widgetForAction(action);
+                hidden += button != nullptr && !action->isSeparator() && button->isHidden() ? 1 : 0;
+            }
+            const auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+            QVERIFY2(hidden == 0 || (more != nullptr && more->isVisible()), qPrintable(bar->windowTitle()));
+        }
+    }
+};
+
+SPACETOW_TEST(ScreensTest)
+#include "screens_test.moc"
