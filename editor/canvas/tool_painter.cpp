@@ -15,6 +15,10 @@ QPen penFor(const Theme& theme, OverlayStyle style) {
     switch (style) {
     case OverlayStyle::Draft:
         return stroke(theme.draft, 2);
+    case OverlayStyle::Fault:
+        return stroke(theme.overlayVelocity, 3);
+    case OverlayStyle::Velocity:
+        return stroke(theme.overlayVelocity, 2);
     case OverlayStyle::SolidSide:
         return stroke(theme.rim, 1.4);
     case OverlayStyle::Band:

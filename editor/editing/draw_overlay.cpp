@@ -34,7 +34,7 @@ void addSolidSide(Overlay& overlay, const Vec2& a, const Vec2& b, double pixel) 
 
 OverlayText measureText(const Vec2& from, const Vec2& to) {
     const Vec2 way = to - from;
-    return {0.5 * (from + to), lengthText(way.norm()) + " m  " + degreesText(directionOf(way)) + "°"};
+    return {to, lengthText(way.norm()) + " m  " + degreesText(directionOf(way)) + "°"};
 }
 
 Overlay draftOverlay(const Draft& draft) {
@@ -48,17 +48,25 @@ Overlay draftOverlay(const Draft& draft) {
         outline.push_back(draft.next);
     }
     const bool closed = draft.closes || (draft.fills && outline.size() > 2);
-    if (draft.oneWay) {
+    if (draft.walls != DraftWalls::None) {
         for (std::size_t i = 0; i + 1 < outline.size() || (closed && i < outline.size()); ++i) {
-            addSolidSide(overlay, outline[i], outline[(i + 1) % outline.size()], draft.pixel);
+            const Vec2& a = outline[i];
+            const Vec2& b = outline[(i + 1) % outline.size()];
+            const bool along = draft.walls == DraftWalls::Along;
+            addSolidSide(overlay, along ? a : b, along ? b : a, draft.pixel);
         }
     }
     overlay.lines.push_back({OverlayStyle::Draft, std::move(outline), closed});
+    for (const auto& [a, b] : draft.crossing) {
+        overlay.lines.push_back({OverlayStyle::Fault, {a, b}});
+    }
     for (std::size_t i = 0; i < draft.points.size(); ++i) {
         const bool hot = i == 0 && draft.closes;
         overlay.points.push_back({hot ? OverlayStyle::HotHandle : OverlayStyle::Handle, draft.points[i]});
     }
-    if (!draft.closes) {
+    if (draft.ring) {
+        overlay.points.push_back({OverlayStyle::HotHandle, *draft.ring});
+    } else if (!draft.closes) {
         overlay.points.push_back({OverlayStyle::Snap, draft.next});
     }
     if (draft.next != draft.points.back()) {

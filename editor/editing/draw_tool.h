@@ -1,13 +1,20 @@
 #pragma once
 // Draws chains of one-way walls, chains of two-sided walls, and polygons, point by point. A click places a point, a
 // drag adjusts it before it is placed; the first drag also places the point where it began. A click on the first
-// point closes the shape; Enter, the secondary button or a double click end it where it is.
+// point closes the shape; Enter, the secondary button or a double click end it where it is. What begins at the end of
+// an open chain of the same kind goes on with that chain.
 
+#include "core/level/chain_ends.h"
 #include "editor/editing/tool.h"
 
 namespace spacetow {
 
-enum class DrawKind : std::uint8_t { Edge, Line, Polygon };
+enum class DrawKind : std::uint8_t {
+    Edge,
+    Line,
+    Polygon,
+    Kinematic, // a polygon that moves as it is told
+};
 
 class DrawTool : public Tool {
   public:
@@ -29,18 +36,38 @@ class DrawTool : public Tool {
     CursorShape cursor(const ToolContext& context, const Pointer& pointer) const override;
 
   private:
+    /// Where drawing begins: at a point, which may be the end of a chain that is there.
+    struct Start {
+        Vec2 at{0, 0};
+        std::optional<ChainEnd> chain;
+    };
+    Start startAt(const ToolContext& context, const Pointer& pointer) const;
+    void begin(const Start& start);
+    /// The start of what is drawn: the placed one, or that of a first drag.
+    std::optional<Start> start(const ToolContext& context) const;
     std::vector<Vec2> pointsWith(const ToolContext& context) const;
     Vec2 nextPoint(const ToolContext& context, const Pointer& pointer) const;
     bool closesAt(const ToolContext& context, const Pointer& pointer) const;
-    std::size_t leastPoints() const { return m_kind == DrawKind::Polygon ? 3 : 2; }
-    std::string hintCode(const char* state) const { return "draw-" + code() + "." + state; }
+    /// The other end of the chain that is drawn on, when the next click closes it.
+    std::optional<Vec2> ringAt(const ToolContext& context, const Pointer& pointer) const;
+    Overlay startOverlay(const ToolContext& context, const Pointer& pointer) const;
+    Hint nextHint(const ToolContext& context, const Pointer& pointer) const;
+
+    bool isPolygon() const { return m_kind == DrawKind::Polygon || m_kind == DrawKind::Kinematic; }
+    bool crosses() const { return m_crossed && m_points.size() >= *m_crossed; }
+    std::size_t leastPoints() const { return isPolygon() ? 3 : 2; }
+    std::string hintCode(const std::string& state) const;
+    std::optional<FinishedEdit> refuse(const std::string& state);
     std::optional<FinishedEdit> end(const ToolContext& context);
     std::optional<FinishedEdit> finish(const ToolContext& context, bool closed);
+    std::optional<FinishedEdit> finishChain(const ToolContext& context, bool closed);
     std::optional<FinishedEdit> finishPolygon(const ToolContext& context);
 
     DrawKind m_kind;
-    std::vector<Vec2> m_points; // world
-    std::string m_refusal;      // code of the hint that says why the last click did nothing
+    std::vector<Vec2> m_points;           // world
+    std::optional<ChainEnd> m_chain;      // that is drawn on, from the first of the points
+    std::optional<std::size_t> m_crossed; // with so many points the outline first crossed itself
+    std::string m_refusal;                // code of the hint that says why the last click did nothing
 };
 
 } // namespace spacetow

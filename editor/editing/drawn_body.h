@@ -1,11 +1,17 @@
 #pragma once
-// What the drawing tools put into the level: a static body with the tag of walls, selected.
+// What the drawing tools put into the level: a body with the tag of walls, selected.
 
 #include "editor/editing/tool.h"
+
+#include <span>
 
 namespace spacetow {
 
 /// `shape` in coordinates relative to `position`; the seed of the context chooses the key.
-Edit withDrawnBody(const ToolContext& context, LevelShape shape, const Vec2& position);
+Edit withDrawnBody(const ToolContext& context, LevelShape shape, const Vec2& position,
+                   BodyKind kind = BodyKind::Static);
+/// A polygon through these points of the world, which are in either order. The position of a kinematic one, about
+/// which it turns, is its middle, that of others the first point.
+Edit withDrawnPolygon(const ToolContext& context, std::vector<Vec2> outline, BodyKind kind);
 
 } // namespace spacetow

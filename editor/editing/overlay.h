@@ -14,6 +14,7 @@ namespace spacetow {
 
 enum class OverlayStyle : std::uint8_t {
     Draft,      // outline of the shape being drawn
+    Fault,      // a part of it that must not stay as it is
     SolidSide,  // short strokes on the solid side of a one-way wall being drawn
     Band,       // rubber band
     Handle,     // something to grab
@@ -22,6 +23,7 @@ enum class OverlayStyle : std::uint8_t {
     Pivot,      // about which it turns, or what stays where it is
     Snap,       // where the point will land
     Measure,    // length and angle while drawing
+    Velocity,   // where something would be a second later
 };
 
 struct OverlayLine {

@@ -23,6 +23,12 @@ std::vector<GroupPick> underPointer(const ToolContext& context, const Pointer& p
     return pickedMembers(context.edit, pointer);
 }
 
+void add(Overlay& overlay, const Overlay& more) {
+    overlay.lines.insert(overlay.lines.end(), more.lines.begin(), more.lines.end());
+    overlay.points.insert(overlay.points.end(), more.points.begin(), more.points.end());
+    overlay.texts.insert(overlay.texts.end(), more.texts.begin(), more.texts.end());
+}
+
 FinishedEdit selecting(const ToolContext& context, Selection selection) {
     return {{}, {context.edit.level, std::move(selection)}};
 }
@@ -52,6 +58,9 @@ std::unique_ptr<Gesture> SelectTool::press(const ToolContext& context, const Poi
     const Modifiers& held = pointer.modifiers;
     const std::optional<Handle> handle = handleUnder(context, pointer);
     const bool turns = handle && modeOf(context) == HandleMode::Turn;
+    if (const std::optional<VelocityArrow> arrow = velocityUnder(context, pointer)) {
+        return dragOfVelocity(context, *arrow, pointer);
+    }
     // The handles that scale stand beside nodes, the pivot may lie on one.
     if (auto node = turns ? nullptr : dragOfNode(context, pointer)) {
         return node;
@@ -84,7 +93,7 @@ std::unique_ptr<Gesture> SelectTool::press(const ToolContext& context, const Poi
 
 std::optional<FinishedEdit> SelectTool::click(const ToolContext& context, const Pointer& pointer) {
     const Selection& selection = context.edit.selection;
-    if (handleUnder(context, pointer)) {
+    if (handleUnder(context, pointer) || velocityUnder(context, pointer)) {
         return {};
     }
     const std::vector<GroupPick> pile = underPointer(context, pointer);
@@ -156,10 +165,18 @@ std::optional<Handle> SelectTool::handleUnder(const ToolContext& context, const 
     return handleAt(frameOf(context), modeOf(context), pointer);
 }
 
+std::optional<VelocityArrow> SelectTool::velocityUnder(const ToolContext& context, const Pointer& pointer) const {
+    const std::optional<VelocityArrow> arrow = velocityArrow(context.edit, pointer.pixel);
+    return arrow && isOnVelocity(*arrow, pointer) ? arrow : std::nullopt;
+}
+
 Overlay SelectTool::handles(const ToolContext& context, double pixel, const std::optional<Handle>& hot) const {
     Overlay overlay;
     if (!context.edit.selection.empty()) {
         overlay = handleOverlay(frameOf(context), modeOf(context), pixel, hot);
+    }
+    if (const std::optional<VelocityArrow> arrow = velocityArrow(context.edit, pixel)) {
+        add(overlay, velocityOverlay(*arrow, pixel, false));
     }
     if (const Key entered = context.edit.selection.entered(); entered != 0) {
         overlay.spotlight = placedBounds(*context.edit.level, std::array{entered}).grown(spotlightPixels * pixel);
@@ -169,8 +186,11 @@ Overlay SelectTool::handles(const ToolContext& context, double pixel, const std:
 
 Overlay SelectTool::overlay(const ToolContext& context, const Pointer& pointer) const {
     const std::optional<Handle> handle = handleUnder(context, pointer);
+    const std::optional<VelocityArrow> arrow = velocityUnder(context, pointer);
     Overlay overlay = handles(context, pointer.pixel, handle);
-    if (!handle && !context.pressed) {
+    if (arrow) {
+        add(overlay, velocityOverlay(*arrow, pointer.pixel, true));
+    } else if (!handle && !context.pressed) {
         const std::vector<GroupPick> pile = underPointer(context, pointer);
         const bool selects = !pile.empty() && !context.edit.selection.contains(pile.front().key);
         overlay.hovered = selects ? pile.front().key : 0;
@@ -186,6 +206,9 @@ Hint SelectTool::hint(const ToolContext& context, const Pointer& pointer) const 
     const Selection& selection = context.edit.selection;
     const std::optional<Handle> handle = handleUnder(context, pointer);
     const bool turns = handle && modeOf(context) == HandleMode::Turn;
+    if (velocityUnder(context, pointer)) {
+        return {"velocity.handle", {}};
+    }
     if (!turns && isOnNode(context, pointer)) {
         return {"select.node", {}};
     }
@@ -216,6 +239,9 @@ Hint SelectTool::hint(const ToolContext& context, const Pointer& pointer) const 
 }
 
 CursorShape SelectTool::cursor(const ToolContext& context, const Pointer& pointer) const {
+    if (velocityUnder(context, pointer)) {
+        return CursorShape::Pointing;
+    }
     if (const std::optional<Handle> handle = handleUnder(context, pointer)) {
         return handleCursor(*handle, modeOf(context));
     }

@@ -3,6 +3,7 @@
 
 #include "editor/editing/group_picking.h"
 #include "editor/editing/handles.h"
+#include "editor/editing/velocity_handle.h"
 
 namespace spacetow {
 
@@ -32,6 +33,7 @@ class SelectTool : public Tool {
     const HandleFrame& frameOf(const ToolContext& context) const;
     HandleMode modeOf(const ToolContext& context) const;
     std::optional<Handle> handleUnder(const ToolContext& context, const Pointer& pointer) const;
+    std::optional<VelocityArrow> velocityUnder(const ToolContext& context, const Pointer& pointer) const;
 
     std::vector<Key> m_turning; // the selection that shows the handles that turn
 

@@ -90,6 +90,8 @@ class Tool {
     virtual std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) = 0;
     /// …or, for tools that work click by click, finish an edit at a click (press and release without a drag).
     virtual std::optional<FinishedEdit> click(const ToolContext&, const Pointer&) { return {}; }
+    /// What the drag of a gesture made is in the document now.
+    virtual void dragEnded(const ToolContext&, const Pointer&) {}
     /// A drag for which press() started no gesture ends here.
     virtual std::optional<FinishedEdit> drop(const ToolContext& context, const Pointer& pointer) {
         return click(context, pointer);

@@ -185,6 +185,7 @@ void Toolbox::release(const Pointer& pointer) {
     state.letGo();
     if (gesture && dragged) {
         state.conclude(*gesture, pointer);
+        state.tool().dragEnded(context(), pointer);
     } else if (dragged) {
         finish(state.tool().drop(before, pointer));
     } else {

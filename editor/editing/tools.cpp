@@ -1,10 +1,13 @@
 #include "editor/editing/tools.h"
 
 #include "editor/editing/circle_tool.h"
+#include "editor/editing/connector_tool.h"
 #include "editor/editing/draw_tool.h"
+#include "editor/editing/kinematic_tool.h"
 #include "editor/editing/knife_tool.h"
 #include "editor/editing/node_tool.h"
 #include "editor/editing/place_tool.h"
+#include "editor/editing/rectangle_tool.h"
 #include "editor/editing/select_tool.h"
 
 namespace spacetow {
@@ -22,7 +25,10 @@ constexpr ToolRow rows[] = {
     {ToolId::Edge, make<DrawTool, DrawKind::Edge>},
     {ToolId::Line, make<DrawTool, DrawKind::Line>},
     {ToolId::Polygon, make<DrawTool, DrawKind::Polygon>},
+    {ToolId::Rectangle, make<RectangleTool>},
     {ToolId::Circle, make<CircleTool>},
+    {ToolId::Kinematic, make<KinematicTool>},
+    {ToolId::Connector, make<ConnectorTool>},
     {ToolId::Ship, make<PlaceTool, PlaceKind::Ship>},
     {ToolId::Payload, make<PlaceTool, PlaceKind::Payload>},
     {ToolId::Finish, make<PlaceTool, PlaceKind::Finish>},

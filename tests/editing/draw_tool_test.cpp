@@ -327,6 +327,7 @@ void DrawToolTest::lengthAndAngleAreShown() {
     const Overlay overlay = drive.toolbox.overlay();
     QCOMPARE(overlay.texts.size(), std::size_t{1});
     QCOMPARE(QString::fromStdString(overlay.texts.front().text), QString::fromUtf8("2.00 m  90°"));
+    QVERIFY(overlay.texts.front().at == Vec2(1, 3)); // beside the pointer
 }
 
 void DrawToolTest::theHintCountsPoints() {
