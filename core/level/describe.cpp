@@ -154,9 +154,18 @@ class Describer {
         JsonText both = JsonText::array();
         both.append(constant("all"));
         both.append(names());
+        JsonText required = JsonText::array();
+        required.append(JsonText::text("except"));
+        JsonText properties = JsonText::object();
+        properties.append("except", names());
+        JsonText exceptions = typed("object");
+        exceptions.append("required", std::move(required));
+        exceptions.append("additionalProperties", JsonText::flag(false));
+        exceptions.append("properties", std::move(properties));
+        both.append(std::move(exceptions));
         JsonText schema = JsonText::object();
         schema.append("oneOf", std::move(both));
-        add(f, "`\"all\"` or names of tags", std::move(schema), JsonText::text("all"));
+        add(f, "`\"all\"`, names of tags or `{\"except\": names of tags}`", std::move(schema), JsonText::text("all"));
     }
     void key(const Field& f, Key) { add(f, std::string(keyRange), patterned(keyPattern), {}); }
     void optionalKey(const Field& f, Key) { addUnset(f, std::string(keyRange), patterned(keyPattern)); }

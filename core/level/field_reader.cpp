@@ -188,6 +188,22 @@ void FieldReader::points(const Field& field, std::vector<Vec2>& value) {
     }
 }
 
+int FieldReader::tagOf(const std::string& text) {
+    const int unnamed = unnamedTag(text);
+    const std::optional<int> named = m_state.tags.indexOf(text);
+    if (named || unnamed >= 0 || !m_state.adoptsTags || text.empty()) {
+        return named.value_or(unnamed);
+    }
+    // From the end, away from the tags of the game and those that are numbered by hand.
+    for (int tag = TagTable::size - 1; tag > debrisTag; --tag) {
+        if (m_state.tags[tag].name.empty()) {
+            m_state.tags.set(tag, {text});
+            return tag;
+        }
+    }
+    return -1;
+}
+
 TagMask FieldReader::maskOf(JsonView list, const Place& place) {
     TagMask mask;
     int index = 0;
@@ -197,13 +213,10 @@ TagMask FieldReader::maskOf(JsonView list, const Place& place) {
             reject("not-a-text", here, tag);
             continue;
         }
-        const int unnamed = unnamedTag(tag.text());
-        const std::optional<int> named = m_state.tags.indexOf(tag.text());
-        if (named || unnamed >= 0) {
-            mask = mask | TagMask::bit(named ? *named : unnamed);
+        if (const int known = tagOf(tag.text()); known >= 0) {
+            mask = mask | TagMask::bit(known);
         } else {
-            report(m_state.keepUnknownTags ? Severity::Error : Severity::Warning,
-                   {"unknown-tag", {std::string(tag.text())}}, tag, here);
+            report(Severity::Error, {"unknown-tag", {tag.text()}}, tag, here);
         }
     }
     return mask;
@@ -227,6 +240,9 @@ void FieldReader::touches(const Field& field, TagMask& value) {
         const Place place{&m_place, field.name};
         if (json->isArray()) {
             value = maskOf(*json, place);
+        } else if (json->isObject() && json->size() == 1 && (*json->begin()).name() == "except" &&
+                   (*json->begin()).isArray()) {
+            value = TagMask{~maskOf(*json->begin(), {&place, "except"}).bits};
         } else if (!json->isText() || json->text() != "all") {
             reject("not-touches", place, *json);
         }

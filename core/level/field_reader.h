@@ -26,7 +26,7 @@ struct Place {
 struct ReadState {
     TagTable tags;
     std::vector<Problem> problems;
-    bool keepUnknownTags = true;  // else an unknown tag is only a warning, and left off
+    bool adoptsTags = false;      // a tag that is not in the table is put there; else it is an error
     bool hasErrors = false;       // also counts the errors that are no longer listed
     Key object = 0;               // whose fields are being read
     const Place* owner = nullptr; // of the unknown fields: the place of the object, the level or the tag
@@ -73,6 +73,8 @@ class FieldReader {
   private:
     void chooseFrom(const Field& field, int& index, std::span<const std::string_view> names);
     TagMask maskOf(JsonView list, const Place& place);
+    /// Index of the tag, −1 for one that is not known.
+    int tagOf(const std::string& text);
     bool readPoint(JsonView value, Vec2& point) const;
     void readKey(const Field& field, JsonView json, Key& value);
 

@@ -29,6 +29,8 @@ struct Field {
     int least = 0;        // entries of a list
     int most = 0;         // likewise; 0 for as many as a file may have
     const char* meaning = "";
+
+    bool operator==(const Field&) const = default;
 };
 
 namespace limits {
@@ -122,7 +124,8 @@ void visitFields(Visitor& v, T& object, const BodyObject& defaults) {
              object.angularDamping, defaults.angularDamping);
     v.tags(about("What the body is: names of tags.", plain("tags", Presence::Written)), object.filter.tags,
            defaults.filter.tags);
-    v.touches(about("What it touches: names of tags, or all.", plain("touches")), object.filter.touches);
+    v.touches(about("What it touches: tags, all, or all but some; the shorter list is written.", plain("touches")),
+              object.filter.touches);
     v.flag(about("An intangible body is felt, but stops nothing.", plain("tangible")), object.tangible,
            defaults.tangible);
     v.flag(about("A frozen body keeps its place and angle.", plain("frozen")), object.frozen, defaults.frozen);

@@ -5,6 +5,7 @@
 #include "core/level/json_write.h"
 #include "core/level/lint.h"
 #include "core/level/migrate.h"
+#include "core/level/tag_edits.h"
 
 #include <algorithm>
 
@@ -75,16 +76,19 @@ std::string objectsText(const Level& level, std::span<const Key> keys) {
     JsonText json = JsonText::object();
     json.append("schema", JsonText::integer(newestSchema));
     JsonText objects = JsonText::array();
+    TagMask used;
     for (const Object& object : level.objects) {
         if (std::ranges::binary_search(wanted, object.key)) {
             objects.append(writtenObject(object, level.tags));
+            used = used | tagsInUse(object);
         }
     }
+    json.append("tags", writtenTags(level.tags, used));
     json.append("objects", std::move(objects).broken());
     return std::move(json).broken().laidOut();
 }
 
-std::vector<Object> parseObjects(std::string_view text, const TagTable& tags, std::vector<Problem>& problems) {
+ForeignObjects parseObjects(std::string_view text, std::vector<Problem>& problems) {
     if (text.size() > maxLevelBytes) {
         problems.push_back({Severity::Error, "text-too-large", {std::to_string(maxLevelBytes)}, "", 1, 0});
         return {};
@@ -95,7 +99,7 @@ std::vector<Object> parseObjects(std::string_view text, const TagTable& tags, st
         return {};
     }
     std::vector<Problem> found;
-    std::vector<Object> objects = readObjects(std::get<JsonTree>(parsed), tags, found);
+    ForeignObjects objects = readObjects(std::get<JsonTree>(parsed), found);
     trim(found);
     std::ranges::move(found, std::back_inserter(problems));
     return objects;

@@ -3,6 +3,7 @@
 // writing is atomic. A file that the program wrote, read and saved unchanged, is the same to the byte.
 
 #include "core/base/result.h"
+#include "core/level/adopt_tags.h"
 #include "core/level/problem.h"
 
 #include <filesystem>
@@ -37,10 +38,9 @@ std::optional<Error> writeLevel(const std::filesystem::path& path, const Level& 
 /// "duplicate-tag" (name), "too-many-vertices" (number allowed).
 std::optional<Error> notWritable(const Level& level);
 
-/// Objects as text and back, for the clipboard. Parsing gives the objects and a list of problems: one with an error is
-/// left out, a tag that is not in `tags` is left off.
-/// The text has the objects in drawing order, groups with all that is in them.
+/// Objects as text and back, for the clipboard; the text says the names of their tags. Parsing gives the objects that
+/// have no error, with the tags that the text tells of and those it only names.
 std::string objectsText(const Level& level, std::span<const Key> keys);
-std::vector<Object> parseObjects(std::string_view text, const TagTable& tags, std::vector<Problem>& problems);
+ForeignObjects parseObjects(std::string_view text, std::vector<Problem>& problems);
 
 } // namespace spacetow

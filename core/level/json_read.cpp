@@ -242,17 +242,21 @@ LevelReading readTree(const JsonTree& tree) {
     return reading;
 }
 
-std::vector<Object> readObjects(const JsonTree& tree, const TagTable& tags, std::vector<Problem>& problems) {
+ForeignObjects readObjects(const JsonTree& tree, std::vector<Problem>& problems) {
     ReadState state;
-    state.tags = tags;
-    state.keepUnknownTags = false;
-    std::vector<Object> result;
+    state.tags = TagTable::empty();
+    state.adoptsTags = true;
+    ForeignObjects result;
     if (checkDocument(state, tree)) {
+        state.owner = &documentPlace;
         FieldReader reader(state, tree.root(), documentPlace);
+        readTags(state, reader, documentPlace);
         if (const auto objects = objectsMember(reader, documentPlace)) {
-            readObjectList(state, reader, *objects, [&result](Object object) { result.push_back(std::move(object)); });
+            readObjectList(state, reader, *objects,
+                           [&result](Object object) { result.objects.push_back(std::move(object)); });
         }
     }
+    result.tags = state.tags;
     std::ranges::move(state.problems, std::back_inserter(problems));
     return result;
 }

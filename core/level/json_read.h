@@ -2,6 +2,7 @@
 // From the JSON tree to the level. Everything that cannot be understood without guessing is an error with its line
 // and JSON pointer; what is merely unknown is kept for the next save. Nothing is repaired in silence.
 
+#include "core/level/adopt_tags.h"
 #include "core/level/json_tree.h"
 #include "core/level/problem.h"
 
@@ -20,8 +21,8 @@ struct LevelReading {
 
 LevelReading readTree(const JsonTree& tree);
 
-/// The "objects" of a tree, for the clipboard: an object with an error is left out, a tag that is not in `tags` is
-/// left off; both are reported.
-std::vector<Object> readObjects(const JsonTree& tree, const TagTable& tags, std::vector<Problem>& problems);
+/// The "objects" of a tree, for the clipboard, with what the tree says of their tags: an object with an error is left
+/// out and reported. A tag that is only named is given a place.
+ForeignObjects readObjects(const JsonTree& tree, std::vector<Problem>& problems);
 
 } // namespace spacetow

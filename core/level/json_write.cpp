@@ -4,6 +4,7 @@
 #include "core/level/json_tree.h"
 #include "core/level/key_text.h"
 #include "core/level/migrate.h"
+#include "core/level/tag_spelling.h"
 
 namespace spacetow {
 
@@ -68,7 +69,14 @@ class FieldWriter {
     }
     void tags(const Field& field, const TagMask& value, TagMask) { m_out.append(field.name, maskText(value)); }
     void touches(const Field& field, const TagMask& value) {
-        if (!(value == TagMask::all())) {
+        if (value == TagMask::all()) {
+            return;
+        }
+        if (isSpelledByExceptions(value)) {
+            JsonText exceptions = JsonText::object();
+            exceptions.append("except", maskText(TagMask{~value.bits}));
+            m_out.append(field.name, std::move(exceptions));
+        } else {
             m_out.append(field.name, maskText(value));
         }
     }
@@ -136,6 +144,21 @@ void insertUnknown(JsonText& out, const std::string& unknownFields, const std::v
 
 } // namespace
 
+JsonText writtenTags(const TagTable& tags, TagMask which) {
+    JsonText list = JsonText::array();
+    for (int i = 0; i < TagTable::size; ++i) {
+        const TagInfo& info = tags[i];
+        if (which.contains(i) && !(info == TagInfo())) {
+            JsonText tag = JsonText::object();
+            tag.append("index", JsonText::integer(i));
+            tag.append("name", JsonText::text(info.name));
+            tag.append("color", JsonText::text(colorText(info.color)));
+            list.append(std::move(tag));
+        }
+    }
+    return std::move(list).broken();
+}
+
 JsonText writtenObject(const Object& object, const TagTable& tags) {
     JsonText json = JsonText::object();
     json.append("key", JsonText::text(keyText(object.key)));
@@ -157,20 +180,12 @@ JsonText writtenLevel(const Level& level) {
     visitFields(rulesWriter, level.rules);
     json.append("rules", std::move(rules));
 
-    JsonText tags = JsonText::array();
     std::vector<int> row(TagTable::size, -1);
+    int rows = 0;
     for (int i = 0; i < TagTable::size; ++i) {
-        const TagInfo& info = level.tags[i];
-        if (!(info == TagInfo())) {
-            JsonText tag = JsonText::object();
-            tag.append("index", JsonText::integer(i));
-            tag.append("name", JsonText::text(info.name));
-            tag.append("color", JsonText::text(colorText(info.color)));
-            row[static_cast<std::size_t>(i)] = tags.size();
-            tags.append(std::move(tag));
-        }
+        row[static_cast<std::size_t>(i)] = level.tags[i] == TagInfo() ? -1 : rows++;
     }
-    json.append("tags", std::move(tags).broken());
+    json.append("tags", writtenTags(level.tags, TagMask::all()));
 
     if (!level.guides.empty()) {
         JsonText guides = JsonText::array();

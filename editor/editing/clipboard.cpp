@@ -36,11 +36,10 @@ std::optional<FinishedEdit> cut(const ToolContext& context) {
 }
 
 std::optional<FinishedEdit> pasted(const ToolContext& context, std::string_view text, const std::optional<Vec2>& at) {
-    const Level& before = *context.edit.level;
     std::vector<Problem> problems;
-    const std::vector<Object> objects = parseObjects(text, before.tags, problems);
+    AdoptedObjects adopted = withTagsAdopted(*context.edit.level, parseObjects(text, problems));
     std::vector<Key> copies;
-    Level level = pasted(before, objects, {{0, 0}, context.seed}, copies);
+    Level level = pasted(std::move(adopted.level), adopted.objects, {{0, 0}, context.seed}, copies);
     if (copies.empty()) {
         return {};
     }
@@ -53,7 +52,9 @@ std::optional<FinishedEdit> pasted(const ToolContext& context, std::string_view 
         }
         level = moved(std::move(level), selection.keys(), delta);
     }
-    return FinishedEdit{{"paste", selection.size()}, {std::make_shared<const Level>(std::move(level)), selection}};
+    FinishedEdit finished{{"paste", selection.size()}, {std::make_shared<const Level>(std::move(level)), selection}};
+    finished.notes = std::move(adopted.notes);
+    return finished;
 }
 
 } // namespace spacetow

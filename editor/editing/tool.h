@@ -2,6 +2,7 @@
 // Tools turn pointer and keys into edits; they know no toolkit. A drag is a Gesture, a pure function of the pointer:
 // preview, commit, cancel and undo are written once, in the toolbox.
 
+#include "core/base/result.h"
 #include "core/math/affine.h"
 #include "editor/editing/document.h"
 #include "editor/editing/input.h"
@@ -68,6 +69,7 @@ struct FinishedEdit {
     Edit edit;
     std::string mergeKey = {}; // see Document::commit
     std::optional<Repeatable> repeatable = {};
+    std::vector<Error> notes = {}; // what the user should know beside
 };
 
 /// What a tool needs to know beside the pointer.

@@ -1,12 +1,16 @@
 #include "editor/panels/names.h"
 
 #include "core/level/bounds.h"
+#include "core/level/object_geometry.h"
+#include "editor/panels/number_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 #include <QTextDocument>
 
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace spacetow {
 
@@ -16,38 +20,44 @@ struct Names {
     Q_DECLARE_TR_FUNCTIONS(Names)
 };
 
-QString bodyName(const BodyObject& body) {
-    if (body.shapes.size() != 1) {
-        return Names::tr("Body");
-    }
-    switch (body.shapes.front().index()) {
-    case 0:
-        return Names::tr("One-way wall");
-    case 1:
-        return Names::tr("Two-way line");
-    case 2:
-        return Names::tr("Polygon");
-    default:
-        return Names::tr("Circle");
-    }
-}
+constexpr auto kindsOfShape = static_cast<int>(std::variant_size_v<LevelShape>);
+
+// Bodies of one shape by that, bodies of several, then the other kinds of objects, and layers.
+constexpr std::array kindNames{QT_TRANSLATE_NOOP("Names", "One-way wall"), QT_TRANSLATE_NOOP("Names", "Two-way line"),
+                               QT_TRANSLATE_NOOP("Names", "Polygon"),      QT_TRANSLATE_NOOP("Names", "Circle"),
+                               QT_TRANSLATE_NOOP("Names", "Body"),         QT_TRANSLATE_NOOP("Names", "Ship"),
+                               QT_TRANSLATE_NOOP("Names", "Payload"),      QT_TRANSLATE_NOOP("Names", "Finish"),
+                               QT_TRANSLATE_NOOP("Names", "Connector"),    QT_TRANSLATE_NOOP("Names", "Group"),
+                               QT_TRANSLATE_NOOP("Names", "Layer")};
+static_assert(kindNames.size() == std::variant_size_v<LevelShape> + std::variant_size_v<ObjectData> + 1);
 
 } // namespace
 
+int kindCount() {
+    return static_cast<int>(kindNames.size());
+}
+
+int kindOf(const Object& object) {
+    const auto* body = std::get_if<BodyObject>(&object.data);
+    if (body != nullptr && body->shapes.size() == 1) {
+        return static_cast<int>(body->shapes.front().index());
+    }
+    const auto* group = std::get_if<GroupObject>(&object.data);
+    return group != nullptr && group->layer ? kindCount() - 1 : kindsOfShape + static_cast<int>(object.data.index());
+}
+
+QString kindName(int kind) {
+    return Names::tr(kindNames[static_cast<std::size_t>(kind)]);
+}
+
 QString kindName(const Object& object) {
-    if (const auto* body = std::get_if<BodyObject>(&object.data)) {
-        return bodyName(*body);
-    }
-    if (std::holds_alternative<ShipObject>(object.data)) {
-        return Names::tr("Ship");
-    }
-    if (std::holds_alternative<PayloadObject>(object.data)) {
-        return Names::tr("Payload");
-    }
-    if (const auto* group = std::get_if<GroupObject>(&object.data)) {
-        return group->layer ? Names::tr("Layer") : Names::tr("Group");
-    }
-    return std::holds_alternative<FinishObject>(object.data) ? Names::tr("Finish") : Names::tr("Connector");
+    return kindName(kindOf(object));
+}
+
+QString placedKind(const Object& object) {
+    const std::optional<Vec2> at = placeOf(object.data);
+    return at ? Names::tr("%1 at (%2, %3)").arg(kindName(object), shortNumberText(at->x()), shortNumberText(at->y()))
+              : kindName(object);
 }
 
 QString listedName(const Level& level, const Object& object) {

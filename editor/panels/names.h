@@ -7,7 +7,11 @@
 
 namespace spacetow {
 
-/// "Wall", "Ship", …
+/// Number of the kind of the object, below kindCount(). Those of bodies of one shape are the places in LevelShape.
+int kindOf(const Object& object);
+int kindCount();
+/// "One-way wall", "Ship", …
+QString kindName(int kind);
 QString kindName(const Object& object);
 /// Its own name, else what kind of thing it is.
 QString displayName(const Object& object);
@@ -17,5 +21,7 @@ QString listedName(const Level& level, const Object& object);
 QString menuSafe(const QString& name);
 /// For tooltips, where a name with < in it would be taken for rich text.
 QString plainToolTip(const QString& text);
+/// Its kind and where it is, as in "Circle at (1.5, 2)".
+QString placedKind(const Object& object);
 
 } // namespace spacetow

@@ -75,7 +75,7 @@ void ProblemsPanel::fill() {
         const bool oneOfMany = object != nullptr && (std::holds_alternative<BodyObject>(object->data) ||
                                                      std::holds_alternative<ConnectorObject>(object->data));
         const QString text = m_sentence(problem);
-        m_list.addItem(oneOfMany ? tr("%1: %2").arg(displayName(*object), text) : text);
+        m_list.addItem(oneOfMany ? tr("%1: %2").arg(listedName(*m_checked, *object), text) : text);
         QListWidgetItem* const item = m_list.item(m_list.count() - 1);
         item->setIcon(markFor(problem.severity, palette()));
     }

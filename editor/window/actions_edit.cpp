@@ -68,6 +68,13 @@ void pasteAt(MainWindow& window, const std::optional<Vec2>& at) {
                                 MainWindow::tr("There is nothing on the clipboard that can be pasted here."));
     }
     window.toolbox().finish(edit);
+    QStringList notes;
+    for (const Error& note : edit ? edit->notes : std::vector<Error>()) {
+        notes << sentence(note);
+    }
+    if (!notes.isEmpty()) {
+        window.messageBar().say(MessageBar::Tone::Info, notes.join(QLatin1Char(' ')));
+    }
 }
 
 void paste(MainWindow& window) {

@@ -123,6 +123,14 @@ class BadFilesTest : public QObject {
             "unknown-tag");
         row("touches none", start + R"({"key": "00000001", "type": "body", "touches": "none", "shapes": []}]})",
             "not-touches");
+        for (const char* touches : {"{}", R"({"except": "wall"})", R"({"but": []})", R"({"except": [], "glow": 1})"}) {
+            row(touches,
+                start + R"({"key": "00000001", "type": "body", "touches": )" + touches + R"(, "shapes": []}]})",
+                "not-touches");
+        }
+        row("excepted tag that is none",
+            start + R"({"key": "00000001", "type": "body", "touches": {"except": ["lava"]}, "shapes": []}]})",
+            "unknown-tag");
     }
     void aBadFileIsRefusedWithItsReasonAndLine() {
         QFETCH(QByteArray, text);

@@ -186,35 +186,74 @@ class FileTest : public QObject {
         const Level level = populatedLevel();
         const std::vector<Key> keys{1, 3, 6};
         std::vector<Problem> problems;
-        const std::vector<Object> objects = parseObjects(objectsText(level, keys), level.tags, problems);
+        const ForeignObjects foreign = parseObjects(objectsText(level, keys), problems);
         QVERIFY(problems.empty());
-        QCOMPARE(objects.size(), std::size_t{3});
-        for (const Object& object : objects) {
+        QCOMPARE(foreign.objects.size(), std::size_t{3});
+        for (const Object& object : foreign.objects) {
             QVERIFY(object == *level.objects.find(object.key));
+        }
+        for (int i = 0; i < TagTable::size; ++i) {
+            QVERIFY(foreign.tags[i].name.empty() || foreign.tags[i] == level.tags[i]);
         }
     }
 
-    void pastingWithoutATagLeavesItOffAndSaysSo() {
+    void copiedTextTellsTheTagsOfItsObjectsOnly() {
         Level level = populatedLevel();
-        level.tags.set(17, {"lava", 0});
+        level.tags.set(17, {"lava", 0xff0000});
         const std::vector<Key> keys{1};
+        const std::string without = objectsText(level, keys);
+        QVERIFY(without.find("lava") != std::string::npos); // is what object 1 is
+        level.tags.set(18, {"ice", 0x0000ff});
+        QCOMPARE(objectsText(level, keys), without);
+    }
+
+    void tagsThatAreOnlyNamedAreGivenAPlace() {
         std::vector<Problem> problems;
-        const std::vector<Object> objects = parseObjects(objectsText(level, keys), TagTable(), problems);
-        QCOMPARE(problems.size(), std::size_t{1});
-        QCOMPARE(problems[0].code, std::string("unknown-tag"));
-        QCOMPARE(problems[0].severity, Severity::Warning);
-        QCOMPARE(std::get<BodyObject>(objects.at(0).data).filter.tags.bits, TagMask::bit(2).bits);
+        const std::string text = withObjects(
+            R"({"key": "00000001", "type": "body", "tags": ["lava", "#3"], "touches": {"except": ["ice"]}, )"
+            R"("shapes": [{"type": "circle", "radius": 1}]})");
+        const ForeignObjects foreign = parseObjects(text, problems);
+        QVERIFY(problems.empty());
+        const Filter filter = std::get<BodyObject>(foreign.objects.at(0).data).filter;
+        const std::optional<int> lava = foreign.tags.indexOf("lava");
+        const std::optional<int> ice = foreign.tags.indexOf("ice");
+        QVERIFY(lava && ice && lava != ice);
+        QVERIFY(filter.tags == (TagMask::bit(*lava) | TagMask::bit(3)));
+        QCOMPARE(filter.touches.bits, ~TagMask::bit(*ice).bits);
+    }
+
+    void everythingButAFewIsWrittenAsWhatItIs() {
+        Level level;
+        BodyObject body;
+        body.shapes = {Circle{}};
+        const auto spelled = [&](TagMask touches) {
+            body.filter.touches = touches;
+            Level with = level;
+            with.objects.append({1, "", body, {}});
+            const std::string text = levelText(with);
+            const LevelFile read = parseLevel(text);
+            return read.level && *read.level == with ? text : std::string("does not read back");
+        };
+        const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+        QVERIFY(has(spelled(TagMask{~(1U << debrisTag)}), R"("touches": {"except": ["debris"]})"));
+        QVERIFY(has(spelled(TagMask{~(1U << debrisTag | 1U << 20)}), R"("touches": {"except": ["debris", "#20"]})"));
+        QVERIFY(has(spelled(TagMask{3}), R"("touches": ["wall", "ship"])"));
+        QVERIFY(has(spelled(TagMask{}), R"("touches": [])"));
+        QVERIFY(!has(spelled(TagMask::all()), "touches"));
+        for (std::uint32_t tags = 0; tags <= 32; ++tags) {
+            QVERIFY(spelled(TagMask{tags == 32 ? ~0U : (1U << tags) - 1}) != "does not read back");
+        }
     }
 
     void pastingLeavesOutWhatIsWrong() {
         std::vector<Problem> problems;
         const std::string text = withObjects(R"({"key": "00000001", "type": "ship", "angle": "up"},
                                                 {"key": "00000002", "type": "ship"}, 3)");
-        const std::vector<Object> objects = parseObjects(text, TagTable(), problems);
+        const std::vector<Object> objects = parseObjects(text, problems).objects;
         QCOMPARE(objects.size(), std::size_t{1});
         QCOMPARE(objects[0].key, Key{2});
         QCOMPARE(problems.size(), std::size_t{2});
-        QVERIFY(parseObjects("hello", TagTable(), problems).empty());
+        QVERIFY(parseObjects("hello", problems).objects.empty());
         QCOMPARE(problems.back().code, std::string("not-json"));
     }
 

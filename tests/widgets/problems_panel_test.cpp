@@ -1,6 +1,7 @@
 #include "editor/panels/problems_panel.h"
 
 #include "core/level/lint.h"
+#include "editor/window/messages.h"
 #include "tests/support/test_main.h"
 
 #include <QListWidget>
@@ -42,6 +43,30 @@ class ProblemsPanelTest : public QObject {
         document.undo();
         panel.check();
         QCOMPARE(panel.errors(), 0);
+    }
+
+    void anObjectWithoutANameIsToldByKindAndPlace() {
+        Document document;
+        ProblemsPanel panel(document, [](const Problem& problem) { return sentence(problem); });
+        BodyObject body;
+        body.shapes = {Circle{Vec2(0, 0), 1}};
+        body.position = Vec2(0.5, -0.25);
+        Level level;
+        level.objects.append({1, "", body, {}});
+        level.objects.append({2, "", ShipObject{}, {}});
+        level.objects.append({3, "", PayloadObject{Vec2(20, 0)}, {}});
+        level.objects.append({4, "", FinishObject{Vec2(10, 0), Vec2(10, 2)}, {}});
+        level.objects.append(crossed(5));
+        document.commit({"draw-circle", 1}, {std::make_shared<Level>(level), Selection()});
+        panel.check();
+        QStringList texts;
+        for (const QListWidgetItem* item : panel.findChild<QListWidget*>()->findItems("*", Qt::MatchWildcard)) {
+            texts << item->text();
+        }
+        const QString all = texts.join('\n');
+        QVERIFY2(all.contains("The ship starts in touch with the circle at 0.5; -0.25 m"), qPrintable(all));
+        QVERIFY2(all.contains("Polygon at "), qPrintable(all));
+        QVERIFY2(!all.contains(QString::fromUtf8("“”")), qPrintable(all));
     }
 
     void theCheckFollowsAnEditByItself() {

@@ -1,0 +1,77 @@
+#include "editor/panels/number_text.h"
+
+#include <QLocale>
+#include <QRegularExpression>
+
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+constexpr int decimals = 4; // of the short text
+constexpr double large = 1e7;
+constexpr double small = 0.5e-4;
+constexpr double veryLarge = 1e15; // beyond these two an exponent is shorter
+constexpr double verySmall = 1e-5;
+
+QLocale plainLocale() {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale;
+}
+
+} // namespace
+
+QString shortNumberText(double number) {
+    const QLocale locale = plainLocale();
+    if (number == 0) {
+        return locale.toString(0); // −0 has no sign
+    }
+    if (std::abs(number) >= large || std::abs(number) < small) {
+        return locale.toString(number, 'g', 6);
+    }
+    QString text = locale.toString(number, 'f', decimals);
+    const QString point = locale.decimalPoint();
+    const QString zero = locale.zeroDigit();
+    while (text.contains(point) && (text.endsWith(zero) || text.endsWith(point))) {
+        const bool done = text.endsWith(point);
+        text.chop(done ? point.size() : zero.size());
+        if (done) {
+            break;
+        }
+    }
+    return text;
+}
+
+QString exactNumberText(double number) {
+    const QLocale locale = plainLocale();
+    const double size = std::abs(number);
+    if (number == 0) {
+        return locale.toString(0);
+    }
+    return locale.toString(number, size < veryLarge && size >= verySmall ? 'f' : 'g', QLocale::FloatingPointShortest);
+}
+
+QString withPlainDigits(const QString& text) {
+    QString plain;
+    for (const char32_t c : text.toUcs4()) {
+        if (QChar::category(c) == QChar::Number_DecimalDigit) {
+            plain += QLatin1Char(static_cast<char>('0' + QChar::digitValue(c)));
+        } else {
+            plain += QString::fromUcs4(&c, 1);
+        }
+    }
+    // The exponent may have digits of its own, as in ×۱۰^.
+    QString power = QLocale().exponential();
+    if (power.compare(QLatin1String("e"), Qt::CaseInsensitive) != 0) {
+        for (QChar& c : power) {
+            c = c.isDigit() ? QLatin1Char(static_cast<char>('0' + c.digitValue())) : c;
+        }
+        plain.replace(power, QLatin1String("e"), Qt::CaseInsensitive);
+    }
+    static const QRegularExpression typographic(QStringLiteral("[×·]10\\^(?=[-+−]?[0-9])"));
+    return plain.replace(typographic, QStringLiteral("e"));
+}
+
+} // namespace spacetow
