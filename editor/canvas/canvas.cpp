@@ -2,6 +2,7 @@
 
 #include "core/level/edits.h"
 #include "editor/canvas/guide_painter.h"
+#include "editor/canvas/highlight_painter.h"
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/scene_painter.h"
@@ -100,6 +101,13 @@ void Canvas::setOverlays(const OverlayFlags& overlays) {
     update();
 }
 
+void Canvas::setHighlighted(std::vector<Key> keys) {
+    if (keys != m_highlighted) {
+        m_highlighted = std::move(keys);
+        update();
+    }
+}
+
 void Canvas::zoom(double factor) {
     setView(m_view.zoomedAt(0.5 * m_view.size, factor));
 }
@@ -182,6 +190,7 @@ void Canvas::paintEvent(QPaintEvent*) {
         }
         paintSelection(stage, *shown.level, shown.selection);
     }
+    paintHighlight(stage, *shown.level, m_highlighted);
     const Overlay overlay = m_toolbox.overlay();
     if (overlay.hovered != 0) {
         paintHovered(stage, *shown.level, overlay.hovered);

@@ -12,6 +12,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 class QNativeGestureEvent;
 
@@ -30,6 +31,9 @@ class Canvas : public QWidget {
     bool isGridVisible() const { return m_grid; }
     void setGridVisible(bool visible);
     void setOverlays(const OverlayFlags& overlays);
+    /// Objects that are marked without being selected; the keys are ascending.
+    void setHighlighted(std::vector<Key> keys);
+    const std::vector<Key>& highlighted() const { return m_highlighted; }
     bool areGuidesVisible() const { return m_toolbox.guidesVisible; }
     void setGuidesVisible(bool visible);
 
@@ -98,6 +102,7 @@ class Canvas : public QWidget {
     Viewport m_view;
     LayerCache m_layer;
     OverlayFlags m_overlays;
+    std::vector<Key> m_highlighted;
     bool m_grid = true;
     bool m_fitted = false; // since the last fitLevel() nobody has moved the view
 

@@ -1,16 +1,15 @@
 #include "editor/panels/form.h"
 
-#include "editor/panels/number_field.h"
-#include "editor/panels/text_box.h"
+#include "editor/canvas/icons.h"
+#include "editor/panels/form_colors.h"
+#include "editor/panels/object_field.h"
+#include "editor/panels/scrub_label.h"
+#include "editor/panels/text_line.h"
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QCoreApplication>
-#include <QLineEdit>
 
 #include <algorithm>
 #include <string_view>
-#include <unordered_map>
 
 namespace spacetow {
 
@@ -18,10 +17,8 @@ namespace {
 
 constexpr int firstColumn = 1; // of the editors
 constexpr int columns = 2;
-
-QString translated(const char* words) {
-    return *words == '\0' ? QString() : QCoreApplication::translate("Inspector", words);
-}
+constexpr int resetColumn = firstColumn + columns;
+constexpr int allColumns = resetColumn + 1;
 
 bool isPairEnd(const FormRow& row) {
     return *row.label == '\0';
@@ -38,12 +35,14 @@ bool hasWideEditor(RowKind kind) {
 
 } // namespace
 
-Form::Form(std::span<const FormRow> rows, QWidget* parent) : QWidget(parent), m_grid(this) {
-    m_grid.setContentsMargins(10, 6, 10, 10);
-    m_grid.setHorizontalSpacing(8);
-    m_grid.setVerticalSpacing(6);
+Form::Form(std::span<const FormRow> rows, FormTarget target, QWidget* parent)
+    : QWidget(parent), m_target(std::move(target)), m_grid(this) {
+    m_grid.setContentsMargins(10, 2, 6, 10);
+    m_grid.setHorizontalSpacing(6);
+    m_grid.setVerticalSpacing(5);
     m_grid.setColumnStretch(firstColumn, 1);
     m_grid.setColumnStretch(firstColumn + 1, 1);
+    tint();
     for (const FormRow& row : rows) {
         addRow(row);
     }
@@ -51,7 +50,9 @@ Form::Form(std::span<const FormRow> rows, QWidget* parent) : QWidget(parent), m_
     m_fullWidth = measured();
 }
 
-Form::~Form() = default;
+Form::~Form() {
+    m_target = {}; // fields that lose the focus while they go change nothing any more
+}
 
 int Form::measured() {
     NumberSpec widest;
@@ -65,166 +66,252 @@ int Form::measured() {
     return m_grid.totalMinimumSize().width();
 }
 
+void Form::addHeader(FormRowState& row, int line) {
+    auto header = std::make_unique<QToolButton>();
+    header->setText(rowText(row.spec.section));
+    header->setObjectName(QString::fromLatin1(row.spec.section));
+    header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    header->setArrowType(Qt::DownArrow);
+    header->setAutoRaise(true);
+    header->setCheckable(true);
+    header->setChecked(true);
+    header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    header->setToolTip(tr("Fold or unfold this section"));
+    QFont font = header->font();
+    font.setBold(true);
+    header->setFont(font);
+    const std::string section = row.spec.section;
+    connect(header.get(), &QToolButton::toggled, this, [this, section](bool open) {
+        if (open) {
+            m_folded.erase(section);
+        } else {
+            m_folded.insert(section);
+        }
+        arrangeSections();
+        Q_EMIT sectionsFolded();
+    });
+    m_grid.addWidget(header.get(), line, 0, 1, allColumns);
+    row.header = std::move(header);
+}
+
+void Form::addReset(FormRowState& row, int line) {
+    row.reset = std::make_unique<QToolButton>();
+    row.reset->setAutoRaise(true);
+    row.reset->setIcon(m_resetIcon);
+    row.reset->setIconSize({14, 14});
+    row.reset->setFocusPolicy(Qt::TabFocus);
+    row.reset->setToolTip(tr("Back to the default"));
+    row.reset->setAccessibleName(tr("Back to the default: %1").arg(rowText(row.spec.label)));
+    QSizePolicy policy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    policy.setRetainSizeWhenHidden(true);
+    row.reset->setSizePolicy(policy);
+    FormRowState* const at = &row;
+    connect(row.reset.get(), &QToolButton::clicked, this, [this, at] { reset(*at); });
+    m_grid.addWidget(row.reset.get(), line, resetColumn, Qt::AlignTop);
+}
+
 void Form::addRow(const FormRow& spec) {
     auto row = std::make_unique<FormRowState>();
     row->spec = spec;
-    const bool newSection = m_rows.empty() || std::string_view(m_rows.back()->spec.section) != spec.section;
+    const bool isNewSection = m_rows.empty() || std::string_view(m_rows.back()->spec.section) != spec.section;
     int line = m_grid.rowCount();
-    if (newSection) {
-        row->heading = std::make_unique<QLabel>(translated(spec.section));
-        QFont font = row->heading->font();
-        font.setBold(true);
-        row->heading->setFont(font);
-        row->heading->setContentsMargins(0, m_rows.empty() ? 0 : 8, 0, 0);
-        m_grid.addWidget(row->heading.get(), line++, 0, 1, firstColumn + columns);
+    if (isNewSection) {
+        addHeader(*row, line++);
     }
     makeEditor(*row);
-    row->editor->setObjectName(QString::fromLatin1(spec.id));
+    QWidget* const editor = row->editor.get();
+    editor->setObjectName(QString::fromLatin1(spec.id));
     if (isPairEnd(spec)) {
-        m_grid.addWidget(row->editor.get(), line - 1, firstColumn + 1);
-        row->editor->setAccessibleName(m_rows.back()->editor->accessibleName().chopped(1) + QLatin1Char('y'));
-    } else {
-        const QString words = translated(spec.label);
-        row->editor->setAccessibleName(isPairStart(spec) ? words + QStringLiteral(" x") : words);
-        if (spec.kind != RowKind::Switch) {
-            row->label = std::make_unique<QLabel>(words);
-            row->label->setBuddy(row->editor.get());
-            const bool above = hasWideEditor(spec.kind);
-            m_grid.addWidget(row->label.get(), line, 0, 1, above ? firstColumn + columns : 1,
-                             spec.kind == RowKind::LongText ? Qt::AlignTop : Qt::Alignment());
-            line += above ? 1 : 0;
-        }
-        const bool wide = hasWideEditor(spec.kind);
-        m_grid.addWidget(row->editor.get(), line, wide ? 0 : firstColumn, 1,
-                         wide ? firstColumn + columns : (isPairStart(spec) ? 1 : columns));
+        FormRowState& start = *m_rows.back();
+        row->pairStart = &start;
+        static_cast<NumberField*>(editor)->setAxis(QStringLiteral("y"));
+        // The fault of the first one has taken the line below it.
+        m_grid.addWidget(editor, line - 2, firstColumn + 1);
+        editor->setAccessibleName(start.editor->accessibleName().chopped(1) + QLatin1Char('y'));
+        m_rows.push_back(std::move(row));
+        return;
     }
+    const QString words = rowText(spec.label);
+    editor->setAccessibleName(isPairStart(spec) ? words + QStringLiteral(" x") : words);
+    const bool isWide = hasWideEditor(spec.kind);
+    if (spec.kind != RowKind::Switch) {
+        const bool isScrubbed = spec.kind == RowKind::Number && !isPairStart(spec);
+        row->label = isScrubbed ? std::make_unique<ScrubLabel>(words, static_cast<NumberField&>(*editor))
+                                : std::make_unique<QLabel>(words);
+        row->label->setBuddy(editor);
+        row->label->setToolTip(rowText(spec.meaning));
+        m_grid.addWidget(row->label.get(), line, 0, 1, isWide ? resetColumn : 1,
+                         spec.kind == RowKind::LongText ? Qt::AlignTop : Qt::Alignment());
+    }
+    if (isPairStart(spec)) {
+        static_cast<NumberField*>(editor)->setAxis(QStringLiteral("x"));
+    }
+    addReset(*row, line);
+    line += isWide && row->label ? 1 : 0;
+    m_grid.addWidget(editor, line, isWide ? 0 : firstColumn, 1,
+                     isWide && row->label ? allColumns
+                     : isWide             ? resetColumn
+                                          : (isPairStart(spec) ? 1 : columns));
+    row->fault = std::make_unique<QLabel>();
+    row->fault->setWordWrap(true);
+    row->fault->setTextFormat(Qt::PlainText);
+    row->fault->hide();
+    m_grid.addWidget(row->fault.get(), line + 1, 0, 1, allColumns);
     m_rows.push_back(std::move(row));
 }
 
-void Form::makeEditor(FormRowState& row) {
-    const QString id = QString::fromLatin1(row.spec.id);
-    switch (row.spec.kind) {
-    case RowKind::Number: {
-        auto field = std::make_unique<NumberField>();
-        connect(field.get(), &NumberField::entered, this, [this, id, &row](std::optional<double> number) {
-            Q_EMIT entered(id, number ? FieldValue(*number / row.scale) : FieldValue(Unset{}));
-        });
-        row.editor = std::move(field);
-        break;
-    }
-    case RowKind::Switch: {
-        auto box = std::make_unique<QCheckBox>(translated(row.spec.label));
-        QCheckBox* const at = box.get();
-        connect(at, &QCheckBox::clicked, this, [this, id, at] {
-            at->setTristate(false);
-            Q_EMIT entered(id, at->isChecked());
-        });
-        row.editor = std::move(box);
-        break;
-    }
-    case RowKind::Text: {
-        auto line = std::make_unique<QLineEdit>();
-        QLineEdit* const at = line.get();
-        connect(at, &QLineEdit::editingFinished, this, [this, id, at] {
-            if (at->isModified()) {
-                at->setModified(false);
-                Q_EMIT entered(id, at->text().toStdString());
-            }
-        });
-        row.editor = std::move(line);
-        break;
-    }
-    case RowKind::LongText: {
-        auto box = std::make_unique<TextBox>();
-        connect(box.get(), &TextBox::entered, this,
-                [this, id](const QString& text) { Q_EMIT entered(id, text.toStdString()); });
-        row.editor = std::move(box);
-        break;
-    }
-    case RowKind::Choice:
-    case RowKind::Background:
-        makeChoice(row);
-        break;
-    case RowKind::Tags:
-    case RowKind::Touches:
-        makeTags(row);
-        break;
-    }
-}
-
-void Form::makeChoice(FormRowState& row) {
-    const QString id = QString::fromLatin1(row.spec.id);
-    auto box = std::make_unique<QComboBox>();
-    QComboBox* const at = box.get();
-    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    if (row.spec.kind == RowKind::Background) {
-        box->addItem(tr("Stars"), QStringLiteral("stars"));
-        box->addItem(tr("Plain"), QStringLiteral("plain"));
-        connect(at, &QComboBox::activated, this,
-                [this, id, at] { Q_EMIT entered(id, at->currentData().toString().toStdString()); });
-    } else {
-        for (const char* choice : row.spec.choices) {
-            box->addItem(translated(choice));
-        }
-        connect(at, &QComboBox::activated, this, [this, id](int index) { Q_EMIT entered(id, Choice{index}); });
-    }
-    box->setPlaceholderText(tr("mixed"));
-    box->setFocusPolicy(Qt::StrongFocus);
-    row.editor = std::move(box);
-}
-
-void Form::makeTags(FormRowState& row) {
-    const QString id = QString::fromLatin1(row.spec.id);
-    auto grid = std::make_unique<TagGrid>(row.spec.kind == RowKind::Touches);
-    connect(grid.get(), &TagGrid::tagSwitched, this,
-            [this, id](int index, bool on) { Q_EMIT tagSwitched(id, index, on); });
-    connect(grid.get(), &TagGrid::everythingSwitched, this,
-            [this, id](bool on) { Q_EMIT entered(id, on ? TagMask::all() : TagMask{}); });
-    connect(grid.get(), &TagGrid::tagDefined, this, &Form::tagDefined);
-    row.editor = std::move(grid);
-}
-
-void Form::setThings(const std::vector<std::vector<FieldEntry>>& things, const TagTable& tags) {
-    std::unordered_map<std::string, FormShown> all;
-    for (const std::vector<FieldEntry>& fields : things) {
-        for (const FieldEntry& entry : fields) {
-            FormShown& shown = all[entry.id];
-            ++shown.count;
-            shown.mayBeUnset = shown.mayBeUnset && entry.mayBeUnset;
-            if (shown.first == nullptr) {
-                shown.first = &entry;
-            } else if (!(shown.first->value == entry.value)) {
-                shown.mixed = true;
-            }
-            if (const TagMask* mask = std::get_if<TagMask>(&entry.value)) {
-                shown.masks.push_back(*mask);
-            }
-        }
-    }
-    QLabel* heading = nullptr;
-    bool anyInSection = false;
+void Form::setContent(const FormContent& content) {
     for (const std::unique_ptr<FormRowState>& row : m_rows) {
-        if (row->heading) {
-            if (heading != nullptr) {
-                heading->setVisible(anyInSection);
-            }
-            heading = row->heading.get();
-            anyInSection = false;
-        }
-        const auto found = all.find(row->spec.id);
-        const bool shared = found != all.end() && found->second.count == static_cast<int>(things.size());
-        show(*row, shared ? &found->second : nullptr, tags);
-        anyInSection = anyInSection || shared;
+        showRow(*row, summaryOf(content.fields, row->spec.id), content);
     }
-    if (heading != nullptr) {
-        heading->setVisible(anyInSection);
+    arrangeSections();
+}
+
+void Form::arrangeSections() {
+    setUpdatesEnabled(false);
+    FormRowState* header = nullptr;
+    bool isOpen = true;
+    for (const std::unique_ptr<FormRowState>& row : m_rows) {
+        if (row->header) {
+            header = row.get();
+            isOpen = !m_folded.contains(row->spec.section);
+            row->header->setVisible(false);
+            row->header->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+        }
+        const bool isThere = row->shown.has_value();
+        if (isThere && header != nullptr) {
+            header->header->setVisible(true);
+            header = nullptr;
+        }
+        const bool isSeen = isThere && isOpen;
+        row->editor->setVisible(isSeen);
+        if (row->label) {
+            row->label->setVisible(isSeen);
+        }
+    }
+    for (const std::unique_ptr<FormRowState>& row : m_rows) {
+        if (row->reset) {
+            const bool isSeen = !row->editor->isHidden();
+            row->reset->setVisible(isSeen && row->shown && row->shown->hasStandard && !row->shown->isStandard);
+        } else if (row->pairStart != nullptr && row->shown && !row->editor->isHidden() && row->shown->hasStandard &&
+                   !row->shown->isStandard) {
+            row->pairStart->reset->setVisible(true);
+        }
+    }
+    showFaults();
+    setUpdatesEnabled(true);
+}
+
+void Form::showFaults() {
+    for (const std::unique_ptr<FormRowState>& row : m_rows) {
+        FormRowState& start = row->pairStart != nullptr ? *row->pairStart : *row;
+        const auto* number = qobject_cast<const NumberField*>(row->editor.get());
+        const auto* object = qobject_cast<const ObjectField*>(row->editor.get());
+        const QString fault = number != nullptr ? number->fault() : object != nullptr ? object->fault() : QString();
+        if (row->pairStart == nullptr || !fault.isEmpty()) {
+            start.fault->setText(fault);
+            start.fault->setVisible(!fault.isEmpty() && !row->editor->isHidden());
+        }
     }
 }
+
+void Form::revert() {
+    for (const std::unique_ptr<FormRowState>& row : m_rows) {
+        if (auto* number = qobject_cast<NumberField*>(row->editor.get())) {
+            number->revert();
+        } else if (auto* line = qobject_cast<TextLine*>(row->editor.get())) {
+            line->revert();
+        } else if (auto* object = qobject_cast<ObjectField*>(row->editor.get())) {
+            object->revert();
+        }
+        row->shown.reset();
+    }
+}
+
+void Form::reset(FormRowState& row) {
+    FormEdit edit;
+    for (const std::unique_ptr<FormRowState>& other : m_rows) {
+        if ((other.get() == &row || other->pairStart == &row) && other->shown && other->shown->hasStandard) {
+            edit.fields.push_back(
+                {other->spec.id, [value = other->shown->standard](const FieldValue&) { return std::optional(value); }});
+        }
+    }
+    if (m_target.edit && !edit.fields.empty()) {
+        m_target.edit(edit);
+    }
+}
+
+QString Form::change(const std::string& id, const FieldValue& value) {
+    if (!m_target.edit) {
+        return {};
+    }
+    return m_target.edit({{{id, [value](const FieldValue&) { return std::optional(value); }}}});
+}
+
+QStringList Form::foldedSections() const {
+    QStringList titles;
+    for (const std::string& title : m_folded) {
+        titles << QString::fromStdString(title);
+    }
+    return titles;
+}
+
+void Form::foldSections(const QStringList& titles) {
+    for (const std::unique_ptr<FormRowState>& row : m_rows) {
+        if (row->header) {
+            row->header->setChecked(!titles.contains(QString::fromLatin1(row->spec.section)));
+        }
+    }
+}
+
+void Form::tint() {
+    m_resetIcon = icon(QStringLiteral("reset"), palette());
+    for (const std::unique_ptr<FormRowState>& row : m_rows) {
+        if (row->reset) {
+            row->reset->setIcon(m_resetIcon);
+            QPalette colors = row->fault->palette();
+            colors.setColor(QPalette::WindowText, faultColor(palette()));
+            row->fault->setPalette(colors);
+        }
+    }
+}
+
+void Form::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        tint();
+    }
+    QWidget::changeEvent(event);
+}
+
+namespace {
+
+template <class Rows>
+FormRowState* rowOf(const Rows& rows, const QString& id) {
+    const auto found = std::ranges::find_if(rows, [&id](const auto& row) { return id == QLatin1String(row->spec.id); });
+    return found == rows.end() ? nullptr : found->get();
+}
+
+} // namespace
 
 QWidget* Form::editor(const QString& id) const {
+    const FormRowState* row = rowOf(m_rows, id);
+    return row == nullptr ? nullptr : row->editor.get();
+}
+
+QAbstractButton* Form::resetButton(const QString& id) const {
+    const FormRowState* row = rowOf(m_rows, id);
+    return row == nullptr ? nullptr : row->pairStart != nullptr ? row->pairStart->reset.get() : row->reset.get();
+}
+
+QLabel* Form::faultLabel(const QString& id) const {
+    const FormRowState* row = rowOf(m_rows, id);
+    return row == nullptr ? nullptr : row->pairStart != nullptr ? row->pairStart->fault.get() : row->fault.get();
+}
+
+QAbstractButton* Form::sectionHeader(const QString& title) const {
     for (const std::unique_ptr<FormRowState>& row : m_rows) {
-        if (id == QLatin1String(row->spec.id)) {
-            return row->editor.get();
+        if (row->header && row->header->objectName() == title) {
+            return row->header.get();
         }
     }
     return nullptr;

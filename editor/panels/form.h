@@ -1,53 +1,107 @@
 #pragma once
-// A form made from a table of rows: shows the values of one thing or of several at once, and says what the user enters.
-// Rows that nothing has are hidden. Values are in the units of the file.
+// A form made from a table of rows: shows what one thing or several at once have in each field, and turns what the user
+// enters into edits of fields. Rows that nothing has are hidden, and so are those of sections that are folded up.
 
-#include "core/level/tag_table.h"
-#include "editor/panels/field_access.h"
+#include "core/level/field_edits.h"
+#include "core/level/field_survey.h"
 #include "editor/panels/form_row.h"
-#include "editor/panels/tag_grid.h"
+#include "editor/panels/number_field.h"
 
 #include <QGridLayout>
+#include <QIcon>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace spacetow {
+
+/// Made together, as one undo step.
+struct FormEdit {
+    std::vector<FieldEdit> fields;
+    NumberEntry::Phase phase = NumberEntry::Phase::Final;
+    bool mayMerge = false; // with the one before, as steps of the arrow keys do
+};
+
+/// What a form needs from whoever shows it. The empty ones are not called.
+struct FormTarget {
+    /// Makes the edit and answers with an objection, empty for none.
+    std::function<QString(const FormEdit&)> edit;
+    std::function<QString(const Error&)> words;
+    std::function<const Level&()> level; // that is shown
+    std::function<void(int, const TagInfo&)> defineTag;
+    std::function<void(int)> selectTagged;
+};
+
+/// What is shown.
+struct FormContent {
+    std::vector<FieldSummary> fields;
+    int things = 1;
+    bool isLive = false; // a gesture is under way, and names do not change
+};
 
 class Form : public QWidget {
     Q_OBJECT
 
   public:
-    explicit Form(std::span<const FormRow> rows, QWidget* parent = nullptr);
+    Form(std::span<const FormRow> rows, FormTarget target, QWidget* parent = nullptr);
     ~Form() override;
 
-    /// The fields of each thing that is shown.
-    void setThings(const std::vector<std::vector<FieldEntry>>& things, const TagTable& tags);
+    void setContent(const FormContent& content);
+    /// Forgets what is being typed, because something else is going to be shown.
+    void revert();
 
     /// The width at which no row would be cut off, be it in sight or not.
     int fullWidth() const { return m_fullWidth; }
 
-    /// The widget that edits this field, for tests and for the focus; null for an unknown one.
+    /// Titles of the sections that are folded up, in the language of the program's sources.
+    QStringList foldedSections() const;
+    void foldSections(const QStringList& titles);
+
+    /// The widgets of a field, for tests and for the focus; null for an unknown one.
     QWidget* editor(const QString& id) const;
+    QAbstractButton* resetButton(const QString& id) const;
+    QLabel* faultLabel(const QString& id) const;
+    QAbstractButton* sectionHeader(const QString& title) const;
 
   Q_SIGNALS:
-    void entered(const QString& id, const spacetow::FieldValue& value);
-    /// Of the masks "tags" or "touches": one bit of every thing.
-    void tagSwitched(const QString& id, int index, bool on);
-    void tagDefined(int index, const QString& name, const QColor& color);
+    void sectionsFolded();
+
+  protected:
+    void changeEvent(QEvent* event) override;
 
   private:
     void addRow(const FormRow& spec);
+    void addHeader(FormRowState& row, int line);
+    void addReset(FormRowState& row, int line);
     void makeEditor(FormRowState& row);
+    void makeNumber(FormRowState& row);
+    void makeSwitch(FormRowState& row);
     void makeChoice(FormRowState& row);
+    void makeBackground(FormRowState& row);
+    void makeText(FormRowState& row);
+    void makeObject(FormRowState& row);
+    void makeColor(FormRowState& row);
     void makeTags(FormRowState& row);
-    void show(FormRowState& row, const FormShown* shown, const TagTable& tags);
 
+    /// Shows the summary in the row's editor; null hides it.
+    void showRow(FormRowState& row, const FieldSummary* summary, const FormContent& content);
+    void arrangeSections();
+    void showFaults();
+    void tint();
+
+    QString change(const std::string& id, const FieldValue& value);
+    QString enterNumber(FormRowState& row, const NumberEntry& entry);
+    void reset(FormRowState& row);
     int measured();
 
+    FormTarget m_target;
     QGridLayout m_grid;
+    QIcon m_resetIcon;
     int m_fullWidth = 0;
+    std::set<std::string> m_folded;
     std::vector<std::unique_ptr<FormRowState>> m_rows; // rows stay where they are
 };
 

@@ -1,32 +1,28 @@
 #pragma once
-// What a form keeps of each row, and what is to be shown in it.
+// What a form keeps of each row.
 
-#include "editor/panels/field_access.h"
+#include "core/level/field_survey.h"
 #include "editor/panels/form_rows.h"
 
 #include <QLabel>
+#include <QToolButton>
 #include <QWidget>
 
 #include <memory>
-#include <vector>
+#include <optional>
 
 namespace spacetow {
 
 struct FormRowState {
     FormRow spec;
-    std::unique_ptr<QLabel> heading; // above the first row of a section
-    std::unique_ptr<QLabel> label;
+    std::unique_ptr<QToolButton> header; // above the first row of a section
+    std::unique_ptr<QLabel> label;       // the second part of a pair has none, and none of the three that follow
+    std::unique_ptr<QToolButton> reset;
+    std::unique_ptr<QLabel> fault; // beneath
     std::unique_ptr<QWidget> editor;
-    double scale = 1; // shown per stored
-};
-
-/// One field over all the things that are shown.
-struct FormShown {
-    const FieldEntry* first = nullptr;
-    bool mixed = false;
-    bool mayBeUnset = true; // in all of them
-    int count = 0;
-    std::vector<TagMask> masks;
+    FormRowState* pairStart = nullptr; // of the second part of a pair
+    std::optional<FieldSummary> shown;
+    int things = 0; // among which it was shown
 };
 
 } // namespace spacetow

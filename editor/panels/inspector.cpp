@@ -1,8 +1,11 @@
 #include "editor/panels/inspector.h"
 
 #include "core/level/edits.h"
+#include "core/level/groups.h"
+#include "editor/editing/collisions.h"
 #include "editor/panels/names.h"
 
+#include <QScrollBar>
 #include <QShowEvent>
 #include <QStyle>
 
@@ -13,6 +16,23 @@ namespace spacetow {
 
 namespace {
 
+/// Why the objects cannot be put into the group, or an empty text.
+QString objectionToParent(const Level& level, std::span<const Key> keys, const FieldEdit& edit) {
+    const std::optional<FieldValue> value = edit.change(Unset{});
+    const KeyValue* parent = value ? std::get_if<KeyValue>(&*value) : nullptr;
+    const Object* group = parent == nullptr ? nullptr : level.objects.find(parent->key);
+    if (group == nullptr) {
+        return {};
+    }
+    const GroupTree tree(level);
+    const bool isCircle =
+        std::ranges::any_of(keys, [&](Key key) { return key == group->key || tree.isWithin(*group, key); });
+    return isCircle ? Inspector::tr("A group cannot be put into itself.") : QString();
+}
+
+/// Of so many objects all are looked at during a gesture; of more only some, evenly spread, until it ends.
+constexpr int mostLive = 2000;
+
 void dress(QScrollArea& page, Form& form) {
     page.setWidget(&form);
     page.setWidgetResizable(true);
@@ -20,27 +40,58 @@ void dress(QScrollArea& page, Form& form) {
     page.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // see minimumSizeHint
 }
 
+QString counted(const std::vector<int>& kinds) {
+    QStringList parts;
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        if (kinds[kind] > 0) {
+            parts << QStringLiteral("%1 × %2").arg(kinds[kind]).arg(kindName(static_cast<int>(kind)));
+        }
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
 } // namespace
 
-Inspector::Inspector(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_column(this), m_levelForm(levelRows()), m_objectForm(objectRows()) {
+Inspector::Inspector(Document& document, Words words, QWidget* parent)
+    : QWidget(parent), m_document(document), m_words(std::move(words)), m_column(this),
+      m_levelForm(levelRows(), target()), m_objectForm(objectRows(), target()) {
     m_column.setContentsMargins(0, 0, 0, 0);
     m_column.setSpacing(0);
-    m_title.setContentsMargins(10, 8, 10, 2);
-    m_title.setTextFormat(Qt::PlainText);
-    m_title.setWordWrap(true);
+    for (QLabel* label : {&m_title, &m_subtitle}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setWordWrap(true);
+        m_column.addWidget(label);
+    }
+    m_title.setContentsMargins(10, 8, 10, 0);
+    m_subtitle.setContentsMargins(10, 0, 10, 4);
+    m_subtitle.setForegroundRole(QPalette::PlaceholderText);
     QFont font = m_title.font();
     font.setPointSizeF(font.pointSizeF() * 1.15);
     m_title.setFont(font);
-    m_column.addWidget(&m_title);
+    m_shapeBox.setAccessibleName(tr("Shape"));
+    m_shapeBox.setToolTip(tr("Which shape the fields of shapes speak of"));
+    m_shapeBox.setFocusPolicy(Qt::StrongFocus);
+    m_shapeBox.hide();
+    connect(&m_shapeBox, &QComboBox::activated, this, [this](int index) {
+        m_shape = index - 1;
+        m_objectForm.revert();
+        refresh();
+    });
+    m_column.addWidget(&m_shapeBox);
     m_column.addWidget(&m_pages, 1);
     dress(m_levelPage, m_levelForm);
     dress(m_objectPage, m_objectForm);
     m_pages.addWidget(&m_levelPage);
     m_pages.addWidget(&m_objectPage);
-    watch(m_levelForm);
-    watch(m_objectForm);
-    m_listener = m_document.changed.connect([this](const Change&) { refresh(); });
+    keepScrolled(m_levelPage, m_levelScroll);
+    keepScrolled(m_objectPage, m_objectScroll);
+    connect(&m_levelForm, &Form::sectionsFolded, this, &Inspector::sectionsFolded);
+    connect(&m_objectForm, &Form::sectionsFolded, this, &Inspector::sectionsFolded);
+    m_listener = m_document.changed.connect([this](const Change&) {
+        if (isVisible()) {
+            refresh();
+        }
+    });
     refresh();
 }
 
@@ -51,10 +102,48 @@ Inspector::~Inspector() {
     m_objectPage.takeWidget();
 }
 
-void Inspector::watch(Form& form) {
-    connect(&form, &Form::entered, this, &Inspector::enter);
-    connect(&form, &Form::tagSwitched, this, &Inspector::switchTag);
-    connect(&form, &Form::tagDefined, this, &Inspector::defineTag);
+FormTarget Inspector::target() {
+    FormTarget target;
+    target.edit = [this](const FormEdit& edit) { return make(edit); };
+    target.words = m_words;
+    target.level = [this]() -> const Level& { return m_document.level(); };
+    target.defineTag = [this](int index, const TagInfo& info) { defineTag(index, info); };
+    target.selectTagged = [this](int tag) {
+        m_document.select(Selection(keysTagged(*m_document.current().level, tag)));
+    };
+    return target;
+}
+
+void Inspector::keepScrolled(QScrollArea& page, int& wanted) {
+    QScrollBar* const bar = page.verticalScrollBar();
+    connect(bar, &QScrollBar::valueChanged, this, [bar, &wanted](int value) {
+        const bool isCutShort = value == bar->maximum() && wanted > value;
+        wanted = isCutShort ? wanted : value;
+    });
+    connect(bar, &QScrollBar::rangeChanged, this, [bar, &wanted](int, int most) {
+        if (bar->value() != wanted) {
+            bar->setValue(std::min(wanted, most));
+        }
+    });
+}
+
+QStringList Inspector::foldedSections() const {
+    QStringList titles = m_objectForm.foldedSections();
+    for (const QString& title : m_levelForm.foldedSections()) {
+        titles << QStringLiteral("level/") + title;
+    }
+    return titles;
+}
+
+void Inspector::foldSections(const QStringList& titles) {
+    QStringList ofLevel;
+    for (const QString& title : titles) {
+        if (title.startsWith(QLatin1String("level/"))) {
+            ofLevel << title.mid(6);
+        }
+    }
+    m_objectForm.foldSections(titles);
+    m_levelForm.foldSections(ofLevel);
 }
 
 QSize Inspector::minimumSizeHint() const {
@@ -68,75 +157,157 @@ void Inspector::showEvent(QShowEvent* event) {
 }
 
 void Inspector::refresh() {
-    const Level& level = m_document.level();
-    const Selection& selection = m_document.selection();
-    if (selection.empty()) {
+    const Edit& shown = m_document.shown();
+    if (!(shown.selection == m_shown)) {
+        m_shown = shown.selection;
+        m_shape = -1;
+        m_places.clear();
+        m_objectForm.revert();
+        m_levelForm.revert();
+    }
+    if (shown.selection.empty()) {
+        m_shapeBox.hide();
         m_title.setText(tr("Level"));
-        m_levelForm.setThings({fieldsOf(level)}, level.tags);
+        m_subtitle.setText(tr("Nothing is selected."));
+        FieldSurvey survey;
+        survey.add(*shown.level);
+        m_levelForm.setContent({survey.summaries(), 1, m_document.hasPreview()});
         m_pages.setCurrentWidget(&m_levelPage);
         return;
     }
-    std::vector<std::vector<FieldEntry>> things;
-    const Object* last = nullptr;
-    for (const Object& object : level.objects) {
-        if (selection.contains(object.key)) {
-            things.push_back(fieldsOf(object));
-            last = &object;
-        }
-    }
-    m_title.setText(things.size() == 1 ? displayName(*last)
-                                       : tr("%n objects", nullptr, static_cast<int>(things.size())));
-    m_objectForm.setThings(things, level.tags);
+    showObjects(shown);
     m_pages.setCurrentWidget(&m_objectPage);
 }
 
-void Inspector::changeObjects(const QString& id, const std::function<void(Object&)>& change) {
-    const Edit& current = m_document.current();
-    auto level = std::make_shared<Level>(*current.level);
-    for (int i = 0; i < level->objects.size(); ++i) {
-        if (current.selection.contains(level->objects[i].key)) {
-            Object object = level->objects[i];
-            change(object);
-            level->objects.replace(i, std::move(object));
-        }
+const Object* Inspector::selected(const Edit& shown, int index) {
+    const ObjectList& objects = shown.level->objects;
+    const std::vector<Key>& keys = shown.selection.keys();
+    if (static_cast<int>(keys.size()) == objects.size()) {
+        return &objects[index]; // all of them, and their order does not matter
     }
-    const Selection& selection = current.selection;
-    const std::string mergeKey =
-        "field " + id.toStdString() + ' ' + std::to_string(selection.empty() ? 0 : selection.keys().front());
-    m_document.commit({"change", selection.size()}, {std::move(level), selection}, mergeKey);
-    refresh();
+    const auto i = static_cast<std::size_t>(index);
+    m_places.resize(keys.size(), -1);
+    int& place = m_places[i];
+    if (place < 0 || place >= objects.size() || objects[place].key != keys[i]) {
+        place = objects.indexOf(keys[i]);
+    }
+    return place < 0 ? nullptr : &objects[place];
 }
 
-void Inspector::enter(const QString& id, const FieldValue& value) {
-    const std::string field = id.toStdString();
-    if (!m_document.selection().empty()) {
-        changeObjects(id, [&](Object& object) { setField(object, field, value); });
+void Inspector::showObjects(const Edit& shown) {
+    const bool isLive = m_document.hasPreview();
+    const int count = shown.selection.size();
+    const int stride = isLive && count > mostLive ? count / mostLive : 1;
+    FieldSurvey survey;
+    const std::vector<ShapeRef> meant = shapes(shown.selection);
+    std::vector<int> kinds(static_cast<std::size_t>(kindCount()));
+    const Object* last = nullptr;
+    for (int i = 0; i < count; i += stride) {
+        if (const Object* object = selected(shown, i)) {
+            survey.add(*object, meant.empty() ? std::vector<int>() : shapesOf(meant, object->key));
+            ++kinds[static_cast<std::size_t>(kindOf(*object))];
+            last = object;
+        }
+    }
+    if (last == nullptr) {
         return;
     }
-    auto level = std::make_shared<Level>(*m_document.current().level);
-    setField(*level, field, value);
-    m_document.commit({"change-level", 1}, {std::move(level), m_document.selection()}, "level " + field);
-    refresh();
+    if (stride == 1) {
+        showTitle(kinds, *last);
+        showShapes(*last);
+    }
+    m_objectForm.setContent({survey.summaries(), survey.objects(), isLive});
 }
 
-void Inspector::switchTag(const QString& id, int index, bool on) {
-    changeObjects(id, [&](Object& object) {
-        for (const FieldEntry& entry : fieldsOf(object)) {
-            const TagMask* mask = entry.id == id.toStdString() ? std::get_if<TagMask>(&entry.value) : nullptr;
-            if (mask != nullptr) {
-                const std::uint32_t bit = TagMask::bit(index).bits;
-                setField(object, entry.id, TagMask{on ? mask->bits | bit : mask->bits & ~bit});
-                return;
-            }
+std::vector<ShapeRef> Inspector::shapes(const Selection& selection) const {
+    if (m_shape >= 0 && selection.size() == 1 && selection.nodes().empty()) {
+        return {{selection.keys().front(), m_shape}};
+    }
+    return shapesOf(selection);
+}
+
+void Inspector::showShapes(const Object& object) {
+    const auto* body = std::get_if<BodyObject>(&object.data);
+    const bool isChoice = m_shown.size() == 1 && m_shown.nodes().empty() && body != nullptr && body->shapes.size() > 1;
+    if (isChoice) {
+        QStringList texts{tr("All %n shapes", nullptr, static_cast<int>(body->shapes.size()))};
+        for (std::size_t i = 0; i < body->shapes.size(); ++i) {
+            texts << tr("Shape %1: %2").arg(i + 1).arg(kindName(static_cast<int>(body->shapes[i].index())));
         }
-    });
+        m_shape = std::min(m_shape, static_cast<int>(body->shapes.size()) - 1);
+        QStringList before;
+        for (int i = 0; i < m_shapeBox.count(); ++i) {
+            before << m_shapeBox.itemText(i);
+        }
+        if (texts != before) {
+            m_shapeBox.clear();
+            m_shapeBox.addItems(texts);
+        }
+        m_shapeBox.setCurrentIndex(m_shape + 1);
+    }
+    m_shapeBox.setVisible(isChoice);
 }
 
-void Inspector::defineTag(int index, const QString& name, const QColor& color) {
+void Inspector::showTitle(const std::vector<int>& kinds, const Object& last) {
+    if (m_shown.size() == 1) {
+        const auto nodes = static_cast<int>(m_shown.nodes().size());
+        m_title.setText(displayName(last));
+        m_subtitle.setText(nodes == 0 ? placedKind(last)
+                                      : tr("%1, %n nodes selected", nullptr, nodes).arg(placedKind(last)));
+    } else {
+        m_title.setText(tr("%n objects", nullptr, m_shown.size()));
+        m_subtitle.setText(counted(kinds));
+    }
+}
+
+QString Inspector::make(const FormEdit& edit) {
+    if (edit.phase == NumberEntry::Phase::Cancelled) {
+        m_document.dropPreview();
+        return {};
+    }
+    const Edit current = m_document.current();
+    const Selection& selection = current.selection;
+    const std::vector<ShapeRef> meant = shapes(selection);
+    Level level = *current.level;
+    int refused = 0;
+    for (const FieldEdit& field : edit.fields) {
+        if (const QString objection =
+                field.id == "parent" ? objectionToParent(level, selection.keys(), field) : QString();
+            !objection.isEmpty()) {
+            return objection;
+        }
+        FieldEditResult result = selection.empty()
+                                     ? withLevelFieldEdited(std::move(level), field)
+                                     : withFieldEdited(std::move(level), {selection.keys(), meant}, field);
+        level = std::move(result.level);
+        refused += result.refused;
+    }
+    if (refused > 0) {
+        return selection.size() == 1 || selection.empty()
+                   ? tr("That would leave the range of the field, so nothing has changed.")
+                   : tr("%n of the values would leave the range of the field, so nothing has changed.", nullptr,
+                        refused);
+    }
+    Edit made{std::make_shared<const Level>(std::move(level)), selection};
+    if (edit.phase == NumberEntry::Phase::Preview) {
+        m_document.preview(std::move(made));
+        return {};
+    }
+    std::string mergeKey;
+    if (edit.mayMerge && !edit.fields.empty()) {
+        mergeKey =
+            "field " + edit.fields.front().id + ' ' + std::to_string(selection.empty() ? 0 : selection.keys().front());
+    }
+    m_document.commit({selection.empty() ? "change-level" : "change", std::max(1, selection.size())}, std::move(made),
+                      mergeKey);
+    refresh();
+    return {};
+}
+
+void Inspector::defineTag(int index, const TagInfo& info) {
     const Edit& current = m_document.current();
-    TagInfo info{name.toStdString(), color.rgb() & 0xffffffU};
     m_document.commit({"change-tag", 1},
-                      {std::make_shared<Level>(withTag(*current.level, index, std::move(info))), current.selection});
+                      {std::make_shared<Level>(withTag(*current.level, index, info)), current.selection});
     refresh();
 }
 

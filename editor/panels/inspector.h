@@ -3,8 +3,10 @@
 // entered becomes one history entry a field.
 
 #include "editor/editing/document.h"
+#include "editor/editing/field_targets.h"
 #include "editor/panels/form.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -17,36 +19,62 @@ class Inspector : public QWidget {
     Q_OBJECT
 
   public:
-    /// The document must outlive the inspector.
-    explicit Inspector(Document& document, QWidget* parent = nullptr);
+    using Words = std::function<QString(const Error&)>;
+
+    /// The document must outlive the inspector; `words` makes a sentence of a code.
+    Inspector(Document& document, Words words, QWidget* parent = nullptr);
     ~Inspector() override;
 
     /// The form in sight.
     const Form& form() const { return m_document.selection().empty() ? m_levelForm : m_objectForm; }
+    QScrollArea& page() { return m_document.selection().empty() ? m_levelPage : m_objectPage; }
+    QString title() const { return m_title.text(); }
+    /// Which shape of a body of several is meant; not in sight for anything else.
+    QComboBox& shapeBox() { return m_shapeBox; }
+
+    /// Which sections are folded up, to be kept from one start of the program to the next.
+    QStringList foldedSections() const;
+    void foldSections(const QStringList& titles);
 
     /// Never so narrow that a field would be cut off.
     QSize minimumSizeHint() const override;
     QSize sizeHint() const override { return {310, 480}; }
 
+  Q_SIGNALS:
+    void sectionsFolded();
+
   protected:
     void showEvent(QShowEvent* event) override;
 
   private:
+    FormTarget target();
     void refresh();
-    void changeObjects(const QString& id, const std::function<void(Object&)>& change);
-    void enter(const QString& id, const FieldValue& value);
-    void switchTag(const QString& id, int index, bool on);
-    void defineTag(int index, const QString& name, const QColor& color);
-    void watch(Form& form);
+    void showObjects(const Edit& shown);
+    void showShapes(const Object& object);
+    std::vector<ShapeRef> shapes(const Selection& selection) const;
+    void showTitle(const std::vector<int>& kinds, const Object& last);
+    /// The selected object of this number, in any order; null when the level lacks it.
+    const Object* selected(const Edit& shown, int index);
+    QString make(const FormEdit& edit);
+    void defineTag(int index, const TagInfo& info);
+    void keepScrolled(QScrollArea& page, int& wanted);
 
     Document& m_document;
+    Words m_words;
     QVBoxLayout m_column;
     QLabel m_title;
+    QLabel m_subtitle;
+    QComboBox m_shapeBox;
     QStackedWidget m_pages;
     QScrollArea m_levelPage;
     QScrollArea m_objectPage;
     Form m_levelForm;
     Form m_objectForm;
+    int m_levelScroll = 0; // where the user has scrolled to
+    int m_objectScroll = 0;
+    Selection m_shown;         // what the form shows
+    std::vector<int> m_places; // of its objects in the level, as far as they are known
+    int m_shape = -1;          // of the only object selected; −1 for all
     int m_listener = 0;
 };
 

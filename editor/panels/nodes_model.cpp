@@ -1,27 +1,15 @@
 #include "editor/panels/nodes_model.h"
 
+#include "core/base/expression.h"
 #include "core/level/fields.h"
 #include "editor/editing/node_pick.h"
 #include "editor/panels/names.h"
-#include "editor/panels/number_field.h"
-
-#include <QLocale>
+#include "editor/panels/number_text.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace spacetow {
-
-namespace {
-
-/// All digits that tell it from its neighbours.
-QString exactly(double value) {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'g', QLocale::FloatingPointShortest);
-}
-
-} // namespace
 
 NodesModel::NodesModel(Document& document, QObject* parent) : QAbstractTableModel(parent), m_document(document) {
     refresh();
@@ -90,7 +78,7 @@ QVariant NodesModel::data(const QModelIndex& index, int role) const {
                    : QVariant();
     }
     const auto row = static_cast<std::size_t>(index.row());
-    return index.column() == Name ? nameOf(m_nodes[row]) : exactly(m_places[row][index.column() == X ? 0 : 1]);
+    return index.column() == Name ? nameOf(m_nodes[row]) : exactNumberText(m_places[row][index.column() == X ? 0 : 1]);
 }
 
 QVariant NodesModel::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -106,9 +94,14 @@ Qt::ItemFlags NodesModel::flags(const QModelIndex& index) const {
 }
 
 bool NodesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    const std::optional<double> number = NumberField::parsed(value.toString());
-    if (role != Qt::EditRole || !index.isValid() || index.column() == Name || !number ||
-        std::abs(*number) > limits::coordinate) {
+    if (role != Qt::EditRole || !index.isValid() || index.column() == Name) {
+        return false;
+    }
+    const int axis = index.column() == X ? 0 : 1;
+    const Result<NumberChange> change = numberChange(withPlainDigits(value.toString()).toStdString(), "m");
+    const double number = change ? applied(change.value(), m_places[static_cast<std::size_t>(index.row())][axis])
+                                 : limits::coordinate + 1;
+    if (!(std::abs(number) <= limits::coordinate)) {
         return false;
     }
     const NodeRef node = m_nodes[static_cast<std::size_t>(index.row())];
@@ -118,7 +111,7 @@ bool NodesModel::setData(const QModelIndex& index, const QVariant& value, int ro
         return false;
     }
     Vec2 target = *place;
-    target[index.column() == X ? 0 : 1] = *number;
+    target[axis] = number;
     // To the very point, which a translation might miss by rounding.
     Level level = withMappedNodes(*edit.level, {&node, 1}, Affine{{0, 0}, {0, 0}, target});
     m_document.commit({"move-nodes", 1}, {std::make_shared<const Level>(std::move(level)), edit.selection});

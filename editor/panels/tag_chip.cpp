@@ -1,5 +1,7 @@
 #include "editor/panels/tag_chip.h"
 
+#include "editor/panels/names.h"
+
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -29,8 +31,9 @@ TagChip::TagChip(QWidget* parent) : QAbstractButton(parent) {
 
 void TagChip::setTag(const QString& name, const QColor& color) {
     m_color = color;
-    if (name != text()) {
-        setText(name);
+    if (name != m_name) {
+        m_name = name;
+        setText(menuSafe(name));
         setAccessibleName(name);
         updateGeometry();
     }
@@ -42,8 +45,13 @@ void TagChip::setState(State state) {
     update();
 }
 
+void TagChip::setExcepting(bool excepting) {
+    m_excepting = excepting;
+    update();
+}
+
 QSize TagChip::sizeHint() const {
-    const int words = fontMetrics().horizontalAdvance(text());
+    const int words = fontMetrics().horizontalAdvance(m_name);
     return {std::min(widest, words + 2 * side + dot + gapAfterDot), fontMetrics().height() + 8};
 }
 
@@ -66,7 +74,14 @@ void TagChip::paintEvent(QPaintEvent*) {
     const QRectF mark(box.left() + side, box.center().y() - dot / 2.0, dot, dot);
     painter.setPen(QPen(m_state == State::On ? ink : color, 1.6));
     painter.setBrush(m_state == State::Off ? Qt::NoBrush : QBrush(m_state == State::On ? ink : color));
-    if (m_state == State::Mixed) {
+    if (isCrossedOut()) {
+        const QRectF cross = mark.adjusted(1.5, 1.5, -1.5, -1.5);
+        painter.drawLine(cross.topLeft(), cross.bottomRight());
+        painter.drawLine(cross.topRight(), cross.bottomLeft());
+        QFont font = painter.font();
+        font.setStrikeOut(true);
+        painter.setFont(font);
+    } else if (m_state == State::Mixed) {
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(mark);
         painter.setBrush(color);
@@ -77,7 +92,7 @@ void TagChip::paintEvent(QPaintEvent*) {
     painter.setPen(ink);
     const QRectF words = box.adjusted(side + dot + gapAfterDot, 0, -side + 2, 0);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(text(), Qt::ElideRight, static_cast<int>(words.width()) + 1));
+                     fontMetrics().elidedText(m_name, Qt::ElideRight, static_cast<int>(words.width()) + 1));
 }
 
 void TagChip::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -1,6 +1,6 @@
 #pragma once
 // A button with the name and the colour of a tag: filled when the tag is set, hollow when not, half filled when only
-// some of the selected objects have it.
+// some of the selected objects have it; crossed out when it is an exception.
 
 #include <QAbstractButton>
 #include <QColor>
@@ -18,6 +18,9 @@ class TagChip : public QAbstractButton {
     void setTag(const QString& name, const QColor& color);
     void setState(State state);
     State state() const { return m_state; }
+    /// What is not set is then crossed out.
+    void setExcepting(bool excepting);
+    bool isCrossedOut() const { return m_excepting && m_state == State::Off; }
     QColor color() const { return m_color; }
 
     QSize sizeHint() const override;
@@ -32,8 +35,10 @@ class TagChip : public QAbstractButton {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    QString m_name;
     QColor m_color;
     State m_state = State::Off;
+    bool m_excepting = false;
 };
 
 } // namespace spacetow

@@ -1,6 +1,7 @@
 #include "editor/panels/tag_grid.h"
 
-#include "core/level/key_text.h"
+#include "editor/panels/names.h"
+#include "editor/panels/tag_names.h"
 
 #include <QColorDialog>
 #include <QKeyEvent>
@@ -8,22 +9,14 @@
 #include <QToolTip>
 
 #include <algorithm>
-#include <array>
 
 namespace spacetow {
 
 namespace {
 
 constexpr int gap = 5; // px
-/// For new tags, in turn; apart in lightness as well as in hue.
-constexpr std::array<QRgb, 8> freshColors{0xffe69f00, 0xff56b4e9, 0xff009e73, 0xfff0e442,
-                                          0xff3f7fd0, 0xffd55e00, 0xffcc79a7, 0xff9aa4b2};
-
-TagChip::State stateOf(std::span<const TagMask> masks, const auto& holds) {
-    const auto count = std::ranges::count_if(masks, holds);
-    return count == 0                                      ? TagChip::State::Off
-           : count == static_cast<long long>(masks.size()) ? TagChip::State::On
-                                                           : TagChip::State::Mixed;
+TagChip::State stateOf(bool all, bool some) {
+    return all ? TagChip::State::On : some ? TagChip::State::Mixed : TagChip::State::Off;
 }
 
 } // namespace
@@ -35,9 +28,8 @@ TagGrid::TagGrid(bool everything, QWidget* parent) : QWidget(parent), m_add(this
     if (everything) {
         m_everything = std::make_unique<TagChip>(this);
         m_everything->setTag(tr("everything"), QColor(0xd2, 0xd6, 0xe0));
-        m_everything->setToolTip(tr("Touches whatever has a tag, also tags that are made later"));
         connect(m_everything.get(), &TagChip::clicked, this,
-                [this] { Q_EMIT everythingSwitched(m_everything->state() != TagChip::State::On); });
+                [this] { Q_EMIT everythingSwitched(m_shown.count == 0 || !(m_shown.every == TagMask::all())); });
     }
     m_add.setTag(tr("New tag"), palette().color(QPalette::PlaceholderText));
     m_add.setToolTip(tr("Name another of the 32 tags"));
@@ -70,35 +62,47 @@ TagChip* TagGrid::chip(int index) const {
     return found == m_entries.end() ? nullptr : found->chip.get();
 }
 
-void TagGrid::setTags(const TagTable& table, std::span<const TagMask> masks) {
+void TagGrid::setTags(const TagTable& table, const TagsShown& shown) {
     m_table = table;
-    TagMask shown = table.named();
-    for (const TagMask mask : masks) {
-        // Bits without a name are shown by number, unless they are only part of "everything".
-        shown = mask == TagMask::all() ? shown : shown | mask;
-    }
+    m_shown = shown;
+    const bool isException = m_everything != nullptr && shown.count > 0 && shown.exceptions == shown.count;
+    // Tags without a name are shown by number, but only where somebody has written them down.
+    const std::uint32_t written = isException ? ~shown.every.bits : shown.exceptions == 0 ? shown.any.bits : 0U;
+    const TagMask chips = table.named() | TagMask{written};
     TagMask present;
     for (const Entry& entry : m_entries) {
         present = present | TagMask::bit(entry.index);
     }
-    if (!(shown == present)) {
-        rebuild(shown);
+    if (!(chips == present)) {
+        rebuild(chips);
     }
     for (const Entry& entry : m_entries) {
         const TagInfo& info = table[entry.index];
-        const QString name =
-            info.name.empty() ? QStringLiteral("#%1").arg(entry.index) : QString::fromStdString(info.name);
+        const QString name = tagText(table, entry.index);
         entry.chip->setTag(name, QColor::fromRgb(info.color));
-        entry.chip->setToolTip(tr("%1 – double-click or F2 to rename, right-click for more").arg(name));
-        const int index = entry.index;
-        entry.chip->setState(stateOf(masks, [index](TagMask mask) { return mask.contains(index); }));
+        entry.chip->setToolTip(plainToolTip(tr("%1 – double-click or F2 to rename, right-click for more").arg(name)));
+        entry.chip->setState(
+            stateOf(shown.count > 0 && shown.every.contains(entry.index), shown.any.contains(entry.index)));
+        entry.chip->setExcepting(isException);
     }
     if (m_everything) {
-        m_everything->setState(stateOf(masks, [](TagMask mask) { return mask == TagMask::all(); }));
+        showEverything(isException);
     }
     m_add.setVisible(freeIndex().has_value());
     arrange(width(), true);
     updateGeometry();
+}
+
+void TagGrid::showEverything(bool isException) {
+    const bool isAll = m_shown.every == TagMask::all();
+    m_everything->setTag(isException && !isAll ? tr("everything except") : tr("everything"), m_everything->color());
+    m_everything->setState(stateOf(isException, m_shown.exceptions > 0));
+    m_everything->setToolTip(
+        isException && !isAll ? tr("Touches whatever has a tag, also tags that are made later, but for those crossed "
+                                   "out; click for everything")
+        : isException         ? tr("Touches whatever has a tag, also tags that are made later; click for "
+                                           "nothing, click a tag to leave it out")
+                              : tr("Touches the marked tags only; click for everything"));
 }
 
 void TagGrid::rebuild(TagMask shown) {
@@ -170,6 +174,9 @@ void TagGrid::openMenu(int index, const QPoint& global) {
     QMenu menu(this);
     connect(menu.addAction(tr("&Rename")), &QAction::triggered, this, [this, index] { edit(index); });
     connect(menu.addAction(tr("&Color…")), &QAction::triggered, this, [this, index] { recolour(index); });
+    menu.addSeparator();
+    connect(menu.addAction(tr("&Select All with This Tag")), &QAction::triggered, this,
+            [this, index] { Q_EMIT selectionWanted(index); });
     menu.exec(global);
 }
 
@@ -194,21 +201,13 @@ void TagGrid::edit(int index) {
     m_name.selectAll();
 }
 
-QString TagGrid::objectionTo(const QString& name, int index) const {
-    const std::optional<int> taken = m_table.indexOf(name.toStdString());
-    if (taken && *taken != index) {
-        return tr("There is a tag of this name already.");
-    }
-    return unnamedTag(name.toStdString()) < 0 ? QString() : tr("That is how a tag without a name is written.");
-}
-
 void TagGrid::endEdit(bool keep) {
     if (!m_edited) {
         return;
     }
     const int index = *m_edited;
     const QString name = m_name.text().trimmed();
-    if (const QString objection = keep ? objectionTo(name, index) : QString(); !objection.isEmpty()) {
+    if (const QString objection = keep ? objectionToTagName(m_table, name, index) : QString(); !objection.isEmpty()) {
         QToolTip::showText(m_name.mapToGlobal(QPoint(0, m_name.height())), objection);
         return;
     }
@@ -216,8 +215,7 @@ void TagGrid::endEdit(bool keep) {
     m_name.hide();
     const bool fresh = m_table[index].name.empty();
     if (keep && !name.isEmpty() && name.toStdString() != m_table[index].name) {
-        const QRgb next = freshColors[static_cast<std::size_t>(index) % freshColors.size()];
-        Q_EMIT tagDefined(index, name, QColor::fromRgb(fresh ? next : m_table[index].color));
+        Q_EMIT tagDefined(index, name, fresh ? freshTagColor(index) : QColor::fromRgb(m_table[index].color));
     }
 }
 

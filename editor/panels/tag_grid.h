@@ -1,6 +1,7 @@
 #pragma once
 // The tags of the level as buttons that say their names, for "is" and for "touches": set, not set, or set for some of
-// the selected objects only. A double click, F2 or the context menu renames or recolours a tag.
+// the selected objects only. "Touches" is read as a sentence: "everything", "everything except" with the excepted ones
+// crossed out, or the ones that are touched. A double click, F2 or the context menu renames or recolours a tag.
 
 #include "core/level/tag_table.h"
 #include "editor/panels/tag_chip.h"
@@ -10,10 +11,19 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace spacetow {
+
+/// What is known of the masks of the selected objects.
+struct TagsShown {
+    TagMask any;        // bits set in some of them…
+    TagMask every;      // …and in all
+    int count = 0;      // of masks
+    int exceptions = 0; // of those that are told by what they leave out, see isSpelledByExceptions
+
+    bool operator==(const TagsShown&) const = default;
+};
 
 class TagGrid : public QWidget {
     Q_OBJECT
@@ -23,8 +33,7 @@ class TagGrid : public QWidget {
     explicit TagGrid(bool everything, QWidget* parent = nullptr);
     ~TagGrid() override;
 
-    /// The table of the level, and the masks of the selected objects.
-    void setTags(const TagTable& table, std::span<const TagMask> masks);
+    void setTags(const TagTable& table, const TagsShown& shown);
 
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return arrange(width, false); }
@@ -40,6 +49,8 @@ class TagGrid : public QWidget {
     void everythingSwitched(bool on);
     /// The tag was renamed, recoloured or made.
     void tagDefined(int index, const QString& name, const QColor& color);
+    /// All objects with the tag are to be selected.
+    void selectionWanted(int index);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -52,10 +63,9 @@ class TagGrid : public QWidget {
     };
     int arrange(int width, bool move) const;
     void rebuild(TagMask shown);
+    void showEverything(bool isException);
     void openMenu(int index, const QPoint& global);
     void edit(int index);
-    /// Why the tag cannot have this name; empty when it can.
-    QString objectionTo(const QString& name, int index) const;
     void endEdit(bool keep);
     void recolour(int index);
     std::optional<int> freeIndex() const;
@@ -65,6 +75,7 @@ class TagGrid : public QWidget {
     TagChip m_add;
     QLineEdit m_name;
     TagTable m_table;
+    TagsShown m_shown;
     std::optional<int> m_edited;
 };
 

@@ -1,5 +1,7 @@
 #include "editor/panels/text_box.h"
 
+#include "editor/panels/history_keys.h"
+
 namespace spacetow {
 
 TextBox::TextBox(QWidget* parent) : QPlainTextEdit(parent) {
@@ -20,9 +22,14 @@ QSize TextBox::sizeHint() const {
     return {160, lines * fontMetrics().lineSpacing() + around};
 }
 
+bool TextBox::event(QEvent* event) {
+    return isHistoryOfLevel(*event, document()->isModified()) ? false : QPlainTextEdit::event(event);
+}
+
 void TextBox::focusOutEvent(QFocusEvent* event) {
     QPlainTextEdit::focusOutEvent(event);
-    if (document()->isModified()) {
+    if (document()->isModified() && event->reason() != Qt::PopupFocusReason) {
+        document()->clearUndoRedoStacks();
         document()->setModified(false);
         Q_EMIT entered(toPlainText());
     }

@@ -80,6 +80,15 @@ constexpr ActionRow overlaysRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Hide all overlays"),
      .flags = WhilePlaying | SeparatorBefore,
      .run = [](MainWindow& window) { window.setOverlays({}); }},
+    {.id = Act::ShowCollisions,
+     .menu = MenuId::Overlays,
+     .text = QT_TRANSLATE_NOOP("Actions", "Show What &Collides"),
+     .icon = "collides",
+     .keys = "Shift+T",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Mark everything that the selection would collide with, by its tags"),
+     .flags = SeparatorBefore,
+     .toggle = [](MainWindow& window, bool on) { window.collisions().setOn(on); },
+     .isOn = [](const MainWindow& window) { return window.collisions().isOn(); }},
 };
 
 } // namespace

@@ -15,7 +15,9 @@ namespace spacetow {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent), m_wardrobe(Preferences().appearance()), m_toolbox(m_document), m_actions(*this),
-      m_column(&m_center), m_frame(m_document, m_toolbox), m_canvas(m_frame.canvas()), m_inspector(m_document),
+      m_column(&m_center), m_frame(m_document, m_toolbox), m_canvas(m_frame.canvas()),
+      m_inspector(m_document, [](const Error& error) { return sentence(error); }), m_tagMatrix(m_document),
+      m_collisions(m_document, m_canvas),
       m_problems(m_document, [](const Problem& problem) { return sentence(problem); }), m_nodes(m_document),
       m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
       m_files(m_document, dialogQuestions(this),
@@ -55,6 +57,7 @@ void MainWindow::layOut() {
     setStatusBar(&m_status);
 
     setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks); // at once, without sliding about
+    m_tagMatrix.setAction(m_actions[Act::ShowCollisions]);
     m_panels.emplace(*this);
     if (const QScreen* monitor = screen()) {
         resize(firstSize(monitor->availableGeometry().size()));
@@ -297,6 +300,7 @@ void MainWindow::updateSelection() {
 void MainWindow::updateMode() {
     const bool playing = isPlaying();
     m_inspector.setEnabled(!playing);
+    m_tagMatrix.setEnabled(!playing);
     m_problems.setEnabled(!playing);
     m_nodes.setEnabled(!playing);
     m_menus.at(MenuId::Recent)->setEnabled(!playing);

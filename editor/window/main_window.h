@@ -9,10 +9,12 @@
 #include "editor/panels/inspector.h"
 #include "editor/panels/nodes_panel.h"
 #include "editor/panels/problems_panel.h"
+#include "editor/panels/tag_matrix_panel.h"
 #include "editor/panels/transform_bar.h"
 #include "editor/play/play_view.h"
 #include "editor/window/actions.h"
 #include "editor/window/appearance.h"
+#include "editor/window/collision_view.h"
 #include "editor/window/files.h"
 #include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
@@ -76,6 +78,9 @@ class MainWindow : public QMainWindow {
     PlayView& playView() { return m_play; }
     const PlayView& playView() const { return m_play; }
     Inspector& inspector() { return m_inspector; }
+    TagMatrixPanel& tagMatrix() { return m_tagMatrix; }
+    CollisionView& collisions() { return m_collisions; }
+    const CollisionView& collisions() const { return m_collisions; }
     ProblemsPanel& problems() { return m_problems; }
     NodesPanel& nodes() { return m_nodes; }
     ArrayBar& arrayBar() { return m_arrays; }
@@ -133,6 +138,8 @@ class MainWindow : public QMainWindow {
     Canvas& m_canvas;
     PlayView m_play;
     Inspector m_inspector;
+    TagMatrixPanel m_tagMatrix;
+    CollisionView m_collisions;
     ProblemsPanel m_problems;
     NodesPanel m_nodes;
     MessageBar m_message;

@@ -36,6 +36,8 @@ void MainWindow::listenToPanels() {
     connect(&m_canvas, &Canvas::menuWanted, this, &MainWindow::openMenuAt);
     connect(&m_transform, &TransformBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
     connect(&m_arrays, &ArrayBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
+    connect(&m_inspector, &Inspector::sectionsFolded, this,
+            [this] { m_files.preferences.setFoldedSections(m_inspector.foldedSections()); });
     connect(&m_problems, &ProblemsPanel::objectWanted, this, &MainWindow::showObject);
     connect(&m_problems, &ProblemsPanel::problemsChanged, this,
             [this] { m_status.setProblems(m_problems.errors(), m_problems.warnings()); });
@@ -59,6 +61,7 @@ void MainWindow::restore() {
     setRulersVisible(m_files.preferences.rulers());
     setSnap(m_files.preferences.snap());
     setOverlays(m_files.preferences.overlays());
+    m_inspector.foldSections(m_files.preferences.foldedSections());
     restoreGeometry(m_files.preferences.geometry());
     restoreState(m_files.preferences.windowState());
 }

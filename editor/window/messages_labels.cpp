@@ -73,6 +73,8 @@ constexpr LabelText labels[] = {
     {"cut", QT_TRANSLATE_NOOP("messages", "Cut object"), QT_TRANSLATE_N_NOOP("messages", "Cut %n objects")},
     {"change", QT_TRANSLATE_NOOP("messages", "Change object"), QT_TRANSLATE_N_NOOP("messages", "Change %n objects")},
     {"change-level", QT_TRANSLATE_NOOP("messages", "Change level"), QT_TRANSLATE_NOOP("messages", "Change level")},
+    {"change-tags", QT_TRANSLATE_NOOP("messages", "Change who touches whom"),
+     QT_TRANSLATE_NOOP("messages", "Change who touches whom")},
     {"change-tag", QT_TRANSLATE_NOOP("messages", "Change tag"), QT_TRANSLATE_NOOP("messages", "Change tag")},
     {"paste", QT_TRANSLATE_NOOP("messages", "Paste object"), QT_TRANSLATE_N_NOOP("messages", "Paste %n objects")},
     {"add-guide", QT_TRANSLATE_NOOP("messages", "Add guide"), QT_TRANSLATE_NOOP("messages", "Add guide")},

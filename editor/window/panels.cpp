@@ -29,6 +29,12 @@ constexpr PanelRow allPanels[] = {
      .shownAtFirst = false,
      .tabOf = "problems",
      .make = [](MainWindow& window) -> QWidget* { return &window.nodes(); }},
+    {.name = "tagMatrix",
+     .title = QT_TRANSLATE_NOOP("Panels", "&Tag Matrix"),
+     .area = Qt::RightDockWidgetArea,
+     .shownAtFirst = false,
+     .tabOf = "problems",
+     .make = [](MainWindow& window) -> QWidget* { return &window.tagMatrix(); }},
 };
 
 QString translatedTitle(const char* words) {

@@ -134,4 +134,12 @@ void Preferences::setOverlays(const OverlayFlags& overlays) {
     }
 }
 
+QStringList Preferences::foldedSections() const {
+    return QSettings().value("inspector/folded").toStringList();
+}
+
+void Preferences::setFoldedSections(const QStringList& titles) {
+    QSettings().setValue("inspector/folded", titles);
+}
+
 } // namespace spacetow

@@ -37,6 +37,9 @@ class Preferences {
     void setAppearance(Appearance appearance);
     OverlayFlags overlays() const;
     void setOverlays(const OverlayFlags& overlays);
+    /// Sections of the inspector.
+    QStringList foldedSections() const;
+    void setFoldedSections(const QStringList& titles);
 };
 
 } // namespace spacetow

@@ -1,97 +1,21 @@
 #include "editor/panels/inspector.h"
 
 #include "core/level/edits.h"
-#include "editor/panels/number_field.h"
+#include "tests/support/inspector_fixture.h"
 #include "tests/support/test_main.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
 
 using namespace spacetow;
-
-namespace {
-
-Object circle(Key key, double x, double radius) {
-    BodyObject body;
-    body.shapes = {Circle{Vec2(0, 0), radius}};
-    body.position = Vec2(x, 0);
-    return {key, {}, body, {}};
-}
-
-Object wall(Key key, double depth) {
-    BodyObject body;
-    body.shapes = {EdgeChain{{Vec2(0, 0), Vec2(1, 0)}, false, depth}};
-    return {key, {}, body, {}};
-}
-
-Level levelWith(std::vector<Object> objects) {
-    Level level;
-    for (Object& object : objects) {
-        level.objects.append(std::move(object));
-    }
-    return level;
-}
-
-/// An inspector in sight, with these objects selected.
-struct InspectorFixture {
-    InspectorFixture(std::vector<Object> objects, std::vector<Key> selected)
-        : document(levelWith(std::move(objects))), inspector(document) {
-        document.select(Selection(std::move(selected)));
-        inspector.resize(340, 900);
-        inspector.show();
-    }
-    NumberField& number(const char* id) { return *qobject_cast<NumberField*>(inspector.form().editor(id)); }
-    void type(const char* id, const QString& text) {
-        NumberField& field = number(id);
-        field.setFocus();
-        field.selectAll();
-        QTest::keyClicks(&field, text.isEmpty() ? QString() : text);
-        if (text.isEmpty()) {
-            QTest::keyClick(&field, Qt::Key_Delete);
-        }
-        QTest::keyClick(&field, Qt::Key_Return);
-    }
-    const BodyObject& body(int index) { return std::get<BodyObject>(document.level().objects[index].data); }
-
-    Document document;
-    Inspector inspector;
-};
-
-} // namespace
+using namespace spacetow::test;
 
 class InspectorTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void aNumberIsReadFromWhatIsTyped_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<bool>("fine");
-        QTest::addColumn<double>("number");
-        QTest::newRow("point") << "1.5" << true << 1.5;
-        QTest::newRow("comma") << "1,5" << true << 1.5;
-        QTest::newRow("minus sign") << QString(QChar(0x2212)) + "2" << true << -2.0;
-        QTest::newRow("blanks") << "  3 " << true << 3.0;
-        QTest::newRow("exponent") << "1e-3" << true << 0.001;
-        QTest::newRow("word") << "abc" << false << 0.0;
-        QTest::newRow("nothing") << "" << false << 0.0;
-        QTest::newRow("infinite") << "inf" << false << 0.0;
-        QTest::newRow("not a number") << "nan" << false << 0.0;
-        QTest::newRow("too large") << "1e999" << false << 0.0;
-    }
-    void aNumberIsReadFromWhatIsTyped() {
-        QFETCH(QString, text);
-        QFETCH(bool, fine);
-        QFETCH(double, number);
-        const std::optional<double> read = NumberField::parsed(text);
-        QCOMPARE(read.has_value(), fine);
-        if (fine) {
-            QCOMPARE(*read, number);
-        }
-    }
-
     void whatIsEnteredGoesToAllSelectedObjects() {
-        InspectorFixture test({circle(1, 0, 0.5), circle(2, 3, 0.7), circle(3, 5, 0.9)}, {1, 2});
+        InspectorFixture test({circleObject(1, 0, 0.5), circleObject(2, 3, 0.7), circleObject(3, 5, 0.9)}, {1, 2});
         QCOMPARE(test.number("radius").placeholderText(), QString("mixed"));
         QVERIFY(test.number("radius").text().isEmpty());
         test.type("radius", "0,25");
@@ -118,7 +42,7 @@ class InspectorTest : public QObject {
     void aNumberOutsideItsRangeChangesNothing() {
         QFETCH(QByteArray, id);
         QFETCH(QString, text);
-        InspectorFixture test({circle(1, 0, 0.5)}, {1});
+        InspectorFixture test({circleObject(1, 0, 0.5)}, {1});
         const Level before = test.document.level();
         test.type(id.constData(), text);
         QVERIFY(test.document.level() == before);
@@ -127,7 +51,7 @@ class InspectorTest : public QObject {
 
     void lookingAtANumberDoesNotRoundIt() {
         const double third = 1.0 / 3;
-        InspectorFixture test({circle(1, third, 0.5)}, {1});
+        InspectorFixture test({circleObject(1, third, 0.5)}, {1});
         NumberField& field = test.number("position.x");
         field.setFocus();
         QTest::keyClick(&field, Qt::Key_End);
@@ -138,7 +62,7 @@ class InspectorTest : public QObject {
     }
 
     void arrowKeysStepAndMakeOneEntry() {
-        InspectorFixture test({circle(1, 0, 0.5)}, {1});
+        InspectorFixture test({circleObject(1, 0, 0.5)}, {1});
         NumberField& field = test.number("density");
         field.setFocus();
         for (int i = 0; i < 5; ++i) {
@@ -151,14 +75,14 @@ class InspectorTest : public QObject {
     }
 
     void anglesAreShownInDegrees() {
-        InspectorFixture test({circle(1, 0, 0.5)}, {1});
+        InspectorFixture test({circleObject(1, 0, 0.5)}, {1});
         test.type("angle", "90");
         QVERIFY(std::abs(test.body(0).angle - 1.5707963267948966) < 1e-12);
-        QCOMPARE(NumberField::parsed(test.number("angle").text()).value_or(0), 90.0);
+        QCOMPARE(test.number("angle").value(), std::optional(90.0));
     }
 
     void anEmptyDepthMeansNoBack() {
-        InspectorFixture test({wall(1, 0.5)}, {1});
+        InspectorFixture test({wallObject(1, 0.5)}, {1});
         QCOMPARE(test.number("depth").value().value_or(0), 0.5);
         test.type("depth", "");
         QCOMPARE(std::get<EdgeChain>(test.body(0).shapes[0]).depth, noBack);
@@ -168,7 +92,7 @@ class InspectorTest : public QObject {
     }
 
     void anEmptyMassComesFromTheShapes() {
-        InspectorFixture test({circle(1, 0, 0.5)}, {1});
+        InspectorFixture test({circleObject(1, 0, 0.5)}, {1});
         QVERIFY(!test.body(0).mass);
         test.type("mass", "2");
         QCOMPARE(test.body(0).mass.value_or(0), 2.0);
@@ -176,33 +100,102 @@ class InspectorTest : public QObject {
         QVERIFY(!test.body(0).mass);
     }
 
-    void onlySharedFieldsAreShown() {
-        InspectorFixture test({circle(1, 0, 0.5), wall(2, noBack), {3, {}, ShipObject{}, {}}}, {1});
-        const auto visible = [&test](const char* id) { return test.inspector.form().editor(id)->isVisible(); };
-        QVERIFY(visible("radius") && !visible("depth") && visible("kind"));
-        test.document.select(Selection({2}));
-        QVERIFY(!visible("radius") && visible("depth") && visible("closed"));
-        test.document.select(Selection({1, 2}));
-        QVERIFY(!visible("radius") && !visible("depth") && visible("density"));
-        test.document.select(Selection({1, 3}));
-        QVERIFY(visible("position.x") && visible("angle") && !visible("kind"));
+    void shapesOfOneBodyThatDifferAreMixedAndKeptUntilTypedOver() {
+        InspectorFixture test({twoCircles(1, 0.2, 0.5)}, {1});
+        QVERIFY(test.number("radius").isMixed());
+        QVERIFY(test.number("radius").text().isEmpty());
+        test.type("density", "3");
+        test.number("radius").setFocus();
+        test.number("density").setFocus();
+        QCOMPARE(test.radius(0, 0), 0.2);
+        QCOMPARE(test.radius(0, 1), 0.5);
+        test.type("radius", "*=2");
+        QCOMPARE(test.radius(0, 0), 0.4);
+        QCOMPARE(test.radius(0, 1), 1.0);
+        test.type("radius", "0.25");
+        QCOMPARE(test.radius(0, 0), 0.25);
+        QCOMPARE(test.radius(0, 1), 0.25);
+        QVERIFY(!test.number("radius").isMixed());
     }
 
-    void switchesAndChoicesAreSetForAll() {
-        InspectorFixture test({circle(1, 0, 0.5), circle(2, 1, 0.5)}, {1, 2});
-        QTest::mouseClick(test.inspector.form().editor("frozen"), Qt::LeftButton, {}, QPoint(8, 8));
+    void oneShapeOfABodyIsChosen() {
+        InspectorFixture test({twoCircles(1, 0.2, 0.5), circleObject(2, 5, 0.7)}, {1});
+        QComboBox& box = test.inspector.shapeBox();
+        QVERIFY(box.isVisible());
+        QCOMPARE(box.count(), 3);
+        box.setCurrentIndex(2);
+        Q_EMIT box.activated(2);
+        QCOMPARE(test.number("radius").value(), std::optional(0.5));
+        test.type("radius", "0.75");
+        QCOMPARE(test.radius(0, 0), 0.2);
+        QCOMPARE(test.radius(0, 1), 0.75);
+        test.document.select(Selection({1, 2}));
+        QVERIFY(!box.isVisible());
+        QVERIFY(test.number("radius").isMixed());
+        test.document.select(Selection({2}));
+        QVERIFY(!box.isVisible());
+    }
+
+    void selectedNodesSayWhichShapeIsMeant() {
+        BodyObject body;
+        body.shapes = {EdgeChain{{Vec2(0, 0), Vec2(1, 0)}, false, 0.25},
+                       EdgeChain{{Vec2(0, 2), Vec2(1, 2)}, false, 0.5}};
+        InspectorFixture test({{1, {}, body, {}}}, {1});
+        QVERIFY(test.number("depth").isMixed());
+        test.document.select(Selection({1}, {{1, 1, 0}}));
+        QCOMPARE(test.number("depth").value(), std::optional(0.5));
+        test.type("depth", "1");
+        QCOMPARE(std::get<EdgeChain>(test.body(0).shapes[0]).depth, 0.25);
+        QCOMPARE(std::get<EdgeChain>(test.body(0).shapes[1]).depth, 1.0);
+        QVERIFY(!test.inspector.shapeBox().isVisible());
+    }
+
+    void everythingThatHasAFieldShowsIt() {
+        InspectorFixture test({circleObject(1, 0, 0.5), wallObject(2, noBack), {3, {}, ShipObject{}, {}}}, {1});
+        QVERIFY(test.isSeen("radius") && !test.isSeen("depth") && test.isSeen("kind"));
+        test.document.select(Selection({2}));
+        QVERIFY(!test.isSeen("radius") && test.isSeen("depth") && test.isSeen("closed"));
+        test.document.select(Selection({3}));
+        QVERIFY(test.isSeen("position.x") && test.isSeen("angle") && !test.isSeen("kind") && !test.isSeen("density"));
+        test.document.select(Selection({1, 2, 3}));
+        QVERIFY(test.isSeen("radius") && test.isSeen("depth") && test.isSeen("density"));
+        test.type("density", "4");
+        test.type("radius", "0.75");
+        QCOMPARE(test.body(0).density, 4.0);
+        QCOMPARE(test.body(1).density, 4.0);
+        QCOMPARE(test.radius(0, 0), 0.75);
+        QVERIFY(std::get<ShipObject>(test.document.level().objects[2].data) == ShipObject{});
+    }
+
+    void switchesAreSetForAll() {
+        InspectorFixture test({circleObject(1, 0, 0.5), circleObject(2, 1, 0.5)}, {1});
+        test.box("frozen").click();
+        test.document.select(Selection({1, 2}));
+        QCOMPARE(test.box("frozen").checkState(), Qt::PartiallyChecked);
+        QCOMPARE(test.box("tangible").checkState(), Qt::Checked);
+        QTest::mouseClick(&test.box("frozen"), Qt::LeftButton, {}, QPoint(8, 8));
         QVERIFY(test.body(0).frozen && test.body(1).frozen);
+        QCOMPARE(test.box("frozen").checkState(), Qt::Checked);
+        QTest::mouseClick(&test.box("frozen"), Qt::LeftButton, {}, QPoint(8, 8));
+        QVERIFY(!test.body(0).frozen && !test.body(1).frozen);
+    }
+
+    void aChoiceIsMadeForAllByKey() {
+        InspectorFixture test({circleObject(1, 0, 0.5), circleObject(2, 1, 0.5)}, {1, 2});
         auto* kind = qobject_cast<QComboBox*>(test.inspector.form().editor("kind"));
         kind->setFocus();
-        QTest::keyClick(kind, Qt::Key_End);
-        QVERIFY(test.body(0).kind == BodyKind::Dynamic || kind->currentIndex() == 2);
-        kind->setCurrentIndex(2);
-        Q_EMIT kind->activated(2);
+        QTest::keyClick(kind, Qt::Key_Down);
+        QVERIFY(test.body(0).kind == BodyKind::Kinematic && test.body(1).kind == BodyKind::Kinematic);
+        QTest::keyClick(kind, Qt::Key_Down);
         QVERIFY(test.body(0).kind == BodyKind::Dynamic && test.body(1).kind == BodyKind::Dynamic);
+        test.document.select(Selection({1}));
+        QTest::keyClick(kind, Qt::Key_Up);
+        test.document.select(Selection({1, 2}));
+        QCOMPARE(kind->currentIndex(), -1);
     }
 
     void gesturesShowTheirNumbersLive() {
-        InspectorFixture test({circle(1, 0, 0.5)}, {1});
+        InspectorFixture test({circleObject(1, 0, 0.5)}, {1});
         const std::vector<Key> keys{1};
         test.document.preview(
             {std::make_shared<Level>(moved(test.document.level(), keys, Vec2(2.5, 0))), test.document.selection()});
@@ -212,7 +205,7 @@ class InspectorTest : public QObject {
     }
 
     void theLevelIsEditedWhenNothingIsSelected() {
-        InspectorFixture test({circle(1, 0, 0.5)}, {});
+        InspectorFixture test({circleObject(1, 0, 0.5)}, {});
         test.type("gravity.y", "-3.5");
         QCOMPARE(test.document.level().gravity.y(), -3.5);
         test.type("lives", "5");
@@ -225,27 +218,6 @@ class InspectorTest : public QObject {
         QTest::keyClicks(name, "Depths");
         QTest::keyClick(name, Qt::Key_Return);
         QCOMPARE(test.document.level().name, std::string("Depths"));
-    }
-
-    void everyFieldOfEveryKindCanBeSetToWhatItIs() {
-        std::vector<Object> objects{circle(1, 1, 0.5),
-                                    wall(2, 0.5),
-                                    {3, "s", ShipObject{}, {}},
-                                    {4, "p", PayloadObject{}, {}},
-                                    {5, "f", FinishObject{}, {}}};
-        objects.push_back({6, "c", ConnectorObject{1, 2}, {}});
-        for (Object object : objects) {
-            const Object before = object;
-            for (const FieldEntry& entry : fieldsOf(before)) {
-                setField(object, entry.id, entry.value);
-                QVERIFY2(object == before, entry.id.c_str());
-            }
-        }
-        Level level;
-        for (const FieldEntry& entry : fieldsOf(level)) {
-            setField(level, entry.id, entry.value);
-            QVERIFY2(level == Level(), entry.id.c_str());
-        }
     }
 };
 

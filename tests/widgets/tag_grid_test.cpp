@@ -17,7 +17,7 @@ Object body(Key key, TagMask tags, TagMask touches = TagMask::all()) {
 }
 
 struct TagGridFixture {
-    explicit TagGridFixture(std::vector<Object> objects) : document(levelOf(objects)), inspector(document) {
+    explicit TagGridFixture(std::vector<Object> objects) : document(levelOf(objects)), inspector(document, {}) {
         std::vector<Key> keys;
         for (const Object& object : objects) {
             keys.push_back(object.key);
@@ -74,8 +74,12 @@ class TagGridTest : public QObject {
         QCOMPARE(test.filter(0).tags.bits, 1U);
         QCOMPARE(test.filter(1).tags.bits, 1U);
         test.document.undo();
+        QCOMPARE(test.filter(0).tags.bits, 3U);
+        QCOMPARE(test.filter(1).tags.bits, 3U);
+        test.document.undo();
         QCOMPARE(test.filter(0).tags.bits, 1U);
         QCOMPARE(test.filter(1).tags.bits, 3U);
+        QVERIFY(!test.document.canUndo());
     }
 
     void everythingStandsForAllTagsToCome() {
@@ -86,6 +90,62 @@ class TagGridTest : public QObject {
         QVERIFY(test.filter(0).touches == TagMask::all());
         QVERIFY(everything->state() == TagChip::State::On);
         QVERIFY(test.grid("touches").chip(debrisTag)->state() == TagChip::State::On);
+    }
+
+    void untickingOneTagOfEverythingLeavesItOut() {
+        TagGridFixture test({body(1, TagMask{1})});
+        TagGrid& touches = test.grid("touches");
+        const QList<TagChip*> before = touches.findChildren<TagChip*>();
+        QCOMPARE(touches.everythingChip()->text(), QString("everything"));
+        touches.chip(debrisTag)->click();
+        QCOMPARE(test.filter(0).touches.bits, ~(1U << debrisTag));
+        QCOMPARE(touches.findChildren<TagChip*>(), before); // no tag appears that nobody has named
+        QCOMPARE(touches.everythingChip()->text(), QString("everything except"));
+        QVERIFY(touches.everythingChip()->state() == TagChip::State::On);
+        QVERIFY(touches.chip(debrisTag)->isCrossedOut());
+        QVERIFY(!touches.chip(wallTag)->isCrossedOut());
+        touches.chip(debrisTag)->click();
+        QVERIFY(test.filter(0).touches == TagMask::all());
+        QCOMPARE(touches.everythingChip()->text(), QString("everything"));
+    }
+
+    void everythingIsSwitchedOffToNameAFewOnly() {
+        TagGridFixture test({body(1, TagMask{1})});
+        TagGrid& touches = test.grid("touches");
+        touches.chip(debrisTag)->click();
+        touches.everythingChip()->click();
+        QVERIFY(test.filter(0).touches == TagMask::all());
+        touches.everythingChip()->click();
+        QCOMPARE(test.filter(0).touches.bits, 0U);
+        QVERIFY(touches.everythingChip()->state() == TagChip::State::Off);
+        touches.chip(shipTag)->click();
+        QCOMPARE(test.filter(0).touches, TagMask::bit(shipTag));
+        QVERIFY(!touches.chip(wallTag)->isCrossedOut());
+    }
+
+    void exceptionsAndListsOfSeveralObjectsAreMixed() {
+        TagGridFixture test({body(1, TagMask{1}, TagMask{~2U}), body(2, TagMask{1}, TagMask{2})});
+        TagGrid& touches = test.grid("touches");
+        QVERIFY(touches.everythingChip()->state() == TagChip::State::Mixed);
+        QVERIFY(touches.chip(shipTag)->state() == TagChip::State::Mixed);
+        QVERIFY(touches.chip(17) == nullptr);
+        touches.chip(shipTag)->click();
+        QVERIFY(test.filter(0).touches == TagMask::all());
+        QCOMPARE(test.filter(1).touches.bits, 2U);
+    }
+
+    void aTagWithoutANameThatIsLeftOutIsShownByNumber() {
+        TagGridFixture test({body(1, TagMask{1}, TagMask{~(1U << 20)})});
+        QVERIFY(test.grid("touches").chip(20) != nullptr);
+        QVERIFY(test.grid("touches").chip(20)->isCrossedOut());
+        QVERIFY(test.grid("touches").chip(21) == nullptr);
+    }
+
+    void everythingThatHasATagIsSelected() {
+        TagGridFixture test({body(1, TagMask{1}), body(2, TagMask{3}), body(3, TagMask{2})});
+        test.document.select(Selection({1}));
+        Q_EMIT test.grid("tags").selectionWanted(shipTag);
+        QVERIFY(test.document.selection() == Selection({2, 3}));
     }
 
     void aTagIsRenamedWhereItStands_data() {
@@ -157,8 +217,7 @@ class TagGridTest : public QObject {
     void noButtonIsCutOffOrHidesAnother() {
         QFETCH(int, width);
         TagGrid grid(true);
-        const std::vector<TagMask> masks{TagMask{1}};
-        grid.setTags(TagTable(), masks);
+        grid.setTags(TagTable(), {TagMask{1}, TagMask{1}, 1, 0});
         grid.resize(width, grid.heightForWidth(width));
         grid.show();
         const QList<TagChip*> chips = grid.findChildren<TagChip*>();

@@ -187,6 +187,7 @@ class TranslationsTest : public QObject {
         for (const auto rows : {objectRows(), levelRows()}) {
             for (const FormRow& row : rows) {
                 QVERIFY2(verify("Inspector", row.section) && verify("Inspector", row.label), row.label);
+                QVERIFY2(verify("Inspector", row.meaning) && verify("Inspector", row.none), row.label);
             }
         }
     }

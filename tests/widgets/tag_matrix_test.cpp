@@ -1,0 +1,137 @@
+#include "editor/panels/tag_matrix_panel.h"
+
+#include "tests/support/test_main.h"
+#include "tests/support/window.h"
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+Object taggedBody(Key key, TagMask tags, TagMask touches = TagMask::all()) {
+    BodyObject made;
+    made.kind = BodyKind::Dynamic;
+    made.shapes = {Circle{}};
+    made.filter = {tags, touches};
+    return {key, {}, made, {}};
+}
+
+Level levelOfTagged(const std::vector<Object>& objects) {
+    Level level;
+    for (const Object& object : objects) {
+        level.objects.append(object);
+    }
+    return level;
+}
+
+struct TagMatrixFixture {
+    explicit TagMatrixFixture(const std::vector<Object>& objects) : document(levelOfTagged(objects)), panel(document) {
+        panel.resize(500, 500);
+        panel.show();
+    }
+    TagMask touches(int index) { return std::get<BodyObject>(document.level().objects[index].data).filter.touches; }
+    void click(int a, int b) {
+        QTest::mouseClick(&panel.view(), Qt::LeftButton, {}, panel.view().cellOf(a, b).center());
+    }
+
+    Document document;
+    TagMatrixPanel panel;
+};
+
+} // namespace
+
+class TagMatrixTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void everyPairHasOneCellThatNoneElseHas() {
+        TagMatrixFixture test({taggedBody(1, TagMask{1U << 9})});
+        TagMatrixView& view = test.panel.view();
+        int cells = 0;
+        for (int y = 2; y < view.height(); y += 4) {
+            for (int x = 2; x < view.width(); x += 4) {
+                const auto pair = view.pairAt({x, y});
+                cells += pair ? 1 : 0;
+                QVERIFY(!pair || view.cellOf(pair->a, pair->b).contains(x, y));
+                QVERIFY(!pair || view.cellOf(pair->b, pair->a).contains(x, y));
+                QVERIFY(!pair || !view.nameAt({x, y}));
+            }
+        }
+        QVERIFY(cells > 100);
+        QVERIFY(view.rect().contains(view.cellOf(9, wallTag)));
+    }
+
+    void aClickPartsAndJoinsThoseOfTwoTags() {
+        TagMatrixFixture test({taggedBody(1, TagMask::bit(wallTag)), taggedBody(2, TagMask::bit(debrisTag))});
+        test.click(wallTag, debrisTag);
+        QVERIFY(!test.touches(0).contains(debrisTag) && !test.touches(1).contains(wallTag));
+        QVERIFY(test.touches(0).contains(wallTag) && test.touches(0).contains(17));
+        QCOMPARE(test.document.undoLabel().code, std::string("change-tags"));
+        test.click(debrisTag, wallTag);
+        QVERIFY(test.touches(0) == TagMask::all() && test.touches(1) == TagMask::all());
+        test.document.undo();
+        QVERIFY(!test.touches(0).contains(debrisTag));
+    }
+
+    void theKeysGoFromCellToCell() {
+        TagMatrixFixture test({taggedBody(1, TagMask::bit(wallTag))});
+        TagMatrixView& view = test.panel.view();
+        view.setFocus();
+        for (int i = 0; i < 40; ++i) {
+            QTest::keyClick(&view, Qt::Key_Right); // the first row ends with the pair of its tag with itself
+        }
+        QTest::keyClick(&view, Qt::Key_Space);
+        QVERIFY(!test.touches(0).contains(wallTag));
+        QTest::keyClick(&view, Qt::Key_Left);
+        QTest::keyClick(&view, Qt::Key_Return);
+        QVERIFY(!test.touches(0).contains(shipTag));
+        QTest::keyClick(&view, Qt::Key_Down);
+        QTest::keyClick(&view, Qt::Key_Space); // nobody is a ship or a payload here
+        QVERIFY(test.document.position() == 2);
+    }
+
+    void whatTheGameLaysDownCannotBeChanged() {
+        TagMatrixFixture test({{1, {}, ShipObject{}, {}}, {2, {}, FinishObject{}, {}}, {3, {}, PayloadObject{}, {}}});
+        test.click(shipTag, finishTag);
+        test.click(shipTag, payloadTag);
+        QVERIFY(!test.document.canUndo());
+    }
+
+    void aTagIsRenamedAndItsObjectsAreSelected() {
+        TagMatrixFixture test(
+            {taggedBody(1, TagMask::bit(wallTag)), taggedBody(2, TagMask::bit(debrisTag)), taggedBody(3, TagMask{1})});
+        test.panel.rename(wallTag);
+        QVERIFY(test.panel.nameLine().isVisible());
+        test.panel.nameLine().setText("ship");
+        QTest::keyClick(&test.panel.nameLine(), Qt::Key_Return);
+        QVERIFY(test.panel.nameLine().isVisible()); // the name is taken
+        QCOMPARE(test.document.level().tags[wallTag].name, std::string("wall"));
+        test.panel.nameLine().setText("rock");
+        QTest::keyClick(&test.panel.nameLine(), Qt::Key_Return);
+        QCOMPARE(test.document.level().tags[wallTag].name, std::string("rock"));
+        QVERIFY(!test.panel.nameLine().isVisible());
+        Q_EMIT test.panel.view().selectionWanted(wallTag);
+        QVERIFY(test.document.selection() == Selection({1, 3}));
+    }
+
+    void whatTheSelectionCollidesWithIsMarkedOnTheCanvas() {
+        TestWindow test;
+        test.document().reset(levelOfTagged({taggedBody(1, TagMask{1}, TagMask{2}), taggedBody(2, TagMask{2}),
+                                             taggedBody(3, TagMask{4}, TagMask{8})}));
+        test.document().select(Selection({1}));
+        QVERIFY(test.canvas().highlighted().empty());
+        test.trigger(Act::ShowCollisions);
+        QCOMPARE(test.canvas().highlighted(), std::vector<Key>{2});
+        test.document().select(Selection({3}));
+        QVERIFY(test.canvas().highlighted().empty());
+        test.document().select(Selection({2}));
+        QCOMPARE(test.canvas().highlighted(), std::vector<Key>{1});
+        const QImage marked = test.canvas().grab().toImage();
+        test.trigger(Act::ShowCollisions);
+        QVERIFY(test.canvas().highlighted().empty());
+        QVERIFY(test.canvas().grab().toImage() != marked);
+    }
+};
+
+SPACETOW_TEST(TagMatrixTest)
+#include "tag_matrix_test.moc"
