@@ -34,6 +34,7 @@ Theme paper() {
     theme.finish = {0, 130, 92};
     theme.hover = {126, 119, 230};
     theme.selection = {214, 48, 0};
+    theme.collision = {78, 0, 90};
     theme.draft = {26, 32, 44};
     theme.snap = {224, 16, 146};
     theme.band = {98, 90, 210};

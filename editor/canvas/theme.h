@@ -41,7 +41,7 @@ struct Theme {
 
     QColor hover{173, 205, 238};
     QColor selection{236, 136, 0};
-    QColor collision{255, 122, 200}; // what the selection would collide with
+    QColor collision{114, 54, 252}; // what the selection would collide with
     QColor draft{255, 255, 255};
     QColor snap{214, 40, 180};
     QColor band{173, 205, 238};

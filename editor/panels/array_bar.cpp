@@ -1,12 +1,14 @@
 #include "editor/panels/array_bar.h"
 
 #include "core/level/arrange.h"
+#include "core/level/fields.h"
 #include "editor/editing/verbs.h"
 
 #include <QKeyEvent>
 #include <QLocale>
 #include <QScopedValueRollback>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,8 +21,12 @@ constexpr double degree = std::numbers::pi / 180;
 } // namespace
 
 ArrayBar::ArrayBar(Document& document, Toolbox& toolbox, QWidget* parent)
-    : QWidget(parent), m_document(document), m_toolbox(toolbox), m_row(this) {
+    : QWidget(parent), m_document(document), m_toolbox(toolbox), m_column(this), m_copiesLabel({}, m_copies),
+      m_xLabel({}, m_x), m_yLabel({}, m_y), m_angleLabel({}, m_angle) {
     layOut();
+    for (NumberField* field : numbers()) {
+        connect(field, &NumberField::faultChanged, this, &ArrayBar::showFaults);
+    }
     connect(&m_copies, &NumberField::entered, this, [this](std::optional<double> value) {
         (m_kind == Kind::Linear ? m_linear.copies : m_radial.copies) = static_cast<int>(value.value_or(1));
         preview();
@@ -55,22 +61,25 @@ ArrayBar::~ArrayBar() {
 }
 
 void ArrayBar::layOut() {
-    m_row.setContentsMargins(10, 4, 6, 4);
+    m_column.setContentsMargins(10, 4, 6, 4);
+    m_column.setSpacing(4);
+    m_column.addLayout(&m_row);
+    m_column.addWidget(&m_refusal);
     m_row.setSpacing(6);
     m_row.addWidget(&m_title);
     m_copies.setSpec({.min = 1, .max = 1e6, .whole = true, .step = 1});
     add(m_copiesLabel, tr("Copies"), m_copies);
-    m_x.setSpec({.unit = tr("m")});
-    m_y.setSpec({.unit = tr("m")});
+    for (NumberField* field : {&m_x, &m_y}) {
+        field->setSpec({.unit = QStringLiteral("m"), .min = -limits::coordinate, .max = limits::coordinate});
+    }
     m_angle.setSpec({.unit = QStringLiteral("°"), .step = 5});
     add(m_angleLabel, tr("Angle"), m_angle);
     add(m_xLabel, {}, m_x);
     add(m_yLabel, {}, m_y);
     m_turns.setText(tr("Turn copies"));
     m_row.addWidget(&m_turns);
-    m_refusal.setWordWrap(true);
     m_refusal.setObjectName(QStringLiteral("refusal"));
-    m_row.addWidget(&m_refusal, 1);
+    m_row.addStretch(1);
     m_apply.setText(tr("Apply"));
     m_apply.setToolTip(tr("Make the copies (Enter)"));
     m_cancel.setText(tr("Cancel"));
@@ -81,9 +90,8 @@ void ArrayBar::layOut() {
     hide();
 }
 
-void ArrayBar::add(QLabel& label, const QString& text, NumberField& field) {
+void ArrayBar::add(ScrubLabel& label, const QString& text, NumberField& field) {
     label.setText(text);
-    label.setBuddy(&field);
     m_row.addWidget(&label);
     m_row.addWidget(&field);
 }
@@ -134,6 +142,20 @@ ArraySpec ArrayBar::spec() const {
     return m_radial;
 }
 
+void ArrayBar::setWords(const std::function<QString(const Error&)>& words) {
+    for (NumberField* field : numbers()) {
+        field->words = words;
+    }
+}
+
+void ArrayBar::showFaults() {
+    QString fault = m_objection;
+    for (const NumberField* field : numbers()) {
+        fault = field->fault().isEmpty() ? fault : field->fault();
+    }
+    m_refusal.say(fault);
+}
+
 void ArrayBar::preview() {
     if (!m_context) {
         return;
@@ -142,11 +164,11 @@ void ArrayBar::preview() {
     const std::optional<FinishedEdit> edit = arraySelected(*m_context, spec());
     const std::int64_t size = arraySize(*m_context->edit.level, m_context->edit.selection.keys(), spec());
     const QLocale locale;
-    m_refusal.setText(edit ? QString()
-                      : size == 0
-                          ? tr("Of a ship, a payload and a finish a level has one: there is nothing to copy.")
-                          : tr("That would be %1 objects; an array may have %2. Make fewer copies.")
-                                .arg(locale.toString(static_cast<qlonglong>(size)), locale.toString(maxArrayObjects)));
+    m_objection = edit        ? QString()
+                  : size == 0 ? tr("Of a ship, a payload and a finish a level has one: there is nothing to copy.")
+                              : tr("That would be %1 objects; an array may have %2. Make fewer copies.")
+                                    .arg(locale.toString(static_cast<qlonglong>(size)), locale.toString(maxArrayObjects));
+    showFaults();
     m_apply.setEnabled(edit.has_value());
     if (edit) {
         m_document.preview(edit->edit);
@@ -156,7 +178,9 @@ void ArrayBar::preview() {
 }
 
 void ArrayBar::apply() {
-    if (!m_context) {
+    // A click on the button leaves the focus, and what is typed, where they are.
+    const auto fields = numbers();
+    if (!m_context || !std::ranges::all_of(fields, &NumberField::enterTyped)) {
         return;
     }
     const std::optional<FinishedEdit> edit = arraySelected(*m_context, spec());

@@ -4,14 +4,18 @@
 
 #include "editor/editing/array_verb.h"
 #include "editor/editing/toolbox.h"
+#include "editor/panels/fault_label.h"
 #include "editor/panels/number_field.h"
+#include "editor/panels/scrub_label.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QWidget>
 
+#include <array>
 #include <optional>
 
 namespace spacetow {
@@ -32,6 +36,9 @@ class ArrayBar : public QWidget {
     void apply();
     void cancel();
 
+    /// Makes a sentence of a code of core/base/expression.
+    void setWords(const std::function<QString(const Error&)>& words);
+
   Q_SIGNALS:
     void closed();
 
@@ -40,11 +47,13 @@ class ArrayBar : public QWidget {
 
   private:
     void layOut();
-    void add(QLabel& label, const QString& text, NumberField& field);
+    void add(ScrubLabel& label, const QString& text, NumberField& field);
+    std::array<NumberField*, 4> numbers() { return {&m_copies, &m_angle, &m_x, &m_y}; }
     void setNumbers();
     void shut();
     ArraySpec spec() const;
     void preview();
+    void showFaults();
 
     Document& m_document;
     Toolbox& m_toolbox;
@@ -55,11 +64,15 @@ class ArrayBar : public QWidget {
     LinearArray m_linear;
     RadialArray m_radial;
 
+    QVBoxLayout m_column;
     QHBoxLayout m_row;
-    QLabel m_title, m_copiesLabel, m_xLabel, m_yLabel, m_angleLabel, m_refusal;
+    QLabel m_title;
     NumberField m_copies, m_x, m_y, m_angle;
+    ScrubLabel m_copiesLabel, m_xLabel, m_yLabel, m_angleLabel;
+    QString m_objection; // to the array as a whole
     QCheckBox m_turns;
     QToolButton m_apply, m_cancel;
+    FaultLabel m_refusal;
 };
 
 } // namespace spacetow

@@ -1,7 +1,6 @@
 #include "editor/panels/form.h"
 
 #include "editor/canvas/icons.h"
-#include "editor/panels/form_colors.h"
 #include "editor/panels/object_field.h"
 #include "editor/panels/scrub_label.h"
 #include "editor/panels/text_line.h"
@@ -19,6 +18,13 @@ constexpr int firstColumn = 1; // of the editors
 constexpr int columns = 2;
 constexpr int resetColumn = firstColumn + columns;
 constexpr int allColumns = resetColumn + 1;
+
+/// In a row that is seen the arrow keeps its place while it is hidden, so that nothing beside it moves.
+QSizePolicy resetPolicy(bool keepsPlace) {
+    QSizePolicy policy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    policy.setRetainSizeWhenHidden(keepsPlace);
+    return policy;
+}
 
 bool isPairEnd(const FormRow& row) {
     return *row.label == '\0';
@@ -56,10 +62,11 @@ Form::~Form() {
 
 int Form::measured() {
     NumberSpec widest;
-    widest.unit = QStringLiteral("kg/m²");
     for (const std::unique_ptr<FormRowState>& row : m_rows) {
         row->editor->ensurePolished();
         if (row->spec.kind == RowKind::Number) {
+            const bool isOfPair = isPairStart(row->spec) || isPairEnd(row->spec);
+            widest.unit = isOfPair ? QStringLiteral("m/s²") : QStringLiteral("kg/m²");
             static_cast<NumberField&>(*row->editor).setSpec(widest);
         }
     }
@@ -102,9 +109,7 @@ void Form::addReset(FormRowState& row, int line) {
     row.reset->setFocusPolicy(Qt::TabFocus);
     row.reset->setToolTip(tr("Back to the default"));
     row.reset->setAccessibleName(tr("Back to the default: %1").arg(rowText(row.spec.label)));
-    QSizePolicy policy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    policy.setRetainSizeWhenHidden(true);
-    row.reset->setSizePolicy(policy);
+    row.reset->setSizePolicy(resetPolicy(true));
     FormRowState* const at = &row;
     connect(row.reset.get(), &QToolButton::clicked, this, [this, at] { reset(*at); });
     m_grid.addWidget(row.reset.get(), line, resetColumn, Qt::AlignTop);
@@ -152,10 +157,7 @@ void Form::addRow(const FormRow& spec) {
                      isWide && row->label ? allColumns
                      : isWide             ? resetColumn
                                           : (isPairStart(spec) ? 1 : columns));
-    row->fault = std::make_unique<QLabel>();
-    row->fault->setWordWrap(true);
-    row->fault->setTextFormat(Qt::PlainText);
-    row->fault->hide();
+    row->fault = std::make_unique<FaultLabel>();
     m_grid.addWidget(row->fault.get(), line + 1, 0, 1, allColumns);
     m_rows.push_back(std::move(row));
 }
@@ -192,6 +194,7 @@ void Form::arrangeSections() {
     for (const std::unique_ptr<FormRowState>& row : m_rows) {
         if (row->reset) {
             const bool isSeen = !row->editor->isHidden();
+            row->reset->setSizePolicy(resetPolicy(isSeen));
             row->reset->setVisible(isSeen && row->shown && row->shown->hasStandard && !row->shown->isStandard);
         } else if (row->pairStart != nullptr && row->shown && !row->editor->isHidden() && row->shown->hasStandard &&
                    !row->shown->isStandard) {
@@ -209,8 +212,12 @@ void Form::showFaults() {
         const auto* object = qobject_cast<const ObjectField*>(row->editor.get());
         const QString fault = number != nullptr ? number->fault() : object != nullptr ? object->fault() : QString();
         if (row->pairStart == nullptr || !fault.isEmpty()) {
+            const bool isNew = !fault.isEmpty() && fault != start.fault->text();
             start.fault->setText(fault);
             start.fault->setVisible(!fault.isEmpty() && !row->editor->isHidden());
+            if (isNew) {
+                Q_EMIT faultShown(start.fault.get());
+            }
         }
     }
 }
@@ -269,9 +276,6 @@ void Form::tint() {
     for (const std::unique_ptr<FormRowState>& row : m_rows) {
         if (row->reset) {
             row->reset->setIcon(m_resetIcon);
-            QPalette colors = row->fault->palette();
-            colors.setColor(QPalette::WindowText, faultColor(palette()));
-            row->fault->setPalette(colors);
         }
     }
 }

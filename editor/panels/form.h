@@ -68,6 +68,8 @@ class Form : public QWidget {
 
   Q_SIGNALS:
     void sectionsFolded();
+    /// Beneath what was typed there is a new sentence.
+    void faultShown(QWidget* sentence);
 
   protected:
     void changeEvent(QEvent* event) override;

@@ -2,6 +2,7 @@
 // What a form keeps of each row.
 
 #include "core/level/field_survey.h"
+#include "editor/panels/fault_label.h"
 #include "editor/panels/form_rows.h"
 
 #include <QLabel>
@@ -18,7 +19,7 @@ struct FormRowState {
     std::unique_ptr<QToolButton> header; // above the first row of a section
     std::unique_ptr<QLabel> label;       // the second part of a pair has none, and none of the three that follow
     std::unique_ptr<QToolButton> reset;
-    std::unique_ptr<QLabel> fault; // beneath
+    std::unique_ptr<FaultLabel> fault; // beneath
     std::unique_ptr<QWidget> editor;
     FormRowState* pairStart = nullptr; // of the second part of a pair
     std::optional<FieldSummary> shown;

@@ -19,7 +19,7 @@ constexpr double farthest = 1e6; // m, as the file allows
 } // namespace
 
 GuideBar::GuideBar(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_row(this), m_xLabel(tr("X")), m_yLabel(tr("Y")),
+    : QWidget(parent), m_document(document), m_column(this), m_xLabel(tr("X")), m_yLabel(tr("Y")),
       m_angleLabel(QStringLiteral("∠")) {
     layOut();
     connect(&m_x, &NumberField::entered, this, [this](std::optional<double> value) {
@@ -51,13 +51,22 @@ GuideBar::~GuideBar() {
 void GuideBar::layOut() {
     constexpr double steps = 0.25; // m
     for (NumberField* field : {&m_x, &m_y}) {
-        field->setSpec({.unit = tr("m"), .min = -farthest, .max = farthest, .step = steps});
+        field->setSpec({.unit = QStringLiteral("m"), .min = -farthest, .max = farthest, .step = steps});
     }
     m_angle.setSpec({.unit = QStringLiteral("°"), .min = -360, .max = 360, .step = 5});
+    for (NumberField* field : {&m_x, &m_y, &m_angle}) {
+        connect(field, &NumberField::faultChanged, this, [this] {
+            const QString& fault = m_x.fault();
+            m_fault.say(!fault.isEmpty() ? fault : !m_y.fault().isEmpty() ? m_y.fault() : m_angle.fault());
+        });
+    }
     m_name.setMinimumWidth(50);
     m_name.setMaximumWidth(240);
     m_name.setPlaceholderText(tr("Name"));
-    m_row.setContentsMargins(8, 5, 4, 5);
+    m_column.setContentsMargins(8, 5, 4, 5);
+    m_column.setSpacing(4);
+    m_column.addLayout(&m_row);
+    m_column.addWidget(&m_fault);
     m_row.setSpacing(4); // the bar stands between two panels in a window of 800 pixels
     const std::initializer_list<std::pair<QLabel*, QLineEdit*>> fields{
         {&m_xLabel, &m_x}, {&m_yLabel, &m_y}, {&m_angleLabel, &m_angle}};
@@ -82,6 +91,12 @@ void GuideBar::layOut() {
     }
     tint();
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+}
+
+void GuideBar::setWords(const std::function<QString(const Error&)>& words) {
+    for (NumberField* field : {&m_x, &m_y, &m_angle}) {
+        field->words = words;
+    }
 }
 
 void GuideBar::tint() {

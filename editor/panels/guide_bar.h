@@ -3,12 +3,14 @@
 // cross close the bar. Lengths are metres, the angle is shown in degrees.
 
 #include "editor/editing/document.h"
+#include "editor/panels/fault_label.h"
 #include "editor/panels/number_field.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include <cstddef>
@@ -24,6 +26,9 @@ class GuideBar : public QWidget {
     /// The document must outlive the bar.
     explicit GuideBar(Document& document, QWidget* parent = nullptr);
     ~GuideBar() override;
+
+    /// Makes a sentence of a code of core/base/expression.
+    void setWords(const std::function<QString(const Error&)>& words);
 
     /// Shows the guide of this index, ready to type the coordinate that matters.
     void open(std::size_t index);
@@ -51,11 +56,13 @@ class GuideBar : public QWidget {
 
     Document& m_document;
     std::optional<std::size_t> m_index;
+    QVBoxLayout m_column;
     QHBoxLayout m_row;
     QLabel m_xLabel, m_yLabel, m_angleLabel;
     NumberField m_x, m_y, m_angle;
     QLineEdit m_name;
     QToolButton m_delete, m_close;
+    FaultLabel m_fault;
     int m_listener = 0;
 };
 

@@ -85,6 +85,14 @@ Inspector::Inspector(Document& document, Words words, QWidget* parent)
     m_pages.addWidget(&m_objectPage);
     keepScrolled(m_levelPage, m_levelScroll);
     keepScrolled(m_objectPage, m_objectScroll);
+    const auto reveal = [this](QWidget* sentence) {
+        // Once it has a place. What is typed stands right above it.
+        QMetaObject::invokeMethod(
+            sentence, [this, sentence] { page().ensureWidgetVisible(sentence, 0, sentence->fontMetrics().height() * 2); },
+            Qt::QueuedConnection);
+    };
+    connect(&m_levelForm, &Form::faultShown, this, reveal);
+    connect(&m_objectForm, &Form::faultShown, this, reveal);
     connect(&m_levelForm, &Form::sectionsFolded, this, &Inspector::sectionsFolded);
     connect(&m_objectForm, &Form::sectionsFolded, this, &Inspector::sectionsFolded);
     m_listener = m_document.changed.connect([this](const Change&) {

@@ -11,6 +11,19 @@
 
 namespace spacetow {
 
+namespace {
+
+int axisOf(const QModelIndex& index) {
+    return index.column() == NodesModel::X ? 0 : 1;
+}
+
+std::string mergeKeyOf(const NodeRef& node, int axis) {
+    return "coordinate " + std::to_string(node.key) + ' ' + std::to_string(node.shape) + ' ' +
+           std::to_string(node.vertex) + ' ' + std::to_string(axis);
+}
+
+} // namespace
+
 NodesModel::NodesModel(Document& document, QObject* parent) : QAbstractTableModel(parent), m_document(document) {
     refresh();
 }
@@ -78,7 +91,7 @@ QVariant NodesModel::data(const QModelIndex& index, int role) const {
                    : QVariant();
     }
     const auto row = static_cast<std::size_t>(index.row());
-    return index.column() == Name ? nameOf(m_nodes[row]) : exactNumberText(m_places[row][index.column() == X ? 0 : 1]);
+    return index.column() == Name ? nameOf(m_nodes[row]) : exactNumberText(coordinate(index));
 }
 
 QVariant NodesModel::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -97,13 +110,16 @@ bool NodesModel::setData(const QModelIndex& index, const QVariant& value, int ro
     if (role != Qt::EditRole || !index.isValid() || index.column() == Name) {
         return false;
     }
-    const int axis = index.column() == X ? 0 : 1;
     const Result<NumberChange> change = numberChange(withPlainDigits(value.toString()).toStdString(), "m");
-    const double number = change ? applied(change.value(), m_places[static_cast<std::size_t>(index.row())][axis])
-                                 : limits::coordinate + 1;
-    if (!(std::abs(number) <= limits::coordinate)) {
-        return false;
-    }
+    const double number = change ? applied(change.value(), coordinate(index)) : limits::coordinate + 1;
+    return std::abs(number) <= limits::coordinate && place(index, number, false);
+}
+
+double NodesModel::coordinate(const QModelIndex& index) const {
+    return m_places[static_cast<std::size_t>(index.row())][axisOf(index)];
+}
+
+bool NodesModel::place(const QModelIndex& index, double value, bool isStep) {
     const NodeRef node = m_nodes[static_cast<std::size_t>(index.row())];
     const Edit& edit = m_document.current();
     const std::optional<Vec2> place = nodePosition(*edit.level, node);
@@ -111,10 +127,11 @@ bool NodesModel::setData(const QModelIndex& index, const QVariant& value, int ro
         return false;
     }
     Vec2 target = *place;
-    target[axis] = number;
+    target[axisOf(index)] = value;
     // To the very point, which a translation might miss by rounding.
     Level level = withMappedNodes(*edit.level, {&node, 1}, Affine{{0, 0}, {0, 0}, target});
-    m_document.commit({"move-nodes", 1}, {std::make_shared<const Level>(std::move(level)), edit.selection});
+    m_document.commit({"move-nodes", 1}, {std::make_shared<const Level>(std::move(level)), edit.selection},
+                      isStep ? mergeKeyOf(node, axisOf(index)) : std::string());
     return true;
 }
 

@@ -24,13 +24,17 @@ class NodesModel : public QAbstractTableModel {
     const NodeRef& node(int row) const { return m_nodes[static_cast<std::size_t>(row)]; }
     /// −1 when there is no such node.
     int rowOf(const NodeRef& node) const;
+    /// Of a cell in one of the columns of coordinates.
+    double coordinate(const QModelIndex& index) const;
+    /// Moves the node to the very coordinate; false when it is not there any more. Steps merge within a second.
+    bool place(const QModelIndex& index, double value, bool isStep);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
-    /// A number in the user's spelling; refuses what is none, or out of the range of coordinates.
+    /// An expression in the user's spelling; refuses what is none, or out of the range of coordinates.
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
   private:

@@ -17,7 +17,7 @@ constexpr int many = 2000; // nodes; a table of more waits for the end of a drag
 } // namespace
 
 NodesPanel::NodesPanel(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_model(document), m_column(this) {
+    : QWidget(parent), m_document(document), m_model(document), m_delegate(m_model), m_column(this) {
     m_column.setContentsMargins(0, 0, 0, 0);
     m_column.setSpacing(2);
     m_table.setModel(&m_model);
@@ -27,7 +27,11 @@ NodesPanel::NodesPanel(Document& document, QWidget* parent)
     m_table.verticalHeader()->hide();
     m_table.horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table.setTabKeyNavigation(true);
+    m_table.setItemDelegate(&m_delegate);
     m_column.addWidget(&m_table);
+    m_fault.setContentsMargins(6, 0, 6, 0);
+    m_column.addWidget(&m_fault);
+    connect(&m_delegate, &NodesDelegate::faultShown, &m_fault, &FaultLabel::say);
     m_insert.setText(tr("Insert"));
     m_insert.setToolTip(tr("Insert a node halfway to the next one"));
     m_remove.setText(tr("Delete"));

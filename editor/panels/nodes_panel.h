@@ -1,6 +1,8 @@
 #pragma once
 // A table of the exact coordinates of the nodes in edit. Rows that are selected are the selected nodes, both ways.
 
+#include "editor/panels/fault_label.h"
+#include "editor/panels/nodes_delegate.h"
 #include "editor/panels/nodes_model.h"
 
 #include <QHBoxLayout>
@@ -19,6 +21,8 @@ class NodesPanel : public QWidget {
     explicit NodesPanel(Document& document, QWidget* parent = nullptr);
     ~NodesPanel() override;
 
+    /// Makes a sentence of a code of core/base/expression.
+    void setWords(const std::function<QString(const Error&)>& words) { m_delegate.words = words; }
     QTableView& table() { return m_table; }
     const NodesModel& model() const { return m_model; }
 
@@ -37,9 +41,11 @@ class NodesPanel : public QWidget {
 
     Document& m_document;
     NodesModel m_model;
+    NodesDelegate m_delegate;
     QVBoxLayout m_column;
     QHBoxLayout m_buttons;
     QTableView m_table;
+    FaultLabel m_fault;
     QToolButton m_insert, m_remove;
     int m_listener = 0;
     bool m_showing = false; // rows are being selected to show the document's selection

@@ -118,23 +118,31 @@ void NumberField::revert() {
 }
 
 bool NumberField::isWithin(double number) const {
-    return (m_spec.openMin ? number > m_spec.min : number >= m_spec.min) && number <= m_spec.max &&
+    return std::isfinite(number) && (m_spec.openMin ? number > m_spec.min : number >= m_spec.min) && number <= m_spec.max &&
            (!m_spec.whole || number == std::floor(number));
 }
 
 QString NumberField::rangeText() const {
-    if (!std::isfinite(m_spec.min) || !std::isfinite(m_spec.max)) {
+    const QString kind = m_spec.whole ? tr("A whole number") : tr("A number");
+    const QString least = shortNumberText(m_spec.min);
+    const QString most = shortNumberText(m_spec.max);
+    QString text;
+    if (std::isfinite(m_spec.min) && std::isfinite(m_spec.max)) {
+        text = (m_spec.openMin ? tr("%1 above %2 and up to %3") : tr("%1 from %2 to %3")).arg(kind, least, most);
+    } else if (std::isfinite(m_spec.min)) {
+        text = (m_spec.openMin ? tr("%1 above %2") : tr("%1 of %2 or more")).arg(kind, least);
+    } else {
         return {};
     }
-    const QString kind = m_spec.whole ? tr("A whole number") : tr("A number");
-    const QString range = m_spec.openMin ? tr("%1 above %2 and up to %3") : tr("%1 from %2 to %3");
-    const QString text = range.arg(kind, shortNumberText(m_spec.min), shortNumberText(m_spec.max));
     return m_spec.mayBeEmpty ? tr("%1, or nothing").arg(text) : text;
 }
 
 QString NumberField::objectionTo(double number) const {
     if (isWithin(number)) {
         return {};
+    }
+    if (!std::isfinite(number)) {
+        return words ? words(Error{"expression-not-finite", {}}) : tr("The result is too large.");
     }
     return tr("%1 is not possible: %2.").arg(shortNumberText(number), rangeText());
 }
@@ -173,6 +181,11 @@ void NumberField::commit() {
     if (const std::optional<NumberChange> change = read()) {
         send(*change, false);
     }
+}
+
+bool NumberField::enterTyped() {
+    commit();
+    return m_fault.isEmpty();
 }
 
 void NumberField::send(const NumberChange& change, bool isStep) {
@@ -256,13 +269,17 @@ void NumberField::scrub(int pixels, Qt::KeyboardModifiers modifiers) {
     }
     if (enter) {
         setFault(enter({m_scrub->last, NumberEntry::Phase::Preview, false}));
+    } else if (!m_scrub->last->isRelative()) {
+        keep(m_scrub->last->operand);
     }
 }
 
-void NumberField::endScrub(bool keep) {
+void NumberField::endScrub(bool isMeant) {
     const std::optional<Scrub> scrub = std::exchange(m_scrub, std::nullopt);
-    if (scrub && enter) {
-        const bool anything = keep && scrub->last;
+    if (scrub && !enter && !isMeant && scrub->last && scrub->from) {
+        keep(scrub->from);
+    } else if (scrub && enter) {
+        const bool anything = isMeant && scrub->last;
         const auto phase = anything ? NumberEntry::Phase::Final : NumberEntry::Phase::Cancelled;
         const QString objection = enter({scrub->last, phase, false});
         revert();
@@ -369,7 +386,7 @@ QSize NumberField::sizeHint() const {
 QSize NumberField::minimumSizeHint() const {
     QSize size = QLineEdit::minimumSizeHint();
     const QMargins margins = textMargins();
-    size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00.000")) + margins.left() + margins.right() + 12);
+    size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00.00")) + margins.left() + margins.right() + 12);
     return size;
 }
 

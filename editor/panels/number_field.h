@@ -56,6 +56,8 @@ class NumberField : public QLineEdit {
 
     /// Forgets what is being typed.
     void revert();
+    /// Makes it the value; false when it is to be mended first.
+    bool enterTyped();
 
     /// Makes the entry and answers with an objection, empty for none. A change that is absolute is within the range.
     /// Without it the field keeps its value itself and tells of it by entered().
@@ -72,7 +74,7 @@ class NumberField : public QLineEdit {
     // A drag on the label: one step is five pixels long.
     void beginScrub();
     void scrub(int pixels, Qt::KeyboardModifiers modifiers);
-    void endScrub(bool keep);
+    void endScrub(bool isMeant);
     bool isScrubbing() const { return m_scrub.has_value(); }
 
     QSize sizeHint() const override;

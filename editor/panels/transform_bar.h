@@ -1,15 +1,18 @@
 #pragma once
 // A bar above the canvas with the place and size of what is selected, to be typed: the lower left corner of its bounds,
 // width and height, and by how much to turn it. Relative, it moves by metres and scales by percent. Each number entered
-// is one history entry.
+// is one history entry; labels can be dragged.
 
 #include "editor/editing/toolbox.h"
+#include "editor/panels/fault_label.h"
 #include "editor/panels/number_field.h"
+#include "editor/panels/scrub_label.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include <array>
@@ -23,6 +26,9 @@ class TransformBar : public QWidget {
     /// Both must outlive the bar.
     TransformBar(Document& document, Toolbox& toolbox, QWidget* parent = nullptr);
     ~TransformBar() override;
+
+    /// Makes a sentence of a code of core/base/expression.
+    void setWords(const std::function<QString(const Error&)>& words);
 
     void begin();
     void shut();
@@ -39,17 +45,22 @@ class TransformBar : public QWidget {
     void layOut();
     void dressFields();
     void refresh();
-    void enter(Field field, double value);
+    /// What is wrong with the entry; empty when nothing is.
+    QString enter(Field field, const NumberEntry& entry);
+    std::optional<FinishedEdit> edited(Field field, double value);
+    void showFaults();
 
     Document& m_document;
     Toolbox& m_toolbox;
     int m_connection = 0;
+    QVBoxLayout m_column;
     QHBoxLayout m_row;
     QLabel m_title;
-    std::array<QLabel, fields> m_labels;
     std::array<NumberField, fields> m_fields;
+    std::array<ScrubLabel, fields> m_labels;
     QCheckBox m_relative;
     QToolButton m_close;
+    FaultLabel m_fault;
 };
 
 } // namespace spacetow

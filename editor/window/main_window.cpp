@@ -57,6 +57,11 @@ void MainWindow::layOut() {
     setStatusBar(&m_status);
 
     setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks); // at once, without sliding about
+    const auto words = [](const Error& error) { return sentence(error); };
+    m_nodes.setWords(words);
+    m_arrays.setWords(words);
+    m_transform.setWords(words);
+    m_guideBar.setWords(words);
     m_tagMatrix.setAction(m_actions[Act::ShowCollisions]);
     m_panels.emplace(*this);
     if (const QScreen* monitor = screen()) {
@@ -179,7 +184,8 @@ void MainWindow::setOverlays(const OverlayFlags& overlays) {
 
 void MainWindow::enterTyping() {
     const QPointer<QWidget> typing = focusWidget();
-    if (typing && m_panels->holding(typing) != nullptr) {
+    if (typing &&
+        (m_panels->holding(typing) != nullptr || m_transform.isAncestorOf(typing) || m_guideBar.isAncestorOf(typing))) {
         typing->clearFocus(); // fields enter their text when they lose the focus
         if (typing && typing->isVisible()) {
             typing->setFocus();

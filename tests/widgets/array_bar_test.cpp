@@ -1,5 +1,6 @@
 #include "editor/panels/array_bar.h"
 
+#include "editor/window/messages.h"
 #include "tests/support/drive.h"
 #include "tests/support/test_main.h"
 
@@ -66,6 +67,36 @@ class ArrayBarTest : public QObject {
         arrays.bar.findChildren<NumberField*>().front()->entered(2);
         QVERIFY(refusal->text().isEmpty());
         QCOMPARE(arrays.level().objects.size(), 3);
+    }
+
+    void whatIsNoExpressionIsRefusedInASentenceAndNoArrayIsMade() {
+        Arrays arrays;
+        arrays.bar.setWords([](const Error& error) { return sentence(error); });
+        arrays.bar.begin(ArrayBar::Kind::Linear);
+        NumberField* copies = arrays.bar.findChildren<NumberField*>().front();
+        copies->selectAll();
+        QTest::keyClicks(copies, "2*foo");
+        QTest::keyClick(copies, Qt::Key_Return);
+        QVERIFY(!arrays.bar.isHidden());
+        QCOMPARE(copies->text(), QString("2*foo"));
+        QVERIFY(arrays.bar.findChild<FaultLabel*>()->text().contains("foo"));
+        arrays.bar.apply();
+        QVERIFY(arrays.document.history().empty());
+        copies->selectAll();
+        QTest::keyClicks(copies, "2*3");
+        arrays.bar.apply(); // what is typed counts without Enter
+        QCOMPARE(arrays.document.undoLabel(), (Label{"array", 6}));
+    }
+
+    void aDragOnALabelIsShownAtOnce() {
+        Arrays arrays;
+        arrays.bar.begin(ArrayBar::Kind::Linear);
+        NumberField* copies = arrays.bar.findChildren<NumberField*>().front();
+        copies->beginScrub();
+        copies->scrub(10, {});
+        QCOMPARE(arrays.level().objects.size(), 6);
+        copies->endScrub(false);
+        QCOMPARE(arrays.level().objects.size(), 4);
     }
 
     void whatElseHappensClosesTheBar() {

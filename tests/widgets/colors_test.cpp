@@ -23,6 +23,7 @@ struct Named {
 std::vector<Named> marks(const Theme& theme) {
     return {{"hover", theme.hover},
             {"selection", theme.selection},
+            {"collision", theme.collision},
             {"snap", theme.snap},
             {"guide", theme.guide},
             {"bounding box", theme.overlayBox},

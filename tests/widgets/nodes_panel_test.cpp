@@ -1,5 +1,7 @@
 #include "editor/panels/nodes_panel.h"
 
+#include "editor/panels/number_field.h"
+#include "editor/window/messages.h"
 #include "tests/support/body_with.h"
 #include "tests/support/test_main.h"
 
@@ -27,6 +29,20 @@ struct Shown {
 
     QModelIndex at(int row, int column) const { return panel.model().index(row, column); }
     QString text(int row, int column) const { return at(row, column).data().toString(); }
+    /// Opens the cell's editor and types into it; null when nothing is left open.
+    NumberField* typeIn(int row, int column, const QString& text, Qt::Key end = Qt::Key_Return) {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the editor from before
+        panel.table().setCurrentIndex(at(row, column));
+        panel.table().edit(at(row, column));
+        auto* field = panel.table().findChild<NumberField*>();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, end);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return panel.table().findChild<NumberField*>();
+    }
+    QString fault() { return panel.findChild<FaultLabel*>()->text(); }
+    Vec2 node(int vertex) { return *nodePosition(document.level(), {1, 0, vertex}); }
     bool type(int row, int column, const QString& text) {
         return panel.table().model()->setData(at(row, column), text);
     }
@@ -65,6 +81,47 @@ class NodesPanelTest : public QObject {
             QVERIFY2(!shown.type(1, NodesModel::X, text), text);
         }
         QVERIFY(shown.document.history().empty());
+    }
+    void expressionsAreTypedIntoTheCells() {
+        Shown shown({1});
+        QVERIFY(shown.typeIn(1, NodesModel::X, "+=0,5") == nullptr);
+        QCOMPARE(shown.node(1), Vec2(3.5, 0.5));
+        QVERIFY(shown.typeIn(1, NodesModel::Y, "2*50 cm") == nullptr);
+        QCOMPARE(shown.node(1), Vec2(3.5, 1));
+        QCOMPARE(shown.document.history().size(), std::size_t(2));
+        shown.document.undo();
+        QCOMPARE(shown.node(1), Vec2(3.5, 0.5));
+    }
+    void whatIsNoExpressionStaysInTheCellAndSaysWhyBeneath() {
+        Shown shown({1});
+        shown.panel.setWords([](const Error& error) { return sentence(error); });
+        NumberField* field = shown.typeIn(1, NodesModel::X, "2*foo");
+        QVERIFY(field != nullptr);
+        QCOMPARE(field->text(), QString("2*foo"));
+        QVERIFY(shown.fault().contains("foo"));
+        QVERIFY(shown.document.history().empty());
+        field->selectAll();
+        QTest::keyClicks(field, "2*4");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(shown.node(1), Vec2(8, 0.5));
+        QVERIFY(shown.fault().isEmpty());
+        QVERIFY(shown.typeIn(1, NodesModel::X, "1e9", Qt::Key_Tab) != nullptr);
+        QVERIFY(!shown.fault().isEmpty());
+        QTest::keyClick(shown.panel.table().findChild<NumberField*>(), Qt::Key_Escape);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(shown.fault().isEmpty());
+        QCOMPARE(shown.node(1), Vec2(8, 0.5));
+    }
+    void anOpenCellStepsWithTheArrowKeysAndIsUndoneAtOnce() {
+        Shown shown({1});
+        shown.panel.table().edit(shown.at(1, NodesModel::X));
+        auto* field = shown.panel.table().findChild<NumberField*>();
+        QTest::keyClick(field, Qt::Key_Up);
+        QTest::keyClick(field, Qt::Key_Up);
+        QCOMPARE(shown.node(1), Vec2(3.1, 0.5));
+        QCOMPARE(field->text(), QString("3.1"));
+        shown.document.undo();
+        QCOMPARE(shown.node(1), Vec2(3, 0.5));
     }
     void selectedRowsAreTheSelectedNodesBothWays() {
         Shown shown({1});
