@@ -85,7 +85,9 @@ void paintHovered(const Stage& stage, const Level& level, Key hovered) {
             continue;
         }
         const Outline outline = outlines.of(*object);
-        painter.setPen(stroke(stage.theme.halo, 4)); // apart from a wall of a like colour
+        QColor glow = stage.theme.hover; // apart from a wall of a like colour
+        glow.setAlpha(90);
+        painter.setPen(stroke(glow, 8));
         strokeOutline(stage, outline);
         painter.setPen(stroke(stage.theme.hover, 2));
         strokeOutline(stage, outline);

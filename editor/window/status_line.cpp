@@ -58,7 +58,6 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_steps(tr("Grid S
     m_snap.setObjectName(QStringLiteral("snap"));
     m_snap.setMenu(&m_steps);
     m_snap.setPopupMode(QToolButton::InstantPopup);
-    m_snap.setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }")); // it would lie on the text
     fillSteps();
     m_problems.setToolTip(tr("Next problem (F4)"));
     connect(&m_zoom, &ZoomField::zoomChosen, this, &StatusLine::zoomChosen);

@@ -52,6 +52,7 @@ constexpr std::array sizes{
     Size{QStyle::PM_SmallIconSize, 16},
     Size{QStyle::PM_ButtonIconSize, 16},
     Size{QStyle::PM_TreeViewIndentation, 16},
+    Size{QStyle::PM_FocusFrameHMargin, 4}, // beside the words of lists
 };
 
 struct StandardIcon {
@@ -70,6 +71,8 @@ constexpr std::array standardIcons{
     StandardIcon{QStyle::SP_MessageBoxCritical, "error"},
     StandardIcon{QStyle::SP_MessageBoxQuestion, "question"},
 };
+
+constexpr int fieldPadding = 3; // px before the words of a field
 
 } // namespace
 
@@ -160,6 +163,7 @@ QSize Style::sizeFromContents(ContentsType type, const QStyleOption* option, con
     case CT_PushButton:
         return {wanted.width() + 8, std::max(wanted.height(), row + 2)};
     case CT_LineEdit:
+        return {wanted.width() + fieldPadding, std::max(wanted.height(), row)};
     case CT_SpinBox:
     case CT_ComboBox:
         return {wanted.width(), std::max(wanted.height(), row)};
@@ -172,8 +176,11 @@ QSize Style::sizeFromContents(ContentsType type, const QStyleOption* option, con
     }
     case CT_MenuBarItem:
         return {wanted.width() + 4, row + 2};
-    case CT_ToolButton:
-        return {wanted.width() + 2, wanted.height() + 2};
+    case CT_ToolButton: {
+        const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+        const bool arrow = button != nullptr && opensMenu(*button);
+        return {wanted.width() + 2 + (arrow ? menuArrowWidth : 0), wanted.height() + 2};
+    }
     case CT_ItemViewItem:
         return {wanted.width(), std::max(wanted.height(), row - 3)};
     case CT_TabBarTab:
@@ -190,6 +197,14 @@ QRect Style::subControlRect(ComplexControl control, const QStyleOptionComplex* o
     const auto* bar = control == CC_ScrollBar ? qstyleoption_cast<const QStyleOptionSlider*>(option) : nullptr;
     return bar != nullptr ? scrollBarPart(*bar, part, pixelMetric(PM_ScrollBarSliderMin, option, widget))
                           : QProxyStyle::subControlRect(control, option, part, widget);
+}
+
+QRect Style::subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const {
+    const QRect box = QProxyStyle::subElementRect(element, option, widget);
+    if (element != SE_LineEditContents || isInsideField(widget)) {
+        return box;
+    }
+    return visualRect(option->direction, option->rect, box.adjusted(fieldPadding, 0, 0, 0));
 }
 
 QIcon Style::standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const {

@@ -104,6 +104,26 @@ bool drawToolButtonPanel(const QStyleOption& option, QPainter& painter) {
     return true;
 }
 
+bool opensMenu(const QStyleOptionToolButton& option) {
+    return (option.features & QStyleOptionToolButton::HasMenu) != 0 &&
+           (option.features & QStyleOptionToolButton::MenuButtonPopup) == 0 &&
+           option.toolButtonStyle != Qt::ToolButtonIconOnly && !option.text.isEmpty();
+}
+
+bool drawMenuButton(const QProxyStyle& style, const QStyleOptionToolButton& option, QPainter& painter,
+                    const QWidget* widget) {
+    drawToolButtonPanel(option, painter);
+    const QRect arrow(option.rect.right() - menuArrowWidth, option.rect.top(), menuArrowWidth, option.rect.height());
+    QStyleOptionToolButton words = option;
+    words.rect = QStyle::visualRect(option.direction, option.rect, option.rect.adjusted(4, 0, -menuArrowWidth, 0));
+    style.drawControl(QStyle::CE_ToolButtonLabel, &words, &painter, widget);
+    const Brushwork brushwork(painter);
+    const bool enabled = isOn(option, QStyle::State_Enabled);
+    chevron(painter, QStyle::visualRect(option.direction, option.rect, arrow), Direction::Down,
+            option.palette.color(enabled ? QPalette::Active : QPalette::Disabled, QPalette::ButtonText));
+    return true;
+}
+
 bool drawFieldPanel(const QStyleOption& option, QPainter& painter) {
     const QPalette& colors = option.palette;
     const bool focused = isOn(option, QStyle::State_HasFocus) && isOn(option, QStyle::State_Enabled);

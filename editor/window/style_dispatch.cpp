@@ -98,13 +98,6 @@ constexpr std::array controls{
     Control{QStyle::CE_Splitter, drawNothing},
 };
 
-/// The line edit of a field that has a panel of its own.
-bool isInsideField(const QWidget* widget) {
-    const QWidget* const parent = widget != nullptr ? widget->parentWidget() : nullptr;
-    return qobject_cast<const QAbstractSpinBox*>(parent) != nullptr ||
-           qobject_cast<const QComboBox*>(parent) != nullptr;
-}
-
 bool drawLinePanel(const QStyleOption& option, QPainter& painter, const QWidget* widget) {
     const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(&option);
     if (isInsideField(widget)) {
@@ -118,6 +111,12 @@ bool drawLinePanel(const QStyleOption& option, QPainter& painter, const QWidget*
 }
 
 } // namespace
+
+bool isInsideField(const QWidget* widget) {
+    const QWidget* const parent = widget != nullptr ? widget->parentWidget() : nullptr;
+    return qobject_cast<const QAbstractSpinBox*>(parent) != nullptr ||
+           qobject_cast<const QComboBox*>(parent) != nullptr;
+}
 
 void Style::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                           const QWidget* widget) const {
@@ -163,6 +162,9 @@ void Style::drawComplexControl(ComplexControl control, const QStyleOptionComplex
     } else if (const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
                slider && control == CC_Slider) {
         drawSlider(*this, *slider, *painter, widget);
+    } else if (const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+               button && control == CC_ToolButton && opensMenu(*button)) {
+        drawMenuButton(*this, *button, *painter, widget);
     } else {
         QProxyStyle::drawComplexControl(control, option, painter, widget);
     }

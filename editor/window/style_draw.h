@@ -10,6 +10,7 @@ namespace spacetow {
 
 inline constexpr double controlRadius = 4; // px
 inline constexpr int scrollWidth = 12;     // px
+inline constexpr int menuArrowWidth = 16;  // px, beside the words of a button
 
 /// Paints with antialiasing and leaves the painter as it was.
 class Brushwork {
@@ -37,6 +38,9 @@ void focusRing(QPainter& painter, const QRectF& box, const QPalette& palette);
 QColor accentLine(const QPalette& palette);
 bool isOn(const QStyleOption& option, QStyle::StateFlag flag);
 
+/// The line edit of a field that has a panel of its own, as a combo box has.
+bool isInsideField(const QWidget* widget);
+
 // style_controls.cpp: buttons, ticks, fields
 bool drawButtonPanel(const QStyleOption& option, QPainter& painter);
 bool drawToolButtonPanel(const QStyleOption& option, QPainter& painter);
@@ -46,6 +50,10 @@ bool drawRadio(const QStyleOption& option, QPainter& painter);
 bool drawComboBox(const QProxyStyle& style, const QStyleOptionComboBox& option, QPainter& painter,
                   const QWidget* widget);
 bool drawSpinBox(const QProxyStyle& style, const QStyleOptionSpinBox& option, QPainter& painter, const QWidget* widget);
+/// A button with words that only opens a menu; an arrow beside the words says so.
+bool opensMenu(const QStyleOptionToolButton& option);
+bool drawMenuButton(const QProxyStyle& style, const QStyleOptionToolButton& option, QPainter& painter,
+                    const QWidget* widget);
 bool drawSlider(const QProxyStyle& style, const QStyleOptionSlider& option, QPainter& painter, const QWidget* widget);
 
 // style_bars.cpp: menus, tool bars, titles, tabs, headers

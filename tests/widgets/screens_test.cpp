@@ -1,6 +1,7 @@
 // The window in each of its modes, in light and dark, small and large: nothing may be cut off. With SPACETOW_SCREENS
 // naming a folder every one of them is left there as a picture; QT_SCALE_FACTOR=2 takes them as on a fine display.
 #include "editor/window/keys_dialog.h"
+#include "tests/support/color_vision.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
@@ -122,6 +123,38 @@ class ScreensTest : public QObject {
                                                              cutOffTexts(*test.window).join(QStringLiteral(", ")))));
             save(*test.window, QStringLiteral("%1 %2").arg(QString::fromStdString(mode.name), look));
         }
+    }
+
+    void wordsTurnWithTheShade_data() {
+        QTest::addColumn<bool>("dark");
+        QTest::newRow("from dark to light") << false;
+        QTest::newRow("from light to dark") << true;
+    }
+    void wordsTurnWithTheShade() {
+        QFETCH(bool, dark);
+        TestWindow test;
+        test.window->setAppearance(dark ? Appearance::Light : Appearance::Dark);
+        QApplication::processEvents();
+        test.window->setAppearance(dark ? Appearance::Dark : Appearance::Light);
+        QApplication::processEvents();
+        const QColor ground = test.window->palette().color(QPalette::Window);
+        int looked = 0;
+        for (QToolButton* button : test.window->findChildren<QToolButton*>()) {
+            if (!button->isVisible() || !button->isEnabled() || button->text().isEmpty() ||
+                button->toolButtonStyle() == Qt::ToolButtonIconOnly) {
+                continue;
+            }
+            ++looked;
+            const QImage image = button->grab().toImage();
+            int readable = 0; // pixels
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width() * 2 / 3; ++x) { // an arrow may follow
+                    readable += contrast(image.pixelColor(x, y), ground) > 4.5 ? 1 : 0;
+                }
+            }
+            QVERIFY2(readable > 20, qPrintable(button->text()));
+        }
+        QVERIFY(looked >= 2); // snapping and the problems
     }
 
     void dialogsFitTheSmallestScreen_data() {
