@@ -39,7 +39,8 @@ std::optional<OpenChain> openChain(const Level& level, const ChainEnd& end) {
     const int last = count - 1;
     const std::optional<Vec2> at = nodePosition(level, {end.key, end.shape, end.first ? 0 : last});
     const std::optional<Vec2> other = nodePosition(level, {end.key, end.shape, end.first ? last : 0});
-    return OpenChain{tidied(*at), tidied(*other), count};
+    const auto* walls = std::get_if<EdgeChain>(chain);
+    return OpenChain{tidied(*at), tidied(*other), count, walls != nullptr ? walls->depth : 0};
 }
 
 Level extended(Level level, const ChainEnd& end, std::span<const Vec2> points, bool closes) {

@@ -22,6 +22,7 @@ struct OpenChain {
     Vec2 at{0, 0};    // the end in question
     Vec2 other{0, 0}; // the other one
     int vertices = 0;
+    double depth = 0; // m, of one-way walls
 
     bool operator==(const OpenChain&) const = default;
 };

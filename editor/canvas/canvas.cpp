@@ -60,7 +60,7 @@ Aabb boundsOfSelected(const Edit& edit) {
 } // namespace
 
 Canvas::Canvas(Document& document, Toolbox& toolbox, QWidget* parent)
-    : QWidget(parent), m_document(document), m_toolbox(toolbox) {
+    : QWidget(parent), m_document(document), m_toolbox(toolbox), m_entry(toolbox, *this) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -69,6 +69,7 @@ Canvas::Canvas(Document& document, Toolbox& toolbox, QWidget* parent)
     m_documentListener = m_document.changed.connect([this](const Change& change) { documentChanged(change); });
     m_toolboxListener = m_toolbox.changed.connect([this] {
         updateCursor();
+        m_entry.follow(m_position.value_or(QPointF(rect().center())).toPoint());
         update();
     });
 }

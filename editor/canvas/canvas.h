@@ -2,6 +2,7 @@
 // The drawing board: shows the document, hands mouse and keys to the toolbox, and moves the view. Positions of the
 // mouse are logical pixels; the world is in metres.
 
+#include "editor/canvas/entry_box.h"
 #include "editor/canvas/layer_cache.h"
 #include "editor/canvas/overlay_flags.h"
 #include "editor/editing/document.h"
@@ -92,6 +93,7 @@ class Canvas : public QWidget {
     void modifiersChanged(Qt::KeyboardModifiers modifiers);
     bool nativeGesture(const QNativeGestureEvent& event);
     bool pressToolKey(int key);
+    bool opensEntry(const QKeyEvent& event) const;
     bool nudge(int key, Qt::KeyboardModifiers modifiers);
     void panBy(const QPointF& pixels);
     void updateCursor();
@@ -112,6 +114,7 @@ class Canvas : public QWidget {
     bool m_belowHeld = false; // serves as Alt, which many window managers keep for themselves
     QPointF m_pressedAt;
     std::optional<QPointF> m_position;
+    EntryBox m_entry;
     int m_documentListener = 0;
     int m_toolboxListener = 0;
 };

@@ -172,6 +172,10 @@ bool Canvas::event(QEvent* event) {
     if (event->type() == QEvent::NativeGesture) {
         return nativeGesture(*static_cast<QNativeGestureEvent*>(event));
     }
+    if (event->type() == QEvent::ShortcutOverride && opensEntry(*static_cast<QKeyEvent*>(event))) {
+        event->accept(); // digits that are shortcuts otherwise
+        return true;
+    }
     if (event->type() == QEvent::WindowDeactivate || event->type() == QEvent::UngrabMouse ||
         event->type() == QEvent::Hide) {
         loseMouse();
@@ -196,6 +200,14 @@ void Canvas::toolKey(ToolKey key) {
         return;
     }
     m_toolbox.key(key, pointerAt(m_position.value_or(QPointF(rect().center())), QApplication::keyboardModifiers()));
+}
+
+/// Whether the key begins a number while there is one to type.
+bool Canvas::opensEntry(const QKeyEvent& event) const {
+    constexpr Qt::KeyboardModifiers others = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+    const QString text = event.text();
+    const bool begins = text.size() == 1 && (text.front().isDigit() || text == u"." || text == u",");
+    return begins && (event.modifiers() & others) == 0 && !isDragging() && m_toolbox.measures();
 }
 
 bool Canvas::pressToolKey(int key) {
@@ -245,6 +257,10 @@ void Canvas::modifiersChanged(Qt::KeyboardModifiers modifiers) {
 }
 
 void Canvas::keyPressEvent(QKeyEvent* event) {
+    if (opensEntry(*event)) {
+        m_entry.begin(event->text());
+        return;
+    }
     if (event->key() == Qt::Key_Space) {
         if (!event->isAutoRepeat()) {
             m_spaceHeld = true;

@@ -38,6 +38,11 @@ QPen penFor(const Theme& theme, OverlayStyle style) {
 }
 
 void paintLine(const Stage& stage, const OverlayLine& line) {
+    if (line.style == OverlayStyle::SolidSide) {
+        const WallRun walls{line.points, line.closed && line.points.size() > 2, line.depth};
+        paintRims(stage, {&walls, 1}, stage.theme.rim);
+        return;
+    }
     if (line.style == OverlayStyle::Band && line.closed) {
         QColor fill = stage.theme.band;
         fill.setAlpha(36);

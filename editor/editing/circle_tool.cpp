@@ -7,10 +7,11 @@ namespace spacetow {
 
 namespace {
 
-/// Whole grid steps while the grid is on. Zero when the pointer is too near the centre.
-double radiusAt(const SnapSettings& settings, const Pointer& pointer, const Vec2& center) {
+/// Whole grid steps while the grid is on, unless it has been typed. Zero when the pointer is too near the centre.
+double radiusAt(const ToolContext& context, const Pointer& pointer, const Vec2& center) {
     const double distance = (pointer.world - center).norm();
-    return snaps(settings, pointer.modifiers) ? onGrid(settings, distance) : distance;
+    const double pointed = snaps(context.snap, pointer.modifiers) ? onGrid(context.snap, distance) : distance;
+    return context.typed.first.value_or(pointed);
 }
 
 Overlay circleOverlay(const Vec2& center, double radius) {
@@ -32,14 +33,14 @@ class CircleGesture : public Gesture {
     CircleGesture(const ToolContext& context, const Vec2& center) : m_context(context), m_center(center) {}
 
     Edit at(const Pointer& pointer) const override {
-        const double radius = radiusAt(m_context.snap, pointer, m_center);
+        const double radius = radiusAt(m_context, pointer, m_center);
         return radius > 0 ? withDrawnBody(m_context, Circle{{0, 0}, radius}, m_center) : m_context.edit;
     }
     Label label() const override { return {"draw-circle", 1}; }
     Overlay overlay(const Pointer& pointer) const override {
-        return circleOverlay(m_center, radiusAt(m_context.snap, pointer, m_center));
+        return circleOverlay(m_center, radiusAt(m_context, pointer, m_center));
     }
-    Hint hint(const Pointer& pointer) const override { return radiusHint(radiusAt(m_context.snap, pointer, m_center)); }
+    Hint hint(const Pointer& pointer) const override { return radiusHint(radiusAt(m_context, pointer, m_center)); }
 
   private:
     ToolContext m_context;
@@ -60,7 +61,7 @@ std::optional<FinishedEdit> CircleTool::click(const ToolContext& context, const 
         m_center = snapped(context.snap, pointer);
         return {};
     }
-    const double radius = radiusAt(context.snap, pointer, *m_center);
+    const double radius = radiusAt(context, pointer, *m_center);
     m_tooSmall = !(radius > 0);
     if (m_tooSmall) {
         return {};
@@ -77,8 +78,15 @@ std::optional<FinishedEdit> CircleTool::key(const ToolContext&, ToolKey key, con
     return {};
 }
 
+std::optional<TypedMeasures> CircleTool::measures(const ToolContext& context, const Pointer& pointer) const {
+    if (!m_center) {
+        return {};
+    }
+    return TypedMeasures{TypedKind::Radius, radiusAt(context, pointer, *m_center), 0};
+}
+
 void CircleTool::hover(const ToolContext& context, const Pointer& pointer) {
-    m_tooSmall = m_tooSmall && !(radiusAt(context.snap, pointer, *m_center) > 0);
+    m_tooSmall = m_tooSmall && !(radiusAt(context, pointer, *m_center) > 0);
 }
 
 void CircleTool::cancel() {
@@ -88,7 +96,7 @@ void CircleTool::cancel() {
 
 Overlay CircleTool::overlay(const ToolContext& context, const Pointer& pointer) const {
     if (m_center) {
-        return circleOverlay(*m_center, radiusAt(context.snap, pointer, *m_center));
+        return circleOverlay(*m_center, radiusAt(context, pointer, *m_center));
     }
     Overlay overlay;
     overlay.points.push_back({OverlayStyle::Snap, snapped(context.snap, pointer)});
@@ -99,7 +107,7 @@ Hint CircleTool::hint(const ToolContext& context, const Pointer& pointer) const 
     if (m_tooSmall) {
         return {"draw-circle.too-small", {}};
     }
-    return m_center ? radiusHint(radiusAt(context.snap, pointer, *m_center)) : Hint{"draw-circle.start", {}};
+    return m_center ? radiusHint(radiusAt(context, pointer, *m_center)) : Hint{"draw-circle.start", {}};
 }
 
 } // namespace spacetow

@@ -12,6 +12,7 @@ class CircleTool : public Tool {
     std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;
     std::optional<FinishedEdit> key(const ToolContext& context, ToolKey key, const Pointer& pointer) override;
     void hover(const ToolContext& context, const Pointer& pointer) override;
+    std::optional<TypedMeasures> measures(const ToolContext& context, const Pointer& pointer) const override;
     bool isBusy() const override { return m_center.has_value(); }
     void cancel() override;
 

@@ -92,6 +92,13 @@ inline constexpr auto hintCodes = std::to_array<std::string_view>({
     "connector.nothing-here",
     "connector.began-nowhere",
     "connector.ended-nowhere",
+    "typing.length-angle",
+    "typing.speed-angle",
+    "typing.width-height",
+    "typing.radius",
+    "typing.no-number", // what was typed
+    "typing.no-angle",  // what was typed
+    "typing.too-small", // what was typed
     "draw-circle.start",
     "draw-circle.radius", // m
     "draw-circle.too-small",

@@ -7,6 +7,7 @@
 #include "editor/editing/drawn_body.h"
 #include "editor/editing/measure.h"
 #include "editor/editing/outline_faults.h"
+#include "editor/editing/typed_point.h"
 
 #include <utility>
 
@@ -22,6 +23,11 @@ std::vector<Vec2> relativeTo(const Vec2& origin, std::vector<Vec2> points) {
         point = tidied(Vec2(point - origin));
     }
     return points;
+}
+
+/// Near enough for the hand. What is typed is exact.
+bool isNear(const ToolContext& context, const Pointer& pointer, const Vec2& end) {
+    return !context.typed.any() && (pointer.world - end).norm() <= closePixels * pointer.pixel;
 }
 
 } // namespace
@@ -71,13 +77,12 @@ std::vector<Vec2> DrawTool::pointsWith(const ToolContext& context) const {
 
 Vec2 DrawTool::nextPoint(const ToolContext& context, const Pointer& pointer) const {
     const std::vector<Vec2> points = pointsWith(context);
-    return points.empty() ? startAt(context, pointer).at : snappedFrom(context.snap, pointer, points.back());
+    return points.empty() ? startAt(context, pointer).at : pointFrom(context, points.back(), pointer);
 }
 
 bool DrawTool::closesAt(const ToolContext& context, const Pointer& pointer) const {
     return !m_chain && m_points.size() >= leastToClose &&
-           ((pointer.world - m_points.front()).norm() <= closePixels * pointer.pixel ||
-            nextPoint(context, pointer) == m_points.front());
+           (isNear(context, pointer, m_points.front()) || nextPoint(context, pointer) == m_points.front());
 }
 
 std::optional<Vec2> DrawTool::ringAt(const ToolContext& context, const Pointer& pointer) const {
@@ -87,9 +92,15 @@ std::optional<Vec2> DrawTool::ringAt(const ToolContext& context, const Pointer& 
     if (!chain || static_cast<std::size_t>(chain->vertices) + drawn - 1 < leastToClose) {
         return {};
     }
-    const bool near = (pointer.world - chain->other).norm() <= closePixels * pointer.pixel ||
-                      nextPoint(context, pointer) == chain->other;
+    const bool near = isNear(context, pointer, chain->other) || nextPoint(context, pointer) == chain->other;
     return near ? std::optional(chain->other) : std::nullopt;
+}
+
+std::optional<TypedMeasures> DrawTool::measures(const ToolContext& context, const Pointer& pointer) const {
+    if (m_points.empty()) {
+        return {};
+    }
+    return polarMeasures(TypedKind::LengthAngle, nextPoint(context, pointer) - m_points.back());
 }
 
 /// Why a point was not placed is of no interest any more once the pointer has moved on; why a shape was not finished
@@ -247,7 +258,9 @@ Overlay DrawTool::overlay(const ToolContext& context, const Pointer& pointer) co
     draft.fills = isPolygon();
     draft.pixel = pointer.pixel;
     if (m_kind == DrawKind::Edge) {
+        const auto chain = first->chain ? openChain(*context.edit.level, *first->chain) : std::nullopt;
         draft.walls = first->chain && first->chain->first ? DraftWalls::Against : DraftWalls::Along;
+        draft.depth = chain ? chain->depth : noBack;
     }
     if (crosses()) {
         draft.crossing.push_back({m_points[*m_crossed - 2], m_points[*m_crossed - 1]});

@@ -65,6 +65,12 @@ std::optional<FinishedEdit> KinematicTool::key(const ToolContext& context, ToolK
     return drawn(m_outline.key(context, key, pointer));
 }
 
+std::optional<TypedMeasures> KinematicTool::measures(const ToolContext& context, const Pointer& pointer) const {
+    const std::optional<Vec2> from = arrowFrom(context);
+    return from ? polarMeasures(TypedKind::SpeedAngle, velocityTo(context, *from, pointer))
+                : m_outline.measures(context, pointer);
+}
+
 void KinematicTool::hover(const ToolContext& context, const Pointer& pointer) {
     if (!arrowFrom(context)) {
         m_body = 0; // it has been undone

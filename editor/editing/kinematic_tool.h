@@ -20,6 +20,7 @@ class KinematicTool : public Tool {
     std::optional<FinishedEdit> secondaryClick(const ToolContext& context, const Pointer& pointer) override;
     std::optional<FinishedEdit> key(const ToolContext& context, ToolKey key, const Pointer& pointer) override;
     void hover(const ToolContext& context, const Pointer& pointer) override;
+    std::optional<TypedMeasures> measures(const ToolContext& context, const Pointer& pointer) const override;
     bool isBusy() const override { return m_outline.isBusy() || m_body != 0; }
     void cancel() override;
 

@@ -15,7 +15,7 @@ namespace spacetow {
 enum class OverlayStyle : std::uint8_t {
     Draft,      // outline of the shape being drawn
     Fault,      // a part of it that must not stay as it is
-    SolidSide,  // short strokes on the solid side of a one-way wall being drawn
+    SolidSide,  // shade behind one-way walls being drawn: to the right of the way along the line
     Band,       // rubber band
     Handle,     // something to grab
     HotHandle,  // the one under the pointer, or the one that closes a shape
@@ -30,6 +30,7 @@ struct OverlayLine {
     OverlayStyle style;
     std::vector<Vec2> points; // world
     bool closed = false;
+    double depth = 0; // m, of a solid side; may be without end
 };
 struct OverlayPoint {
     OverlayStyle style;

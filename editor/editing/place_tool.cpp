@@ -2,6 +2,7 @@
 
 #include "core/game/ship.h"
 #include "editor/editing/place_gestures.h"
+#include "editor/editing/typed_point.h"
 
 #include <utility>
 
@@ -75,7 +76,7 @@ std::optional<FinishedEdit> PlaceTool::clickFinish(const ToolContext& context, c
         m_finishStart = snapped(context.snap, pointer);
         return {};
     }
-    const Vec2 end = snappedFrom(context.snap, pointer, *m_finishStart);
+    const Vec2 end = pointFrom(context, *m_finishStart, pointer);
     m_tooShort = end == *m_finishStart;
     if (m_tooShort) {
         return {};
@@ -92,8 +93,15 @@ std::optional<FinishedEdit> PlaceTool::key(const ToolContext&, ToolKey key, cons
     return {};
 }
 
+std::optional<TypedMeasures> PlaceTool::measures(const ToolContext& context, const Pointer& pointer) const {
+    if (!m_finishStart) {
+        return {};
+    }
+    return polarMeasures(TypedKind::LengthAngle, pointFrom(context, *m_finishStart, pointer) - *m_finishStart);
+}
+
 void PlaceTool::hover(const ToolContext& context, const Pointer& pointer) {
-    m_tooShort = m_tooShort && snappedFrom(context.snap, pointer, *m_finishStart) == *m_finishStart;
+    m_tooShort = m_tooShort && pointFrom(context, *m_finishStart, pointer) == *m_finishStart;
 }
 
 void PlaceTool::cancel() {
@@ -103,7 +111,7 @@ void PlaceTool::cancel() {
 
 Overlay PlaceTool::overlay(const ToolContext& context, const Pointer& pointer) const {
     if (m_finishStart) {
-        return finishOverlay(*m_finishStart, snappedFrom(context.snap, pointer, *m_finishStart));
+        return finishOverlay(*m_finishStart, pointFrom(context, *m_finishStart, pointer));
     }
     return ghost(m_kind, *context.edit.level, snapped(context.snap, pointer));
 }
@@ -113,7 +121,7 @@ Hint PlaceTool::hint(const ToolContext& context, const Pointer& pointer) const {
         return {"place-finish.too-short", {}};
     }
     if (m_finishStart) {
-        return finishHint(*m_finishStart, snappedFrom(context.snap, pointer, *m_finishStart));
+        return finishHint(*m_finishStart, pointFrom(context, *m_finishStart, pointer));
     }
     switch (m_kind) {
     case PlaceKind::Ship:

@@ -23,6 +23,7 @@ class PlaceTool : public Tool {
     std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;
     std::optional<FinishedEdit> key(const ToolContext& context, ToolKey key, const Pointer& pointer) override;
     void hover(const ToolContext& context, const Pointer& pointer) override;
+    std::optional<TypedMeasures> measures(const ToolContext& context, const Pointer& pointer) const override;
     bool isBusy() const override { return m_finishStart.has_value(); }
     void cancel() override;
 

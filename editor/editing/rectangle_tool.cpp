@@ -22,6 +22,13 @@ Aabb rectangleTo(const ToolContext& context, const Vec2& start, const Pointer& p
         const double side = reach.cwiseAbs().maxCoeff();
         reach = {std::copysign(side, reach.x()), std::copysign(side, reach.y())};
     }
+    // A square takes the one number for both.
+    const double whole = pointer.modifiers.shift ? 0.5 : 1;
+    const TypedValues& typed = context.typed;
+    const auto width = !typed.first && pointer.modifiers.ctrl ? typed.second : typed.first;
+    const auto height = !typed.second && pointer.modifiers.ctrl ? typed.first : typed.second;
+    reach = {width ? std::copysign(whole * *width, reach.x()) : reach.x(),
+             height ? std::copysign(whole * *height, reach.y()) : reach.y()};
     const Vec2 from = pointer.modifiers.shift ? Vec2(start - reach) : start;
     Aabb box;
     box.include(tidied(from));
@@ -112,6 +119,14 @@ std::optional<FinishedEdit> RectangleTool::key(const ToolContext& context, ToolK
         cancel();
     }
     return {};
+}
+
+std::optional<TypedMeasures> RectangleTool::measures(const ToolContext& context, const Pointer& pointer) const {
+    if (!m_start) {
+        return {};
+    }
+    const Vec2 size = rectangleTo(context, *m_start, pointer).size();
+    return TypedMeasures{TypedKind::WidthHeight, size.x(), size.y()};
 }
 
 void RectangleTool::hover(const ToolContext& context, const Pointer& pointer) {

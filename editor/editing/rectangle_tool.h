@@ -16,6 +16,7 @@ class RectangleTool : public Tool {
     std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;
     std::optional<FinishedEdit> key(const ToolContext& context, ToolKey key, const Pointer& pointer) override;
     void hover(const ToolContext& context, const Pointer& pointer) override;
+    std::optional<TypedMeasures> measures(const ToolContext& context, const Pointer& pointer) const override;
     bool isBusy() const override { return m_start.has_value(); }
     void cancel() override;
 

@@ -8,6 +8,7 @@
 #include "editor/editing/input.h"
 #include "editor/editing/overlay.h"
 #include "editor/editing/snap.h"
+#include "editor/editing/typed_entry.h"
 
 #include <memory>
 #include <optional>
@@ -80,6 +81,7 @@ struct ToolContext {
     std::optional<Pointer> pressed = {}; // where the button went down, while it is held without a gesture
     std::optional<Repeatable> last = {}; // what `repeated` would do once more
     bool guides = true;                  // are shown, so that they can be taken
+    TypedValues typed = {};              // what has been typed and stands in place of what is pointed at
 };
 
 class Tool {
@@ -105,6 +107,8 @@ class Tool {
     virtual std::optional<FinishedEdit> key(const ToolContext&, ToolKey, const Pointer&) { return {}; }
     /// The pointer moved without a gesture, whether the button is down or not.
     virtual void hover(const ToolContext&, const Pointer&) {}
+    /// What can be typed now, in place of being pointed at, and what the pointer says of it.
+    virtual std::optional<TypedMeasures> measures(const ToolContext&, const Pointer&) const { return {}; }
     /// Whether a shape is half drawn; Escape then cancels it before anything else.
     virtual bool isBusy() const { return false; }
     /// Forgets what is half done.

@@ -2,6 +2,7 @@
 
 #include "editor/editing/group_picking.h"
 #include "editor/editing/guide_gestures.h"
+#include "editor/editing/typing_hint.h"
 #include "editor/editing/verbs.h"
 
 #include <algorithm>
@@ -43,8 +44,10 @@ struct Toolbox::State {
     int connection = 0;
     std::optional<Repeatable> repeatable; // what was last done to a selection
     std::vector<Key> copies;              // that came out of that
+    std::optional<TypedEntry> typing;
 
     Tool& tool() { return *tools[static_cast<std::size_t>(current)]; }
+    bool typesNonsense() const { return typing && typing->faulty >= 0; }
     bool gestureShows() const { return gesture && dragging; }
     void noticeDrag(const Pointer& pointer) {
         dragging = dragging || (pressed && (pointer.screen - pressed->screen).norm() > dragPixels);
@@ -90,7 +93,13 @@ struct Toolbox::State {
         }
     }
     ToolContext context(const SnapSettings& settings, bool guides) const {
-        return {document.current(), settings, seed, gesture ? std::nullopt : pressed, repeatable, guides};
+        return {document.current(),
+                settings,
+                seed,
+                gesture ? std::nullopt : pressed,
+                repeatable,
+                guides,
+                typing ? typing->values : TypedValues()};
     }
 };
 
@@ -99,8 +108,9 @@ Toolbox::Toolbox(Document& document) : Toolbox(document, randomSeed()) {}
 Toolbox::Toolbox(Document& document, std::uint64_t seed) : m_state(std::make_unique<State>(document, seed)) {
     // A gesture starts from the level as it was; undo or another file in the middle of it leaves nothing to go on from.
     m_state->connection = document.historyChanged.connect([this] {
-        if (!m_state->committing && m_state->pressed) {
+        if (!m_state->committing && (m_state->pressed || m_state->typing)) {
             m_state->abandon();
+            m_state->typing.reset();
             changed.emit();
         }
     });
@@ -182,7 +192,13 @@ void Toolbox::release(const Pointer& pointer) {
     const bool dragged = state.dragging;
     ToolContext before = context();
     const std::unique_ptr<Gesture> gesture = std::move(state.gesture);
+    if (state.typesNonsense()) {
+        state.abandon();
+        changed.emit();
+        return;
+    }
     state.letGo();
+    state.typing.reset(); // it has gone into the context
     if (gesture && dragged) {
         state.conclude(*gesture, pointer);
         state.tool().dragEnded(context(), pointer);
@@ -197,6 +213,7 @@ void Toolbox::release(const Pointer& pointer) {
 
 void Toolbox::doubleClick(const Pointer& pointer) {
     m_state->abandon();
+    m_state->typing.reset();
     m_state->last = pointer;
     if (!finish(m_state->tool().doubleClick(context(), pointer))) {
         if (const std::optional<ToolId> next = m_state->tool().toolAfterDoubleClick(context(), pointer)) {
@@ -225,6 +242,7 @@ bool Toolbox::secondaryClick(const Pointer& pointer) {
     }
     state.last = pointer;
     const bool busy = state.tool().isBusy();
+    state.typing.reset();
     finish(state.tool().secondaryClick(context(), pointer));
     changed.emit();
     return busy;
@@ -234,6 +252,14 @@ void Toolbox::key(ToolKey key, const Pointer& pointer) {
     State& state = *m_state;
     state.last = pointer;
     const bool busy = state.tool().isBusy();
+    if (state.typing && !state.pressed && key == ToolKey::Enter) {
+        enterTyped();
+        return;
+    }
+    if (std::exchange(state.typing, std::nullopt) && key == ToolKey::Escape) {
+        changed.emit();
+        return;
+    }
     if (key == ToolKey::Escape) {
         if (state.pressed) {
             state.abandon();
@@ -261,7 +287,45 @@ void Toolbox::key(ToolKey key, const Pointer& pointer) {
 
 void Toolbox::cancel() {
     m_state->abandon();
+    m_state->typing.reset();
     m_state->tool().cancel();
+    changed.emit();
+}
+
+std::optional<TypedMeasures> Toolbox::measures() const {
+    State& state = *m_state;
+    return state.pressed ? std::nullopt : state.tool().measures(state.context(snap, guidesVisible), state.last);
+}
+
+const std::optional<TypedEntry>& Toolbox::typing() const {
+    return m_state->typing;
+}
+
+void Toolbox::type(const std::array<std::string, 2>& texts) {
+    State& state = *m_state;
+    const std::optional<TypedMeasures> can = measures();
+    state.typing = can ? std::optional(typedEntry(can->kind, texts)) : std::nullopt;
+    state.tool().hover(state.context(snap, guidesVisible), state.last);
+    changed.emit();
+}
+
+bool Toolbox::enterTyped() {
+    State& state = *m_state;
+    if (!state.typing || state.typesNonsense()) {
+        changed.emit();
+        return false;
+    }
+    const ToolContext typed = context();
+    state.typing.reset();
+    if (typed.typed.any()) {
+        finish(state.tool().click(typed, state.last));
+    }
+    changed.emit();
+    return true;
+}
+
+void Toolbox::stopTyping() {
+    m_state->typing.reset();
     changed.emit();
 }
 
@@ -295,13 +359,19 @@ Overlay Toolbox::overlay() const {
     if (!state.inside && !state.tool().isBusy()) {
         return state.tool().standing(state.context(snap, guidesVisible), state.last.pixel);
     }
-    return state.tool().overlay(state.context(snap, guidesVisible), state.last);
+    Overlay overlay = state.tool().overlay(state.context(snap, guidesVisible), state.last);
+    if (state.typing) {
+        overlay.texts.clear(); // the fields stand there and say the same
+    }
+    return overlay;
 }
 
 Hint Toolbox::hint() const {
     State& state = *m_state;
-    return state.gestureShows() ? state.gesture->hint(state.last)
-                                : state.tool().hint(state.context(snap, guidesVisible), state.last);
+    if (state.gestureShows()) {
+        return state.gesture->hint(state.last);
+    }
+    return state.typing ? typingHint(*state.typing) : state.tool().hint(state.context(snap, guidesVisible), state.last);
 }
 
 CursorShape Toolbox::cursor() const {

@@ -39,8 +39,8 @@ class Toolbox {
     void leave();
     /// Secondary button without a drag. False when the tool has no use for it, so that a menu may open.
     bool secondaryClick(const Pointer& pointer);
-    /// Escape peels one layer a press: gesture, half-drawn shape, nodes, node tool, group that was entered, selection,
-    /// then the Select tool.
+    /// Escape peels one layer a press: what is typed, gesture, half-drawn shape, nodes, node tool, group that was
+    /// entered, selection, then the Select tool.
     void key(ToolKey key, const Pointer& pointer);
     /// Drops gesture and half-drawn shape.
     void cancel();
@@ -53,6 +53,16 @@ class Toolbox {
     /// The button is down: nothing but the pointer, its modifiers and Escape acts until the drag has ended.
     bool isDragging() const;
     bool isBusy() const; // drag or half-drawn shape
+    /// What can be typed now, in place of being pointed at, and what the pointer and the typing so far say of it.
+    std::optional<TypedMeasures> measures() const;
+    const std::optional<TypedEntry>& typing() const;
+    /// What the fields hold now; opens the entry where something can be typed.
+    void type(const std::array<std::string, 2>& texts);
+    /// Places the point as typed, as a click does. False when a text will not do; the hint then says why.
+    bool enterTyped();
+    /// Back to the pointer alone.
+    void stopTyping();
+
     Overlay overlay() const;
     Hint hint() const;
     CursorShape cursor() const;

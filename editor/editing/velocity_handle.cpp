@@ -4,6 +4,7 @@
 #include "core/level/groups.h"
 #include "core/level/level_index.h"
 #include "editor/editing/measure.h"
+#include "editor/editing/typed_point.h"
 
 #include <cmath>
 
@@ -118,7 +119,7 @@ Vec2 velocityTo(const ToolContext& context, const Vec2& from, const Pointer& poi
     // Seen from the body, so that what snaps is the velocity, wherever the body stands.
     Pointer relative = pointer;
     relative.world = pointer.world - from;
-    return snappedFrom(context.snap, relative, Vec2(0, 0));
+    return pointFrom(context, Vec2(0, 0), relative);
 }
 
 Edit withVelocity(const Edit& edit, Key key, const Vec2& velocity) {

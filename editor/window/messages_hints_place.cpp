@@ -16,9 +16,8 @@ constexpr MessageText placeHintTexts[] = {
     {"place-payload.moving",
      QT_TRANSLATE_NOOP("messages", "Payload at %1 m, %2 m · Ctrl: snap off/on · release: done · Escape: cancel")},
     {"place-finish.start",
-     QT_TRANSLATE_NOOP(
-         "messages",
-         "Finish line · drag it, or click one end · Ctrl: snap off/on · choose the tool again for the ship")},
+     QT_TRANSLATE_NOOP("messages", "Finish line · drag it, or click one end and then click or type the other · Ctrl: "
+                                   "snap off/on · choose the tool again for the ship")},
     {"place-finish.end", QT_TRANSLATE_NOOP("messages", "Finish line · click or release at the other end · Shift: 15° · "
                                                        "Ctrl: snap off/on · length %1 m, angle %2° · Escape: cancel")},
     {"place-finish.too-short",

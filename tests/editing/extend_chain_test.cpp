@@ -31,7 +31,7 @@ struct Extender : Drive {
     std::string hintCode() const { return toolbox.hint().code; }
 };
 
-std::vector<OverlayLine> solidStrokes(const Drive& drive) {
+std::vector<OverlayLine> solidSides(const Drive& drive) {
     std::vector<OverlayLine> lines = drive.toolbox.overlay().lines;
     std::erase_if(lines, [](const OverlayLine& line) { return line.style != OverlayStyle::SolidSide; });
     return lines;
@@ -64,11 +64,10 @@ class ExtendChainTest : public QObject {
         Extender drive;
         drive.click({{0, 0}, {-2, 0}});
         drive.move({-2, 2});
-        const std::vector<OverlayLine> strokes = solidStrokes(drive);
-        QVERIFY(!strokes.empty());
-        for (const OverlayLine& stroke : strokes) { // (-2, 2) → (-2, 0) → (0, 0): solid below and to the left
-            QVERIFY(stroke.points.back().y() < 0 || stroke.points.back().x() < -2);
-        }
+        const std::vector<OverlayLine> shades = solidSides(drive);
+        QCOMPARE(shades.size(), std::size_t{1});
+        QVERIFY(shades.front().points == (ChainPoints{{-2, 2}, {-2, 0}, {0, 0}}));
+        QCOMPARE(shades.front().depth, 0.5);
         drive.click({-2, 2});
         QVERIFY(drive.secondaryClick({5, 5}));
         QVERIFY(worldPoints(drive.level().objects[0]) == (ChainPoints{{-2, 2}, {-2, 0}, {0, 0}, {2, 0}, {2, 2}}));
