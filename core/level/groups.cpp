@@ -16,16 +16,23 @@ bool isAmong(const std::vector<Key>& keys, Key key) {
     return std::ranges::binary_search(keys, key);
 }
 
+bool isLayer(const Object& object) {
+    const auto* group = std::get_if<GroupObject>(&object.data);
+    return group != nullptr && group->layer;
+}
+
 /// `change(object)` is applied to a copy of each object named by `keys`.
 template <class Change>
-Level changedObjects(Level level, const std::vector<Key>& keys, Change change) {
-    for (int i = 0; i < level.objects.size(); ++i) {
-        if (isAmong(keys, level.objects[i].key)) {
-            Object object = level.objects[i];
-            change(object);
-            if (!(object == level.objects[i])) {
-                level.objects.replace(i, std::move(object));
-            }
+Level changedObjects(Level level, std::span<const Key> keys, Change change) {
+    for (const Key key : keys) {
+        const int index = level.objects.indexOf(key);
+        if (index < 0) {
+            continue;
+        }
+        Object object = level.objects[index];
+        change(object);
+        if (!(object == level.objects[index])) {
+            level.objects.replace(index, std::move(object));
         }
     }
     return level;
@@ -50,6 +57,37 @@ std::vector<Key> outermost(const Level& level, std::span<const Key> keys) {
     }
     std::ranges::sort(result);
     return result;
+}
+
+/// Those of the outermost keys that may come to be in `parent`, ascending.
+std::vector<Key> regroupable(const Level& level, std::span<const Key> keys, Key parent) {
+    std::vector<Key> wanted = outermost(level, keys);
+    if (parent == 0) {
+        return wanted;
+    }
+    const Object* group = level.objects.find(parent);
+    if (group == nullptr || !std::holds_alternative<GroupObject>(group->data)) {
+        return {};
+    }
+    const GroupTree tree(level);
+    std::erase_if(wanted, [&](Key key) {
+        return key == parent || isLayer(*level.objects.find(key)) || tree.isWithin(*group, key);
+    });
+    return wanted;
+}
+
+/// The number of objects that come before the place in the drawing order.
+int placeInOrder(const Level& level, const ObjectPlace& place) {
+    const int before = place.before == 0 ? -1 : level.objects.indexOf(place.before);
+    if (before >= 0 || place.parent == 0) {
+        return before >= 0 ? before : level.objects.size();
+    }
+    const std::vector<Key> inside = withMembers(level, {&place.parent, 1});
+    int last = 0;
+    for (int i = 0; i < level.objects.size(); ++i) {
+        last = isAmong(inside, level.objects[i].key) ? i + 1 : last;
+    }
+    return last;
 }
 
 } // namespace
@@ -173,7 +211,8 @@ std::vector<Key> selectableKeys(const Level& level, Key entered) {
 Level grouped(Level level, std::span<const Key> keys, Object group) {
     EXPECTS(group.key != 0 && level.objects.find(group.key) == nullptr);
     EXPECTS(std::holds_alternative<GroupObject>(group.data));
-    const std::vector<Key> members = outermost(level, keys);
+    std::vector<Key> members = outermost(level, keys);
+    std::erase_if(members, [&level](Key key) { return isLayer(*level.objects.find(key)); });
     int first = -1;
     for (int i = 0; i < level.objects.size() && first < 0; ++i) {
         first = isAmong(members, level.objects[i].key) ? i : -1;
@@ -209,38 +248,37 @@ Level ungrouped(Level level, std::span<const Key> keys) {
 }
 
 Level regrouped(Level level, std::span<const Key> keys, const ObjectPlace& place) {
-    std::vector<Key> wanted = outermost(level, keys);
-    if (place.parent != 0) {
-        const Object* parent = level.objects.find(place.parent);
-        if (parent == nullptr || !std::holds_alternative<GroupObject>(parent->data)) {
-            return level;
-        }
-        const GroupTree tree(level);
-        std::erase_if(wanted, [&](Key key) { return key == place.parent || tree.isWithin(*parent, key); });
+    const std::vector<Key> wanted = regroupable(level, keys, place.parent);
+    if (wanted.empty()) {
+        return level;
     }
-    std::erase(wanted, place.before);
-    std::vector<Object> shifted;
-    for (const Object& object : level.objects) {
-        if (isAmong(wanted, object.key)) {
-            shifted.push_back(object);
-            shifted.back().parent = place.parent;
-        }
+    const std::vector<Key> carried = withMembers(level, wanted);
+    std::vector<int> order; // of what stays, then of all
+    std::vector<int> taken;
+    const int end = placeInOrder(level, place);
+    std::ptrdiff_t at = 0; // how many of those that stay come before
+    for (int i = 0; i < level.objects.size(); ++i) {
+        (isAmong(carried, level.objects[i].key) ? taken : order).push_back(i);
+        at = i < end ? std::ssize(order) : at;
     }
-    level.objects.eraseIf([&wanted](const Object& object) { return isAmong(wanted, object.key); });
-    int index = place.before == 0 ? -1 : level.objects.indexOf(place.before);
-    index = index < 0 ? level.objects.size() : index;
-    for (Object& object : shifted) {
-        level.objects.insert(index++, std::move(object));
+    order.insert(order.begin() + at, taken.begin(), taken.end());
+    level.objects.rearrange(order);
+    for (int i = static_cast<int>(at); i < static_cast<int>(at + std::ssize(taken)); ++i) {
+        if (isAmong(wanted, level.objects[i].key) && level.objects[i].parent != place.parent) {
+            Object object = level.objects[i];
+            object.parent = place.parent;
+            level.objects.replace(i, std::move(object));
+        }
     }
     return level;
 }
 
 Level withVisible(Level level, std::span<const Key> keys, bool visible) {
-    return changedObjects(std::move(level), sortedKeys(keys), [visible](Object& object) { object.visible = visible; });
+    return changedObjects(std::move(level), keys, [visible](Object& object) { object.visible = visible; });
 }
 
 Level withLocked(Level level, std::span<const Key> keys, bool locked) {
-    return changedObjects(std::move(level), sortedKeys(keys), [locked](Object& object) { object.locked = locked; });
+    return changedObjects(std::move(level), keys, [locked](Object& object) { object.locked = locked; });
 }
 
 } // namespace spacetow

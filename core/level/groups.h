@@ -41,12 +41,14 @@ std::vector<Key> withMembers(const Level& level, std::span<const Key> keys);
 std::vector<Key> selectableKeys(const Level& level, Key entered);
 
 /// A new group, `group.key` being fresh, with the objects as its members, in the group that the first of them is in.
-/// It comes to stand before the first of them. Members of groups that are grouped themselves stay in those.
+/// It comes to stand before the first of them. Members of groups that are grouped themselves stay in those, and layers
+/// at the top.
 Level grouped(Level level, std::span<const Key> keys, Object group);
 /// The groups go, their members move to where these were. Other keys are ignored.
 Level ungrouped(Level level, std::span<const Key> keys);
-/// The objects become members of `parent` (0 for the top) and are put before the object `before` in the drawing order,
-/// or at the end when it is 0. An object that would come to be in itself stays where it is.
+/// The objects become members of `parent` (0 for the top). They are put, groups with all that is in them, before the
+/// object `before` in the drawing order, or on top of what is in the parent when it is 0, and keep their order among
+/// each other. What would come to be in itself stays where it is, and a layer at the top.
 struct ObjectPlace {
     Key parent = 0;
     Key before = 0;

@@ -262,6 +262,22 @@ void ObjectList::move(int from, int to) {
     ownPiece(to) = std::move(moved);
 }
 
+void ObjectList::rearrange(const std::vector<int>& order) {
+    EXPECTS(std::ssize(order) == m_size);
+    int first = 0; // that changes its place
+    while (first < m_size && order[static_cast<std::size_t>(first)] == first) {
+        ++first;
+    }
+    if (first == m_size) {
+        return;
+    }
+    forgetKeys();
+    const Block tail = takenFrom(first);
+    for (int i = first; i < static_cast<int>(order.size()); ++i) {
+        appendPiece(tail.at(static_cast<std::size_t>(order[static_cast<std::size_t>(i)] - first)));
+    }
+}
+
 bool ObjectList::operator==(const ObjectList& other) const {
     if (m_size != other.m_size) {
         return false;

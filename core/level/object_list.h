@@ -48,6 +48,8 @@ class ObjectList {
     void eraseIf(Predicate predicate);
     /// The object at `from` comes to stand at `to`; those between make room.
     void move(int from, int to);
+    /// All objects in another order: the one that is at `order[i]` comes to stand at `i`.
+    void rearrange(const std::vector<int>& order);
 
     /// Whether both lists hold the very same piece at this place: a cheap "has it changed?".
     bool sharesPiece(int index, const ObjectList& other) const {

@@ -150,8 +150,9 @@ std::optional<FinishedEdit> selectedToLayer(const ToolContext& context, int step
     const std::vector<Key> movable = unlockedKeys(*context.edit.level, context.edit.selection.keys());
     std::vector<Key> keys; // a group stays whole or where it is
     std::ranges::set_intersection(context.edit.selection.keys(), movable, std::back_inserter(keys));
-    std::optional<FinishedEdit> edit =
-        finished(context, "to-layer", regrouped(*context.edit.level, keys, {layers[static_cast<std::size_t>(to)], 0}));
+    // Out of all layers they come to lie below these.
+    const ObjectPlace place{layers[static_cast<std::size_t>(to)], to == 0 ? layers[1] : 0};
+    std::optional<FinishedEdit> edit = finished(context, "to-layer", regrouped(*context.edit.level, keys, place));
     if (edit) {
         edit->edit.selection = context.edit.selection.entering(0);
     }

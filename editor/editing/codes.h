@@ -133,6 +133,8 @@ inline constexpr auto labelCodes = std::to_array<std::string_view>({
     "delete-nodes",   "delete-segments", "join-nodes",
     "break-nodes",    "reverse-part",    "straighten-nodes",
     "knife",          "duplicate",       "cut",
+    "regroup",        "rename",          "show",
+    "unlock",
     "paste",
     "add-guide",
     "change-guide",

@@ -124,6 +124,10 @@ enum class Act : std::uint8_t {
     NextProblem,
     PreviousProblem,
 
+    // actions_panels.cpp
+    Find,
+    Rename,
+
     // actions_play.cpp
     Play,
     Stop,

@@ -26,7 +26,8 @@ enum ActionFlag : unsigned {
     OnMainBar = 1u << 7,
     OnToolsBar = 1u << 8, // as every tool is
     InContextMenu = 1u << 9,
-    KeyOfCanvas = 1u << 10, // its key does something else in panels, as Tab does
+    KeyOfCanvas = 1u << 10,    // its key does something else in panels, as Tab does
+    InOutlinerMenu = 1u << 11, // beside those of the context menu
 };
 
 struct ActionRow {
@@ -58,6 +59,7 @@ std::span<const ActionRow> nodeActions();
 std::span<const ActionRow> arrangeActions();
 std::span<const ActionRow> combineActions();
 std::span<const ActionRow> levelActions();
+std::span<const ActionRow> panelActions();
 std::span<const ActionRow> playActions();
 std::span<const ActionRow> helpActions();
 

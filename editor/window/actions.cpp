@@ -15,7 +15,7 @@ namespace spacetow {
 namespace {
 
 constexpr auto topics = {fileActions, editActions,    viewActions,    overlayActions, toolActions, objectActions,
-                         nodeActions, arrangeActions, combineActions, levelActions,   playActions, helpActions};
+                         nodeActions, arrangeActions, combineActions, levelActions,   panelActions, playActions, helpActions};
 
 QString translated(const char* words) {
     return QCoreApplication::translate("Actions", words);

@@ -19,7 +19,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_inspector(m_document, [](const Error& error) { return sentence(error); }), m_tagMatrix(m_document),
       m_collisions(m_document, m_canvas),
       m_problems(m_document, [](const Problem& problem) { return sentence(problem); }), m_nodes(m_document),
-      m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
+      m_outliner(m_document, m_toolbox), m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox),
+      m_guideBar(m_document),
       m_files(m_document, dialogQuestions(this),
               [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }) {
     setAcceptDrops(true);
@@ -309,6 +310,7 @@ void MainWindow::updateMode() {
     m_tagMatrix.setEnabled(!playing);
     m_problems.setEnabled(!playing);
     m_nodes.setEnabled(!playing);
+    m_outliner.setEnabled(!playing);
     m_menus.at(MenuId::Recent)->setEnabled(!playing);
     m_actions.refresh();
     updateTool();

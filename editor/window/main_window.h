@@ -8,6 +8,7 @@
 #include "editor/panels/guide_bar.h"
 #include "editor/panels/inspector.h"
 #include "editor/panels/nodes_panel.h"
+#include "editor/panels/outliner_panel.h"
 #include "editor/panels/problems_panel.h"
 #include "editor/panels/tag_matrix_panel.h"
 #include "editor/panels/transform_bar.h"
@@ -83,6 +84,7 @@ class MainWindow : public QMainWindow {
     const CollisionView& collisions() const { return m_collisions; }
     ProblemsPanel& problems() { return m_problems; }
     NodesPanel& nodes() { return m_nodes; }
+    OutlinerPanel& outliner() { return m_outliner; }
     ArrayBar& arrayBar() { return m_arrays; }
     TransformBar& transformBar() { return m_transform; }
     Actions& actions() { return m_actions; }
@@ -110,6 +112,7 @@ class MainWindow : public QMainWindow {
     void fillRecent();
     QMenu* makeMenu(const MenuRow& row);
     void openMenuAt(const QPoint& global);
+    void openOutlinerMenuAt(const QPoint& global);
 
     void listen();
     void listenToPanels();
@@ -142,6 +145,7 @@ class MainWindow : public QMainWindow {
     CollisionView m_collisions;
     ProblemsPanel m_problems;
     NodesPanel m_nodes;
+    OutlinerPanel m_outliner;
     MessageBar m_message;
     ArrayBar m_arrays;
     TransformBar m_transform;

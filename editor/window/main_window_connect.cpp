@@ -38,6 +38,12 @@ void MainWindow::listenToPanels() {
     connect(&m_arrays, &ArrayBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
     connect(&m_inspector, &Inspector::sectionsFolded, this,
             [this] { m_files.preferences.setFoldedSections(m_inspector.foldedSections()); });
+    connect(&m_outliner, &OutlinerPanel::menuWanted, this, &MainWindow::openOutlinerMenuAt);
+    connect(&m_outliner, &OutlinerPanel::viewWanted, &m_canvas, &Canvas::centerSelection);
+    connect(&m_outliner, &OutlinerPanel::said, this,
+            [this](const QString& text) { m_message.say(MessageBar::Tone::Info, text); });
+    m_outliner.addButtons({&m_actions[Act::NewLayer], &m_actions[Act::Group], &m_actions[Act::Ungroup],
+                           &m_actions[Act::Forward], &m_actions[Act::Backward], &m_actions[Act::Delete]});
     connect(&m_problems, &ProblemsPanel::objectWanted, this, &MainWindow::showObject);
     connect(&m_problems, &ProblemsPanel::problemsChanged, this,
             [this] { m_status.setProblems(m_problems.errors(), m_problems.warnings()); });

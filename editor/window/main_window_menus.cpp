@@ -156,4 +156,15 @@ void MainWindow::openMenuAt(const QPoint& global) {
     menu.exec(global);
 }
 
+void MainWindow::openOutlinerMenuAt(const QPoint& global) {
+    QMenu menu(this);
+    Filler filler(menu, m_actions);
+    for (const ActionRow& row : actionRows()) {
+        if ((row.flags & (InContextMenu | InOutlinerMenu)) != 0) {
+            filler.add(row);
+        }
+    }
+    menu.exec(global);
+}
+
 } // namespace spacetow

@@ -159,6 +159,48 @@ class GroupsTest : public QObject {
         QCOMPARE(at(level, 6).parent, Key{3});
     }
 
+    void whatIsPutIntoAGroupComesToLieOnTopOfItsMembers() {
+        const Level level = regrouped(nested(), Keys{6}, {3, 0});
+        QCOMPARE(allKeysOf(level), (Keys{1, 2, 3, 4, 5, 6}));
+        QCOMPARE(allKeysOf(regrouped(nested(), Keys{2}, {3, 0})), (Keys{1, 3, 4, 5, 2, 6}));
+        QCOMPARE(allKeysOf(regrouped(nested(), Keys{4}, {0, 0})), (Keys{1, 2, 3, 5, 6, 4}));
+    }
+
+    void aGroupTakesItsMembersAlong() {
+        const Level level = regrouped(nested(), Keys{3}, {0, 0});
+        QCOMPARE(allKeysOf(level), (Keys{1, 2, 6, 3, 4, 5}));
+        QCOMPARE(at(level, 3).parent, Key{0});
+        QCOMPARE(at(level, 5).parent, Key{3});
+        QCOMPARE(allKeysOf(regrouped(level, Keys{3}, {1, 2})), (Keys{1, 3, 4, 5, 2, 6}));
+    }
+
+    void severalKeepTheirOrder() {
+        const Level level = regrouped(nested(), Keys{6, 5, 2}, {3, 4});
+        QCOMPARE(allKeysOf(level), (Keys{1, 3, 2, 5, 6, 4}));
+    }
+
+    void puttingSomethingBeforeItselfChangesNothing() {
+        QVERIFY(regrouped(nested(), Keys{4}, {3, 4}) == nested());
+        QVERIFY(regrouped(nested(), Keys{2, 3}, {1, 3}) == nested());
+    }
+
+    void aLayerStaysAtTheTop() {
+        Level level = nested();
+        level.objects.append(group(7, 0, true));
+        level.objects.append(group(8));
+        QVERIFY(regrouped(level, Keys{7}, {8, 0}) == level);
+        QCOMPARE(at(regrouped(level, Keys{6, 7}, {8, 0}), 6).parent, Key{8});
+        QCOMPARE(allKeysOf(regrouped(level, Keys{7}, {0, 1})), (Keys{7, 1, 2, 3, 4, 5, 6, 8}));
+        QVERIFY(grouped(level, Keys{7}, group(9)) == level);
+    }
+
+    void whatIsNotMovedKeepsItsPiece() {
+        const Level before = nested();
+        const Level after = regrouped(before, Keys{2}, {0, 0});
+        QVERIFY(after.objects.find(6) == before.objects.find(6));
+        QVERIFY(after.objects.find(5) == before.objects.find(5));
+    }
+
     void aGroupCannotComeToBeInItself() {
         const Level before = nested();
         QVERIFY(regrouped(before, Keys{1}, {3, 0}) == before);

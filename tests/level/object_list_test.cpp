@@ -6,6 +6,9 @@
 #include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
+#include <algorithm>
+#include <numeric>
+
 using namespace spacetow;
 using namespace spacetow::test;
 
@@ -30,7 +33,7 @@ struct Twin {
     /// One of the things that edits do.
     void change(Random& random) {
         const int size = static_cast<int>(keys.size());
-        const int kind = below(random, 10);
+        const int kind = below(random, 11);
         if (size < 2 || kind < 3) {
             append();
             return;
@@ -54,6 +57,13 @@ struct Twin {
             list.eraseIf([&](const Object& object) { return object.key % divisor == 0; });
         } else if (kind == 7) {
             list.replace(at, named(keys[static_cast<std::size_t>(at)]));
+        } else if (kind == 8) {
+            std::vector<int> order(keys.size());
+            std::iota(order.begin(), order.end(), 0);
+            std::swap(order[static_cast<std::size_t>(at)], order[static_cast<std::size_t>(below(random, size))]);
+            const std::vector<Key> before = keys;
+            std::ranges::transform(order, keys.begin(), [&](int i) { return before[static_cast<std::size_t>(i)]; });
+            list.rearrange(order);
         } else {
             keys.erase(keys.begin() + at);
             list.erase(at);

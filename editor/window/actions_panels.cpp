@@ -1,0 +1,47 @@
+// What leads into the panels.
+#include "editor/window/main_window.h"
+
+#include <QDockWidget>
+
+namespace spacetow {
+
+namespace {
+
+OutlinerPanel& outlinerInSight(MainWindow& window) {
+    QDockWidget& dock = window.panels().dock(QStringLiteral("outliner"));
+    dock.show();
+    dock.raise();
+    return window.outliner();
+}
+
+constexpr ActionRow panelActionRows[] = {
+    {.id = Act::Find,
+     .menu = MenuId::Edit,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Find…"),
+     .icon = "search",
+     .keys = "Ctrl+F",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Find objects by name, kind or tag in the outliner"),
+     .flags = SeparatorBefore,
+     .run =
+         [](MainWindow& window) {
+             QLineEdit& field = outlinerInSight(window).filterField();
+             field.setFocus(Qt::ShortcutFocusReason);
+             field.selectAll();
+         }},
+    {.id = Act::Rename,
+     .menu = MenuId::Object,
+     .text = QT_TRANSLATE_NOOP("Actions", "Rena&me…"),
+     .icon = "rename",
+     .keys = "F2",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Give the selected object another name, in the outliner"),
+     .flags = NeedsSelection | SeparatorBefore | InOutlinerMenu,
+     .run = [](MainWindow& window) { outlinerInSight(window).renameSelected(); }},
+};
+
+} // namespace
+
+std::span<const ActionRow> panelActions() {
+    return panelActionRows;
+}
+
+} // namespace spacetow

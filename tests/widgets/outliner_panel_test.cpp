@@ -1,0 +1,260 @@
+#include "editor/panels/outliner_panel.h"
+
+#include "core/level/edits.h"
+#include "core/level/groups.h"
+#include "tests/support/body_with.h"
+#include "tests/support/test_main.h"
+#include "tests/support/window.h"
+
+#include <QDockWidget>
+#include <QMenu>
+#include <QScrollBar>
+#include <QSignalSpy>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+Object inGroup(Object object, Key parent) {
+    object.parent = parent;
+    return object;
+}
+
+/// A group (3) of two walls (4, 5) and 200 balls (100 and following) on top of it.
+Level crowd() {
+    Level level;
+    level.objects.append({3, "walls", GroupObject{}, {}});
+    level.objects.append(inGroup(bodyWith(4, EdgeChain{{{0, 0}, {1, 0}}}), 3));
+    level.objects.append(inGroup(bodyWith(5, EdgeChain{{{0, 1}, {1, 1}}}), 3));
+    for (Key key = 100; key < 300; ++key) {
+        level.objects.append(bodyWith(key, Circle{{0, 0}, 1}));
+    }
+    return level;
+}
+
+struct Outlined {
+    Outlined() : document(crowd()), toolbox(document, 1), panel(document, toolbox) {
+        panel.resize(300, 400);
+        panel.show();
+    }
+    Document document;
+    Toolbox toolbox;
+    OutlinerPanel panel;
+
+    QModelIndex at(Key key, int column = OutlinerModel::Name) { return panel.model().indexOf(key, column); }
+    void click(Key key, int column = OutlinerModel::Name, Qt::KeyboardModifiers modifiers = {}) {
+        panel.view().scrollTo(at(key));
+        QTest::mouseClick(panel.view().viewport(), Qt::LeftButton, modifiers,
+                          panel.view().visualRect(at(key, column)).center());
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(&panel.view(), key, modifiers); }
+    const Object& object(Key key) { return *document.level().objects.find(key); }
+    std::vector<Key> selectedRows() {
+        std::vector<Key> keys;
+        for (const QModelIndex& index : panel.view().selectionModel()->selectedRows()) {
+            keys.push_back(OutlinerModel::keyOf(index));
+        }
+        std::ranges::sort(keys);
+        return keys;
+    }
+    void become(Level level) {
+        document.commit({"change", 1}, {std::make_shared<const Level>(std::move(level)), document.selection()});
+    }
+};
+
+using RowKeys = std::vector<Key>;
+
+} // namespace
+
+class OutlinerPanelTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void rowsAndObjectsAreSelectedTogether() {
+        Outlined test;
+        test.click(299);
+        QCOMPARE(test.document.selection().keys(), (RowKeys{299}));
+        test.click(297, OutlinerModel::Name, Qt::ShiftModifier);
+        QCOMPARE(test.document.selection().keys(), (RowKeys{297, 298, 299}));
+        test.click(298, OutlinerModel::Name, Qt::ControlModifier);
+        QCOMPARE(test.document.selection().keys(), (RowKeys{297, 299}));
+        test.document.select(Selection({100, 150}));
+        QCOMPARE(test.selectedRows(), (RowKeys{100, 150}));
+        test.document.select({});
+        QCOMPARE(test.selectedRows(), RowKeys());
+        QVERIFY(test.document.history().empty());
+    }
+
+    void whatIsSelectedOnTheCanvasComesIntoSight() {
+        Outlined test;
+        test.document.select(Selection({4}).entering(3));
+        QVERIFY(test.panel.view().isExpanded(test.at(3)));
+        QVERIFY(test.panel.view().viewport()->rect().contains(test.panel.view().visualRect(test.at(4)).center()));
+        QVERIFY(test.at(3).data(Qt::FontRole).value<QFont>().bold());
+        test.document.select({});
+        QVERIFY(!test.at(3).data(Qt::FontRole).value<QFont>().bold());
+    }
+
+    void aMemberThatIsClickedIsReachedByEnteringItsGroup() {
+        Outlined test;
+        test.panel.view().expand(test.at(3));
+        test.click(5);
+        QCOMPARE(test.document.selection(), Selection({5}).entering(3));
+        test.click(3);
+        QCOMPARE(test.document.selection(), Selection({3}));
+    }
+
+    void eyeAndLockOfOneOfSeveralSwitchAll() {
+        Outlined test;
+        test.click(299, OutlinerModel::Eye);
+        QVERIFY(!test.object(299).visible && test.object(298).visible);
+        QVERIFY(test.document.selection().empty());
+        test.document.select(Selection({296, 297}));
+        test.click(296, OutlinerModel::Lock);
+        QVERIFY(test.object(296).locked && test.object(297).locked && !test.object(299).locked);
+        test.click(298, OutlinerModel::Lock); // not among those selected
+        QVERIFY(test.object(298).locked && test.object(297).locked);
+        QCOMPARE(test.document.selection().keys(), (RowKeys{296, 297}));
+        QCOMPARE(test.document.history().size(), std::size_t{3});
+        test.document.undo();
+        test.document.undo();
+        QVERIFY(!test.object(297).locked);
+    }
+
+    void theKeyboardHidesAndReorders() {
+        Outlined test;
+        test.click(298);
+        test.key(Qt::Key_Space);
+        QVERIFY(!test.object(298).visible);
+        test.key(Qt::Key_Space);
+        QVERIFY(test.object(298).visible);
+        test.key(Qt::Key_Up, Qt::AltModifier);
+        QCOMPARE(test.at(298).row(), 0);
+        test.key(Qt::Key_Up, Qt::AltModifier); // there is nothing above
+        QCOMPARE(test.at(298).row(), 0);
+        test.key(Qt::Key_Down, Qt::AltModifier);
+        test.key(Qt::Key_Down, Qt::AltModifier);
+        QCOMPARE(test.at(298).row(), 2);
+        test.key(Qt::Key_End);
+        QCOMPARE(test.document.selection().keys(), (RowKeys{3}));
+        test.key(Qt::Key_Right);
+        QVERIFY(test.panel.view().isExpanded(test.at(3)));
+        test.key(Qt::Key_Down, Qt::AltModifier);
+        QCOMPARE(test.at(3).row(), 200);
+        const QSignalSpy wanted(&test.panel, &OutlinerPanel::viewWanted);
+        test.key(Qt::Key_Return);
+        QCOMPARE(wanted.count(), 1);
+    }
+
+    void anEditLeavesScrollingAndUnfoldedGroups() {
+        Outlined test;
+        test.panel.view().expand(test.at(3));
+        test.panel.view().verticalScrollBar()->setValue(100);
+        const QModelIndex top = test.panel.view().indexAt({5, 5});
+        test.become(renamed(test.document.level(), 150, "stone"));
+        test.become(removed(test.document.level(), RowKeys{101}));
+        QVERIFY(test.panel.view().isExpanded(test.at(3)));
+        QCOMPARE(test.panel.view().indexAt({5, 5}), top);
+        test.become(regrouped(test.document.level(), RowKeys{3}, {0, 0}));
+        QVERIFY(test.panel.view().isExpanded(test.at(3)));
+        // So many rows that the view begins anew.
+        RowKeys every;
+        for (Key key = 100; key < 300; key += 2) {
+            every.push_back(key);
+        }
+        for (Key key = 1000; key < 2000; ++key) {
+            every.push_back(key);
+        }
+        Level level = test.document.level();
+        for (Key key = 1000; key < 2000; ++key) {
+            level.objects.insert(static_cast<int>(2 * (key - 1000)) % level.objects.size(), bodyWith(key, Circle{}));
+        }
+        test.become(level);
+        test.become(removed(test.document.level(), every));
+        QVERIFY(test.panel.view().isExpanded(test.at(3)));
+    }
+
+    void theFilterUnfoldsWhatItFindsAndFoldsItUpAgain() {
+        Outlined test;
+        test.panel.filterField().setText("kind:wall");
+        QCOMPARE(test.panel.model().rowCount(), 1);
+        QVERIFY(test.panel.view().isExpanded(test.at(3)));
+        QVERIFY(!test.at(100).isValid());
+        QTest::keyClick(&test.panel.filterField(), Qt::Key_Escape);
+        QVERIFY(test.panel.filterField().text().isEmpty());
+        QCOMPARE(test.panel.model().rowCount(), 201);
+        QVERIFY(!test.panel.view().isExpanded(test.at(3)));
+    }
+
+    void theFilterCanBeChosenFromAMenu() {
+        Outlined test;
+        QMenu menu;
+        test.panel.fillFilterMenu(menu);
+        const auto choose = [&menu](const QString& text) {
+            for (QAction* action : menu.findChildren<QAction*>()) {
+                if (action->text() == text && action->menu() == nullptr) {
+                    action->trigger();
+                    return true;
+                }
+            }
+            return false;
+        };
+        QVERIFY(choose("circle"));
+        QCOMPARE(test.panel.model().rowCount(), 200);
+        QVERIFY(choose("hidden"));
+        QCOMPARE(test.panel.filterField().text(), QString("kind:circle is:hidden"));
+        QCOMPARE(test.panel.model().rowCount(), 0);
+        QVERIFY(choose("hidden"));
+        QVERIFY(choose("circle"));
+        QVERIFY(test.panel.filterField().text().isEmpty());
+    }
+
+    void outOfSightItWaits() {
+        Outlined test;
+        test.panel.hide();
+        test.become(removed(test.document.level(), RowKeys{299}));
+        test.document.select(Selection({298}));
+        QCOMPARE(test.panel.model().rowCount(), 201);
+        test.panel.show();
+        QCOMPARE(test.panel.model().rowCount(), 200);
+        QCOMPARE(test.selectedRows(), (RowKeys{298}));
+    }
+
+    void findAndRenameLeadIntoThePanel() {
+        TestWindow test;
+        test.document().reset(crowd());
+        test.window->panels().dock("outliner").close();
+        test.document().select(Selection({4}).entering(3));
+        test.trigger(Act::Rename);
+        QWidget* editor = test.window->outliner().view().viewport()->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr && editor->isVisible());
+        QTest::keyClicks(editor, "floor");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QApplication::processEvents(); // views enter what was typed a moment later
+        QCOMPARE(test.level().objects.find(4)->name, std::string("floor"));
+        test.trigger(Act::Find);
+        QVERIFY(test.window->outliner().filterField().hasFocus());
+        test.key(Qt::Key_Escape);
+        QVERIFY(test.canvas().hasFocus());
+    }
+
+    void keysOfTheTreeAreNotThoseOfTheCanvas() {
+        TestWindow test;
+        test.document().reset(crowd());
+        OutlinerView& view = test.window->outliner().view();
+        view.setFocus();
+        view.setCurrentIndex(test.window->outliner().model().indexOf(150));
+        const std::vector<Label> before = test.document().history();
+        for (const Qt::Key key : {Qt::Key_Home, Qt::Key_End, Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Down}) {
+            test.key(key);
+        }
+        QCOMPARE(test.document().history(), before);
+        view.setCurrentIndex(test.window->outliner().model().indexOf(150));
+        test.key(Qt::Key_Delete);
+        QCOMPARE(test.level().objects.size(), 202);
+    }
+};
+
+SPACETOW_TEST(OutlinerPanelTest)
+#include "outliner_panel_test.moc"
