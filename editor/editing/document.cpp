@@ -67,9 +67,10 @@ void Document::record(const Label& label, const Edit& edit, const std::string& m
         }
     } else {
         m_entries.erase(m_entries.begin() + position(), m_entries.end());
-        m_entries.push_back({label, m_current, edit, mergeKey, m_clock()});
+        m_entries.push_back({label, m_current, edit, mergeKey, m_clock(), ++m_lastNumber});
         if (m_entries.size() > maxEntries) {
             m_entries.pop_front();
+            ++m_forgotten;
         }
     }
     m_position = m_entries.size();
@@ -128,6 +129,16 @@ std::vector<Label> Document::history() const {
     return labels;
 }
 
+const Label& Document::label(int entry) const {
+    EXPECTS(entry >= 0 && entry < historySize());
+    return m_entries[static_cast<std::size_t>(entry)].label;
+}
+
+std::uint64_t Document::entryNumber(int entry) const {
+    EXPECTS(entry >= 0 && entry < historySize());
+    return m_entries[static_cast<std::size_t>(entry)].number;
+}
+
 int Document::position() const {
     return static_cast<int>(m_position);
 }
@@ -159,6 +170,7 @@ void Document::markSaved() {
 void Document::reset(Level level) {
     m_entries.clear();
     m_position = 0;
+    m_forgotten = 0;
     m_mergeable = false;
     Edit edit{std::make_shared<const Level>(std::move(level)), {}};
     m_saved = edit.level;

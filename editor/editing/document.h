@@ -75,6 +75,13 @@ class Document {
     /// All labels, oldest first, and how many of them are applied.
     std::vector<Label> history() const;
     int position() const;
+    /// The same without copying all: entry 0 is the oldest that is kept.
+    int historySize() const { return static_cast<int>(m_entries.size()); }
+    const Label& label(int entry) const;
+    /// No other entry has this number, and younger ones have greater numbers.
+    std::uint64_t entryNumber(int entry) const;
+    /// How many entries have been dropped at the old end since the level came.
+    int forgotten() const { return m_forgotten; }
     /// From 0 (nothing applied) to the length of the history.
     void goTo(int position);
 
@@ -93,6 +100,7 @@ class Document {
         Edit before, after;
         std::string mergeKey;
         std::chrono::steady_clock::time_point time;
+        std::uint64_t number = 0;
     };
     void becomeCurrent(Edit edit, Edit before);
     bool mergesWithLast(const std::string& mergeKey) const;
@@ -103,6 +111,8 @@ class Document {
     std::optional<Edit> m_preview;
     std::deque<Entry> m_entries;
     std::size_t m_position = 0;
+    std::uint64_t m_lastNumber = 0; // given to an entry
+    int m_forgotten = 0;
     std::shared_ptr<const Level> m_saved;
     bool m_mergeable = false; // nothing happened since the last commit that the user would see as a break
 };

@@ -5,9 +5,7 @@
 #include "editor/editing/collisions.h"
 #include "editor/panels/names.h"
 
-#include <QScrollBar>
 #include <QShowEvent>
-#include <QStyle>
 
 #include <algorithm>
 #include <functional>
@@ -33,13 +31,6 @@ QString objectionToParent(const Level& level, std::span<const Key> keys, const F
 /// Of so many objects all are looked at during a gesture; of more only some, evenly spread, until it ends.
 constexpr int mostLive = 2000;
 
-void dress(QScrollArea& page, Form& form) {
-    page.setWidget(&form);
-    page.setWidgetResizable(true);
-    page.setFrameShape(QFrame::NoFrame);
-    page.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // see minimumSizeHint
-}
-
 QString counted(const std::vector<int>& kinds) {
     QStringList parts;
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
@@ -53,8 +44,8 @@ QString counted(const std::vector<int>& kinds) {
 } // namespace
 
 Inspector::Inspector(Document& document, Words words, QWidget* parent)
-    : QWidget(parent), m_document(document), m_words(std::move(words)), m_column(this),
-      m_levelForm(levelRows(), target()), m_objectForm(objectRows(), target()) {
+    : QWidget(parent), m_document(document), m_words(std::move(words)), m_column(this), m_level(document, m_words),
+      m_objectPage(objectRows(), target()) {
     m_column.setContentsMargins(0, 0, 0, 0);
     m_column.setSpacing(0);
     for (QLabel* label : {&m_title, &m_subtitle}) {
@@ -74,27 +65,15 @@ Inspector::Inspector(Document& document, Words words, QWidget* parent)
     m_shapeBox.hide();
     connect(&m_shapeBox, &QComboBox::activated, this, [this](int index) {
         m_shape = index - 1;
-        m_objectForm.revert();
+        m_objectPage.form().revert();
         refresh();
     });
     m_column.addWidget(&m_shapeBox);
     m_column.addWidget(&m_pages, 1);
-    dress(m_levelPage, m_levelForm);
-    dress(m_objectPage, m_objectForm);
-    m_pages.addWidget(&m_levelPage);
+    m_pages.addWidget(&m_level);
     m_pages.addWidget(&m_objectPage);
-    keepScrolled(m_levelPage, m_levelScroll);
-    keepScrolled(m_objectPage, m_objectScroll);
-    const auto reveal = [this](QWidget* sentence) {
-        // Once it has a place. What is typed stands right above it.
-        QMetaObject::invokeMethod(
-            sentence, [this, sentence] { page().ensureWidgetVisible(sentence, 0, sentence->fontMetrics().height() * 2); },
-            Qt::QueuedConnection);
-    };
-    connect(&m_levelForm, &Form::faultShown, this, reveal);
-    connect(&m_objectForm, &Form::faultShown, this, reveal);
-    connect(&m_levelForm, &Form::sectionsFolded, this, &Inspector::sectionsFolded);
-    connect(&m_objectForm, &Form::sectionsFolded, this, &Inspector::sectionsFolded);
+    connect(&m_level.form(), &Form::sectionsFolded, this, &Inspector::sectionsFolded);
+    connect(&m_objectPage.form(), &Form::sectionsFolded, this, &Inspector::sectionsFolded);
     m_listener = m_document.changed.connect([this](const Change&) {
         if (isVisible()) {
             refresh();
@@ -105,9 +84,6 @@ Inspector::Inspector(Document& document, Words words, QWidget* parent)
 
 Inspector::~Inspector() {
     m_document.changed.disconnect(m_listener);
-    // The forms are members of this, not children of their pages.
-    m_levelPage.takeWidget();
-    m_objectPage.takeWidget();
 }
 
 FormTarget Inspector::target() {
@@ -122,22 +98,9 @@ FormTarget Inspector::target() {
     return target;
 }
 
-void Inspector::keepScrolled(QScrollArea& page, int& wanted) {
-    QScrollBar* const bar = page.verticalScrollBar();
-    connect(bar, &QScrollBar::valueChanged, this, [bar, &wanted](int value) {
-        const bool isCutShort = value == bar->maximum() && wanted > value;
-        wanted = isCutShort ? wanted : value;
-    });
-    connect(bar, &QScrollBar::rangeChanged, this, [bar, &wanted](int, int most) {
-        if (bar->value() != wanted) {
-            bar->setValue(std::min(wanted, most));
-        }
-    });
-}
-
 QStringList Inspector::foldedSections() const {
-    QStringList titles = m_objectForm.foldedSections();
-    for (const QString& title : m_levelForm.foldedSections()) {
+    QStringList titles = m_objectPage.form().foldedSections();
+    for (const QString& title : m_level.form().foldedSections()) {
         titles << QStringLiteral("level/") + title;
     }
     return titles;
@@ -150,13 +113,12 @@ void Inspector::foldSections(const QStringList& titles) {
             ofLevel << title.mid(6);
         }
     }
-    m_objectForm.foldSections(titles);
-    m_levelForm.foldSections(ofLevel);
+    m_objectPage.form().foldSections(titles);
+    m_level.form().foldSections(ofLevel);
 }
 
 QSize Inspector::minimumSizeHint() const {
-    const int form = std::max(m_levelForm.fullWidth(), m_objectForm.fullWidth());
-    return {form + style()->pixelMetric(QStyle::PM_ScrollBarExtent), 120};
+    return {std::max(m_level.minimumSizeHint().width(), m_objectPage.fullWidth()), 120};
 }
 
 void Inspector::showEvent(QShowEvent* event) {
@@ -170,17 +132,15 @@ void Inspector::refresh() {
         m_shown = shown.selection;
         m_shape = -1;
         m_places.clear();
-        m_objectForm.revert();
-        m_levelForm.revert();
+        m_objectPage.form().revert();
+        m_level.form().revert();
     }
     if (shown.selection.empty()) {
         m_shapeBox.hide();
         m_title.setText(tr("Level"));
         m_subtitle.setText(tr("Nothing is selected."));
-        FieldSurvey survey;
-        survey.add(*shown.level);
-        m_levelForm.setContent({survey.summaries(), 1, m_document.hasPreview()});
-        m_pages.setCurrentWidget(&m_levelPage);
+        m_level.refresh();
+        m_pages.setCurrentWidget(&m_level);
         return;
     }
     showObjects(shown);
@@ -224,7 +184,7 @@ void Inspector::showObjects(const Edit& shown) {
         showTitle(kinds, *last);
         showShapes(*last);
     }
-    m_objectForm.setContent({survey.summaries(), survey.objects(), isLive});
+    m_objectPage.form().setContent({survey.summaries(), survey.objects(), isLive});
 }
 
 std::vector<ShapeRef> Inspector::shapes(const Selection& selection) const {
@@ -284,14 +244,12 @@ QString Inspector::make(const FormEdit& edit) {
             !objection.isEmpty()) {
             return objection;
         }
-        FieldEditResult result = selection.empty()
-                                     ? withLevelFieldEdited(std::move(level), field)
-                                     : withFieldEdited(std::move(level), {selection.keys(), meant}, field);
+        FieldEditResult result = withFieldEdited(std::move(level), {selection.keys(), meant}, field);
         level = std::move(result.level);
         refused += result.refused;
     }
     if (refused > 0) {
-        return selection.size() == 1 || selection.empty()
+        return selection.size() == 1
                    ? tr("That would leave the range of the field, so nothing has changed.")
                    : tr("%n of the values would leave the range of the field, so nothing has changed.", nullptr,
                         refused);
@@ -306,8 +264,7 @@ QString Inspector::make(const FormEdit& edit) {
         mergeKey =
             "field " + edit.fields.front().id + ' ' + std::to_string(selection.empty() ? 0 : selection.keys().front());
     }
-    m_document.commit({selection.empty() ? "change-level" : "change", std::max(1, selection.size())}, std::move(made),
-                      mergeKey);
+    m_document.commit({"change", std::max(1, selection.size())}, std::move(made), mergeKey);
     refresh();
     return {};
 }

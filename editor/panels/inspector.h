@@ -4,7 +4,7 @@
 
 #include "editor/editing/document.h"
 #include "editor/editing/field_targets.h"
-#include "editor/panels/form.h"
+#include "editor/panels/level_panel.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -26,8 +26,8 @@ class Inspector : public QWidget {
     ~Inspector() override;
 
     /// The form in sight.
-    const Form& form() const { return m_document.selection().empty() ? m_levelForm : m_objectForm; }
-    QScrollArea& page() { return m_document.selection().empty() ? m_levelPage : m_objectPage; }
+    const Form& form() const { return m_document.selection().empty() ? m_level.form() : m_objectPage.form(); }
+    QScrollArea& page() { return m_document.selection().empty() ? m_level.page() : m_objectPage; }
     QString title() const { return m_title.text(); }
     /// Which shape of a body of several is meant; not in sight for anything else.
     QComboBox& shapeBox() { return m_shapeBox; }
@@ -57,7 +57,6 @@ class Inspector : public QWidget {
     const Object* selected(const Edit& shown, int index);
     QString make(const FormEdit& edit);
     void defineTag(int index, const TagInfo& info);
-    void keepScrolled(QScrollArea& page, int& wanted);
 
     Document& m_document;
     Words m_words;
@@ -66,12 +65,8 @@ class Inspector : public QWidget {
     QLabel m_subtitle;
     QComboBox m_shapeBox;
     QStackedWidget m_pages;
-    QScrollArea m_levelPage;
-    QScrollArea m_objectPage;
-    Form m_levelForm;
-    Form m_objectForm;
-    int m_levelScroll = 0; // where the user has scrolled to
-    int m_objectScroll = 0;
+    LevelPanel m_level;
+    FormPage m_objectPage;
     Selection m_shown;         // what the form shows
     std::vector<int> m_places; // of its objects in the level, as far as they are known
     int m_shape = -1;          // of the only object selected; −1 for all

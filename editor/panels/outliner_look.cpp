@@ -37,10 +37,12 @@ QIcon swatch(std::uint32_t color, const QPalette& palette) {
     return pixmap;
 }
 
+/// A third of the way from the ground to the ink; icons know no transparency.
 QColor faint(const QPalette& palette) {
-    QColor color = palette.color(QPalette::Text);
-    color.setAlphaF(0.3F);
-    return color;
+    const QColor ink = palette.color(QPalette::Text);
+    const QColor ground = palette.color(QPalette::Base);
+    const auto mixed = [](int one, int other) { return (one + 2 * other) / 3; };
+    return QColor(mixed(ink.red(), ground.red()), mixed(ink.green(), ground.green()), mixed(ink.blue(), ground.blue()));
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "editor/panels/outliner_view.h"
 
+#include "editor/panels/list_keys.h"
+
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -11,30 +13,10 @@ namespace {
 
 constexpr int switchWidth = 24; // logical pixels, of a column
 
-/// Keys that move about in the tree, though they do something else on the canvas.
+/// Alt and an arrow move rows.
 bool isOfTree(const QKeyEvent& key) {
-    if (key.modifiers() == Qt::AltModifier) {
-        return key.key() == Qt::Key_Up || key.key() == Qt::Key_Down;
-    }
-    if ((key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) != Qt::NoModifier) {
-        return false;
-    }
-    switch (key.key()) {
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_Home:
-    case Qt::Key_End:
-    case Qt::Key_PageUp:
-    case Qt::Key_PageDown:
-    case Qt::Key_Space:
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        return true;
-    default:
-        return false;
-    }
+    const bool isStep = key.key() == Qt::Key_Up || key.key() == Qt::Key_Down;
+    return isForLists(key) || (key.modifiers() == Qt::AltModifier && isStep);
 }
 
 } // namespace

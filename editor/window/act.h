@@ -127,6 +127,7 @@ enum class Act : std::uint8_t {
     // actions_panels.cpp
     Find,
     Rename,
+    LevelProperties,
 
     // actions_play.cpp
     Play,

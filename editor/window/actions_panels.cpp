@@ -7,10 +7,14 @@ namespace spacetow {
 
 namespace {
 
-OutlinerPanel& outlinerInSight(MainWindow& window) {
-    QDockWidget& dock = window.panels().dock(QStringLiteral("outliner"));
+void bringIntoSight(MainWindow& window, const QString& panel) {
+    QDockWidget& dock = window.panels().dock(panel);
     dock.show();
     dock.raise();
+}
+
+OutlinerPanel& outlinerInSight(MainWindow& window) {
+    bringIntoSight(window, QStringLiteral("outliner"));
     return window.outliner();
 }
 
@@ -36,6 +40,18 @@ constexpr ActionRow panelActionRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Give the selected object another name, in the outliner"),
      .flags = NeedsSelection | SeparatorBefore | InOutlinerMenu,
      .run = [](MainWindow& window) { outlinerInSight(window).renameSelected(); }},
+    {.id = Act::LevelProperties,
+     .menu = MenuId::Level,
+     .text = QT_TRANSLATE_NOOP("Actions", "Level P&roperties…"),
+     .icon = "properties",
+     .keys = "Ctrl+Alt+P",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Edit the name, rules and physics of the level itself"),
+     .flags = SeparatorBefore,
+     .run =
+         [](MainWindow& window) {
+             bringIntoSight(window, QStringLiteral("level"));
+             window.levelPanel().form().editor(QStringLiteral("name"))->setFocus(Qt::ShortcutFocusReason);
+         }},
 };
 
 } // namespace

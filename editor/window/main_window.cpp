@@ -19,8 +19,10 @@ MainWindow::MainWindow(QWidget* parent)
       m_inspector(m_document, [](const Error& error) { return sentence(error); }), m_tagMatrix(m_document),
       m_collisions(m_document, m_canvas),
       m_problems(m_document, [](const Problem& problem) { return sentence(problem); }), m_nodes(m_document),
-      m_outliner(m_document, m_toolbox), m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox),
-      m_guideBar(m_document),
+      m_outliner(m_document, m_toolbox),
+      m_history(m_document, m_toolbox, [](const Label& label) { return sentence(label); }),
+      m_levelPanel(m_document, [](const Error& error) { return sentence(error); }), m_arrays(m_document, m_toolbox),
+      m_transform(m_document, m_toolbox), m_guideBar(m_document),
       m_files(m_document, dialogQuestions(this),
               [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }) {
     setAcceptDrops(true);
@@ -31,6 +33,7 @@ MainWindow::MainWindow(QWidget* parent)
     listen();
     listenToPanels();
     updateTitle();
+    updateOrigin();
     updateSelection();
     updateMode();
     m_canvas.setFocus();
@@ -281,6 +284,11 @@ void MainWindow::updateTitle() {
     fillRecent();
 }
 
+/// What the history begins with.
+void MainWindow::updateOrigin() {
+    m_history.setOrigin(m_files.path().isEmpty() ? tr("New level") : tr("Opened %1").arg(m_files.name()));
+}
+
 void MainWindow::updateTool() {
     m_status.setHint(isPlaying() ? tr("Playing a copy of the level · F8: back to the editor · Esc: menu")
                                  : sentence(m_toolbox.hint()));
@@ -311,6 +319,8 @@ void MainWindow::updateMode() {
     m_problems.setEnabled(!playing);
     m_nodes.setEnabled(!playing);
     m_outliner.setEnabled(!playing);
+    m_history.setEnabled(!playing);
+    m_levelPanel.setEnabled(!playing);
     m_menus.at(MenuId::Recent)->setEnabled(!playing);
     m_actions.refresh();
     updateTool();

@@ -6,6 +6,7 @@
 #include "editor/canvas/canvas_frame.h"
 #include "editor/panels/array_bar.h"
 #include "editor/panels/guide_bar.h"
+#include "editor/panels/history_panel.h"
 #include "editor/panels/inspector.h"
 #include "editor/panels/nodes_panel.h"
 #include "editor/panels/outliner_panel.h"
@@ -85,6 +86,8 @@ class MainWindow : public QMainWindow {
     ProblemsPanel& problems() { return m_problems; }
     NodesPanel& nodes() { return m_nodes; }
     OutlinerPanel& outliner() { return m_outliner; }
+    HistoryPanel& history() { return m_history; }
+    LevelPanel& levelPanel() { return m_levelPanel; }
     ArrayBar& arrayBar() { return m_arrays; }
     TransformBar& transformBar() { return m_transform; }
     Actions& actions() { return m_actions; }
@@ -122,6 +125,7 @@ class MainWindow : public QMainWindow {
     bool actByPlace(const QKeyEvent& stroke);
 
     void updateTitle();
+    void updateOrigin();
     void updateTool();
     void updateSelection();
     void updateMode();
@@ -146,6 +150,8 @@ class MainWindow : public QMainWindow {
     ProblemsPanel m_problems;
     NodesPanel m_nodes;
     OutlinerPanel m_outliner;
+    HistoryPanel m_history;
+    LevelPanel m_levelPanel;
     MessageBar m_message;
     ArrayBar m_arrays;
     TransformBar m_transform;

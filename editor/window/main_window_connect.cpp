@@ -20,6 +20,7 @@ void MainWindow::listen() {
     m_toolbox.changed.connect([this] { updateTool(); });
     m_files.changed.connect([this] { updateTitle(); });
     m_files.opened.connect([this] {
+        updateOrigin();
         m_toolbox.cancel();
         m_guideBar.dismiss();
         m_canvas.fitLevel();

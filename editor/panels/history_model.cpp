@@ -1,0 +1,96 @@
+#include "editor/panels/history_model.h"
+
+#include <QFont>
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <algorithm>
+#include <utility>
+
+namespace spacetow {
+
+HistoryModel::HistoryModel(const Document& document, Words words, QObject* parent)
+    : QAbstractListModel(parent), m_document(document), m_words(std::move(words)) {
+    refresh();
+}
+
+void HistoryModel::refresh() {
+    const int size = m_document.historySize();
+    int gone = 0; // of the oldest
+    while (gone < static_cast<int>(m_numbers.size()) &&
+           (size == 0 || m_numbers[static_cast<std::size_t>(gone)] < m_document.entryNumber(0))) {
+        ++gone;
+    }
+    if (gone > 0) {
+        beginRemoveRows({}, 1, gone);
+        m_numbers.erase(m_numbers.begin(), m_numbers.begin() + gone);
+        endRemoveRows();
+        announce(0, 0);
+    }
+    const int count = static_cast<int>(m_numbers.size());
+    int same = count; // of the oldest that are left
+    while (same > 0 &&
+           (same > size || m_numbers[static_cast<std::size_t>(same - 1)] != m_document.entryNumber(same - 1))) {
+        --same;
+    }
+    if (same < count) {
+        beginRemoveRows({}, same + 1, count);
+        m_numbers.resize(static_cast<std::size_t>(same));
+        endRemoveRows();
+    }
+    const int before = std::exchange(m_position, m_document.position());
+    if (same < size) {
+        beginInsertRows({}, same + 1, size);
+        for (int entry = same; entry < size; ++entry) {
+            m_numbers.push_back(m_document.entryNumber(entry));
+        }
+        endInsertRows();
+    }
+    // An edit that was merged with the one before has given it its name.
+    announce(std::min({before, m_position, size}), std::min(std::max(before, m_position), size));
+}
+
+void HistoryModel::setOrigin(const QString& text) {
+    m_origin = text;
+    announce(0, 0);
+}
+
+void HistoryModel::announce(int first, int last) {
+    Q_EMIT dataChanged(index(first), index(last));
+}
+
+int HistoryModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_numbers.size()) + 1;
+}
+
+QString HistoryModel::textOf(int row) const {
+    if (row > 0) {
+        return m_words(m_document.label(row - 1));
+    }
+    const int forgotten = m_document.forgotten();
+    return forgotten == 0 ? m_origin : tr("%n older changes that can no longer be undone", nullptr, forgotten);
+}
+
+QVariant HistoryModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    switch (role) {
+    case Qt::DisplayRole:
+        return textOf(index.row());
+    case Qt::FontRole: {
+        QFont font;
+        font.setBold(index.row() == m_position);
+        return font;
+    }
+    case Qt::ForegroundRole:
+        return index.row() > m_position ? QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text))
+                                        : QVariant();
+    case Qt::AccessibleDescriptionRole:
+        return index.row() == m_position ? tr("present state") : index.row() > m_position ? tr("undone") : QString();
+    default:
+        return {};
+    }
+}
+
+} // namespace spacetow
