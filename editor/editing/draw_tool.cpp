@@ -53,13 +53,17 @@ std::string DrawTool::hintCode(const std::string& state) const {
 }
 
 DrawTool::Start DrawTool::startAt(const ToolContext& context, const Pointer& pointer) const {
-    if (!isPolygon() && !pointer.modifiers.alt) {
-        const ChainKind kind = m_kind == DrawKind::Edge ? ChainKind::Edges : ChainKind::Lines;
-        if (const std::optional<ChainEnd> end = chainEndAt(context.edit, pointer, kind)) {
-            return {openChain(*context.edit.level, *end)->at, end};
-        }
+    const Vec2 landed = snapped(context.snap, pointer);
+    if (isPolygon() || pointer.modifiers.alt) {
+        return {landed, {}};
     }
-    return {snapped(context.snap, pointer), {}};
+    const ChainKind kind = m_kind == DrawKind::Edge ? ChainKind::Edges : ChainKind::Lines;
+    std::optional<ChainEnd> end = chainEndAt(context.edit, pointer, kind);
+    if (!end) {
+        constexpr double exactly = 1e-10; // m
+        end = chainEndAt(context.edit, {landed, pointer.screen, pointer.modifiers, exactly}, kind);
+    }
+    return end ? Start{openChain(*context.edit.level, *end)->at, end} : Start{landed, {}};
 }
 
 std::optional<DrawTool::Start> DrawTool::start(const ToolContext& context) const {

@@ -4,7 +4,6 @@
 #include "core/level/groups.h"
 #include "core/level/level_index.h"
 #include "editor/editing/measure.h"
-#include "editor/editing/typed_point.h"
 
 #include <cmath>
 
@@ -119,7 +118,8 @@ Vec2 velocityTo(const ToolContext& context, const Vec2& from, const Pointer& poi
     // Seen from the body, so that what snaps is the velocity, wherever the body stands.
     Pointer relative = pointer;
     relative.world = pointer.world - from;
-    return pointFrom(context, Vec2(0, 0), relative);
+    const double step = snaps(context.snap, pointer.modifiers) ? context.snap.step : 0;
+    return typedPoint(context.typed, Vec2(0, 0), snappedFrom(context.snap, relative, Vec2(0, 0)), step);
 }
 
 Edit withVelocity(const Edit& edit, Key key, const Vec2& velocity) {

@@ -14,11 +14,11 @@ constexpr MessageText drawHintTexts[] = {
     {"draw-edge.next",
      QT_TRANSLATE_NOOP(
          "messages",
-         "%1 points · click: add · click the first point: close · Enter or right click: end · Backspace: "
+         "Points: %1 · click: add · click the first point: close · Enter or right click: end · Backspace: "
          "undo point · digits: type length and angle · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°")},
     {"draw-edge.close",
      QT_TRANSLATE_NOOP("messages",
-                       "%1 points · click: close the chain · Enter or right click: end it open · Escape: cancel")},
+                       "Points: %1 · click: close the chain · Enter or right click: end it open · Escape: cancel")},
     {"draw-edge.too-few",
      QT_TRANSLATE_NOOP("messages", "A chain of walls needs two points: click to add another, or Escape to cancel")},
     {"draw-edge.same-point",
@@ -35,11 +35,11 @@ constexpr MessageText drawHintTexts[] = {
     {"draw-line.next",
      QT_TRANSLATE_NOOP(
          "messages",
-         "%1 points · click: add · click the first point: close · Enter or right click: end · Backspace: "
+         "Points: %1 · click: add · click the first point: close · Enter or right click: end · Backspace: "
          "undo point · digits: type length and angle · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°")},
     {"draw-line.close",
      QT_TRANSLATE_NOOP("messages",
-                       "%1 points · click: close the chain · Enter or right click: end it open · Escape: cancel")},
+                       "Points: %1 · click: close the chain · Enter or right click: end it open · Escape: cancel")},
     {"draw-line.too-few",
      QT_TRANSLATE_NOOP("messages", "A chain of walls needs two points: click to add another, or Escape to cancel")},
     {"draw-line.same-point",
@@ -54,10 +54,10 @@ constexpr MessageText drawHintTexts[] = {
      QT_TRANSLATE_NOOP("messages", "Polygon · click: first corner · drag: first side · Ctrl: snap off/on")},
     {"draw-polygon.next",
      QT_TRANSLATE_NOOP(
-         "messages", "%1 corners · click: add · click the first corner, Enter or right click: close · "
+         "messages", "Corners: %1 · click: add · click the first corner, Enter or right click: close · "
                      "Backspace: undo corner · digits: type length and angle · Shift: 15° · Ctrl: snap off/on · length "
                      "%2 m, angle %3°")},
-    {"draw-polygon.close", QT_TRANSLATE_NOOP("messages", "%1 corners · click: close the polygon · Escape: cancel")},
+    {"draw-polygon.close", QT_TRANSLATE_NOOP("messages", "Corners: %1 · click: close the polygon · Escape: cancel")},
     {"draw-polygon.too-few",
      QT_TRANSLATE_NOOP("messages", "A polygon needs three corners: click to add another, or Escape to cancel")},
     {"draw-polygon.same-point",

@@ -73,6 +73,18 @@ class ExtendChainTest : public QObject {
         QVERIFY(worldPoints(drive.level().objects[0]) == (ChainPoints{{-2, 2}, {-2, 0}, {0, 0}, {2, 0}, {2, 2}}));
     }
 
+    void aPointThatSnapsToTheEndGoesOnWithTheChainToo() {
+        Extender drive;
+        drive.toolbox.snap.step = 1;
+        drive.click({{2.4, 2.4}, {0, 3}}); // 37 pixels away, and no nearer grid point
+        drive.key(ToolKey::Enter);
+        QCOMPARE(drive.level().objects.size(), 1);
+        drive.held.ctrl = true; // nothing snaps
+        drive.click({{0.4, 3.4}, {0, 4}});
+        drive.key(ToolKey::Enter);
+        QCOMPARE(drive.level().objects.size(), 2);
+    }
+
     void aDragFromTheEndDrawsASegment() {
         Extender drive;
         drive.drag({2, 2}, {0, 3});
