@@ -77,8 +77,8 @@ QVariant OutlinerModel::nameData(const OutlinerNode& node, const Object& object,
     case Qt::ForegroundRole:
         return ink(node);
     case Qt::ToolTipRole:
-        return plainToolTip(object.name.empty() ? kindName(object)
-                                                : tr("%1: %2").arg(kindName(object), displayName(object)));
+        return plainToolTip(object.name.empty() ? placedKind(object)
+                                                : tr("%1: %2").arg(displayName(object), placedKind(object)));
     case Qt::FontRole: {
         QFont font;
         font.setBold(object.key == m_entered);

@@ -246,6 +246,16 @@ void OutlinerModel::setFilter(const ObjectFilter& filter) {
     restructure(m_level);
 }
 
+std::vector<Key> OutlinerModel::foundKeys() const {
+    std::vector<Key> keys;
+    for (const Object& object : m_level->objects) {
+        if (m_filter.finds(object)) {
+            keys.push_back(object.key);
+        }
+    }
+    return keys;
+}
+
 void OutlinerModel::setPalette(const QPalette& palette) {
     m_palette = palette;
     announceAll(m_tree.root());

@@ -30,6 +30,8 @@ class OutlinerModel : public QAbstractItemModel {
     void refresh();
     void setFilter(const ObjectFilter& filter);
     bool isFiltered() const { return !m_filter.isEmpty(); }
+    /// All that the filter finds, without the groups that are listed because of it.
+    std::vector<Key> foundKeys() const;
     /// Of the texts and icons.
     void setPalette(const QPalette& palette);
 

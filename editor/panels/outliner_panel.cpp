@@ -45,6 +45,15 @@ QItemSelection rowsOf(const OutlinerModel& model, std::span<const Key> keys) {
     return selection;
 }
 
+bool isFoldedUp(const QTreeView& view, const QModelIndex& index) {
+    for (QModelIndex group = index.parent(); group.isValid(); group = group.parent()) {
+        if (!view.isExpanded(group)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 OutlinerPanel::OutlinerPanel(Document& document, Toolbox& toolbox, QWidget* parent)
@@ -62,6 +71,7 @@ OutlinerPanel::OutlinerPanel(Document& document, Toolbox& toolbox, QWidget* pare
     m_model.setPalette(palette());
     connect(m_view.selectionModel(), &QItemSelectionModel::selectionChanged, this, &OutlinerPanel::takeSelection);
     connect(&m_model, &QAbstractItemModel::rowsInserted, this, [this] { m_hasNewRows = true; });
+    connect(&m_model, &QAbstractItemModel::layoutChanged, this, [this] { m_hasNewRows = true; });
     connect(&m_model, &QAbstractItemModel::modelReset, this, [this] {
         m_hasNewRows = true;
         unfoldAgain();
@@ -80,6 +90,8 @@ OutlinerPanel::OutlinerPanel(Document& document, Toolbox& toolbox, QWidget* pare
     });
     connect(&m_view, &OutlinerView::switchWanted, this, &OutlinerPanel::flip);
     connect(&m_view, &OutlinerView::objectWanted, this, &OutlinerPanel::viewWanted);
+    connect(&m_view, &OutlinerView::allFoundWanted, this,
+            [this] { m_document.select(selectionOf(*m_document.current().level, m_model.foundKeys())); });
     connect(&m_view, &OutlinerView::stepWanted, this, &OutlinerPanel::step);
     connect(&m_view, &QWidget::customContextMenuRequested, this,
             [this](const QPoint& at) { Q_EMIT menuWanted(m_view.viewport()->mapToGlobal(at)); });
@@ -173,11 +185,16 @@ void OutlinerPanel::showSelection() {
     } else {
         shown.select(rows, QItemSelectionModel::ClearAndSelect);
     }
-    const Key current = OutlinerModel::keyOf(m_view.currentIndex());
-    if (!rows.isEmpty() && !std::ranges::binary_search(m_shownKeys, current)) {
+    const QModelIndex current = m_view.currentIndex();
+    if (rows.isEmpty()) {
+        return;
+    }
+    if (!std::ranges::binary_search(m_shownKeys, OutlinerModel::keyOf(current))) {
         const QModelIndex first = rows.front().topLeft();
         shown.setCurrentIndex(first, QItemSelectionModel::NoUpdate);
         m_view.scrollTo(first);
+    } else if (isFoldedUp(m_view, current)) {
+        m_view.scrollTo(current); // it has come into another group
     }
 }
 

@@ -73,7 +73,7 @@ class OutlinerPanel : public QWidget {
     OutlinerView m_view;
     std::set<Key> m_unfolded;     // groups, while nothing is filtered
     std::vector<Key> m_shownKeys; // selected in the tree
-    bool m_hasNewRows = false;    // which may have to be selected
+    bool m_hasNewRows = false;    // or others have moved; they may have to be selected
     bool m_showing = false;       // the tree is made to show the document
     int m_listener = 0;
 };

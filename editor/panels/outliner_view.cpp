@@ -19,6 +19,11 @@ bool isOfTree(const QKeyEvent& key) {
     return isForLists(key) || (key.modifiers() == Qt::AltModifier && isStep);
 }
 
+/// Of what a filter leaves, while there is one.
+bool isSelectAll(const QKeyEvent& key, const OutlinerModel& model) {
+    return model.isFiltered() && key.matches(QKeySequence::SelectAll);
+}
+
 } // namespace
 
 OutlinerView::OutlinerView(OutlinerModel& model, QWidget* parent) : QTreeView(parent), m_model(model) {
@@ -28,7 +33,9 @@ OutlinerView::OutlinerView(OutlinerModel& model, QWidget* parent) : QTreeView(pa
     setUniformRowHeights(true); // else each row would be measured
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-    setDragDropMode(QAbstractItemView::InternalMove);
+    setDragDropMode(QAbstractItemView::DragDrop); // the model takes nothing but its own
+    setDefaultDropAction(Qt::MoveAction);
+    setDropIndicatorShown(true);
     setAutoExpandDelay(600); // ms over a group while something is dragged
     setContextMenuPolicy(Qt::CustomContextMenu);
     setIconSize(QSize(16, 16));
@@ -44,16 +51,21 @@ OutlinerView::OutlinerView(OutlinerModel& model, QWidget* parent) : QTreeView(pa
 }
 
 bool OutlinerView::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && isOfTree(static_cast<QKeyEvent&>(*event))) {
-        event->accept();
-        return true;
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = static_cast<const QKeyEvent&>(*event);
+        if (isOfTree(key) || isSelectAll(key, m_model)) {
+            event->accept();
+            return true;
+        }
     }
     return QTreeView::event(event);
 }
 
 void OutlinerView::keyPressEvent(QKeyEvent* event) {
     const QModelIndex current = currentIndex();
-    if (!current.isValid() || !isOfTree(*event)) {
+    if (isSelectAll(*event, m_model)) {
+        Q_EMIT allFoundWanted();
+    } else if (!current.isValid() || !isOfTree(*event)) {
         QTreeView::keyPressEvent(event);
     } else if (event->modifiers() == Qt::AltModifier) {
         Q_EMIT stepWanted(event->key() == Qt::Key_Up ? -1 : 1);

@@ -16,6 +16,8 @@ class OutlinerView : public QTreeView {
   Q_SIGNALS:
     /// A click on the colour, eye or lock of a row, or the space bar for the eye of the current one.
     void switchWanted(const QModelIndex& index);
+    /// Select all, while a filter leaves only some.
+    void allFoundWanted();
     /// Enter.
     void objectWanted();
     /// Alt and an arrow: one row up (−1) or down (1).

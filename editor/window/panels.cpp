@@ -52,12 +52,28 @@ constexpr PanelRow allPanels[] = {
      .title = QT_TRANSLATE_NOOP("Panels", "&Tag Matrix"),
      .area = Qt::RightDockWidgetArea,
      .shownAtFirst = false,
-     .tabOf = "problems",
+     .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.tagMatrix(); }},
 };
 
 QString translatedTitle(const char* words) {
     return QCoreApplication::translate("Panels", words);
+}
+
+/// Its action brings a panel to the front that stands as a tab behind another, before it hides it.
+void followTabs(QDockWidget& dock) {
+    constexpr auto behind = "behind";
+    QObject::connect(&dock, &QDockWidget::visibilityChanged, &dock, [&dock](bool isInFront) {
+        if (isInFront || dock.isVisible()) {
+            dock.setProperty(behind, !isInFront);
+        }
+    });
+    QObject::connect(dock.toggleViewAction(), &QAction::triggered, &dock, [&dock](bool isShown) {
+        if (isShown || dock.property(behind).toBool()) {
+            dock.show();
+            dock.raise();
+        }
+    });
 }
 
 } // namespace
@@ -82,6 +98,7 @@ void Panels::add(const PanelRow& row) {
     action->setText(translatedTitle(row.title));
     action->setShortcuts(keysIn(row.keys));
     action->setStatusTip(QCoreApplication::translate("Panels", "Show or hide this panel"));
+    followTabs(*dock);
     m_window.addAction(action);
     m_docks[dock->objectName()] = dock;
 }

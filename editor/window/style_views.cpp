@@ -26,8 +26,11 @@ bool drawBranch(const QStyleOption& option, QPainter& painter) {
     const Brushwork brushwork(painter);
     const bool rightward = option.direction == Qt::LeftToRight;
     const Direction closed = rightward ? Direction::Right : Direction::Left;
-    const QColor ink =
-        option.palette.color(isOn(option, QStyle::State_MouseOver) ? QPalette::Text : QPalette::PlaceholderText);
+    const auto role = isOn(option, QStyle::State_Selected)    ? QPalette::HighlightedText
+                      : isOn(option, QStyle::State_MouseOver) ? QPalette::Text
+                                                              : QPalette::PlaceholderText;
+    const auto group = isOn(option, QStyle::State_Active) ? QPalette::Active : QPalette::Inactive;
+    const QColor ink = option.palette.color(group, role);
     chevron(painter, option.rect, isOn(option, QStyle::State_Open) ? Direction::Down : closed, ink);
     return true;
 }

@@ -3,13 +3,18 @@
 #include "core/level/edits.h"
 #include "core/level/groups.h"
 #include "tests/support/body_with.h"
+#include "tests/support/cpu_time.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
 #include <QDockWidget>
+#include <QDropEvent>
 #include <QMenu>
+#include <QMimeData>
 #include <QScrollBar>
 #include <QSignalSpy>
+
+#include <map>
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -158,6 +163,10 @@ class OutlinerPanelTest : public QObject {
         QCOMPARE(test.panel.view().indexAt({5, 5}), top);
         test.become(regrouped(test.document.level(), RowKeys{3}, {0, 0}));
         QVERIFY(test.panel.view().isExpanded(test.at(3)));
+        test.panel.view().collapse(test.at(3));
+        test.click(250);
+        test.become(regrouped(test.document.level(), RowKeys{250}, {3, 0}));
+        QVERIFY(test.panel.view().isExpanded(test.at(3))); // what is selected does not vanish in a group
         // So many rows that the view begins anew.
         RowKeys every;
         for (Key key = 100; key < 300; key += 2) {
@@ -185,6 +194,47 @@ class OutlinerPanelTest : public QObject {
         QVERIFY(test.panel.filterField().text().isEmpty());
         QCOMPARE(test.panel.model().rowCount(), 201);
         QVERIFY(!test.panel.view().isExpanded(test.at(3)));
+    }
+
+    void allThatIsFoundCanBeSelected() {
+        Outlined test;
+        test.panel.filterField().setText("kind:wall");
+        test.key(Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(test.document.selection().keys(), (RowKeys{4, 5})); // not their group
+    }
+
+    void rowsAreDroppedOnGroupsAndBetweenRows() {
+        Outlined test;
+        test.panel.view().expand(test.at(3));
+        test.panel.view().scrollToBottom();
+        const auto drop = [&test](Key key, const QPoint& at) {
+            const std::unique_ptr<QMimeData> data(test.panel.model().mimeData({test.at(key)}));
+            QWidget* const viewport = test.panel.view().viewport();
+            QDragEnterEvent enter(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+            QApplication::sendEvent(viewport, &enter);
+            QDragMoveEvent move(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+            QApplication::sendEvent(viewport, &move);
+            QDropEvent end(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+            QApplication::sendEvent(viewport, &end);
+        };
+        const auto rect = [&test](Key key) { return test.panel.view().visualRect(test.at(key)); };
+        drop(299, rect(3).center());
+        QCOMPARE(test.at(299).parent(), test.at(3));
+        QCOMPARE(test.at(299).row(), 0);
+        drop(298, {rect(3).center().x(), rect(3).bottom()}); // above the first member
+        QCOMPARE(test.at(298).parent(), test.at(3));
+        QCOMPARE(test.at(298).row(), 0);
+        drop(297, {rect(4).center().x(), rect(4).top()});
+        QCOMPARE(test.at(297).row(), test.at(4).row() - 1);
+        QCOMPARE(test.at(297).parent(), test.at(3));
+        drop(296, {rect(3).center().x(), rect(3).top()});
+        QCOMPARE(test.at(296).row(), test.at(3).row() - 1);
+        QVERIFY(!test.at(296).parent().isValid());
+        drop(295, rect(5).center()); // nothing can be in a wall, so it comes to stand beside it
+        QCOMPARE(test.at(295).parent(), test.at(3));
+        QCOMPARE(test.document.history().size(), std::size_t{5});
+        drop(3, rect(5).center()); // not into itself
+        QCOMPARE(test.document.history().size(), std::size_t{5});
     }
 
     void theFilterCanBeChosenFromAMenu() {
@@ -219,6 +269,44 @@ class OutlinerPanelTest : public QObject {
         test.panel.show();
         QCOMPARE(test.panel.model().rowCount(), 200);
         QCOMPARE(test.selectedRows(), (RowKeys{298}));
+    }
+
+    void aLargeLevelIsFollowedWithoutDelay() {
+        Level level;
+        level.objects.append({3, "pair", GroupObject{}, {}});
+        constexpr int size = 100'000;
+        for (Key key = 100; key < 100 + size; ++key) {
+            level.objects.append(inGroup(bodyWith(key, Circle{{0, 0}, 1}), key % 50 == 0 ? 3 : 0));
+        }
+        Outlined test;
+        std::map<std::string, double> seconds; // that the processor was busy
+        const auto timed = [&seconds](const char* what, const auto& action) {
+            const CpuTimer timer;
+            action();
+            QApplication::processEvents();
+            seconds[what] = timer.seconds();
+        };
+        timed("open", [&] { test.document.reset(level); });
+        timed("select one", [&] { test.document.select(Selection({5000})); });
+        timed("hide one", [&] { test.become(withVisible(test.document.level(), RowKeys{5001}, false)); });
+        timed("add one", [&] { test.become(added(test.document.level(), bodyWith(5, Circle{{0, 0}, 1}))); });
+        timed("regroup one", [&] { test.become(regrouped(test.document.level(), RowKeys{5001}, {3, 0})); });
+        timed("filter", [&] { test.panel.filterField().setText("is:hidden"); });
+        QCOMPARE(test.panel.model().rowCount(), 1);
+        timed("filter no more", [&] { test.panel.filterField().clear(); });
+        RowKeys all;
+        for (Key key = 100; key < 100 + size; ++key) {
+            all.push_back(key);
+        }
+        timed("select all", [&] { test.document.select(Selection(all)); });
+        timed("delete all", [&] { test.become(removed(test.document.level(), all)); });
+        timed("undo", [&] { test.document.undo(); });
+        for (const char* what : {"select one", "hide one", "add one", "regroup one"}) {
+            QVERIFY2(seconds[what] < 0.25, what);
+        }
+        for (const char* what : {"open", "filter", "filter no more", "select all", "delete all", "undo"}) {
+            QVERIFY2(seconds[what] < 1.5, what);
+        }
     }
 
     void findAndRenameLeadIntoThePanel() {

@@ -102,6 +102,23 @@ class PanelsTest : public QObject {
         QVERIFY(test.window->findChild<QToolBar*>("tools")->isVisible());
     }
 
+    void theActionOfAPanelBringsItToTheFront() {
+        TestWindow test;
+        QDockWidget& history = dockOf(test, "history");
+        const auto isInFront = [&history] { return history.isVisible() && !history.visibleRegion().isEmpty(); };
+        history.toggleViewAction()->trigger();
+        QApplication::processEvents();
+        QVERIFY(isInFront());
+        dockOf(test, "outliner").raise();
+        QApplication::processEvents();
+        QVERIFY(!isInFront());
+        history.toggleViewAction()->trigger();
+        QApplication::processEvents();
+        QVERIFY(isInFront());
+        history.toggleViewAction()->trigger();
+        QVERIFY(!history.isVisible());
+    }
+
     void aPanelClosedBeforePlayStaysClosed() {
         TestWindow test;
         test.window->openExample();
