@@ -6,6 +6,7 @@
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/scene_painter.h"
+#include "editor/canvas/tag_painter.h"
 
 #include <QGuiApplication>
 #include <QMouseEvent>
@@ -192,6 +193,9 @@ void Canvas::paintEvent(QPaintEvent*) {
         paintSelection(stage, *shown.level, shown.selection);
     }
     paintHighlight(stage, *shown.level, m_highlighted);
+    if (m_overlays.tags) {
+        paintTags(stage, *shown.level);
+    }
     const Overlay overlay = m_toolbox.overlay();
     if (overlay.hovered != 0) {
         paintHovered(stage, *shown.level, overlay.hovered);

@@ -6,6 +6,7 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <array>
 
 namespace spacetow {
 
@@ -19,26 +20,34 @@ void paintHighlight(const Stage& stage, const Level& level, std::span<const Key>
     painter.setRenderHint(QPainter::Antialiasing);
     QColor fill = stage.theme.collision;
     fill.setAlpha(50);
+    QColor glow = stage.theme.collision; // walls are dark themselves
+    glow.setAlpha(90);
     levelIndex(level).visitObjects(stage.view.visible(), [&](int place) {
         const Object& object = level.objects[place];
         if (!std::ranges::binary_search(keys, object.key)) {
             return;
         }
         const Outline outline = outlines.of(object);
-        painter.setPen(stroke(stage.theme.collision, 2.5, Qt::DashLine));
+        const std::array pens{stroke(glow, 9), stroke(stage.theme.collision, 2.5, Qt::DashLine)};
         for (const OutlinePath& path : outline.paths) {
             QPainterPath line;
             line.addPolygon(stage.at(path.points));
             if (path.closed) {
                 line.closeSubpath();
             }
-            painter.setBrush(path.filled ? QBrush(fill) : QBrush(Qt::NoBrush));
-            painter.drawPath(line);
+            painter.fillPath(line, path.filled ? QBrush(fill) : QBrush(Qt::NoBrush));
+            for (const QPen& pen : pens) {
+                painter.strokePath(line, pen);
+            }
         }
-        painter.setBrush(fill);
         for (const Circle& circle : outline.discs) {
             const double radius = stage.pixels(circle.radius);
-            painter.drawEllipse(stage.at(circle.center), radius, radius);
+            painter.setBrush(fill);
+            for (const QPen& pen : pens) {
+                painter.setPen(pen);
+                painter.drawEllipse(stage.at(circle.center), radius, radius);
+                painter.setBrush(Qt::NoBrush);
+            }
         }
     });
     painter.restore();

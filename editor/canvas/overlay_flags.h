@@ -11,7 +11,9 @@ struct OverlayFlags {
     bool orientation = false; // one metre along the body's "up"
     bool normals = false;     // free side of walls, one metre
     bool quadtree = false;    // leaf cells of the static broad phase
+    bool tags = false;        // what each object is; while editing
 
+    /// Whether anything is drawn that the physics has worked out.
     bool any() const { return aabb || incircle || velocity || orientation || normals || quadtree; }
     bool operator==(const OverlayFlags&) const = default;
 };

@@ -74,21 +74,11 @@ int Form::measured() {
 }
 
 void Form::addHeader(FormRowState& row, int line) {
-    auto header = std::make_unique<QToolButton>();
-    header->setText(rowText(row.spec.section));
+    auto header = std::make_unique<SectionHeader>(rowText(row.spec.section));
     header->setObjectName(QString::fromLatin1(row.spec.section));
-    header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    header->setArrowType(Qt::DownArrow);
-    header->setAutoRaise(true);
-    header->setCheckable(true);
-    header->setChecked(true);
-    header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     header->setToolTip(tr("Fold or unfold this section"));
-    QFont font = header->font();
-    font.setBold(true);
-    header->setFont(font);
     const std::string section = row.spec.section;
-    connect(header.get(), &QToolButton::toggled, this, [this, section](bool open) {
+    connect(header.get(), &SectionHeader::toggled, this, [this, section](bool open) {
         if (open) {
             m_folded.erase(section);
         } else {
@@ -178,7 +168,6 @@ void Form::arrangeSections() {
             header = row.get();
             isOpen = !m_folded.contains(row->spec.section);
             row->header->setVisible(false);
-            row->header->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
         }
         const bool isThere = row->shown.has_value();
         if (isThere && header != nullptr) {

@@ -4,6 +4,7 @@
 #include "core/level/field_survey.h"
 #include "editor/panels/fault_label.h"
 #include "editor/panels/form_rows.h"
+#include "editor/panels/section_header.h"
 
 #include <QLabel>
 #include <QToolButton>
@@ -16,8 +17,8 @@ namespace spacetow {
 
 struct FormRowState {
     FormRow spec;
-    std::unique_ptr<QToolButton> header; // above the first row of a section
-    std::unique_ptr<QLabel> label;       // the second part of a pair has none, and none of the three that follow
+    std::unique_ptr<SectionHeader> header; // above the first row of a section
+    std::unique_ptr<QLabel> label;         // the second part of a pair has none, and none of the three that follow
     std::unique_ptr<QToolButton> reset;
     std::unique_ptr<FaultLabel> fault; // beneath
     std::unique_ptr<QWidget> editor;

@@ -68,7 +68,9 @@ Inspector::Inspector(Document& document, Words words, QWidget* parent)
         m_objectPage.form().revert();
         refresh();
     });
-    m_column.addWidget(&m_shapeBox);
+    m_column.addLayout(&m_shapeRow);
+    m_shapeRow.setContentsMargins(10, 0, 10, 0);
+    m_shapeRow.addWidget(&m_shapeBox);
     m_column.addWidget(&m_pages, 1);
     m_pages.addWidget(&m_level);
     m_pages.addWidget(&m_objectPage);

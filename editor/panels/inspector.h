@@ -63,6 +63,7 @@ class Inspector : public QWidget {
     QVBoxLayout m_column;
     QLabel m_title;
     QLabel m_subtitle;
+    QVBoxLayout m_shapeRow;
     QComboBox m_shapeBox;
     QStackedWidget m_pages;
     LevelPanel m_level;

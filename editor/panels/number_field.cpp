@@ -3,8 +3,8 @@
 #include "core/base/decimal.h"
 #include "editor/panels/form_colors.h"
 #include "editor/panels/history_keys.h"
-#include "editor/panels/number_text.h"
 #include "editor/panels/names.h"
+#include "editor/panels/number_text.h"
 #include "editor/panels/scrub_label.h"
 
 #include <QKeyEvent>
@@ -40,6 +40,9 @@ NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
         }
     });
     connect(this, &QLineEdit::textEdited, this, [this] { setFault({}); });
+    setStatusTip(
+        tr("Type a number or an expression such as 2*pi/3, 20 cm, +=0.5 or *=2 · Up, Down, wheel: step · Shift: "
+           "finer · Ctrl: coarser"));
 }
 
 NumberField::~NumberField() = default;
@@ -118,8 +121,8 @@ void NumberField::revert() {
 }
 
 bool NumberField::isWithin(double number) const {
-    return std::isfinite(number) && (m_spec.openMin ? number > m_spec.min : number >= m_spec.min) && number <= m_spec.max &&
-           (!m_spec.whole || number == std::floor(number));
+    return std::isfinite(number) && (m_spec.openMin ? number > m_spec.min : number >= m_spec.min) &&
+           number <= m_spec.max && (!m_spec.whole || number == std::floor(number));
 }
 
 QString NumberField::rangeText() const {

@@ -12,6 +12,7 @@ ScrubLabel::ScrubLabel(const QString& text, NumberField& field, QWidget* parent)
     setTextFormat(Qt::PlainText);
     setCursor(Qt::SizeHorCursor);
     setBuddy(&field);
+    setStatusTip(tr("Drag: change the number · Shift: a tenth as fast · Ctrl: in whole steps · Escape: take it back"));
 }
 
 bool ScrubLabel::event(QEvent* event) {

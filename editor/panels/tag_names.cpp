@@ -19,11 +19,6 @@ struct TagNames {
 
 } // namespace
 
-QString tagText(const TagTable& table, int tag) {
-    const std::string& name = table[tag].name;
-    return name.empty() ? QStringLiteral("#%1").arg(tag) : QString::fromStdString(name);
-}
-
 QString objectionToTagName(const TagTable& table, const QString& name, int tag) {
     const std::optional<int> taken = table.indexOf(name.toStdString());
     if (taken && *taken != tag) {

@@ -58,6 +58,7 @@ enum class Act : std::uint8_t {
     OverlayNormals,
     OverlayQuadtree,
     OverlaysOff,
+    OverlayTags,
     ShowCollisions,
 
     // actions_tools.cpp; each tool is an action too, under its ToolId

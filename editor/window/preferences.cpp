@@ -25,6 +25,7 @@ constexpr std::array overlayKeys{
     NamedFlag{"overlays/orientation", &OverlayFlags::orientation},
     NamedFlag{"overlays/normals", &OverlayFlags::normals},
     NamedFlag{"overlays/quadtree", &OverlayFlags::quadtree},
+    NamedFlag{"overlays/tags", &OverlayFlags::tags},
 };
 
 } // namespace

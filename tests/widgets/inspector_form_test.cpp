@@ -8,6 +8,7 @@
 #include <QAbstractButton>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScopeGuard>
 #include <QScrollArea>
 #include <QScrollBar>
 
@@ -22,6 +23,45 @@ class InspectorFormTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void everyFieldKeepsItsOwnTextInEveryLocale_data() {
+        QTest::addColumn<QString>("locale");
+        for (const char* name : {"fa_IR", "ar_EG", "sv_SE", "de_DE", "fr_FR", "ne_NP", "my_MM", "he_IL", "en_US"}) {
+            QTest::newRow(name) << name;
+        }
+    }
+    void everyFieldKeepsItsOwnTextInEveryLocale() {
+        QFETCH(QString, locale);
+        const auto back = qScopeGuard([] { QLocale::setDefault(QLocale::c()); });
+        QLocale::setDefault(QLocale(locale));
+        const Level level = populatedLevel();
+        std::vector<Object> objects;
+        std::vector<Selection> selections{Selection()};
+        for (const Object& object : level.objects) {
+            objects.push_back(object);
+            selections.push_back(Selection({object.key}));
+        }
+        InspectorFixture test(objects, {});
+        int fields = 0;
+        for (const Selection& selection : selections) {
+            test.document.select(selection);
+            for (NumberField* field : test.inspector.form().findChildren<NumberField*>()) {
+                field->setFocus();
+                const QString shown = field->text();
+                if (!field->isVisible() || shown.isEmpty()) {
+                    continue;
+                }
+                ++fields;
+                field->selectAll();
+                field->insert(shown);
+                field->setModified(true);
+                QTest::keyClick(field, Qt::Key_Return);
+                QVERIFY2(field->fault().isEmpty(), qPrintable(shown + ": " + field->fault()));
+                QVERIFY2(!test.document.canUndo(), qPrintable(field->objectName() + ": " + shown));
+            }
+        }
+        QVERIFY(fields > 50);
+    }
+
     void everyFieldOfTheLevelAndOfEveryKindHasARow() {
         std::set<std::string> rows;
         for (const FormRow& row : objectRows()) {

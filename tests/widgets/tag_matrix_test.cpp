@@ -114,10 +114,36 @@ class TagMatrixTest : public QObject {
         QVERIFY(test.document.selection() == Selection({1, 3}));
     }
 
+    void tagsAreWrittenOnTheCanvasInTheirColours() {
+        TestWindow test;
+        Level level = levelOfTagged({taggedBody(1, TagMask{1})});
+        level.tags.set(0, {"rock", 0x12cd34});
+        test.document().reset(level);
+        test.canvas().fitLevel();
+        const auto dots = [&test] {
+            const QImage image = test.canvas().grab().toImage();
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    count += (image.pixel(x, y) & 0xffffffU) == 0x12cd34U ? 1 : 0;
+                }
+            }
+            return count;
+        };
+        QCOMPARE(dots(), 0);
+        test.trigger(Act::OverlayTags);
+        QVERIFY(dots() > 20);
+        test.canvas().zoom(1e-4); // a label would hide what it is about
+        QCOMPARE(dots(), 0);
+        test.canvas().fitLevel();
+        test.trigger(Act::OverlaysOff);
+        QCOMPARE(dots(), 0);
+    }
+
     void whatTheSelectionCollidesWithIsMarkedOnTheCanvas() {
         TestWindow test;
-        test.document().reset(levelOfTagged({taggedBody(1, TagMask{1}, TagMask{2}), taggedBody(2, TagMask{2}),
-                                             taggedBody(3, TagMask{4}, TagMask{8})}));
+        test.document().reset(levelOfTagged(
+            {taggedBody(1, TagMask{1}, TagMask{2}), taggedBody(2, TagMask{2}), taggedBody(3, TagMask{4}, TagMask{8})}));
         test.document().select(Selection({1}));
         QVERIFY(test.canvas().highlighted().empty());
         test.trigger(Act::ShowCollisions);
