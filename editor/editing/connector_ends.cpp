@@ -3,6 +3,7 @@
 #include "core/geometry/intersect.h"
 #include "core/geometry/polygon.h"
 #include "core/level/edits.h"
+#include "core/level/groups.h"
 #include "core/level/level_index.h"
 #include "editor/editing/pick.h"
 
@@ -57,7 +58,31 @@ Vec2 nearestOn(const Level& level, Key key, const Vec2& p, double reach) {
     return nearest;
 }
 
-/// The nearest node, middle of a circle, position or middle of the body within reach.
+/// The nearest end of a connector that is there, within reach; of this body, or of any with 0.
+std::optional<ConnectorEnd> anchorNear(const Level& level, Key wanted, const Vec2& p, double reach) {
+    std::optional<ConnectorEnd> nearest;
+    double least = reach;
+    const auto offer = [&](Key key, const Vec2& anchor) {
+        if ((wanted != 0 && key != wanted) || !isBody(level, key)) {
+            return;
+        }
+        const BodyObject& body = bodyOf(level, key);
+        const Vec2 at = Transform{body.position, Rot::fromAngle(body.angle)}.toWorld(anchor);
+        if ((at - p).norm() <= least) {
+            least = (at - p).norm();
+            nearest = ConnectorEnd{key, tidied(at)};
+        }
+    };
+    levelIndex(level).visitObjects(Aabb{p, p}.grown(reach), [&](int object) {
+        if (const auto* connector = std::get_if<ConnectorObject>(&level.objects[object].data)) {
+            offer(connector->a, connector->anchorA);
+            offer(connector->b, connector->anchorB);
+        }
+    });
+    return nearest;
+}
+
+/// The nearest node, anchor, middle of a circle, position or middle of the body within reach.
 std::optional<Vec2> markedPoint(const Level& level, Key key, const Vec2& p, double reach) {
     const BodyObject& body = bodyOf(level, key);
     const Transform pose{body.position, Rot::fromAngle(body.angle)};
@@ -77,11 +102,26 @@ std::optional<Vec2> markedPoint(const Level& level, Key key, const Vec2& p, doub
             offer(pose.toWorld(circle->center));
         }
     }
+    if (const std::optional<ConnectorEnd> anchor = anchorNear(level, key, p, reach)) {
+        offer(anchor->at);
+    }
     if (body.kind != BodyKind::Static) {
         offer(body.position);
         offer(levelIndex(level).boundsOf(index).center());
     }
     return nearest;
+}
+
+/// The anchor of a connector that stands off its body, as long as both can be picked.
+std::optional<ConnectorEnd> looseAnchor(const ToolContext& context, const Pointer& pointer) {
+    const Level& level = *context.edit.level;
+    const auto end = anchorNear(level, 0, pointer.world, bodyPixels * pointer.pixel);
+    if (!end) {
+        return {};
+    }
+    const GroupTree tree(level);
+    const Object& body = *level.objects.find(end->body);
+    return tree.isVisible(body) && !tree.isLocked(body) ? end : std::nullopt;
 }
 
 } // namespace
@@ -91,7 +131,7 @@ std::optional<ConnectorEnd> connectorEndAt(const ToolContext& context, const Poi
     const std::vector<Key> under = picked(level, pointer.world, bodyPixels * pointer.pixel);
     const auto body = std::ranges::find_if(under, [&](Key key) { return isBody(level, key); });
     if (body == under.end()) {
-        return {};
+        return looseAnchor(context, pointer);
     }
     const double reach = anchorPixels * pointer.pixel;
     if (snaps(context.snap, pointer.modifiers)) {

@@ -109,6 +109,20 @@ class ConnectorToolTest : public QObject {
         QVERIFY((drive.connector().anchorA - Vec2(0.3, 0.2)).norm() < 1e-9);
     }
 
+    void theAnchorOfAnotherConnectorIsFoundOnItsBodyAndBesideIt() {
+        Level level = twoBodies();
+        Object rope;
+        rope.key = 9;
+        rope.data = ConnectorObject{.a = boxKey, .b = ballKey, .anchorA = {0.37, 0.37}, .anchorB = {2, 0.13}};
+        Drive drive(added(level, rope));
+        drive.toolbox.choose(ToolId::Connector);
+        drive.click({{0.4, 4.4}, {5.05, 0.13}}); // the second one is a metre and a half outside of the ball
+        const auto& connector = std::get<ConnectorObject>(drive.newest().data);
+        QCOMPARE(connector.b, ballKey);
+        QVERIFY((connector.anchorA - Vec2(0.37, 0.37)).norm() < 1e-9);
+        QVERIFY((connector.anchorB - Vec2(2, 0.13)).norm() < 1e-9);
+    }
+
     void theHintSaysWhatIsUnderThePointer() {
         Connecting drive;
         drive.move({8, 8});
