@@ -2,6 +2,7 @@
 
 #include "editor/canvas/icons.h"
 #include "editor/editing/outline_verbs.h"
+#include "editor/panels/history_keys.h"
 
 #include <QAction>
 #include <QColorDialog>
@@ -45,13 +46,14 @@ QItemSelection rowsOf(const OutlinerModel& model, std::span<const Key> keys) {
     return selection;
 }
 
-bool isFoldedUp(const QTreeView& view, const QModelIndex& index) {
+/// As scrollTo does by itself, but not while a drag ends.
+bool unfoldGroupsOf(QTreeView& view, const QModelIndex& index) {
+    bool wasFolded = false;
     for (QModelIndex group = index.parent(); group.isValid(); group = group.parent()) {
-        if (!view.isExpanded(group)) {
-            return true;
-        }
+        wasFolded = wasFolded || !view.isExpanded(group);
+        view.expand(group);
     }
-    return false;
+    return wasFolded;
 }
 
 } // namespace
@@ -111,9 +113,9 @@ void OutlinerPanel::makeFilter() {
                            "turns it round.\nThe list shows what is drawn on top first."));
     m_filter.setClearButtonEnabled(true);
     m_filter.installEventFilter(this);
-    QAction* const choose = m_filter.addAction(icon(QStringLiteral("filter"), palette()), QLineEdit::LeadingPosition);
-    choose->setToolTip(tr("Choose what to find"));
-    connect(choose, &QAction::triggered, this, [this] {
+    m_choose = m_filter.addAction(icon(QStringLiteral("filter"), palette()), QLineEdit::LeadingPosition);
+    m_choose->setToolTip(tr("Choose what to find"));
+    connect(m_choose, &QAction::triggered, this, [this] {
         QMenu menu(this);
         fillFilterMenu(menu);
         menu.exec(m_filter.mapToGlobal(QPoint(0, m_filter.height())));
@@ -140,11 +142,15 @@ void OutlinerPanel::showEvent(QShowEvent* event) {
 void OutlinerPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
         m_model.setPalette(palette());
+        m_choose->setIcon(icon(QStringLiteral("filter"), palette()));
     }
     QWidget::changeEvent(event);
 }
 
 bool OutlinerPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &m_filter && isHistoryOfLevel(*event, !m_filter.text().isEmpty())) {
+        return true;
+    }
     if (watched == &m_filter && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Escape && !m_filter.text().isEmpty()) {
@@ -192,8 +198,9 @@ void OutlinerPanel::showSelection() {
     if (!std::ranges::binary_search(m_shownKeys, OutlinerModel::keyOf(current))) {
         const QModelIndex first = rows.front().topLeft();
         shown.setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+        unfoldGroupsOf(m_view, first);
         m_view.scrollTo(first);
-    } else if (isFoldedUp(m_view, current)) {
+    } else if (unfoldGroupsOf(m_view, current)) {
         m_view.scrollTo(current); // it has come into another group
     }
 }

@@ -70,6 +70,7 @@ class OutlinerPanel : public QWidget {
     QVBoxLayout m_column;
     QHBoxLayout m_buttons;
     QLineEdit m_filter;
+    QAction* m_choose = nullptr; // a button in the filter, which owns it
     OutlinerView m_view;
     std::set<Key> m_unfolded;     // groups, while nothing is filtered
     std::vector<Key> m_shownKeys; // selected in the tree

@@ -205,7 +205,6 @@ class OutlinerPanelTest : public QObject {
 
     void rowsAreDroppedOnGroupsAndBetweenRows() {
         Outlined test;
-        test.panel.view().expand(test.at(3));
         test.panel.view().scrollToBottom();
         const auto drop = [&test](Key key, const QPoint& at) {
             const std::unique_ptr<QMimeData> data(test.panel.model().mimeData({test.at(key)}));
@@ -221,6 +220,8 @@ class OutlinerPanelTest : public QObject {
         drop(299, rect(3).center());
         QCOMPARE(test.at(299).parent(), test.at(3));
         QCOMPARE(test.at(299).row(), 0);
+        QVERIFY(test.panel.view().isExpanded(test.at(3))); // what was dropped is to be seen
+        test.panel.view().scrollToBottom();
         drop(298, {rect(3).center().x(), rect(3).bottom()}); // above the first member
         QCOMPARE(test.at(298).parent(), test.at(3));
         QCOMPARE(test.at(298).row(), 0);
@@ -323,6 +324,8 @@ class OutlinerPanelTest : public QObject {
         QCOMPARE(test.level().objects.find(4)->name, std::string("floor"));
         test.trigger(Act::Find);
         QVERIFY(test.window->outliner().filterField().hasFocus());
+        test.key(Qt::Key_Z, Qt::ControlModifier); // nothing is typed here yet
+        QVERIFY(test.level().objects.find(4)->name.empty());
         test.key(Qt::Key_Escape);
         QVERIFY(test.canvas().hasFocus());
     }
