@@ -111,12 +111,14 @@ void Panels::placeAtFirst() {
         if (row.tabOf != nullptr) {
             QDockWidget& other = dock(QLatin1String(row.tabOf));
             m_window.tabifyDockWidget(&other, &one);
-            other.raise();
         } else {
             stacked << &one;
             heights << row.height;
         }
         one.setVisible(row.shownAtFirst);
+    }
+    for (QDockWidget* first : stacked) {
+        first->raise(); // before those that came behind it, of which showing puts the last in front
     }
     m_window.resizeDocks(stacked, heights, Qt::Vertical);
 }

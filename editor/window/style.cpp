@@ -179,7 +179,7 @@ QSize Style::sizeFromContents(ContentsType type, const QStyleOption* option, con
     case CT_ToolButton: {
         const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
         const bool arrow = button != nullptr && opensMenu(*button);
-        return {wanted.width() + 2 + (arrow ? menuArrowWidth : 0), wanted.height() + 2};
+        return {wanted.width() + 2 + (arrow ? menuArrowWidth : 0), wanted.height()};
     }
     case CT_ItemViewItem:
         return {wanted.width(), std::max(wanted.height(), row - 3)};

@@ -65,6 +65,15 @@ class PanelsTest : public QObject {
         }
     }
 
+    void ofPanelsInOnePlaceTheFirstIsInFront() {
+        TestWindow test;
+        QApplication::processEvents();
+        for (const PanelRow& row : panelRows()) {
+            QVERIFY2(row.tabOf != nullptr || !row.shownAtFirst || !dockOf(test, row.name).visibleRegion().isEmpty(),
+                     row.name);
+        }
+    }
+
     void tabOnTheCanvasPutsThePanelsAwayAndBack() {
         TestWindow test;
         const auto before = placesOf(test);
