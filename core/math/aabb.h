@@ -36,6 +36,8 @@ struct Aabb {
     bool contains(const Aabb& o) const {
         return min.x() <= o.min.x() && o.max.x() <= max.x() && min.y() <= o.min.y() && o.max.y() <= max.y();
     }
+
+    bool operator==(const Aabb&) const = default;
 };
 
 } // namespace spacetow

@@ -6,6 +6,7 @@
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/scene_painter.h"
+#include "editor/canvas/snap_painter.h"
 #include "editor/canvas/tag_painter.h"
 
 #include <QGuiApplication>
@@ -148,7 +149,7 @@ Pointer Canvas::pointerAt(const QPointF& position, Qt::KeyboardModifiers modifie
     return {m_view.toWorld(toVec(position)), toVec(position),
             Modifiers{modifiers.testFlag(Qt::ShiftModifier), modifiers.testFlag(Qt::ControlModifier),
                       modifiers.testFlag(Qt::AltModifier) || m_belowHeld},
-            m_view.pixel()};
+            m_view.pixel(), m_view.visible()};
 }
 
 void Canvas::documentChanged(const Change& change) {
@@ -173,7 +174,7 @@ void Canvas::paintEvent(QPaintEvent*) {
     request.level = shown.level;
     request.selection = live ? Selection() : shown.selection;
     request.overlays = live ? OverlayFlags() : m_overlays;
-    request.gridStep = m_grid ? m_toolbox.snap.step : 0;
+    request.gridStep = m_grid ? m_toolbox.snap.fineStep() : 0;
     request.pixelRatio = devicePixelRatioF();
     request.shade = shadeOf(palette());
 
@@ -204,6 +205,9 @@ void Canvas::paintEvent(QPaintEvent*) {
         paintNodes(stage, *shown.level, shown.selection, *overlay.nodes);
     }
     paintToolOverlay(stage, overlay);
+    if (overlay.snap) {
+        paintSnap(stage, *overlay.snap, m_snapName ? m_snapName(*overlay.snap) : QString());
+    }
     if (hasFocus()) {
         painter.setPen(stroke(palette().color(QPalette::Highlight), 1));
         painter.setBrush(Qt::NoBrush);

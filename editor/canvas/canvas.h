@@ -12,8 +12,10 @@
 #include <QPointF>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
 #include <vector>
+#include <utility>
 
 class QNativeGestureEvent;
 
@@ -42,6 +44,8 @@ class Canvas : public QWidget {
     void beginGuide(double angle, const QPointF& global, Qt::KeyboardModifiers modifiers);
     void dragGuide(const QPointF& global, Qt::KeyboardModifiers modifiers);
     void endGuide(const QPointF& global, Qt::KeyboardModifiers modifiers);
+    /// What to call a thing that a point has snapped to; it stands beside the marker.
+    void setSnapNames(std::function<QString(const SnapAnswer&)> name) { m_snapName = std::move(name); }
 
     /// About the middle of the view.
     void zoom(double factor);
@@ -105,6 +109,7 @@ class Canvas : public QWidget {
     LayerCache m_layer;
     OverlayFlags m_overlays;
     std::vector<Key> m_highlighted;
+    std::function<QString(const SnapAnswer&)> m_snapName;
     bool m_grid = true;
     bool m_fitted = false; // since the last fitLevel() nobody has moved the view
 

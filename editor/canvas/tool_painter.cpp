@@ -1,11 +1,9 @@
 // What a tool shows while it is at work.
+#include "editor/canvas/label_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/wall_painter.h"
 
-#include <QFontMetricsF>
 #include <QPainterPath>
-
-#include <algorithm>
 
 namespace spacetow {
 
@@ -80,22 +78,6 @@ void paintPoint(const Stage& stage, const OverlayPoint& point) {
     stage.painter.setBrush(Qt::NoBrush);
 }
 
-/// Text on a plate beside the point, kept inside the view.
-void paintText(const Stage& stage, const OverlayText& text) {
-    const QString words = QString::fromStdString(text.text);
-    const QFontMetricsF metrics(stage.painter.font());
-    QRectF plate = metrics.boundingRect(words).adjusted(-6, -3, 6, 3);
-    plate.moveBottomLeft(stage.at(text.at) + QPointF(12, -12));
-    plate.moveLeft(std::clamp(plate.left(), 2.0, std::max(2.0, stage.view.size.x() - plate.width() - 2)));
-    plate.moveTop(std::clamp(plate.top(), 2.0, std::max(2.0, stage.view.size.y() - plate.height() - 2)));
-    stage.painter.setPen(Qt::NoPen);
-    stage.painter.setBrush(stage.theme.halo);
-    stage.painter.drawRoundedRect(plate, 4, 4);
-    stage.painter.setBrush(Qt::NoBrush);
-    stage.painter.setPen(stage.theme.text);
-    stage.painter.drawText(plate, Qt::AlignCenter, words);
-}
-
 /// Dims all that lies outside the box.
 void paintSpotlight(const Stage& stage, const Aabb& box) {
     QPainterPath veil;
@@ -126,10 +108,12 @@ void paintToolOverlay(const Stage& stage, const Overlay& overlay) {
         stage.painter.drawEllipse(stage.at(circle.center), radius, radius);
     }
     for (const OverlayPoint& point : overlay.points) {
-        paintPoint(stage, point);
+        if (point.style != OverlayStyle::Snap || !overlay.snap) {
+            paintPoint(stage, point);
+        }
     }
     for (const OverlayText& text : overlay.texts) {
-        paintText(stage, text);
+        paintLabel(stage, text.at, QString::fromStdString(text.text));
     }
     stage.painter.restore();
 }

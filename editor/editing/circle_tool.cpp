@@ -2,16 +2,29 @@
 
 #include "editor/editing/drawn_body.h"
 #include "editor/editing/measure.h"
+#include "editor/editing/snap_point.h"
 
 namespace spacetow {
 
 namespace {
 
-/// Whole grid steps while the grid is on, unless it has been typed. Zero when the pointer is too near the centre.
+/// What the rim is to go through, if anything but the grid.
+std::optional<SnapAnswer> rimSnap(const ToolContext& context, const Pointer& pointer, const Vec2& center) {
+    const SnapAnswer answer = snapFrom(context, pointer, center);
+    const bool onThing = answer.kind != SnapKind::None && answer.kind != SnapKind::Grid;
+    return onThing && answer.point != center ? std::optional(answer) : std::nullopt;
+}
+
+/// Else whole grid steps while the grid is on, unless it has been typed. Zero when the pointer is too near the centre.
 double radiusAt(const ToolContext& context, const Pointer& pointer, const Vec2& center) {
+    if (context.typed.first) {
+        return *context.typed.first;
+    }
+    if (const std::optional<SnapAnswer> rim = rimSnap(context, pointer, center)) {
+        return (rim->point - center).norm();
+    }
     const double distance = (pointer.world - center).norm();
-    const double pointed = snaps(context.snap, pointer.modifiers) ? onGrid(context.snap, distance) : distance;
-    return context.typed.first.value_or(pointed);
+    return snaps(context.snap, pointer.modifiers) ? onGrid(context.snap, distance) : distance;
 }
 
 Overlay circleOverlay(const Vec2& center, double radius) {
@@ -41,6 +54,9 @@ class CircleGesture : public Gesture {
         return circleOverlay(m_center, radiusAt(m_context, pointer, m_center));
     }
     Hint hint(const Pointer& pointer) const override { return radiusHint(radiusAt(m_context, pointer, m_center)); }
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override {
+        return rimSnap(m_context, pointer, m_center);
+    }
 
   private:
     ToolContext m_context;
@@ -53,12 +69,12 @@ std::unique_ptr<Gesture> CircleTool::press(const ToolContext& context, const Poi
     if (m_center) {
         return nullptr;
     }
-    return std::make_unique<CircleGesture>(context, snapped(context.snap, pointer));
+    return std::make_unique<CircleGesture>(context, snapped(context, pointer));
 }
 
 std::optional<FinishedEdit> CircleTool::click(const ToolContext& context, const Pointer& pointer) {
     if (!m_center) {
-        m_center = snapped(context.snap, pointer);
+        m_center = snapped(context, pointer);
         return {};
     }
     const double radius = radiusAt(context, pointer, *m_center);
@@ -89,6 +105,10 @@ void CircleTool::hover(const ToolContext& context, const Pointer& pointer) {
     m_tooSmall = m_tooSmall && !(radiusAt(context, pointer, *m_center) > 0);
 }
 
+std::optional<SnapAnswer> CircleTool::snapAt(const ToolContext& context, const Pointer& pointer) const {
+    return m_center ? rimSnap(context, pointer, *m_center) : snapOf(context, pointer);
+}
+
 void CircleTool::cancel() {
     m_center.reset();
     m_tooSmall = false;
@@ -99,7 +119,7 @@ Overlay CircleTool::overlay(const ToolContext& context, const Pointer& pointer) 
         return circleOverlay(*m_center, radiusAt(context, pointer, *m_center));
     }
     Overlay overlay;
-    overlay.points.push_back({OverlayStyle::Snap, snapped(context.snap, pointer)});
+    overlay.points.push_back({OverlayStyle::Snap, snapped(context, pointer)});
     return overlay;
 }
 

@@ -7,6 +7,7 @@
 #include "editor/editing/drawn_body.h"
 #include "editor/editing/measure.h"
 #include "editor/editing/outline_faults.h"
+#include "editor/editing/snap_point.h"
 #include "editor/editing/typed_point.h"
 
 #include <utility>
@@ -53,7 +54,7 @@ std::string DrawTool::hintCode(const std::string& state) const {
 }
 
 DrawTool::Start DrawTool::startAt(const ToolContext& context, const Pointer& pointer) const {
-    const Vec2 landed = snapped(context.snap, pointer);
+    const Vec2 landed = snapped(context, pointer);
     if (isPolygon() || pointer.modifiers.alt) {
         return {landed, {}};
     }
@@ -273,6 +274,15 @@ Overlay DrawTool::overlay(const ToolContext& context, const Pointer& pointer) co
         draft.crossing.push_back({draft.points.back(), draft.next});
     }
     return draftOverlay(draft);
+}
+
+std::optional<SnapAnswer> DrawTool::snapAt(const ToolContext& context, const Pointer& pointer) const {
+    const std::vector<Vec2> points = pointsWith(context);
+    if (points.empty()) {
+        return startAt(context, pointer).chain ? std::nullopt : std::optional(snapOf(context, pointer));
+    }
+    const bool ends = closesAt(context, pointer) || ringAt(context, pointer);
+    return ends ? std::nullopt : std::optional(snapFrom(context, pointer, points.back()));
 }
 
 Hint DrawTool::hint(const ToolContext& context, const Pointer& pointer) const {

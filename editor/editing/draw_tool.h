@@ -35,6 +35,7 @@ class DrawTool : public Tool {
     Overlay overlay(const ToolContext& context, const Pointer& pointer) const override;
     Hint hint(const ToolContext& context, const Pointer& pointer) const override;
     CursorShape cursor(const ToolContext& context, const Pointer& pointer) const override;
+    std::optional<SnapAnswer> snapAt(const ToolContext& context, const Pointer& pointer) const override;
 
   private:
     /// Where drawing begins: at a point, which may be the end of a chain that is there.

@@ -67,11 +67,15 @@ std::optional<std::size_t> guideInReach(const ToolContext& context, const Pointe
 }
 
 NewGuideGesture::NewGuideGesture(const ToolContext& context, double angle)
-    : m_start(context.edit), m_snap(context.snap), m_angle(angle) {}
+    : m_context(context), m_start(context.edit), m_angle(angle) {}
+
+std::optional<SnapAnswer> NewGuideGesture::snapAt(const Pointer& pointer) const {
+    return isOnRuler(pointer) ? std::nullopt : std::optional(snapOf(m_context, pointer));
+}
 
 Guide NewGuideGesture::made(const Pointer& pointer) const {
     Guide guide;
-    guide.point = snapped(m_snap, pointer);
+    guide.point = snapped(m_context, pointer);
     guide.angle = m_angle;
     return guide;
 }
@@ -89,18 +93,24 @@ Hint NewGuideGesture::hint(const Pointer& pointer) const {
 }
 
 MoveGuideGesture::MoveGuideGesture(const ToolContext& context, std::size_t index)
-    : m_start(context.edit), m_snap(context.snap), m_index(index) {}
+    : m_start(context.edit), m_settings(context.snap), m_index(index),
+      m_snap(context, {.guide = static_cast<int>(index)}, m_start.level->guides[index].point) {}
+
+std::optional<SnapAnswer> MoveGuideGesture::snapAt(const Pointer& pointer) const {
+    return isOnRuler(pointer) || pointer.modifiers.shift ? std::nullopt
+                                                         : std::optional(m_snap.to(pointer.world, pointer));
+}
 
 Guide MoveGuideGesture::changed(const Pointer& pointer) const {
     Guide guide = m_start.level->guides[m_index];
     if (!pointer.modifiers.shift) {
-        guide.point = snapped(m_snap, pointer);
+        guide.point = m_snap.to(pointer.world, pointer).point;
         return guide;
     }
     const Vec2 toward = pointer.world - guide.point;
     if (toward.norm() > pointer.pixel) {
         const double angle = std::atan2(toward.y(), toward.x());
-        guide.angle = snaps(m_snap, pointer.modifiers) ? std::round(angle / turnStep) * turnStep
+        guide.angle = snaps(m_settings, pointer.modifiers) ? std::round(angle / turnStep) * turnStep
                                                        : std::round(angle / degree) * degree;
     }
     return guide;

@@ -2,7 +2,7 @@
 // Guides under the mouse: a new one comes out of a ruler, one that is there is moved or turned, and goes when it is
 // dragged back onto a ruler, which is beyond the upper or left border of the view.
 
-#include "editor/editing/tool.h"
+#include "editor/editing/snap_point.h"
 
 #include <cstddef>
 #include <optional>
@@ -21,12 +21,13 @@ class NewGuideGesture : public Gesture {
     Label label() const override { return {"add-guide"}; }
     Overlay overlay(const Pointer& pointer) const override;
     Hint hint(const Pointer& pointer) const override;
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override;
 
   private:
     Guide made(const Pointer& pointer) const;
 
+    ToolContext m_context;
     Edit m_start;
-    SnapSettings m_snap;
     double m_angle;
 };
 
@@ -40,13 +41,15 @@ class MoveGuideGesture : public Gesture {
     Label label() const override { return {"change-guide"}; }
     Overlay overlay(const Pointer& pointer) const override;
     Hint hint(const Pointer& pointer) const override;
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override;
 
   private:
     Guide changed(const Pointer& pointer) const;
 
     Edit m_start;
-    SnapSettings m_snap;
+    SnapSettings m_settings;
     std::size_t m_index;
+    DraggedSnap m_snap;
 };
 
 } // namespace spacetow

@@ -1,7 +1,7 @@
 #pragma once
 // The mouse and the keys as the tools see them: world coordinates, no toolkit.
 
-#include "core/math/vec.h"
+#include "core/math/aabb.h"
 
 #include <cstdint>
 
@@ -20,6 +20,7 @@ struct Pointer {
     Vec2 screen{0, 0}; // logical pixels, y down
     Modifiers modifiers;
     double pixel = 0.01; // size of one logical pixel, m
+    Aabb view = {};      // the part of the world that can be seen; empty when nobody knows
 };
 
 /// Keys a tool may react to while it is at work.

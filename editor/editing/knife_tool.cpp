@@ -2,6 +2,7 @@
 
 #include "core/level/groups.h"
 #include "core/level/knife.h"
+#include "editor/editing/snap_point.h"
 
 namespace spacetow {
 
@@ -26,8 +27,7 @@ std::vector<Key> keysToCut(const Edit& edit) {
 class KnifeGesture : public Gesture {
   public:
     KnifeGesture(const ToolContext& context, const Pointer& start)
-        : m_edit(context.edit), m_snap(context.snap), m_start(snapped(context.snap, start)), m_keys(keysToCut(m_edit)) {
-    }
+        : m_context(context), m_edit(context.edit), m_start(snapped(context, start)), m_keys(keysToCut(m_edit)) {}
 
     Edit at(const Pointer& pointer) const override {
         CutLevel cut = cutAt(pointer);
@@ -49,13 +49,16 @@ class KnifeGesture : public Gesture {
         const std::size_t places = cutAt(pointer).places.size();
         return places == 0 ? Hint{"knife.nothing", {}} : Hint{"knife.cutting", {std::to_string(places)}};
     }
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override {
+        return snapFrom(m_context, pointer, m_start);
+    }
 
   private:
-    Vec2 endAt(const Pointer& pointer) const { return snappedFrom(m_snap, pointer, m_start); }
+    Vec2 endAt(const Pointer& pointer) const { return snappedFrom(m_context, pointer, m_start); }
     CutLevel cutAt(const Pointer& pointer) const { return cutAlong(*m_edit.level, m_keys, m_start, endAt(pointer)); }
 
+    ToolContext m_context;
     Edit m_edit;
-    SnapSettings m_snap;
     Vec2 m_start;
     std::vector<Key> m_keys;
 };
@@ -68,8 +71,12 @@ std::unique_ptr<Gesture> KnifeTool::press(const ToolContext& context, const Poin
 
 Overlay KnifeTool::overlay(const ToolContext& context, const Pointer& pointer) const {
     Overlay overlay;
-    overlay.points.push_back({OverlayStyle::Snap, snapped(context.snap, pointer)});
+    overlay.points.push_back({OverlayStyle::Snap, snapped(context, pointer)});
     return overlay;
+}
+
+std::optional<SnapAnswer> KnifeTool::snapAt(const ToolContext& context, const Pointer& pointer) const {
+    return snapOf(context, pointer);
 }
 
 Hint KnifeTool::hint(const ToolContext& context, const Pointer&) const {

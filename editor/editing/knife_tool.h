@@ -13,6 +13,7 @@ class KnifeTool : public Tool {
     Overlay overlay(const ToolContext& context, const Pointer& pointer) const override;
     Hint hint(const ToolContext& context, const Pointer& pointer) const override;
     CursorShape cursor(const ToolContext&, const Pointer&) const override { return CursorShape::Cross; }
+    std::optional<SnapAnswer> snapAt(const ToolContext& context, const Pointer& pointer) const override;
 };
 
 } // namespace spacetow

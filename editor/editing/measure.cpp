@@ -31,6 +31,11 @@ std::string degreesText(double radians) {
     return fixed(degrees, degrees == std::round(degrees) ? 0 : 1);
 }
 
+std::string wayText(const Vec2& way) {
+    return "Δx " + lengthText(way.x()) + "  Δy " + lengthText(way.y()) + " m\n" + lengthText(way.norm()) + " m  " +
+           degreesText(directionOf(way)) + "°";
+}
+
 double directionOf(const Vec2& vector) {
     return std::atan2(vector.y(), vector.x());
 }

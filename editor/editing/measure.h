@@ -14,4 +14,7 @@ std::string degreesText(double radians);
 /// Direction of a vector, anticlockwise from the x axis, in radians.
 double directionOf(const Vec2& vector);
 
+/// What lies between two places, in two lines: how far across and upwards, and how far and in which direction.
+std::string wayText(const Vec2& way);
+
 } // namespace spacetow

@@ -6,23 +6,15 @@
 #include "editor/editing/node_pick.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace spacetow {
 
 MoveNodesGesture::MoveNodesGesture(const ToolContext& context, NodeDrag drag)
-    : m_edit(context.edit), m_snap(context.snap), m_drag(std::move(drag)),
-      m_together(withCompany(*m_edit.level, m_drag.nodes)) {}
+    : m_edit(context.edit), m_drag(std::move(drag)), m_together(withCompany(*m_edit.level, m_drag.nodes)),
+      m_snap(context, {.nodes = m_together}, m_drag.reference) {}
 
-Vec2 MoveNodesGesture::deltaAt(const Pointer& pointer) const {
-    const Vec2 way = pointer.world - m_drag.start;
-    Pointer target = pointer;
-    target.world = m_drag.reference + way;
-    Vec2 delta = snapped(m_snap, target) - m_drag.reference;
-    if (pointer.modifiers.shift) {
-        delta[std::abs(way.x()) < std::abs(way.y()) ? 0 : 1] = 0;
-    }
-    return delta;
+std::optional<SnapAnswer> MoveNodesGesture::snapAt(const Pointer& pointer) const {
+    return m_snap.moved(pointer.world - m_drag.start, pointer);
 }
 
 Edit MoveNodesGesture::at(const Pointer& pointer) const {
@@ -45,7 +37,7 @@ Overlay MoveNodesGesture::overlay(const Pointer& pointer) const {
     overlay.nodes = OverlayNodes{keysInEdit(m_edit), {}, {}};
     overlay.lines.push_back({OverlayStyle::Measure, {m_drag.reference, target}});
     overlay.points.push_back({OverlayStyle::Snap, target});
-    overlay.texts.push_back({target, lengthText(target.x()) + ", " + lengthText(target.y()) + " m"});
+    overlay.texts.push_back({pointer.world, wayText(target - m_drag.reference)});
     return overlay;
 }
 

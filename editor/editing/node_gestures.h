@@ -1,7 +1,7 @@
 #pragma once
 // The drags of the node tool: moving nodes, and choosing them with a band or a lasso.
 
-#include "editor/editing/tool.h"
+#include "editor/editing/snap_point.h"
 
 #include <vector>
 
@@ -25,14 +25,15 @@ class MoveNodesGesture : public Gesture {
     Overlay overlay(const Pointer& pointer) const override;
     Hint hint(const Pointer& pointer) const override;
     CursorShape cursor(const Pointer&) const override { return CursorShape::Move; }
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override;
 
   private:
-    Vec2 deltaAt(const Pointer& pointer) const;
+    Vec2 deltaAt(const Pointer& pointer) const { return snapAt(pointer)->point - m_drag.reference; }
 
     Edit m_edit;
-    SnapSettings m_snap;
     NodeDrag m_drag;
     std::vector<NodeRef> m_together; // with those at the same places
+    DraggedSnap m_snap;
 };
 
 enum class NodeBand : std::uint8_t { Box, Lasso };

@@ -2,6 +2,7 @@
 
 #include "editor/editing/measure.h"
 #include "editor/editing/node_pick.h"
+#include "editor/editing/snap_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +23,10 @@ Vec2 sideOf(const Aabb& box, int x, int y) {
 class NodeTransformGesture : public Gesture {
   public:
     NodeTransformGesture(const ToolContext& context, const NodeHandle& handle, bool turns, const Pointer& start)
-        : m_edit(context.edit), m_snap(context.snap), m_handle(handle), m_turns(turns), m_start(start.world),
+        : m_edit(context.edit), m_settings(context.snap), m_handle(handle), m_turns(turns), m_start(start.world),
           m_box(boundsOfNodes(*m_edit.level, m_edit.selection.nodes())),
-          m_nodes(withCompany(*m_edit.level, m_edit.selection.nodes())) {}
+          m_nodes(withCompany(*m_edit.level, m_edit.selection.nodes())),
+          m_snap(context, {.nodes = m_nodes}, sideOf(m_box, handle.x, handle.y)) {}
 
     Edit at(const Pointer& pointer) const override {
         const Affine map = mapAt(pointer);
@@ -55,8 +57,35 @@ class NodeTransformGesture : public Gesture {
         return {"nodes.scaling", {lengthText(size.x()), lengthText(size.y())}};
     }
     CursorShape cursor(const Pointer&) const override { return CursorShape::Pointing; }
+    /// Where the dragged side lands. Nodes that keep their proportions cannot be made to reach a point.
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override {
+        if (m_turns || pointer.modifiers.ctrl) {
+            return {};
+        }
+        const Vec2 way = pointer.world - m_start;
+        Vec2 target = sideOf(m_box, m_handle.x, m_handle.y);
+        target.x() += m_handle.x != 0 ? way.x() : 0;
+        target.y() += m_handle.y != 0 ? way.y() : 0;
+        std::optional<Vec2> along;
+        if (m_handle.x == 0 || m_handle.y == 0) {
+            along = m_handle.x != 0 ? Vec2(1, 0) : Vec2(0, 1);
+        }
+        return m_snap.to(target, plain(pointer), along);
+    }
 
   private:
+    /// Ctrl has another meaning here, Alt takes its part.
+    static Pointer plain(Pointer pointer) {
+        pointer.modifiers = {false, pointer.modifiers.alt, false};
+        return pointer;
+    }
+    Vec2 targetAt(const Pointer& pointer) const {
+        if (const std::optional<SnapAnswer> answer = snapAt(pointer)) {
+            return answer->point;
+        }
+        const Vec2 target = sideOf(m_box, m_handle.x, m_handle.y) + pointer.world - m_start;
+        return snaps(m_settings, plain(pointer).modifiers) ? onGrid(m_settings, target) : target;
+    }
     Vec2 pivot() const { return m_edit.selection.pivot().value_or(m_box.center()); }
     Vec2 fixedPoint(const Pointer& pointer) const {
         return pointer.modifiers.shift ? m_box.center() : sideOf(m_box, -m_handle.x, -m_handle.y);
@@ -70,18 +99,17 @@ class NodeTransformGesture : public Gesture {
     }
     /// Never down to nothing, and not through it: walls stay solid on the same side.
     Vec2 factorsAt(const Pointer& pointer) const {
-        const bool onSteps = snaps(m_snap, {false, pointer.modifiers.alt, false}); // Ctrl has another meaning here
+        const bool onSteps = snaps(m_settings, plain(pointer).modifiers);
         const Vec2 fixed = fixedPoint(pointer);
         const Vec2 grabbed = sideOf(m_box, m_handle.x, m_handle.y);
-        const Vec2 target = grabbed + pointer.world - m_start;
+        const Vec2 target = targetAt(pointer);
         const int sides[] = {m_handle.x, m_handle.y};
         Vec2 factors(1, 1);
         for (int axis = 0; axis < 2; ++axis) {
             const double span = grabbed[axis] - fixed[axis];
             if (sides[axis] != 0 && std::abs(span) > flatBounds) {
-                const double reached = onSteps ? onGrid(m_snap, target[axis]) : target[axis];
-                const double least = std::fmin(1, (onSteps ? m_snap.step : pointer.pixel) / std::abs(span));
-                factors[axis] = std::fmax((reached - fixed[axis]) / span, least);
+                const double least = std::fmin(1, (onSteps ? m_settings.fineStep() : pointer.pixel) / std::abs(span));
+                factors[axis] = std::fmax((target[axis] - fixed[axis]) / span, least);
             }
         }
         if (pointer.modifiers.ctrl) {
@@ -97,12 +125,13 @@ class NodeTransformGesture : public Gesture {
     }
 
     Edit m_edit;
-    SnapSettings m_snap;
+    SnapSettings m_settings;
     NodeHandle m_handle;
     bool m_turns;
     Vec2 m_start;
     Aabb m_box;
     std::vector<NodeRef> m_nodes;
+    DraggedSnap m_snap;
 };
 
 } // namespace

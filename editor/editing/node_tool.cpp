@@ -6,6 +6,7 @@
 #include "editor/editing/node_handles.h"
 #include "editor/editing/node_pick.h"
 #include "editor/editing/select_tool.h"
+#include "editor/editing/snap_point.h"
 
 #include <algorithm>
 
@@ -60,7 +61,7 @@ std::optional<FinishedEdit> inserting(const ToolContext& context, const Pointer&
     }
     Pointer plain = pointer;
     plain.modifiers = {}; // held for the click, not for the grid
-    const std::optional<Vec2> place = placeOn(*context.edit.level, *hit, snapped(context.snap, plain));
+    const std::optional<Vec2> place = placeOn(*context.edit.level, *hit, snapped(context, plain));
     if (!place) {
         return {};
     }
@@ -163,7 +164,7 @@ Overlay NodeTool::overlay(const ToolContext& context, const Pointer& pointer) co
     if (hit->kind == HitKind::Segment && inserts(pointer)) {
         Pointer plain = pointer;
         plain.modifiers = {};
-        if (const auto place = placeOn(*context.edit.level, *hit, snapped(context.snap, plain))) {
+        if (const auto place = placeOn(*context.edit.level, *hit, snapped(context, plain))) {
             overlay.points.push_back({OverlayStyle::Snap, *place});
         }
     }

@@ -4,6 +4,7 @@
 #include "core/level/nodes.h"
 #include "core/math/aabb.h"
 #include "core/math/vec.h"
+#include "editor/editing/snap_answer.h"
 
 #include <cstdint>
 #include <optional>
@@ -41,7 +42,7 @@ struct OverlayCircle {
     Vec2 center;
     double radius; // m
 };
-/// "1.25 m  45°" beside a point; numbers need no translation.
+/// "1.25 m  45°" beside a point, in one line or several; numbers need no translation.
 struct OverlayText {
     Vec2 at;
     std::string text;
@@ -60,8 +61,9 @@ struct Overlay {
     std::vector<OverlayCircle> circles;
     std::vector<OverlayText> texts;
     std::optional<OverlayNodes> nodes;
-    Key hovered = 0; // object or group that a click would select; 0 for none
-    Aabb spotlight;  // what is outside is dimmed; nothing is while it is empty
+    std::optional<SnapAnswer> snap; // in place of the points of style Snap
+    Key hovered = 0;                // object or group that a click would select; 0 for none
+    Aabb spotlight;                 // what is outside is dimmed; nothing is while it is empty
 };
 
 } // namespace spacetow

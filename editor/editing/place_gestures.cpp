@@ -3,6 +3,7 @@
 #include "core/level/edits.h"
 #include "editor/editing/draw_overlay.h"
 #include "editor/editing/measure.h"
+#include "editor/editing/snap_point.h"
 
 #include <cmath>
 #include <numbers>
@@ -57,17 +58,20 @@ class CarryPayload : public Gesture {
     explicit CarryPayload(const ToolContext& context) : m_context(context) {}
 
     Edit at(const Pointer& pointer) const override {
-        return withPlaced(m_context, payloadAt(*m_context.edit.level, snapped(m_context.snap, pointer)));
+        return withPlaced(m_context, payloadAt(*m_context.edit.level, snapAt(pointer)->point));
     }
     Label label() const override { return {"place-payload", 1}; }
     Overlay overlay(const Pointer& pointer) const override {
         Overlay overlay;
-        overlay.points.push_back({OverlayStyle::Snap, snapped(m_context.snap, pointer)});
+        overlay.points.push_back({OverlayStyle::Snap, snapAt(pointer)->point});
         return overlay;
     }
     Hint hint(const Pointer& pointer) const override {
-        const Vec2 place = snapped(m_context.snap, pointer);
+        const Vec2 place = snapAt(pointer)->point;
         return {"place-payload.moving", {lengthText(place.x()), lengthText(place.y())}};
+    }
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override {
+        return placeSnap<PayloadObject>(m_context, pointer);
     }
 
   private:
@@ -85,9 +89,12 @@ class DrawFinish : public Gesture {
     Label label() const override { return {"place-finish", 1}; }
     Overlay overlay(const Pointer& pointer) const override { return finishOverlay(m_start, endAt(pointer)); }
     Hint hint(const Pointer& pointer) const override { return finishHint(m_start, endAt(pointer)); }
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override {
+        return snapFrom(m_context, pointer, m_start);
+    }
 
   private:
-    Vec2 endAt(const Pointer& pointer) const { return snappedFrom(m_context.snap, pointer, m_start); }
+    Vec2 endAt(const Pointer& pointer) const { return snappedFrom(m_context, pointer, m_start); }
 
     ToolContext m_context;
     Vec2 m_start;
@@ -122,7 +129,7 @@ Edit withPlaced(const ToolContext& context, ObjectData data) {
 }
 
 std::unique_ptr<Gesture> turnShip(const ToolContext& context, const Pointer& start) {
-    return std::make_unique<TurnShip>(context, snapped(context.snap, start));
+    return std::make_unique<TurnShip>(context, placeSnap<ShipObject>(context, start).point);
 }
 
 std::unique_ptr<Gesture> carryPayload(const ToolContext& context) {
@@ -130,7 +137,7 @@ std::unique_ptr<Gesture> carryPayload(const ToolContext& context) {
 }
 
 std::unique_ptr<Gesture> drawFinish(const ToolContext& context, const Pointer& start) {
-    return std::make_unique<DrawFinish>(context, snapped(context.snap, start));
+    return std::make_unique<DrawFinish>(context, placeSnap<FinishObject>(context, start).point);
 }
 
 Overlay finishOverlay(const Vec2& start, const Vec2& end) {

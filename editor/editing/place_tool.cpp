@@ -2,6 +2,7 @@
 
 #include "core/game/ship.h"
 #include "editor/editing/place_gestures.h"
+#include "editor/editing/snap_point.h"
 #include "editor/editing/typed_point.h"
 
 #include <utility>
@@ -58,7 +59,7 @@ std::unique_ptr<Gesture> PlaceTool::press(const ToolContext& context, const Poin
 }
 
 std::optional<FinishedEdit> PlaceTool::click(const ToolContext& context, const Pointer& pointer) {
-    const Vec2 position = snapped(context.snap, pointer);
+    const Vec2 position = snapAt(context, pointer)->point;
     const Level& level = *context.edit.level;
     switch (m_kind) {
     case PlaceKind::Ship:
@@ -73,7 +74,7 @@ std::optional<FinishedEdit> PlaceTool::click(const ToolContext& context, const P
 
 std::optional<FinishedEdit> PlaceTool::clickFinish(const ToolContext& context, const Pointer& pointer) {
     if (!m_finishStart) {
-        m_finishStart = snapped(context.snap, pointer);
+        m_finishStart = snapAt(context, pointer)->point;
         return {};
     }
     const Vec2 end = pointFrom(context, *m_finishStart, pointer);
@@ -113,7 +114,19 @@ Overlay PlaceTool::overlay(const ToolContext& context, const Pointer& pointer) c
     if (m_finishStart) {
         return finishOverlay(*m_finishStart, pointFrom(context, *m_finishStart, pointer));
     }
-    return ghost(m_kind, *context.edit.level, snapped(context.snap, pointer));
+    return ghost(m_kind, *context.edit.level, snapAt(context, pointer)->point);
+}
+
+std::optional<SnapAnswer> PlaceTool::snapAt(const ToolContext& context, const Pointer& pointer) const {
+    switch (m_kind) {
+    case PlaceKind::Ship:
+        return placeSnap<ShipObject>(context, pointer);
+    case PlaceKind::Payload:
+        return placeSnap<PayloadObject>(context, pointer);
+    case PlaceKind::Finish:
+        break;
+    }
+    return m_finishStart ? snapFrom(context, pointer, *m_finishStart) : placeSnap<FinishObject>(context, pointer);
 }
 
 Hint PlaceTool::hint(const ToolContext& context, const Pointer& pointer) const {

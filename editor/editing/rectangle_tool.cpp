@@ -3,6 +3,7 @@
 #include "core/math/affine.h"
 #include "editor/editing/drawn_body.h"
 #include "editor/editing/measure.h"
+#include "editor/editing/snap_point.h"
 
 #include <cmath>
 
@@ -16,8 +17,13 @@ Pointer snapping(Pointer pointer) {
     return pointer;
 }
 
+/// A corner of a square cannot be made to reach a point, only a grid line.
+Vec2 cornerAt(const ToolContext& context, const Pointer& pointer) {
+    return pointer.modifiers.ctrl ? snapped(context.snap, snapping(pointer)) : snapped(context, snapping(pointer));
+}
+
 Aabb rectangleTo(const ToolContext& context, const Vec2& start, const Pointer& pointer) {
-    Vec2 reach = snapped(context.snap, snapping(pointer)) - start;
+    Vec2 reach = cornerAt(context, pointer) - start;
     if (pointer.modifiers.ctrl) {
         const double side = reach.cwiseAbs().maxCoeff();
         reach = {std::copysign(side, reach.x()), std::copysign(side, reach.y())};
@@ -34,6 +40,11 @@ Aabb rectangleTo(const ToolContext& context, const Vec2& start, const Pointer& p
     box.include(tidied(from));
     box.include(tidied(Vec2(start + reach)));
     return box;
+}
+
+/// Only where the corner goes where the point does.
+std::optional<SnapAnswer> cornerSnap(const ToolContext& context, const Pointer& pointer) {
+    return pointer.modifiers.ctrl ? std::nullopt : std::optional(snapOf(context, snapping(pointer)));
 }
 
 bool hasArea(const Aabb& box) {
@@ -80,6 +91,7 @@ class RectangleGesture : public Gesture {
         const Aabb box = rectangleTo(m_context, m_start, pointer);
         return hasArea(box) ? rectangleHint(box) : Hint{"draw-rectangle.too-small", {}};
     }
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override { return cornerSnap(m_context, pointer); }
 
   private:
     ToolContext m_context;
@@ -90,7 +102,7 @@ class RectangleGesture : public Gesture {
 } // namespace
 
 std::unique_ptr<Gesture> dragOfRectangle(const ToolContext& context, const Pointer& start, BodyKind kind) {
-    return std::make_unique<RectangleGesture>(context, snapped(context.snap, snapping(start)), kind);
+    return std::make_unique<RectangleGesture>(context, snapped(context, snapping(start)), kind);
 }
 
 std::unique_ptr<Gesture> RectangleTool::press(const ToolContext& context, const Pointer& pointer) {
@@ -99,7 +111,7 @@ std::unique_ptr<Gesture> RectangleTool::press(const ToolContext& context, const 
 
 std::optional<FinishedEdit> RectangleTool::click(const ToolContext& context, const Pointer& pointer) {
     if (!m_start) {
-        m_start = snapped(context.snap, snapping(pointer));
+        m_start = snapped(context, snapping(pointer));
         return {};
     }
     const Aabb box = rectangleTo(context, *m_start, pointer);
@@ -143,8 +155,12 @@ Overlay RectangleTool::overlay(const ToolContext& context, const Pointer& pointe
         return rectangleOverlay(*m_start, rectangleTo(context, *m_start, pointer), pointer.world);
     }
     Overlay overlay;
-    overlay.points.push_back({OverlayStyle::Snap, snapped(context.snap, snapping(pointer))});
+    overlay.points.push_back({OverlayStyle::Snap, snapped(context, snapping(pointer))});
     return overlay;
+}
+
+std::optional<SnapAnswer> RectangleTool::snapAt(const ToolContext& context, const Pointer& pointer) const {
+    return m_start ? cornerSnap(context, pointer) : snapOf(context, snapping(pointer));
 }
 
 Hint RectangleTool::hint(const ToolContext& context, const Pointer& pointer) const {

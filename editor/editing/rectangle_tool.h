@@ -23,6 +23,7 @@ class RectangleTool : public Tool {
     Overlay overlay(const ToolContext& context, const Pointer& pointer) const override;
     Hint hint(const ToolContext& context, const Pointer& pointer) const override;
     CursorShape cursor(const ToolContext&, const Pointer&) const override { return CursorShape::Cross; }
+    std::optional<SnapAnswer> snapAt(const ToolContext& context, const Pointer& pointer) const override;
 
   private:
     std::optional<Vec2> m_start; // world; the first of two clicks

@@ -7,21 +7,16 @@
 #include "editor/editing/pick.h"
 
 #include <array>
-#include <cmath>
 
 namespace spacetow {
 
 MoveGesture::MoveGesture(const ToolContext& context, const Pointer& start, const Vec2& reference)
-    : m_edit(context.edit), m_keys(unlockedKeys(*m_edit.level, m_edit.selection.keys())), m_snap(context.snap),
-      m_start(start.world), m_reference(reference) {}
+    : m_edit(context.edit), m_keys(unlockedKeys(*m_edit.level, m_edit.selection.keys())),
+      m_start(start.world), m_reference(reference),
+      m_snap(context, subjectOf(*m_edit.level, m_keys, start, reference), reference) {}
 
-Vec2 MoveGesture::deltaAt(const Pointer& pointer) const {
-    const Vec2 way = pointer.world - m_start;
-    Vec2 delta = snaps(m_snap, pointer.modifiers) ? Vec2(onGrid(m_snap, m_reference + way) - m_reference) : way;
-    if (pointer.modifiers.shift) {
-        delta[std::abs(way.x()) < std::abs(way.y()) ? 0 : 1] = 0;
-    }
-    return delta;
+std::optional<SnapAnswer> MoveGesture::snapAt(const Pointer& pointer) const {
+    return m_snap.moved(pointer.world - m_start, pointer);
 }
 
 Edit MoveGesture::at(const Pointer& pointer) const {
@@ -44,7 +39,7 @@ Overlay MoveGesture::overlay(const Pointer& pointer) const {
     Overlay overlay;
     overlay.lines.push_back({OverlayStyle::Measure, {m_reference, target}});
     overlay.points.push_back({OverlayStyle::Snap, target});
-    overlay.texts.push_back({target, lengthText(delta.x()) + ", " + lengthText(delta.y()) + " m"});
+    overlay.texts.push_back({pointer.world, wayText(delta)});
     return overlay;
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 // The two drags of the select tool: moving objects, and the rubber band.
 
-#include "editor/editing/tool.h"
+#include "editor/editing/snap_point.h"
 
 namespace spacetow {
 
-/// Moves the selection of the edit it starts with. What snaps is the place of one object, `reference`, so that what
-/// is on the grid stays on it. Shift keeps to one axis. The pivot goes along.
+/// Moves the selection of the edit it starts with. What snaps to the grid is the place of one object, `reference`, so
+/// that what is on the grid stays on it; to other objects the points near the pointer snap too, and the bounds align.
+/// Shift keeps to one axis. The pivot goes along.
 class MoveGesture : public Gesture {
   public:
     MoveGesture(const ToolContext& context, const Pointer& start, const Vec2& reference);
@@ -17,15 +18,16 @@ class MoveGesture : public Gesture {
     Hint hint(const Pointer& pointer) const override;
     CursorShape cursor(const Pointer&) const override { return CursorShape::Move; }
     std::optional<Affine> map(const Pointer& pointer) const override { return Affine::translation(deltaAt(pointer)); }
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override;
 
   private:
-    Vec2 deltaAt(const Pointer& pointer) const;
+    Vec2 deltaAt(const Pointer& pointer) const { return snapAt(pointer)->point - m_reference; }
 
     Edit m_edit;
     std::vector<Key> m_keys; // that move: what is locked stays
-    SnapSettings m_snap;
     Vec2 m_start;
     Vec2 m_reference;
+    DraggedSnap m_snap;
 };
 
 /// Selects what the band touches, with Alt what lies wholly inside; `extends` adds to what was selected.

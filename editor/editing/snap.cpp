@@ -1,5 +1,6 @@
 #include "editor/editing/snap.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,16 +30,41 @@ Vec2 direction(int index) {
 
 } // namespace
 
+std::span<const double> usualSteps() {
+    static constexpr double steps[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.25, 0.5, 1, 2, 5, 10};
+    return steps;
+}
+
+double coarserStep(double step) {
+    const auto next = std::ranges::upper_bound(usualSteps(), step);
+    return next == usualSteps().end() ? step : *next;
+}
+
+double finerStep(double step) {
+    const auto next = std::ranges::lower_bound(usualSteps(), step);
+    return next == usualSteps().begin() ? step : *(next - 1);
+}
+
+SnapSettings withHeld(const SnapSettings& settings, const Modifiers& modifiers) {
+    SnapSettings held = settings;
+    if (modifiers.ctrl) {
+        held.grid = held.smart = !settings.grid && !settings.smart;
+    }
+    held.grid = held.grid && held.step > 0 && held.division > 0;
+    return held;
+}
+
 bool snaps(const SnapSettings& settings, const Modifiers& modifiers) {
-    return settings.grid != modifiers.ctrl && settings.step > 0;
+    return withHeld(settings, modifiers).grid;
 }
 
 double onGrid(const SnapSettings& settings, double coordinate) {
     // 3 / 10 is the number spelled 0.3 in a file, 3 * 0.1 is not. Adding zero turns −0 into 0.
-    const double steps = std::round(coordinate / settings.step);
-    const double perMetre = std::round(1 / settings.step);
-    const bool dividesMetre = std::abs(perMetre * settings.step - 1) < 1e-12;
-    return (dividesMetre ? steps / perMetre : steps * settings.step) + 0.0;
+    const double step = settings.fineStep();
+    const double steps = std::round(coordinate / step);
+    const double perMetre = std::round(1 / step);
+    const bool dividesMetre = std::abs(perMetre * step - 1) < 1e-12;
+    return (dividesMetre ? steps / perMetre : steps * step) + 0.0;
 }
 
 Vec2 onGrid(const SnapSettings& settings, const Vec2& point) {
@@ -61,16 +87,17 @@ Vec2 snappedFrom(const SnapSettings& settings, const Pointer& pointer, const Vec
     }
     const Vec2 way = pointer.world - from;
     const Vec2 along = snappedDirection(way);
-    Vec2 point = from + along * way.dot(along);
-    if (!snaps(settings, pointer.modifiers)) {
-        return point;
-    }
-    // To the grid line that the direction crosses most steeply; on axes and diagonals that is a grid point.
-    const int main = std::abs(along.x()) >= std::abs(along.y()) ? 0 : 1;
+    const Vec2 point = from + along * way.dot(along);
+    return snaps(settings, pointer.modifiers) ? onGridLine(settings, {from, along}, point) : point;
+}
+
+Vec2 onGridLine(const SnapSettings& settings, const StraightLine& line, const Vec2& near) {
+    const int main = std::abs(line.along.x()) >= std::abs(line.along.y()) ? 0 : 1;
     const int other = 1 - main;
-    point[main] = onGrid(settings, point[main]);
-    point[other] = from[other] + (point[main] - from[main]) * (along[other] / along[main]);
-    return point;
+    Vec2 crossing = near;
+    crossing[main] = onGrid(settings, near[main]);
+    crossing[other] = line.through[other] + (crossing[main] - line.through[main]) * (line.along[other] / line.along[main]);
+    return crossing;
 }
 
 } // namespace spacetow

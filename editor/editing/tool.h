@@ -8,6 +8,7 @@
 #include "editor/editing/input.h"
 #include "editor/editing/overlay.h"
 #include "editor/editing/snap.h"
+#include "editor/editing/snap_answer.h"
 #include "editor/editing/typed_entry.h"
 
 #include <memory>
@@ -26,6 +27,7 @@ struct Hint {
 };
 
 enum class ToolId : std::uint8_t; // see tools.h
+struct SnapMemo;                  // see snap_point.h
 /// The last four are double arrows: to the right, upwards, and along the diagonals that rise and fall to the right.
 enum class CursorShape : std::uint8_t {
     Arrow,
@@ -62,6 +64,8 @@ class Gesture {
     virtual std::optional<Affine> map(const Pointer&) const { return {}; }
     /// False for gestures that only select: they add no history entry.
     virtual bool edits() const { return true; }
+    /// What releasing here would snap to, for those that snap. The toolbox shows it.
+    virtual std::optional<SnapAnswer> snapAt(const Pointer&) const { return {}; }
 };
 
 /// An edit that is ready without a drag.
@@ -82,6 +86,7 @@ struct ToolContext {
     std::optional<Repeatable> last = {}; // what `repeated` would do once more
     bool guides = true;                  // are shown, so that they can be taken
     TypedValues typed = {};              // what has been typed and stands in place of what is pointed at
+    std::shared_ptr<SnapMemo> memo = {}; // without it every question makes a search
 };
 
 class Tool {
@@ -119,6 +124,10 @@ class Tool {
     virtual Overlay standing(const ToolContext&, double /*pixel*/) const { return {}; }
     virtual Hint hint(const ToolContext& context, const Pointer& pointer) const = 0;
     virtual CursorShape cursor(const ToolContext& context, const Pointer& pointer) const = 0;
+    /// What a click here would snap to, for tools whose clicks do. The toolbox shows it.
+    virtual std::optional<SnapAnswer> snapAt(const ToolContext&, const Pointer&) const { return {}; }
+    /// What copying takes in place of the selection.
+    virtual std::string numbers() const { return {}; }
 };
 
 } // namespace spacetow

@@ -2,6 +2,7 @@
 
 #include "editor/editing/group_picking.h"
 #include "editor/editing/guide_gestures.h"
+#include "editor/editing/snap_point.h"
 #include "editor/editing/typing_hint.h"
 #include "editor/editing/verbs.h"
 
@@ -45,6 +46,7 @@ struct Toolbox::State {
     std::optional<Repeatable> repeatable; // what was last done to a selection
     std::vector<Key> copies;              // that came out of that
     std::optional<TypedEntry> typing;
+    std::shared_ptr<SnapMemo> memo = makeSnapMemo();
 
     Tool& tool() { return *tools[static_cast<std::size_t>(current)]; }
     bool typesNonsense() const { return typing && typing->faulty >= 0; }
@@ -93,13 +95,8 @@ struct Toolbox::State {
         }
     }
     ToolContext context(const SnapSettings& settings, bool guides) const {
-        return {document.current(),
-                settings,
-                seed,
-                gesture ? std::nullopt : pressed,
-                repeatable,
-                guides,
-                typing ? typing->values : TypedValues()};
+        return {document.current(), settings, seed, gesture ? std::nullopt : pressed, repeatable, guides,
+                typing ? typing->values : TypedValues(), memo};
     }
 };
 
@@ -353,17 +350,30 @@ bool Toolbox::isBusy() const {
 
 Overlay Toolbox::overlay() const {
     State& state = *m_state;
-    if (state.gestureShows()) {
-        return state.gesture->overlay(state.last);
-    }
-    if (!state.inside && !state.tool().isBusy()) {
+    if (!state.gestureShows() && !state.inside && !state.tool().isBusy()) {
         return state.tool().standing(state.context(snap, guidesVisible), state.last.pixel);
     }
-    Overlay overlay = state.tool().overlay(state.context(snap, guidesVisible), state.last);
+    Overlay overlay = state.gestureShows() ? state.gesture->overlay(state.last)
+                                           : state.tool().overlay(state.context(snap, guidesVisible), state.last);
     if (state.typing) {
         overlay.texts.clear(); // the fields stand there and say the same
     }
+    overlay.snap = snapAnswer();
     return overlay;
+}
+
+std::optional<SnapAnswer> Toolbox::snapAnswer() const {
+    State& state = *m_state;
+    if (state.typing || (!state.gestureShows() && !state.inside)) {
+        return {}; // what is typed decides
+    }
+    const auto answer = state.gestureShows() ? state.gesture->snapAt(state.last)
+                                             : state.tool().snapAt(state.context(snap, guidesVisible), state.last);
+    return answer && answer->kind != SnapKind::None ? answer : std::nullopt;
+}
+
+std::string Toolbox::numbers() const {
+    return m_state->tool().numbers();
 }
 
 Hint Toolbox::hint() const {
@@ -376,10 +386,8 @@ Hint Toolbox::hint() const {
 
 CursorShape Toolbox::cursor() const {
     State& state = *m_state;
-    if (state.gestureShows()) {
-        return state.gesture->cursor(state.last);
-    }
-    return state.tool().cursor(state.context(snap, guidesVisible), state.last);
+    return state.gestureShows() ? state.gesture->cursor(state.last)
+                                : state.tool().cursor(state.context(snap, guidesVisible), state.last);
 }
 
 std::optional<std::size_t> Toolbox::guideInReach() const {

@@ -68,6 +68,10 @@ class Toolbox {
     CursorShape cursor() const;
     /// The guide that a press would take, by its index in the level.
     std::optional<std::size_t> guideInReach() const;
+    /// What the tool has measured, for the clipboard; empty when it has nothing.
+    std::string numbers() const;
+    /// What a click or a release would snap to; nothing where nothing snaps.
+    std::optional<SnapAnswer> snapAnswer() const;
 
     Signal<> changed; // overlay, hint, cursor or current tool may differ
 

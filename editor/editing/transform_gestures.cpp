@@ -28,8 +28,9 @@ Edit mapped(const Edit& edit, const std::vector<Key>& keys, const Affine& map) {
 }
 
 /// Ctrl has another meaning at handles, so Alt takes its part.
-bool snapsAtHandle(const SnapSettings& settings, const Pointer& pointer) {
-    return snaps(settings, {false, pointer.modifiers.alt, false});
+Pointer atHandle(Pointer pointer) {
+    pointer.modifiers = {false, pointer.modifiers.alt, false};
+    return pointer;
 }
 
 std::string percent(double factor) {
@@ -39,7 +40,33 @@ std::string percent(double factor) {
 } // namespace
 
 ScaleGesture::ScaleGesture(const HandleDrag& drag)
-    : m_drag(drag), m_keys(unlockedKeys(*drag.context.edit.level, drag.context.edit.selection.keys())) {}
+    : m_drag(drag), m_keys(unlockedKeys(*drag.context.edit.level, drag.context.edit.selection.keys())),
+      m_snap(drag.context, {.keys = m_keys}, pointOf(drag.frame.box, drag.side)) {}
+
+/// Where the dragged side lands. What keeps its shape cannot be made to reach a point, only a grid line.
+std::optional<SnapAnswer> ScaleGesture::snapAt(const Pointer& pointer) const {
+    if (keepsShape(pointer)) {
+        return {};
+    }
+    Vec2 target = pointOf(m_drag.frame.box, m_drag.side);
+    const Vec2 way = pointer.world - m_drag.start;
+    target.x() += m_drag.side.x != 0 ? way.x() : 0;
+    target.y() += m_drag.side.y != 0 ? way.y() : 0;
+    std::optional<Vec2> along;
+    if (!m_drag.side.isCorner()) {
+        along = m_drag.side.x != 0 ? Vec2(1, 0) : Vec2(0, 1);
+    }
+    return m_snap.to(target, atHandle(pointer), along);
+}
+
+Vec2 ScaleGesture::targetAt(const Pointer& pointer) const {
+    if (const std::optional<SnapAnswer> answer = snapAt(pointer)) {
+        return answer->point;
+    }
+    const Vec2 target = pointOf(m_drag.frame.box, m_drag.side) + pointer.world - m_drag.start;
+    const SnapSettings& settings = m_drag.context.snap;
+    return snaps(settings, atHandle(pointer).modifiers) ? onGrid(settings, target) : target;
+}
 
 Vec2 ScaleGesture::fixedPoint(const Pointer& pointer) const {
     const Aabb& box = m_drag.frame.box;
@@ -51,10 +78,10 @@ Vec2 ScaleGesture::fixedPoint(const Pointer& pointer) const {
 
 Vec2 ScaleGesture::factorsAt(const Pointer& pointer) const {
     const SnapSettings& settings = m_drag.context.snap;
-    const bool onSteps = snapsAtHandle(settings, pointer);
+    const bool onSteps = snaps(settings, atHandle(pointer).modifiers);
     const Vec2 fixed = fixedPoint(pointer);
     const Vec2 grabbed = pointOf(m_drag.frame.box, m_drag.side);
-    const Vec2 target = grabbed + pointer.world - m_drag.start;
+    const Vec2 target = targetAt(pointer);
     const int sides[] = {m_drag.side.x, m_drag.side.y};
     Vec2 factors(1, 1);
     for (int axis = 0; axis < 2; ++axis) {
@@ -62,11 +89,11 @@ Vec2 ScaleGesture::factorsAt(const Pointer& pointer) const {
         if (sides[axis] == 0 || std::abs(span) < leastLength) {
             continue; // the pivot lies on this very side
         }
-        const double factor = ((onSteps ? onGrid(settings, target[axis]) : target[axis]) - fixed[axis]) / span;
-        const double least = std::fmax(onSteps ? settings.step : pointer.pixel, leastLength) / std::abs(span);
+        const double factor = (target[axis] - fixed[axis]) / span;
+        const double least = std::fmax(onSteps ? settings.fineStep() : pointer.pixel, leastLength) / std::abs(span);
         factors[axis] = std::copysign(std::fmax(std::abs(factor), std::fmin(least, 1)), factor);
     }
-    if (pointer.modifiers.ctrl || m_drag.frame.keepsShape) {
+    if (keepsShape(pointer)) {
         const bool byWidth = sides[1] == 0 || (sides[0] != 0 && std::abs(factors.x() - 1) >= std::abs(factors.y() - 1));
         const double common = std::abs(factors[byWidth ? 0 : 1]);
         factors = {std::copysign(common, factors.x()), std::copysign(common, factors.y())};
@@ -172,23 +199,25 @@ Hint TurnGesture::hint(const Pointer& pointer) const {
     return {"select.turning", {degreesText(angleAt(pointer))}};
 }
 
-Vec2 PivotGesture::placeAt(const Pointer& pointer) const {
+std::optional<SnapAnswer> PivotGesture::snapAt(const Pointer& pointer) const {
     const Vec2 wanted = m_drag.frame.pivot + pointer.world - m_drag.start;
-    if (!snaps(m_drag.context.snap, pointer.modifiers)) {
-        return wanted;
-    }
-    std::optional<Vec2> nearest;
+    const SnapSettings held = withHeld(m_drag.context.snap, pointer.modifiers);
+    std::optional<SnapAnswer> nearest;
     double distance = pivotReach * pointer.pixel;
     for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {
-            const Vec2 point = pointOf(m_drag.frame.box, {x, y});
-            if ((point - wanted).norm() <= distance) {
-                nearest = point;
+            const HandleSide side{x, y};
+            const Vec2 point = pointOf(m_drag.frame.box, side);
+            if ((held.grid || held.smart) && (point - wanted).norm() <= distance) {
+                const SnapKind kind = side.isPivot()    ? SnapKind::Center
+                                      : side.isCorner() ? SnapKind::Vertex
+                                                        : SnapKind::Midpoint;
+                nearest = SnapAnswer{.point = point, .kind = kind, .mark = point};
                 distance = (point - wanted).norm();
             }
         }
     }
-    return nearest.value_or(onGrid(m_drag.context.snap, wanted));
+    return nearest ? nearest : m_snap.to(wanted, pointer);
 }
 
 Edit PivotGesture::at(const Pointer& pointer) const {

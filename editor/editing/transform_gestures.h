@@ -3,6 +3,7 @@
 
 #include "core/math/affine.h"
 #include "editor/editing/handles.h"
+#include "editor/editing/snap_point.h"
 
 namespace spacetow {
 
@@ -26,13 +27,17 @@ class ScaleGesture : public Gesture {
     Hint hint(const Pointer& pointer) const override;
     CursorShape cursor(const Pointer&) const override { return handleCursor({m_drag.side, {}}, HandleMode::Scale); }
     std::optional<Affine> map(const Pointer& pointer) const override;
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override;
 
   private:
     Vec2 fixedPoint(const Pointer& pointer) const;
+    Vec2 targetAt(const Pointer& pointer) const;
     Vec2 factorsAt(const Pointer& pointer) const;
+    bool keepsShape(const Pointer& pointer) const { return pointer.modifiers.ctrl || m_drag.frame.keepsShape; }
 
     HandleDrag m_drag;
     std::vector<Key> m_keys;
+    DraggedSnap m_snap;
 };
 
 /// About the pivot, with Shift about the opposite corner; Ctrl keeps to multiples of 15°.
@@ -55,10 +60,10 @@ class TurnGesture : public Gesture {
     std::vector<Key> m_keys;
 };
 
-/// Places the pivot: on corners, middles of sides and the middle of the bounds when near them, else on the grid.
+/// Places the pivot: on corners, middles of sides and the middle of the bounds when near them, else where points snap.
 class PivotGesture : public Gesture {
   public:
-    explicit PivotGesture(const HandleDrag& drag) : m_drag(drag) {}
+    explicit PivotGesture(const HandleDrag& drag) : m_drag(drag), m_snap(drag.context, {}, drag.frame.pivot) {}
 
     Edit at(const Pointer& pointer) const override;
     Label label() const override { return {}; }
@@ -66,11 +71,13 @@ class PivotGesture : public Gesture {
     Hint hint(const Pointer& pointer) const override;
     CursorShape cursor(const Pointer&) const override { return CursorShape::Move; }
     bool edits() const override { return false; }
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override;
 
   private:
-    Vec2 placeAt(const Pointer& pointer) const;
+    Vec2 placeAt(const Pointer& pointer) const { return snapAt(pointer)->point; }
 
     HandleDrag m_drag;
+    DraggedSnap m_snap;
 };
 
 } // namespace spacetow

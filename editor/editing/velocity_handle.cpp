@@ -118,7 +118,7 @@ Vec2 velocityTo(const ToolContext& context, const Vec2& from, const Pointer& poi
     // Seen from the body, so that what snaps is the velocity, wherever the body stands.
     Pointer relative = pointer;
     relative.world = pointer.world - from;
-    const double step = snaps(context.snap, pointer.modifiers) ? context.snap.step : 0;
+    const double step = snaps(context.snap, pointer.modifiers) ? context.snap.fineStep() : 0;
     return typedPoint(context.typed, Vec2(0, 0), snappedFrom(context.snap, relative, Vec2(0, 0)), step);
 }
 

@@ -40,7 +40,6 @@ enum class Act : std::uint8_t {
     Center,
     Frame,
     Grid,
-    Snap,
     HidePanels,
     FullScreen,
     Rulers,
@@ -49,6 +48,20 @@ enum class Act : std::uint8_t {
     AppearanceSystem,
     AppearanceLight,
     AppearanceDark,
+
+    // actions_snap.cpp
+    Snap,
+    SmartSnap,
+    SnapVertices,
+    SnapMidpoints,
+    SnapIntersections,
+    SnapPerpendiculars,
+    SnapEdges,
+    SnapGuides,
+    SnapAlignment,
+    SnapAngles,
+    CoarserGrid,
+    FinerGrid,
 
     // actions_overlays.cpp
     OverlayAabb,

@@ -52,6 +52,7 @@ struct ActionRow {
 std::span<const ActionRow> fileActions();
 std::span<const ActionRow> editActions();
 std::span<const ActionRow> viewActions();
+std::span<const ActionRow> snapActions();
 std::span<const ActionRow> overlayActions();
 std::span<const ActionRow> toolActions();
 std::span<const ActionRow> objectActions();

@@ -8,12 +8,6 @@ namespace {
 
 constexpr double zoomStep = 1.25;
 
-void setSnapping(MainWindow& window, bool on) {
-    SnapSettings snap = window.toolbox().snap;
-    snap.grid = on;
-    window.setSnap(snap);
-}
-
 /// Light and dark switched off leave it to the desktop; leaving it to the desktop switched off keeps what is seen.
 template <Appearance appearance>
 void setAppearance(MainWindow& window, bool on) {
@@ -109,15 +103,6 @@ constexpr ActionRow viewRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Take all guides out of the level"),
      .run = [](MainWindow& window) { window.toolbox().finish(clearGuides(window.toolbox().context())); },
      .isPossible = [](const MainWindow& window) { return !window.document().level().guides.empty(); }},
-    {.id = Act::Snap,
-     .menu = MenuId::Snapping,
-     .text = QT_TRANSLATE_NOOP("Actions", "&Snap to Grid"),
-     .icon = "snap",
-     .keys = "Shift+G",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Let points land on the grid; Ctrl inverts it while drawing"),
-     .flags = OnMainBar,
-     .toggle = setSnapping,
-     .isOn = [](const MainWindow& window) { return window.toolbox().snap.grid; }},
     {.id = Act::HidePanels,
      .menu = MenuId::Panels,
      .text = QT_TRANSLATE_NOOP("Actions", "&Hide All"),

@@ -171,6 +171,7 @@ void MainWindow::setSnap(const SnapSettings& snap) {
     m_toolbox.snap = snap;
     m_files.preferences.setSnap(snap);
     m_status.setSnap(snap);
+    m_actions.refresh();
     m_canvas.update();
 }
 
@@ -291,11 +292,19 @@ void MainWindow::updateOrigin() {
 
 void MainWindow::updateTool() {
     m_status.setHint(isPlaying() ? tr("Playing a copy of the level · F8: back to the editor · Esc: menu")
-                                 : sentence(m_toolbox.hint()));
+                                 : sentence(m_toolbox.hint()) + snapHint());
     if (m_toolbox.current() != m_shownTool) {
         m_shownTool = m_toolbox.current();
         m_actions.refresh();
     }
+}
+
+/// What else the status bar says while a point snaps to something.
+QString MainWindow::snapHint() const {
+    const std::optional<SnapAnswer> snap = m_toolbox.snapAnswer();
+    const bool worth = snap && snap->kind != SnapKind::Grid;
+    return worth ? QStringLiteral(" · ") + tr("snaps to: %1").arg(snapName(*m_document.current().level, *snap))
+                 : QString();
 }
 
 void MainWindow::updateSelection() {

@@ -127,6 +127,7 @@ class MainWindow : public QMainWindow {
     void updateTitle();
     void updateOrigin();
     void updateTool();
+    QString snapHint() const;
     void updateSelection();
     void updateMode();
 

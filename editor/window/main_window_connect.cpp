@@ -1,5 +1,6 @@
 // What the window listens to, and what it remembers from the last run.
 #include "editor/window/main_window.h"
+#include "editor/window/messages.h"
 
 namespace spacetow {
 
@@ -28,6 +29,7 @@ void MainWindow::listen() {
 }
 
 void MainWindow::listenToPanels() {
+    m_canvas.setSnapNames([this](const SnapAnswer& snap) { return snapName(*m_document.current().level, snap); });
     connect(&m_canvas, &Canvas::pointerMoved, &m_status, &StatusLine::setPointer);
     connect(&m_canvas, &Canvas::pointerLeft, &m_status, &StatusLine::clearPointer);
     connect(&m_canvas, &Canvas::viewChanged, this,
@@ -56,6 +58,11 @@ void MainWindow::listenToPanels() {
     connect(&m_status, &StatusLine::stepChosen, this, [this](double step) {
         SnapSettings snap = m_toolbox.snap;
         snap.step = step;
+        setSnap(snap);
+    });
+    connect(&m_status, &StatusLine::divisionChosen, this, [this](int parts) {
+        SnapSettings snap = m_toolbox.snap;
+        snap.division = parts;
         setSnap(snap);
     });
     connect(&m_play, &PlayView::pausedChanged, this, [this] { m_actions.refresh(); });

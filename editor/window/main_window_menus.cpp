@@ -53,6 +53,9 @@ QMenu* MainWindow::makeMenu(const MenuRow& row) {
     if (row.id == MenuId::GridStep) {
         return &m_status.stepMenu();
     }
+    if (row.id == MenuId::SubGrid) {
+        return &m_status.divisionMenu();
+    }
     QMenu* const parent = row.parent ? m_menus.at(*row.parent) : nullptr;
     return parent != nullptr ? new QMenu(menuText(row), parent) : menuBar()->addMenu(menuText(row));
 }
@@ -103,6 +106,10 @@ void MainWindow::makeToolBars() {
         if ((row.flags & OnToolsBar) != 0 || std::holds_alternative<ToolId>(row.id)) {
             toolsFiller.add(row);
         }
+    }
+    if (auto* button = qobject_cast<QToolButton*>(main->widgetForAction(&m_actions[Act::SmartSnap]))) {
+        button->setMenu(m_menus.at(MenuId::Snapping));
+        button->setPopupMode(QToolButton::MenuButtonPopup);
     }
     if (auto* button = qobject_cast<QToolButton*>(main->widgetForAction(&m_actions[Act::Play]))) {
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -16,6 +16,7 @@ constexpr MenuRow menuTable[] = {
     {MenuId::Overlays, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "O&verlays"), Act::Grid},
     {MenuId::Snapping, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "S&napping"), Act::Grid},
     {MenuId::GridStep, MenuId::Snapping, QT_TRANSLATE_NOOP("spacetow::MainWindow", "Grid S&tep"), Act::Snap},
+    {MenuId::SubGrid, MenuId::Snapping, QT_TRANSLATE_NOOP("spacetow::MainWindow", "Su&b-Grid"), Act::Snap},
     {MenuId::Panels, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Panels"), Act::Grid},
     {MenuId::Appearance, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Appearance"), Act::Grid},
     {MenuId::Insert, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Insert")},

@@ -18,6 +18,7 @@ enum class MenuId : std::uint8_t {
     Overlays,
     Snapping,
     GridStep,
+    SubGrid,
     Panels,
     Appearance,
     Insert,

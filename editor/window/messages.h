@@ -18,6 +18,9 @@ QString sentence(const Hint& hint);
 /// For "Undo …" and the history, e.g. "Move 3 objects".
 QString sentence(const Label& label);
 
+/// What a point was snapped to: "vertex of Wall 3", "grid".
+QString snapName(const Level& level, const SnapAnswer& snap);
+
 /// Whether there is a text for the code of a problem, error or hint.
 bool hasSentence(const std::string& code);
 bool hasLabel(const std::string& code);

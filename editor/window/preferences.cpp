@@ -13,10 +13,27 @@ namespace {
 constexpr auto recentKey = "recent";
 constexpr double minStep = 0.001; // m
 constexpr double maxStep = 100;   // m
+constexpr int maxDivision = 100;  // parts of a step
 
 struct NamedFlag {
     const char* key;
     bool OverlayFlags::*flag;
+};
+struct NamedSnap {
+    const char* key;
+    bool SnapSettings::*on;
+};
+constexpr std::array snapKeys{
+    NamedSnap{"snap/grid", &SnapSettings::grid},
+    NamedSnap{"snap/smart", &SnapSettings::smart},
+    NamedSnap{"snap/vertices", &SnapSettings::vertices},
+    NamedSnap{"snap/edges", &SnapSettings::edges},
+    NamedSnap{"snap/midpoints", &SnapSettings::midpoints},
+    NamedSnap{"snap/intersections", &SnapSettings::intersections},
+    NamedSnap{"snap/perpendiculars", &SnapSettings::perpendiculars},
+    NamedSnap{"snap/guides", &SnapSettings::guides},
+    NamedSnap{"snap/alignment", &SnapSettings::alignment},
+    NamedSnap{"snap/angles", &SnapSettings::angles},
 };
 constexpr std::array overlayKeys{
     NamedFlag{"overlays/aabb", &OverlayFlags::aabb},
@@ -70,16 +87,23 @@ void Preferences::clearRecent() {
 SnapSettings Preferences::snap() const {
     const QSettings settings;
     SnapSettings snap;
-    snap.grid = settings.value("snap/grid", snap.grid).toBool();
+    for (const NamedSnap& named : snapKeys) {
+        snap.*named.on = settings.value(named.key, snap.*named.on).toBool();
+    }
     const double step = settings.value("snap/step", snap.step).toDouble();
     snap.step = step >= minStep && step <= maxStep ? step : snap.step;
+    const int division = settings.value("snap/division", snap.division).toInt();
+    snap.division = division >= 1 && division <= maxDivision ? division : snap.division;
     return snap;
 }
 
 void Preferences::setSnap(const SnapSettings& snap) {
     QSettings settings;
-    settings.setValue("snap/grid", snap.grid);
+    for (const NamedSnap& named : snapKeys) {
+        settings.setValue(named.key, snap.*named.on);
+    }
     settings.setValue("snap/step", snap.step);
+    settings.setValue("snap/division", snap.division);
 }
 
 bool Preferences::grid() const {

@@ -14,7 +14,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr std::array steps{0.01, 0.05, 0.1, 0.25, 0.5, 1.0}; // m
+constexpr std::array divisions{1, 2, 3, 4, 5, 10};
 
 QString metres(double value) {
     QLocale locale;
@@ -39,7 +39,8 @@ QString fitted(const QString& hint, const QFontMetrics& metrics, int room) {
 
 } // namespace
 
-StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_steps(tr("Grid S&tep")), m_stepGroup(nullptr) {
+StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_steps(tr("Grid S&tep")), m_stepGroup(nullptr),
+      m_divisions(tr("Su&b-Grid")), m_divisionGroup(nullptr) {
     m_hintLabel.setObjectName(QStringLiteral("hint"));
     m_hintLabel.setTextFormat(Qt::PlainText);
     m_hintLabel.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -54,11 +55,12 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_steps(tr("Grid S
     dressButton(m_snap);
     addPermanentWidget(&m_zoom);
     dressButton(m_problems);
-    m_snap.setToolTip(tr("How points snap; Shift+G switches snapping off and on"));
+    m_snap.setToolTip(tr("How points snap; Shift+G switches the grid, Shift+S the rest, Ctrl suspends both"));
     m_snap.setObjectName(QStringLiteral("snap"));
     m_snap.setMenu(&m_steps);
     m_snap.setPopupMode(QToolButton::InstantPopup);
     fillSteps();
+    fillDivisions();
     m_problems.setToolTip(tr("Next problem (F4)"));
     connect(&m_zoom, &ZoomField::zoomChosen, this, &StatusLine::zoomChosen);
     connect(&m_zoom, &ZoomField::left, this, &StatusLine::left);
@@ -71,7 +73,7 @@ StatusLine::~StatusLine() {
 }
 
 void StatusLine::fillSteps() {
-    for (const double step : steps) {
+    for (const double step : usualSteps()) {
         auto action = std::make_unique<QAction>(tr("%1 m").arg(QLocale().toString(step)));
         action->setCheckable(true);
         action->setData(step);
@@ -79,6 +81,18 @@ void StatusLine::fillSteps() {
         m_stepGroup.addAction(action.get());
         m_steps.addAction(action.get());
         m_stepActions.push_back(std::move(action));
+    }
+}
+
+void StatusLine::fillDivisions() {
+    for (const int parts : divisions) {
+        auto action = std::make_unique<QAction>(parts == 1 ? tr("None") : tr("%1 parts").arg(parts));
+        action->setCheckable(true);
+        action->setData(parts);
+        connect(action.get(), &QAction::triggered, this, [this, parts] { Q_EMIT divisionChosen(parts); });
+        m_divisionGroup.addAction(action.get());
+        m_divisions.addAction(action.get());
+        m_divisionActions.push_back(std::move(action));
     }
 }
 
@@ -159,7 +173,12 @@ void StatusLine::setSnap(const SnapSettings& snap) {
     for (const std::unique_ptr<QAction>& action : m_stepActions) {
         action->setChecked(action->data().toDouble() == snap.step);
     }
-    m_snap.setText(snap.grid ? tr("Snap %1 m").arg(QLocale().toString(snap.step)) : tr("Snap off"));
+    for (const std::unique_ptr<QAction>& action : m_divisionActions) {
+        action->setChecked(action->data().toInt() == snap.division);
+    }
+    m_snap.setText(snap.grid    ? tr("Snap %1 m").arg(QLocale().toString(snap.fineStep()))
+                   : snap.smart ? tr("Snap to objects")
+                                : tr("Snap off"));
     fit();
 }
 

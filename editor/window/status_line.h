@@ -36,11 +36,14 @@ class StatusLine : public QStatusBar {
     QString hint() const { return m_hint; }
     /// The distances at which points may snap.
     QMenu& stepMenu() { return m_steps; }
+    /// The parts into which a step may be divided.
+    QMenu& divisionMenu() { return m_divisions; }
     /// Opens from the button that shows how points snap; must outlive this line or be gone before it is clicked.
     void setSnapMenu(QMenu& menu) { m_snap.setMenu(&menu); }
 
   Q_SIGNALS:
     void stepChosen(double metres);
+    void divisionChosen(int parts);
     void zoomChosen(double zoom);
     void left(); // done with typing here
     void problemsClicked();
@@ -56,6 +59,7 @@ class StatusLine : public QStatusBar {
     void fit();
     void dressButton(QToolButton& button);
     void fillSteps();
+    void fillDivisions();
 
     QString m_hint;
     QLabel m_hintLabel;
@@ -64,6 +68,9 @@ class StatusLine : public QStatusBar {
     QMenu m_steps;
     QActionGroup m_stepGroup;
     std::vector<std::unique_ptr<QAction>> m_stepActions;
+    QMenu m_divisions;
+    QActionGroup m_divisionGroup;
+    std::vector<std::unique_ptr<QAction>> m_divisionActions;
     QToolButton m_snap;
     ZoomField m_zoom;
     QToolButton m_problems;

@@ -118,6 +118,7 @@ void SelectToolTest::aDragMoves() {
     QFETCH(Vec2, to);
     QFETCH(Vec2, delta);
     Drive drive(balls());
+    drive.toolbox.snap.smart = false; // the others are in line with this or that
     drive.document.select(Selection(selected));
     drive.drag({0, 0}, to);
     for (const Object& object : balls().objects) {
@@ -174,7 +175,7 @@ void SelectToolTest::ctrlInvertsTheGridWhileMoving() {
     drive.move({1.1, 0.3});
     drive.release({1.1, 0.3});
     QVERIFY(placeOf(drive, 1) == Vec2(1.1, 0.3));
-    drive.toolbox.snap.grid = false;
+    drive.toolbox.snap.grid = drive.toolbox.snap.smart = drive.toolbox.snap.alignment = false;
     drive.held = none;
     drive.press({1.1, 0.3});
     drive.held = ctrl;
@@ -289,6 +290,7 @@ void SelectToolTest::aConnectorIsSelectedButStaysWithItsBodies() {
     drive.drag({1.5, 0}, {1.5, 2});
     QVERIFY(drive.level() == level);
     QVERIFY(drive.document.history().empty());
+    drive.toolbox.snap.smart = false;
     drive.document.select(Selection({1, 8}));
     drive.drag({1.5, 0}, {1.6, 2.1});
     QVERIFY(placeOf(drive, 1) == Vec2(0, 2));

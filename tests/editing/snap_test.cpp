@@ -56,7 +56,9 @@ void SnapTest::aPointLandsOnTheGrid() {
     QFETCH(bool, inverted);
     QFETCH(double, step);
     QFETCH(double, expected);
-    const Vec2 point = snapped({grid, step}, pointerAt({1.2, -1.2}, {false, inverted, false}));
+    SnapSettings settings{grid, step};
+    settings.smart = false;
+    const Vec2 point = snapped(settings, pointerAt({1.2, -1.2}, {false, inverted, false}));
     QCOMPARE(point.x(), expected);
     QCOMPARE(point.y(), -expected);
     QVERIFY(!std::signbit(point.y()) || point.y() < 0);

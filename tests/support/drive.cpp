@@ -9,7 +9,7 @@ namespace spacetow::test {
 Drive::Drive(Level level) : document(std::move(level), [this] { return m_now; }), toolbox(document, 1) {}
 
 Pointer Drive::at(const Vec2& world) {
-    m_last = {world, view.toScreen(world), held, view.pixel()};
+    m_last = {world, view.toScreen(world), held, view.pixel(), view.visible()};
     return m_last;
 }
 
