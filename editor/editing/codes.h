@@ -109,6 +109,12 @@ inline constexpr auto hintCodes = std::to_array<std::string_view>({
     "place-finish.start",
     "place-finish.end", // m, degrees
     "place-finish.too-short",
+    "measure.start",
+    "measure.first", // m, m across, m upwards, degrees
+    "measure.same-point",
+    "measure.done",   // as the first
+    "measure.second", // and degrees between the legs
+    "measure.angle",  // degrees, m, m
     "guide.hover",
     "guide.new", // x, y in m, degrees
     "guide.outside",

@@ -5,6 +5,7 @@
 #include "editor/editing/draw_tool.h"
 #include "editor/editing/kinematic_tool.h"
 #include "editor/editing/knife_tool.h"
+#include "editor/editing/measure_tool.h"
 #include "editor/editing/node_tool.h"
 #include "editor/editing/place_tool.h"
 #include "editor/editing/rectangle_tool.h"
@@ -33,6 +34,7 @@ constexpr ToolRow rows[] = {
     {ToolId::Payload, make<PlaceTool, PlaceKind::Payload>},
     {ToolId::Finish, make<PlaceTool, PlaceKind::Finish>},
     {ToolId::Knife, make<KnifeTool>},
+    {ToolId::Measure, make<MeasureTool>},
 };
 
 } // namespace

@@ -25,6 +25,7 @@ enum class ToolId : std::uint8_t {
     Payload,
     Finish,
     Knife,
+    Measure,
 };
 
 struct ToolRow {

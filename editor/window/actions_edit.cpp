@@ -49,14 +49,28 @@ QString redoName(const MainWindow& window) {
     return document.canRedo() ? QStringLiteral("%1: %2").arg(verb, sentence(document.redoLabel())) : verb;
 }
 
-void copyToClipboard(MainWindow& window) {
+void copySelection(MainWindow& window) {
     if (!window.document().selection().empty()) {
         QApplication::clipboard()->setText(QString::fromStdString(copied(window.document().current())));
     }
 }
 
+/// What was measured goes before what is selected: it is what one looks at.
+void copyToClipboard(MainWindow& window) {
+    const std::string numbers = window.toolbox().numbers();
+    if (numbers.empty()) {
+        copySelection(window);
+    } else {
+        QApplication::clipboard()->setText(QString::fromStdString(numbers));
+    }
+}
+
+bool hasSomethingToCopy(const MainWindow& window) {
+    return !window.document().selection().empty() || window.toolbox().current() == ToolId::Measure;
+}
+
 void cutToClipboard(MainWindow& window) {
-    copyToClipboard(window);
+    copySelection(window);
     doing<cut>(window);
 }
 
@@ -120,8 +134,9 @@ constexpr ActionRow editRows[] = {
      .icon = "copy",
      .keys = "Ctrl+C",
      .tip = QT_TRANSLATE_NOOP("Actions", "Copy the selection to the clipboard as text"),
-     .flags = NeedsSelection | InContextMenu,
-     .run = copyToClipboard},
+     .flags = InContextMenu,
+     .run = copyToClipboard,
+     .isPossible = hasSomethingToCopy},
     {.id = Act::Paste,
      .menu = MenuId::Edit,
      .text = QT_TRANSLATE_NOOP("Actions", "&Paste"),

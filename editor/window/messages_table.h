@@ -25,5 +25,6 @@ std::span<const MessageText> nodeHints();
 std::span<const MessageText> drawHints();
 std::span<const MessageText> placeHints();
 std::span<const MessageText> guideHints();
+std::span<const MessageText> measureHints();
 
 } // namespace spacetow
