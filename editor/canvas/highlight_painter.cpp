@@ -1,5 +1,6 @@
 #include "editor/canvas/highlight_painter.h"
 
+#include "core/level/groups.h"
 #include "core/level/level_index.h"
 #include "core/level/outline.h"
 
@@ -15,6 +16,7 @@ void paintHighlight(const Stage& stage, const Level& level, std::span<const Key>
         return;
     }
     const Outlines outlines{Level()}; // connectors, which need the ends, never collide
+    const GroupTree groups(level);
     QPainter& painter = stage.painter;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -24,7 +26,7 @@ void paintHighlight(const Stage& stage, const Level& level, std::span<const Key>
     glow.setAlpha(90);
     levelIndex(level).visitObjects(stage.view.visible(), [&](int place) {
         const Object& object = level.objects[place];
-        if (!std::ranges::binary_search(keys, object.key)) {
+        if (!std::ranges::binary_search(keys, object.key) || !groups.isVisible(object)) {
             return;
         }
         const Outline outline = outlines.of(object);

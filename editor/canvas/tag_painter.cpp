@@ -1,5 +1,6 @@
 #include "editor/canvas/tag_painter.h"
 
+#include "core/level/groups.h"
 #include "core/level/level_index.h"
 #include "core/level/outline.h"
 #include "editor/canvas/tag_text.h"
@@ -71,6 +72,7 @@ void paintLabel(const Stage& stage, const TagTable& table, TagMask tags, const Q
 
 void paintTags(const Stage& stage, const Level& level) {
     const Outlines outlines{Level()}; // connectors, which need the ends, have no tags
+    const GroupTree groups(level);
     const Aabb visible = stage.view.visible();
     QPainter& painter = stage.painter;
     painter.save();
@@ -78,7 +80,8 @@ void paintTags(const Stage& stage, const Level& level) {
     int labels = 0;
     levelIndex(level).visitObjects(visible, [&](int place) {
         const Object& object = level.objects[place];
-        const std::optional<Filter> filter = labels < mostLabels && object.visible ? filterOf(object) : std::nullopt;
+        const std::optional<Filter> filter =
+            labels < mostLabels && groups.isVisible(object) ? filterOf(object) : std::nullopt;
         if (!filter || filter->tags.bits == 0) {
             return;
         }

@@ -136,6 +136,23 @@ class TagMatrixTest : public QObject {
         test.canvas().zoom(1e-4); // a label would hide what it is about
         QCOMPARE(dots(), 0);
         test.canvas().fitLevel();
+        QVERIFY(dots() > 20);
+        GroupObject group;
+        Level grouped = level;
+        grouped.objects.append({7, {}, group, {}});
+        grouped.objects.replace(0, [&level] {
+            Object member = level.objects[0];
+            member.parent = 7;
+            return member;
+        }());
+        test.document().reset(grouped);
+        QVERIFY(dots() > 20);
+        Object hidden = grouped.objects[1];
+        hidden.visible = false;
+        grouped.objects.replace(1, hidden);
+        test.document().reset(grouped);
+        QCOMPARE(dots(), 0); // what is hidden says nothing
+        test.document().reset(level);
         test.trigger(Act::OverlaysOff);
         QCOMPARE(dots(), 0);
     }
