@@ -1,7 +1,6 @@
 #include "app/levelc_support.h"
 
 #include "core/level/json_text.h"
-#include "core/level/key_index.h"
 #include "core/level/key_text.h"
 #include "editor/window/messages.h"
 
@@ -96,11 +95,10 @@ JsonText bodyJson(const BodyState& body, const std::string& name) {
 } // namespace
 
 bool writeDump(const QString& file, const Level& level, const World& world, std::int64_t updates) {
-    const KeyIndex objects(level.objects);
     JsonText bodies = JsonText::array();
     for (const BodyId id : world.bodies()) {
         const BodyState state = world.body(id);
-        const Object* object = objects.find(static_cast<Key>(state.user));
+        const Object* object = level.objects.find(static_cast<Key>(state.user));
         bodies.append(bodyJson(state, object == nullptr ? std::string() : object->name));
     }
     JsonText json = JsonText::object();

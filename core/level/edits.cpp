@@ -2,7 +2,7 @@
 
 #include "core/base/random.h"
 #include "core/level/groups.h"
-#include "core/level/key_index.h"
+#include "core/level/level_index.h"
 #include "core/level/object_geometry.h"
 
 #include <algorithm>
@@ -16,16 +16,14 @@ namespace {
 /// `change(data)` or `change(data, key)` is applied to a copy of the data of each object named by `keys`, ascending.
 template <class Change>
 Level changed(Level level, const std::vector<Key>& keys, Change change) {
-    for (int i = 0; i < level.objects.size(); ++i) {
-        if (std::ranges::binary_search(keys, level.objects[i].key)) {
-            Object object = level.objects[i];
-            if constexpr (requires { change(object.data, object.key); }) {
-                change(object.data, object.key);
-            } else {
-                change(object.data);
-            }
-            level.objects.replace(i, std::move(object));
+    for (const int place : level.objects.indicesOf(keys)) {
+        Object object = level.objects[place];
+        if constexpr (requires { change(object.data, object.key); }) {
+            change(object.data, object.key);
+        } else {
+            change(object.data);
         }
+        level.objects.replace(place, std::move(object));
     }
     return level;
 }
@@ -39,15 +37,14 @@ Level withMappedAnchors(Level level, std::vector<std::pair<Key, Affine>> bodies)
             anchor = tidied(found->second(anchor));
         }
     };
-    for (int i = 0; i < level.objects.size(); ++i) {
-        if (std::holds_alternative<ConnectorObject>(level.objects[i].data)) {
-            Object object = level.objects[i];
-            auto& connector = std::get<ConnectorObject>(object.data);
-            mapAnchor(connector.a, connector.anchorA);
-            mapAnchor(connector.b, connector.anchorB);
-            if (!(object == level.objects[i])) {
-                level.objects.replace(i, std::move(object));
-            }
+    const std::vector<int> connectors = levelIndex(level).connectors();
+    for (const int place : connectors) {
+        Object object = level.objects[place];
+        auto& connector = std::get<ConnectorObject>(object.data);
+        mapAnchor(connector.a, connector.anchorA);
+        mapAnchor(connector.b, connector.anchorB);
+        if (!(object == level.objects[place])) {
+            level.objects.replace(place, std::move(object));
         }
     }
     return level;
@@ -55,6 +52,10 @@ Level withMappedAnchors(Level level, std::vector<std::pair<Key, Affine>> bodies)
 
 /// Groups, but no layers, whose last member is among those that go.
 std::vector<Key> emptiedGroups(const Level& level, const std::vector<Key>& gone) {
+    const std::vector<int>& groups = levelIndex(level).groups();
+    if (groups.empty()) {
+        return {};
+    }
     std::vector<Key> lost; // have had a member
     std::vector<Key> kept; // still have one
     for (const Object& object : level.objects) {
@@ -62,12 +63,14 @@ std::vector<Key> emptiedGroups(const Level& level, const std::vector<Key>& gone)
             (std::ranges::binary_search(gone, object.key) ? lost : kept).push_back(object.parent);
         }
     }
+    std::ranges::sort(lost);
+    std::ranges::sort(kept);
     std::vector<Key> emptied;
-    for (const Object& object : level.objects) {
-        const auto* group = std::get_if<GroupObject>(&object.data);
-        if (group != nullptr && !group->layer && std::ranges::find(lost, object.key) != lost.end() &&
-            std::ranges::find(kept, object.key) == kept.end()) {
-            emptied.push_back(object.key);
+    for (const int place : groups) {
+        const Object& group = level.objects[place];
+        if (!std::get<GroupObject>(group.data).layer && std::ranges::binary_search(lost, group.key) &&
+            !std::ranges::binary_search(kept, group.key)) {
+            emptied.push_back(group.key);
         }
     }
     return emptied;
@@ -100,22 +103,19 @@ int indexOfKind(const Level& level, int kind) {
 /// Gives out keys that a level does not have, for many objects at once.
 class KeySource {
   public:
-    KeySource(const Level& level, std::uint64_t seed) : m_random(seed) {
-        for (const Object& object : level.objects) {
-            m_taken.insert(object.key);
-        }
-    }
+    KeySource(const Level& level, std::uint64_t seed) : m_objects(level.objects), m_random(seed) {}
     Key next() {
         Key key = m_random.next();
-        while (key == 0 || !m_taken.insert(key).second) {
+        while (key == 0 || m_objects.find(key) != nullptr || !m_given.insert(key).second) {
             key = m_random.next();
         }
         return key;
     }
 
   private:
+    ObjectList m_objects;
     Random m_random;
-    std::set<Key> m_taken;
+    std::set<Key> m_given;
 };
 
 } // namespace
@@ -149,7 +149,8 @@ Level removed(Level level, std::span<const Key> keys) {
 }
 
 Level moved(Level level, std::span<const Key> keys, const Vec2& delta) {
-    return changed(std::move(level), withMembers(level, keys), [&delta](ObjectData& data) { move(data, delta); });
+    const std::vector<Key> wanted = withMembers(level, keys);
+    return changed(std::move(level), wanted, [&delta](ObjectData& data) { move(data, delta); });
 }
 
 Level transformed(Level level, std::span<const Key> keys, const Affine& map) {
@@ -173,7 +174,8 @@ Level rotated(Level level, std::span<const Key> keys, const Vec2& pivot, double 
 }
 
 Level reversed(Level level, std::span<const Key> keys) {
-    return changed(std::move(level), withMembers(level, keys), [](ObjectData& data) {
+    const std::vector<Key> wanted = withMembers(level, keys);
+    return changed(std::move(level), wanted, [](ObjectData& data) {
         if (auto* body = std::get_if<BodyObject>(&data)) {
             for (LevelShape& shape : body->shapes) {
                 reverseShape(shape);
@@ -185,9 +187,9 @@ Level reversed(Level level, std::span<const Key> keys) {
 Level duplicated(Level level, std::span<const Key> keys, const CopyPlace& place, std::vector<Key>& copies) {
     const std::vector<Key> wanted = withMembers(level, keys);
     std::vector<Object> originals;
-    for (const Object& object : level.objects) {
-        if (std::ranges::binary_search(wanted, object.key) && singleKind(object.data) < 0) {
-            originals.push_back(object);
+    for (const int place : level.objects.indicesOf(wanted)) {
+        if (singleKind(level.objects[place].data) < 0) {
+            originals.push_back(level.objects[place]);
         }
     }
     CopyPlace beside = place;

@@ -1,5 +1,7 @@
 #include "core/level/groups.h"
 
+#include "core/level/level_index.h"
+
 #include <algorithm>
 
 namespace spacetow {
@@ -24,15 +26,11 @@ bool isLayer(const Object& object) {
 /// `change(object)` is applied to a copy of each object named by `keys`.
 template <class Change>
 Level changedObjects(Level level, std::span<const Key> keys, Change change) {
-    for (const Key key : keys) {
-        const int index = level.objects.indexOf(key);
-        if (index < 0) {
-            continue;
-        }
-        Object object = level.objects[index];
+    for (const int place : level.objects.indicesOf(keys)) {
+        Object object = level.objects[place];
         change(object);
-        if (!(object == level.objects[index])) {
-            level.objects.replace(index, std::move(object));
+        if (!(object == level.objects[place])) {
+            level.objects.replace(place, std::move(object));
         }
     }
     return level;
@@ -43,10 +41,8 @@ std::vector<Key> outermost(const Level& level, std::span<const Key> keys) {
     const GroupTree tree(level);
     const std::vector<Key> wanted = sortedKeys(keys);
     std::vector<Key> result;
-    for (const Object& object : level.objects) {
-        if (!isAmong(wanted, object.key)) {
-            continue;
-        }
+    for (const int place : level.objects.indicesOf(wanted)) {
+        const Object& object = level.objects[place];
         const Object* parent = tree.parentOf(object);
         while (parent != nullptr && !isAmong(wanted, parent->key)) {
             parent = tree.parentOf(*parent);
@@ -93,10 +89,8 @@ int placeInOrder(const Level& level, const ObjectPlace& place) {
 } // namespace
 
 GroupTree::GroupTree(const Level& level) {
-    for (const Object& object : level.objects) {
-        if (std::holds_alternative<GroupObject>(object.data)) {
-            m_groups.emplace_back(object.key, &object);
-        }
+    for (const int place : levelIndex(level).groups()) {
+        m_groups.emplace_back(level.objects[place].key, &level.objects[place]);
     }
     std::ranges::stable_sort(m_groups, {}, &std::pair<Key, const Object*>::first);
     const auto leadsRound = [this](const std::pair<Key, const Object*>& entry) {
@@ -177,10 +171,11 @@ bool GroupTree::isLocked(const Object& object) const {
 
 std::vector<Key> withMembers(const Level& level, std::span<const Key> keys) {
     std::vector<Key> result = sortedKeys(keys);
-    const GroupTree tree(level);
-    if (!tree.hasGroups()) {
+    const std::vector<int>& groups = levelIndex(level).groups();
+    if (std::ranges::none_of(groups, [&](int place) { return isAmong(result, level.objects[place].key); })) {
         return result;
     }
+    const GroupTree tree(level);
     const std::vector<Key> wanted = result;
     for (const Object& object : level.objects) {
         for (const Object* parent = tree.parentOf(object); parent != nullptr; parent = tree.parentOf(*parent)) {
@@ -213,13 +208,11 @@ Level grouped(Level level, std::span<const Key> keys, Object group) {
     EXPECTS(std::holds_alternative<GroupObject>(group.data));
     std::vector<Key> members = outermost(level, keys);
     std::erase_if(members, [&level](Key key) { return isLayer(*level.objects.find(key)); });
-    int first = -1;
-    for (int i = 0; i < level.objects.size() && first < 0; ++i) {
-        first = isAmong(members, level.objects[i].key) ? i : -1;
-    }
-    if (first < 0) {
+    const std::vector<int> places = level.objects.indicesOf(members);
+    if (places.empty()) {
         return level;
     }
+    const int first = places.front();
     const Object* parent = GroupTree(level).parentOf(level.objects[first]);
     group.parent = parent == nullptr || std::get<GroupObject>(group.data).layer ? 0 : parent->key;
     const Key key = group.key;

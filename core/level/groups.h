@@ -13,7 +13,6 @@ namespace spacetow {
 /// lint reports them. Valid for the level it was made from.
 class GroupTree {
   public:
-    /// Linear in the number of objects.
     explicit GroupTree(const Level& level);
 
     /// The group that the object is in, or null.

@@ -2,6 +2,7 @@
 // The level document as a value: what the editor shows, the file spells and play starts from. Metres, radians, y up.
 // Objects are held as shared immutable pieces, so that a copy of a level costs pointers only.
 
+#include "core/level/level_shape.h"
 #include "core/level/object_list.h"
 #include "core/level/tag_table.h"
 #include "core/physics/body.h"
@@ -16,29 +17,10 @@
 
 namespace spacetow {
 
-/// One-way walls joined end to end: each is solid for what comes from its left on the way from vertex to vertex.
-struct EdgeChain {
-    std::vector<Vec2> vertices; // at least two
-    bool closed = false;        // the last vertex joins the first
-    double depth = noBack;      // m, of every wall of the chain
-
-    bool operator==(const EdgeChain&) const = default;
-};
-
-/// Walls joined end to end that are solid from both sides.
-struct LineChain {
-    std::vector<Vec2> vertices; // at least two
-    bool closed = false;
-
-    bool operator==(const LineChain&) const = default;
-};
-
-using LevelShape = std::variant<EdgeChain, LineChain, Polygon, Circle>;
-
 /// A rigid body. Mass properties come from the shapes unless a mass is given.
 struct BodyObject {
     BodyKind kind = BodyKind::Static;
-    std::vector<LevelShape> shapes; // local coordinates, at least one
+    ShapeList shapes; // local coordinates, at least one
     Vec2 position{0, 0};
     double angle = 0;
     Vec2 velocity{0, 0};

@@ -1,6 +1,7 @@
 #include "core/level/level_index.h"
 
-#include "core/level/bounds.h"
+#include "core/base/overloaded.h"
+#include "core/level/object_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,36 +13,41 @@ namespace {
 constexpr std::size_t many = 32; // vertices of a shape that is worth a tree
 constexpr double mitre = 2.5;    // how much further than its depth the back of a wall reaches at corners
 
-/// Of all but connectors, which others place.
-Aabb ownBounds(const Object& object) {
-    static const Level nothing;
-    return std::holds_alternative<ConnectorObject>(object.data) ? Aabb() : spacetow::boundsOf(nothing, object);
-}
-
-Transform poseOf(const BodyObject& body) {
-    return {body.position, Rot::fromAngle(body.angle)};
-}
-
-double matterBehind(const ObjectData& data) {
+/// How far beyond its bounds there is something of the object.
+double reachBeyond(const ObjectData& data, const Aabb& bounds) {
+    const auto* body = std::get_if<BodyObject>(&data);
+    if (body == nullptr || bounds.isEmpty()) {
+        return 0;
+    }
     double reach = 0;
-    if (const auto* body = std::get_if<BodyObject>(&data)) {
-        for (const LevelShape& shape : body->shapes) {
-            const auto* chain = std::get_if<EdgeChain>(&shape);
-            if (chain != nullptr && (chain->closed || std::isfinite(chain->depth))) {
-                reach = std::max(reach, mitre * chain->depth);
-            }
+    if (body->kind == BodyKind::Kinematic) {
+        reach = std::max({0.0, (body->position - bounds.max).maxCoeff(), (bounds.min - body->position).maxCoeff()});
+    }
+    for (const LevelShape& shape : body->shapes) {
+        const auto* chain = std::get_if<EdgeChain>(&shape);
+        if (chain != nullptr && (chain->closed || std::isfinite(chain->depth))) {
+            reach = std::max(reach, mitre * chain->depth);
         }
     }
     return reach;
 }
 
-const std::vector<LevelShape>* shapesOf(const Object& object) {
+int segmentsOf(const ObjectData& data) {
+    const auto* body = std::get_if<BodyObject>(&data);
+    int segments = 0;
+    for (std::size_t i = 0; body != nullptr && i < body->shapes.size(); ++i) {
+        segments += std::max(1, level_index::pathOf(body->shapes[i], {}).segments());
+    }
+    return std::max(1, segments);
+}
+
+const ShapeList* shapeListOf(const Object& object) {
     const auto* body = std::get_if<BodyObject>(&object.data);
     return body == nullptr ? nullptr : &body->shapes;
 }
 
 std::shared_ptr<const std::vector<SegmentTree>> treesOf(const Object& object) {
-    const std::vector<LevelShape>* shapes = shapesOf(object);
+    const ShapeList* shapes = shapeListOf(object);
     const auto isLarge = [](const LevelShape& shape) { return level_index::pathOf(shape, {}).points.size() >= many; };
     if (shapes == nullptr || std::ranges::none_of(*shapes, isLarge)) {
         return nullptr;
@@ -59,16 +65,17 @@ std::shared_ptr<const std::vector<SegmentTree>> treesOf(const Object& object) {
 namespace level_index {
 
 Path pathOf(const LevelShape& shape, const Transform& pose) {
-    if (const auto* edges = std::get_if<EdgeChain>(&shape)) {
-        return {edges->vertices, edges->closed, pose};
-    }
-    if (const auto* lines = std::get_if<LineChain>(&shape)) {
-        return {lines->vertices, lines->closed, pose};
-    }
-    if (const auto* polygon = std::get_if<Polygon>(&shape)) {
-        return {polygon->vertices, true, pose};
-    }
-    return {};
+    return std::visit(Overloaded{[&](const EdgeChain& chain) {
+                                     return Path{chain.vertices, chain.closed, pose};
+                                 },
+                                 [&](const LineChain& chain) {
+                                     return Path{chain.vertices, chain.closed, pose};
+                                 },
+                                 [&](const Polygon& polygon) {
+                                     return Path{polygon.vertices, true, pose};
+                                 },
+                                 [](const Circle&) { return Path(); }},
+                      shape);
 }
 
 Aabb toLocal(const Aabb& box, const Path& path, const SegmentTree& tree) {
@@ -123,7 +130,9 @@ class LevelIndex::Maker {
         block->entries.reserve(static_cast<std::size_t>(end - first));
         for (int i = first; i < end; ++i) {
             const ObjectData& data = m_objects[i].data;
-            if (std::holds_alternative<ConnectorObject>(data)) {
+            if (std::holds_alternative<GroupObject>(data)) {
+                block->groups.push_back(i);
+            } else if (std::holds_alternative<ConnectorObject>(data)) {
                 block->connectors.push_back(i);
             }
             block->entries.push_back(entry(i));
@@ -137,9 +146,10 @@ class LevelIndex::Maker {
         if (old >= 0 && &m_before->m_objects[old] == &object) {
             return m_before->entry(old);
         }
-        Entry made{ownBounds(object), matterBehind(object.data), {}};
-        const std::vector<LevelShape>* shapes = shapesOf(object);
-        const std::vector<LevelShape>* oldShapes = old >= 0 ? shapesOf(m_before->m_objects[old]) : nullptr;
+        Entry made{ownBounds(object.data), 0, segmentsOf(object.data), {}};
+        made.reach = reachBeyond(object.data, made.box);
+        const ShapeList* shapes = shapeListOf(object);
+        const ShapeList* oldShapes = old >= 0 ? shapeListOf(m_before->m_objects[old]) : nullptr;
         const bool onlyMoved =
             oldShapes != nullptr && shapes != nullptr && m_before->entry(old).trees && *shapes == *oldShapes;
         made.trees = onlyMoved ? m_before->entry(old).trees : treesOf(object);
@@ -178,6 +188,19 @@ LevelIndex::LevelIndex(ObjectList objects, const LevelIndex* before)
     }
 }
 
+int LevelIndex::segmentsNear(int object, const Aabb& box) const {
+    const Entry& known = entry(object);
+    if (!known.trees || box.contains(known.box)) {
+        return known.segments;
+    }
+    int count = 0;
+    visitPaths(object, [&](int shape, const level_index::Path& path) {
+        level_index::visitStretches(path, treeOf(object, shape), box,
+                                    [&count](int first, int end) { count += end - first; });
+    });
+    return std::max(1, count);
+}
+
 void LevelIndex::placeConnectors(const LevelIndex* before) {
     const std::optional<std::vector<Key>> changed = m_connectors.empty() ? std::nullopt : keysChanged(before);
     const auto hasChanged = [&](Key key) { return !changed || std::ranges::binary_search(*changed, key); };
@@ -202,8 +225,9 @@ void LevelIndex::placeConnectors(const LevelIndex* before) {
             m_blocks[static_cast<std::size_t>(number)] = copy;
         }
         Aabb box;
-        for (const Vec2& end : connectorEnds(connector)) {
-            box.include(end);
+        if (const auto ends = endsOf(connector, m_objects)) {
+            box.include(ends->front());
+            box.include(ends->back());
         }
         copy->entries[static_cast<std::size_t>(place % ObjectList::blockSize)].box = box;
     }
@@ -229,17 +253,6 @@ std::optional<std::vector<Key>> LevelIndex::keysChanged(const LevelIndex* before
     }
     std::ranges::sort(keys);
     return keys;
-}
-
-std::vector<Vec2> LevelIndex::connectorEnds(const ConnectorObject& connector) const {
-    const Object* a = m_objects.find(connector.a);
-    const Object* b = m_objects.find(connector.b);
-    const auto* bodyA = a == nullptr ? nullptr : std::get_if<BodyObject>(&a->data);
-    const auto* bodyB = b == nullptr ? nullptr : std::get_if<BodyObject>(&b->data);
-    if (bodyA == nullptr || bodyB == nullptr) {
-        return {};
-    }
-    return {poseOf(*bodyA).toWorld(connector.anchorA), poseOf(*bodyB).toWorld(connector.anchorB)};
 }
 
 } // namespace spacetow

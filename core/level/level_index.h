@@ -44,9 +44,16 @@ class LevelIndex {
     const Aabb& bounds() const { return m_bounds; }
     /// Walls without their depth; empty for groups, and for connectors that have lost an end.
     const Aabb& boundsOf(int object) const { return entry(object).box; }
-    /// How far beyond its bounds there is matter of the object, behind walls: their depth with room for corners,
-    /// infinite for a closed wall without a back, else 0.
+    /// How far beyond its bounds there is something of the object: the matter behind walls, which is as deep as they
+    /// are with room for corners, and without end behind closed ones that have no back; the origin of a kinematic body.
     double reachOf(int object) const { return entry(object).reach; }
+    /// Over the segments of a shape, in its coordinates; null where that is not worth its while.
+    const SegmentTree* treeOf(int object, int shape) const {
+        const auto& trees = entry(object).trees;
+        return trees ? &(*trees)[static_cast<std::size_t>(shape)] : nullptr;
+    }
+    /// How many segments of the outline are in the box, about; 1 for what has none.
+    int segmentsNear(int object, const Aabb& box) const;
     /// Places of all groups and of all connectors, ascending.
     const std::vector<int>& groups() const { return m_groups; }
     const std::vector<int>& connectors() const { return m_connectors; }
@@ -69,13 +76,11 @@ class LevelIndex {
     template <class Visit>
     void visitVerticesOf(int object, const Aabb& box, Visit visit) const;
 
-    /// The ends of the connector in the world; empty when it has lost one.
-    std::vector<Vec2> connectorEnds(const ConnectorObject& connector) const;
-
   private:
     struct Entry {
         Aabb box;
         double reach = 0;
+        int segments = 0;
         std::shared_ptr<const std::vector<SegmentTree>> trees; // one a shape, of objects with many vertices
     };
     struct Block {

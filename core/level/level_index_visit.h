@@ -1,8 +1,10 @@
 #pragma once
 // The visits of LevelIndex; included by level_index.h alone.
 
+#include "core/base/overloaded.h"
 #include "core/geometry/intersect.h"
 #include "core/level/level_index.h"
+#include "core/level/object_geometry.h"
 
 namespace spacetow {
 
@@ -14,9 +16,10 @@ struct Path {
     bool closed = false;
     Transform pose;
 
+    /// A lone point is a segment of no length.
     int segments() const {
         const int count = static_cast<int>(points.size());
-        return closed || count == 0 ? count : count - 1;
+        return closed || count < 2 ? count : count - 1;
     }
     Vec2 at(int vertex) const { return pose.toWorld(points[static_cast<std::size_t>(vertex) % points.size()]); }
 };
@@ -42,22 +45,28 @@ void visitStretches(const Path& path, const SegmentTree* tree, const Aabb& box, 
 template <class Visit>
 void LevelIndex::visitPaths(int object, Visit visit) const {
     using level_index::Path;
-    const ObjectData& data = m_objects[object].data;
-    if (const auto* body = std::get_if<BodyObject>(&data)) {
-        const Transform pose{body->position, Rot::fromAngle(body->angle)};
-        for (std::size_t i = 0; i < body->shapes.size(); ++i) {
-            visit(static_cast<int>(i), level_index::pathOf(body->shapes[i], pose));
-        }
-    } else if (const auto* ship = std::get_if<ShipObject>(&data)) {
-        const auto outline = shipOutline();
-        visit(0, Path{outline, true, {ship->position, Rot::fromAngle(ship->angle)}});
-    } else if (const auto* finish = std::get_if<FinishObject>(&data)) {
-        const std::array ends{finish->a, finish->b};
-        visit(0, Path{ends, false, {}});
-    } else if (const auto* connector = std::get_if<ConnectorObject>(&data)) {
-        const std::vector<Vec2> ends = connectorEnds(*connector);
-        visit(0, Path{ends, false, {}});
-    }
+    const auto visitEnds = [&visit](std::span<const Vec2> ends) { visit(0, Path{ends, false, {}}); };
+    std::visit(Overloaded{[&](const BodyObject& body) {
+                              const Transform pose{body.position, Rot::fromAngle(body.angle)};
+                              for (std::size_t i = 0; i < body.shapes.size(); ++i) {
+                                  visit(static_cast<int>(i), level_index::pathOf(body.shapes[i], pose));
+                              }
+                          },
+                          [&](const ShipObject& ship) {
+                              const auto outline = shipOutline();
+                              visit(0, Path{outline, true, {ship.position, Rot::fromAngle(ship.angle)}});
+                          },
+                          [](const PayloadObject&) {},
+                          [&](const FinishObject& finish) {
+                              visitEnds(std::array{finish.a, finish.b});
+                          },
+                          [&](const ConnectorObject& connector) {
+                              if (const auto ends = endsOf(connector, m_objects)) {
+                                  visitEnds(*ends);
+                              }
+                          },
+                          [](const GroupObject&) {}},
+               m_objects[object].data);
 }
 
 template <class Visit>
@@ -94,10 +103,8 @@ void LevelIndex::visitReaching(const Aabb& box, Visit visit) const {
 
 template <class Visit>
 void LevelIndex::visitSegmentsOf(int object, const Aabb& box, Visit visit) const {
-    const Entry& known = entry(object);
     visitPaths(object, [&](int shape, const level_index::Path& path) {
-        const SegmentTree* tree = known.trees ? &(*known.trees)[static_cast<std::size_t>(shape)] : nullptr;
-        level_index::visitStretches(path, tree, box, [&](int first, int end) {
+        level_index::visitStretches(path, treeOf(object, shape), box, [&](int first, int end) {
             for (int i = first; i < end; ++i) {
                 const Vec2 a = path.at(i);
                 const Vec2 b = path.at(i + 1);
@@ -116,16 +123,14 @@ void LevelIndex::visitSegments(const Aabb& box, Visit visit) const {
 
 template <class Visit>
 void LevelIndex::visitVerticesOf(int object, const Aabb& box, Visit visit) const {
-    const Entry& known = entry(object);
     const ObjectData& data = m_objects[object].data;
     if (!std::holds_alternative<BodyObject>(data) && !std::holds_alternative<FinishObject>(data)) {
         return;
     }
     visitPaths(object, [&](int shape, const level_index::Path& path) {
-        const SegmentTree* tree = known.trees ? &(*known.trees)[static_cast<std::size_t>(shape)] : nullptr;
-        level_index::visitStretches(path, tree, box, [&](int first, int end) {
+        level_index::visitStretches(path, treeOf(object, shape), box, [&](int first, int end) {
             // No segment begins at the end of an open chain.
-            const bool atEnd = !path.closed && end == path.segments();
+            const bool atEnd = !path.closed && path.points.size() > 1 && end == path.segments();
             for (int i = first; i < end + (atEnd ? 1 : 0); ++i) {
                 const Vec2 at = path.at(i);
                 if (box.contains(at)) {

@@ -1,5 +1,4 @@
 #include "core/level/groups.h"
-#include "core/level/key_index.h"
 #include "core/level/key_text.h"
 #include "core/level/lint_findings.h"
 
@@ -16,12 +15,11 @@ bool isPlayed(const Object& object) {
 
 /// Warnings alone: the game does not ask who is in which group.
 void checkGroups(const Level& level, Findings& findings) {
-    const KeyIndex index(level.objects);
     const GroupTree tree(level);
     for (int i = 0; i < level.objects.size(); ++i) {
         const Object& object = level.objects[i];
         const FindingPlace place{i, object.key, "/parent"};
-        const Object* parent = object.parent == 0 ? nullptr : index.find(object.parent);
+        const Object* parent = object.parent == 0 ? nullptr : level.objects.find(object.parent);
         const auto* group = std::get_if<GroupObject>(&object.data);
         if (object.parent != 0 && parent == nullptr) {
             findings.add(Severity::Warning, "parent-missing", {keyText(object.parent)}, place);

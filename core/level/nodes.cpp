@@ -113,13 +113,9 @@ std::optional<Vec2> nodePosition(const Level& level, const NodeRef& node) {
 }
 
 std::vector<NodeRef> allNodes(const Level& level, std::span<const Key> keys) {
-    std::vector<Key> wanted(keys.begin(), keys.end());
-    std::ranges::sort(wanted);
     std::vector<NodeRef> nodes;
-    for (const Object& object : level.objects) {
-        if (!std::ranges::binary_search(wanted, object.key)) {
-            continue;
-        }
+    for (const int place : level.objects.indicesOf(keys)) {
+        const Object& object = level.objects[place];
         for (const NodePath& path : nodePaths(object.data)) {
             for (std::size_t i = 0; i < path.points.size(); ++i) {
                 nodes.push_back({object.key, path.shape, static_cast<int>(i)});
@@ -132,12 +128,16 @@ std::vector<NodeRef> allNodes(const Level& level, std::span<const Key> keys) {
 
 Level withMappedNodes(Level level, std::span<const NodeRef> nodes, const Affine& map) {
     EXPECTS(std::ranges::is_sorted(nodes));
-    for (int i = 0; i < level.objects.size(); ++i) {
-        const auto own = std::ranges::equal_range(nodes, level.objects[i].key, {}, &NodeRef::key);
-        if (own.empty()) {
+    for (std::size_t first = 0; first < nodes.size();) {
+        const Key key = nodes[first].key;
+        const std::size_t end = first + std::ranges::equal_range(nodes.subspan(first), key, {}, &NodeRef::key).size();
+        const auto own = nodes.subspan(first, end - first);
+        first = end;
+        const int place = level.objects.indexOf(key);
+        if (place < 0) {
             continue;
         }
-        Object object = level.objects[i];
+        Object object = level.objects[place];
         for (const NodeRef& node : own) {
             if (auto* body = std::get_if<BodyObject>(&object.data)) {
                 mapNode(*body, node, map);
@@ -145,7 +145,7 @@ Level withMappedNodes(Level level, std::span<const NodeRef> nodes, const Affine&
                 mapNode(*finish, node, map);
             }
         }
-        level.objects.replace(i, std::move(object));
+        level.objects.replace(place, std::move(object));
     }
     return level;
 }

@@ -155,6 +155,19 @@ Aabb ownBounds(const ObjectData& data) {
     return box;
 }
 
+std::optional<std::array<Vec2, 2>> endsOf(const ConnectorObject& connector, const ObjectList& objects) {
+    std::array<Vec2, 2> ends;
+    int end = 0;
+    for (const auto& [key, anchor] : {std::pair(connector.a, connector.anchorA), {connector.b, connector.anchorB}}) {
+        const Object* object = objects.find(key);
+        if (object == nullptr || !std::holds_alternative<BodyObject>(object->data)) {
+            return {};
+        }
+        ends[static_cast<std::size_t>(end++)] = poseOf(object->data)->toWorld(anchor);
+    }
+    return ends;
+}
+
 void move(ObjectData& data, const Vec2& delta) {
     const auto shift = [&delta](Vec2& point) { point = tidied(point + delta); };
     std::visit(Overloaded{[&](BodyObject& body) { shift(body.position); },

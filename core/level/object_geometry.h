@@ -7,6 +7,7 @@
 #include "core/math/affine.h"
 #include "core/math/transform.h"
 
+#include <array>
 #include <optional>
 
 namespace spacetow {
@@ -21,6 +22,9 @@ std::optional<Vec2> placeOf(const ObjectData& data);
 
 /// Bounds of all but connectors and groups, which others place; of walls without their depth. Empty for those two.
 Aabb ownBounds(const ObjectData& data);
+
+/// Where the connector's ends are; nothing when it has lost one of its bodies.
+std::optional<std::array<Vec2, 2>> endsOf(const ConnectorObject& connector, const ObjectList& objects);
 
 /// Connectors and groups have no place of their own and stay.
 void move(ObjectData& data, const Vec2& delta);

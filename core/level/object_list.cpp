@@ -137,6 +137,32 @@ const Object* ObjectList::find(Key key) const {
     return index < 0 ? nullptr : &(*this)[index];
 }
 
+std::vector<int> ObjectList::indicesOf(std::span<const Key> keys) const {
+    constexpr std::size_t share = 8; // of all objects, from which on it is quicker to look at each
+    std::vector<int> indices;
+    if (keys.size() > static_cast<std::size_t>(m_size) / share) {
+        std::vector<Key> wanted(keys.begin(), keys.end());
+        std::ranges::sort(wanted);
+        int index = 0;
+        for (const Object& object : *this) {
+            if (std::ranges::binary_search(wanted, object.key)) {
+                indices.push_back(index);
+            }
+            ++index;
+        }
+        return indices;
+    }
+    for (const Key key : keys) {
+        const int index = indexOf(key);
+        if (index >= 0) {
+            indices.push_back(index);
+        }
+    }
+    std::ranges::sort(indices);
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    return indices;
+}
+
 ObjectList::Block& ObjectList::ownBlock(int block) {
     std::shared_ptr<Block>& held = m_blocks[static_cast<std::size_t>(block)];
     if (held.use_count() > 1) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,8 @@ class ObjectList {
     int indexOf(Key key) const;
     /// The object with this key, or null.
     const Object* find(Key key) const;
+    /// Positions of the objects with these keys, ascending, each once.
+    std::vector<int> indicesOf(std::span<const Key> keys) const;
 
     void append(Object object);
     void insert(int index, Object object);

@@ -49,35 +49,6 @@ bool anySegment(const OutlinePath& path, Visit visit) {
 
 } // namespace
 
-Outlines::Outlines(const Level& level) {
-    for (const Object& object : level.objects) {
-        if (const auto* connector = std::get_if<ConnectorObject>(&object.data)) {
-            m_ends.emplace_back(connector->a, Transform{});
-            m_ends.emplace_back(connector->b, Transform{});
-        }
-    }
-    if (m_ends.empty()) {
-        return;
-    }
-    const auto byKey = [](const auto& a, const auto& b) { return a.first < b.first; };
-    std::sort(m_ends.begin(), m_ends.end(), byKey);
-    std::vector<std::pair<Key, Transform>> found;
-    for (const Object& object : level.objects) {
-        const std::optional<Transform> pose = poseOf(object);
-        if (pose && std::binary_search(m_ends.begin(), m_ends.end(), std::pair(object.key, Transform{}), byKey)) {
-            found.emplace_back(object.key, *pose);
-        }
-    }
-    std::sort(found.begin(), found.end(), byKey);
-    m_ends = std::move(found);
-}
-
-const Transform* Outlines::find(Key key) const {
-    const auto place = std::lower_bound(m_ends.begin(), m_ends.end(), key,
-                                        [](const auto& entry, Key wanted) { return entry.first < wanted; });
-    return place != m_ends.end() && place->first == key ? &place->second : nullptr;
-}
-
 Outline Outlines::of(const Object& object) const {
     Outline outline;
     const std::optional<Transform> pose = poseOf(object);
@@ -97,11 +68,8 @@ Outline Outlines::of(const Object& object) const {
                               outline.paths.push_back({{finish.a, finish.b}, false, false});
                           },
                           [&](const ConnectorObject& connector) {
-                              const Transform* a = find(connector.a);
-                              const Transform* b = find(connector.b);
-                              if (a && b) {
-                                  outline.paths.push_back(
-                                      {{a->toWorld(connector.anchorA), b->toWorld(connector.anchorB)}, false, false});
+                              if (const auto ends = endsOf(connector, m_objects)) {
+                                  outline.paths.push_back({{ends->front(), ends->back()}, false, false});
                               }
                           },
                           [](const GroupObject&) {}},

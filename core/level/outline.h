@@ -21,19 +21,15 @@ struct Outline {
     std::vector<Circle> discs; // world, filled
 };
 
-/// Knows where the bodies are that connectors join, which would be a search for each connector otherwise.
 /// Valid for the level it was made from.
 class Outlines {
   public:
-    /// Linear in the number of objects.
-    explicit Outlines(const Level& level);
+    explicit Outlines(const Level& level) : m_objects(level.objects) {}
     /// Empty for a connector that has lost an end.
     Outline of(const Object& object) const;
 
   private:
-    const Transform* find(Key key) const;
-
-    std::vector<std::pair<Key, Transform>> m_ends; // ascending by key
+    const ObjectList& m_objects;
 };
 
 Aabb boundsOf(const Outline& outline);

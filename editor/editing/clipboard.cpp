@@ -1,5 +1,6 @@
 #include "editor/editing/clipboard.h"
 
+#include "core/level/bounds.h"
 #include "core/level/edits.h"
 #include "core/level/file.h"
 #include "editor/editing/verbs.h"
@@ -7,21 +8,6 @@
 #include <utility>
 
 namespace spacetow {
-
-namespace {
-
-Aabb boundsOf(const Level& level, const Selection& selection) {
-    Aabb box;
-    for (const Object& object : level.objects) {
-        // Connectors lie between what else is selected; asking for theirs would mean a search for each.
-        if (selection.contains(object.key) && !std::holds_alternative<ConnectorObject>(object.data)) {
-            box.include(boundsOf(level, object));
-        }
-    }
-    return box;
-}
-
-} // namespace
 
 std::string copied(const Edit& edit) {
     return edit.selection.empty() ? std::string() : objectsText(*edit.level, edit.selection.keys());
@@ -44,7 +30,7 @@ std::optional<FinishedEdit> pasted(const ToolContext& context, std::string_view 
         return {};
     }
     const Selection selection(std::move(copies));
-    const Aabb box = boundsOf(level, selection);
+    const Aabb box = boundsOf(level, selection.keys());
     if (at && !box.isEmpty()) {
         Vec2 delta = *at - box.center();
         if (context.snap.grid && context.snap.step > 0) {

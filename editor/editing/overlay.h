@@ -32,20 +32,28 @@ struct OverlayLine {
     std::vector<Vec2> points; // world
     bool closed = false;
     double depth = 0; // m, of a solid side; may be without end
+
+    bool operator==(const OverlayLine&) const = default;
 };
 struct OverlayPoint {
     OverlayStyle style;
     Vec2 at; // world
+
+    bool operator==(const OverlayPoint&) const = default;
 };
 struct OverlayCircle {
     OverlayStyle style;
     Vec2 center;
     double radius; // m
+
+    bool operator==(const OverlayCircle&) const = default;
 };
 /// "1.25 m  45°" beside a point, in one line or several; numbers need no translation.
 struct OverlayText {
     Vec2 at;
     std::string text;
+
+    bool operator==(const OverlayText&) const = default;
 };
 
 /// The nodes of objects in edit. Which of them are selected stands in the selection; only those in view are looked at.
@@ -53,6 +61,8 @@ struct OverlayNodes {
     std::vector<Key> keys;    // of the objects, ascending
     std::vector<NodeRef> hot; // under the pointer; of a segment both ends
     bool hotSegment = false;
+
+    bool operator==(const OverlayNodes&) const = default;
 };
 
 struct Overlay {
@@ -64,6 +74,8 @@ struct Overlay {
     std::optional<SnapAnswer> snap; // in place of the points of style Snap
     Key hovered = 0;                // object or group that a click would select; 0 for none
     Aabb spotlight;                 // what is outside is dimmed; nothing is while it is empty
+
+    bool operator==(const Overlay&) const = default;
 };
 
 } // namespace spacetow

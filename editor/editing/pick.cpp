@@ -1,10 +1,11 @@
 #include "editor/editing/pick.h"
 
+#include "core/base/overloaded.h"
 #include "core/geometry/intersect.h"
-#include "core/level/bounds.h"
+#include "core/geometry/polygon.h"
 #include "core/level/groups.h"
+#include "core/level/level_index.h"
 #include "core/level/nodes.h"
-#include "core/level/outline.h"
 
 #include <algorithm>
 #include <tuple>
@@ -22,46 +23,97 @@ int rankOf(const Object& object) {
     return body && body->kind == BodyKind::Static ? 2 : 1;
 }
 
-bool isFar(const Object& object, const PickQuery& query) {
-    // Empty for connectors, of which only the outline can tell.
-    const Aabb rough = ownBounds(object.data);
-    return !rough.isEmpty() && !rough.grown(query.tolerance).contains(query.point);
+Aabb around(const Vec2& point, double reach) {
+    return Aabb{point, point}.grown(reach);
 }
 
-void addNodes(std::vector<Hit>& hits, const Object& object, const PickQuery& query) {
-    for (const NodePath& path : nodePaths(object.data)) {
-        for (std::size_t i = 0; i < path.points.size(); ++i) {
-            const double distance = (path.points[i] - query.point).norm();
-            if (distance <= query.tolerance) {
-                hits.push_back({HitKind::Node, object.key, path.shape, static_cast<int>(i), path.points[i], distance});
-            }
+bool mayBePicked(const GroupTree& tree, const Object& object) {
+    return tree.isVisible(object) && !tree.isLocked(object);
+}
+
+/// Whether the point is inside a polygon that the object fills, or `meets(disc)` holds for a disc of it, in the world.
+template <class Meets>
+bool fills(const Object& object, const Vec2& point, Meets meets) {
+    const std::optional<Transform> pose = poseOf(object);
+    const auto inDisc = [&](const Circle& disc) { return meets(Circle{pose->toWorld(disc.center), disc.radius}); };
+    const auto inOutline = [&](std::vector<Vec2> outline) {
+        for (Vec2& vertex : outline) {
+            vertex = pose->toWorld(vertex);
         }
-        for (int i = 0; i < path.segments(); ++i) {
-            const Vec2 at = closestOnSegment(path.points[static_cast<std::size_t>(i)], path.end(i), query.point);
-            const double distance = (at - query.point).norm();
-            if (distance <= query.tolerance) {
-                hits.push_back({HitKind::Segment, object.key, path.shape, i, at, distance});
-            }
+        return contains(outline, point);
+    };
+    const auto inShape = [&](const LevelShape& shape) {
+        return std::visit(Overloaded{[](const EdgeChain&) { return false; }, [](const LineChain&) { return false; },
+                                     [&](const Polygon& polygon) { return inOutline(polygon.vertices); },
+                                     [&](const Circle& circle) { return inDisc(circle); }},
+                          shape);
+    };
+    return std::visit(Overloaded{[&](const BodyObject& body) { return std::ranges::any_of(body.shapes, inShape); },
+                                 [&](const ShipObject&) {
+                                     const auto hull = shipOutline();
+                                     return inOutline({hull.begin(), hull.end()});
+                                 },
+                                 [&](const PayloadObject& payload) {
+                                     return inDisc({{0, 0}, payload.radius});
+                                 },
+                                 [](const FinishObject&) { return false; },
+                                 [](const ConnectorObject&) { return false; },
+                                 [](const GroupObject&) { return false; }},
+                      object.data);
+}
+
+bool isNear(const LevelIndex& index, int place, const Vec2& point, double tolerance) {
+    bool near = false;
+    index.visitSegmentsOf(place, around(point, tolerance), [&](const SegmentRef&, const Vec2& a, const Vec2& b) {
+        near = near || (closestOnSegment(a, b, point) - point).norm() <= tolerance;
+    });
+    return near || fills(index.objects()[place], point,
+                         [&](const Circle& disc) { return (disc.center - point).norm() - disc.radius <= tolerance; });
+}
+
+bool touchesBox(const LevelIndex& index, int place, const Aabb& box) {
+    bool touches = false;
+    index.visitSegmentsOf(place, box, [&](const SegmentRef&, const Vec2&, const Vec2&) { touches = true; });
+    // With no side in the box, either all of the box lies inside an outline or nothing of it.
+    return touches || fills(index.objects()[place], box.center(), [&](const Circle& disc) {
+               const Vec2 nearest = disc.center.cwiseMax(box.min).cwiseMin(box.max);
+               return (nearest - disc.center).norm() <= disc.radius;
+           });
+}
+
+void addNodes(std::vector<Hit>& hits, const LevelIndex& index, int place, const PickQuery& query) {
+    const Aabb box = around(query.point, query.tolerance);
+    const Key key = index.objects()[place].key;
+    const auto add = [&](HitKind kind, int shape, int number, const Vec2& at) {
+        const double distance = (at - query.point).norm();
+        if (distance <= query.tolerance) {
+            hits.push_back({kind, key, shape, number, at, distance});
         }
-    }
+    };
+    index.visitVerticesOf(place, box, [&](const VertexRef& ref, const Vec2& at) {
+        add(HitKind::Node, ref.shape, ref.vertex, tidied(at));
+    });
+    index.visitSegmentsOf(place, box, [&](const SegmentRef& ref, const Vec2& a, const Vec2& b) {
+        if (hasNode(index.objects()[place].data, ref.shape, ref.segment)) {
+            add(HitKind::Segment, ref.shape, ref.segment, closestOnSegment(tidied(a), tidied(b), query.point));
+        }
+    });
 }
 
 } // namespace
 
 std::vector<Hit> hits(const Level& level, const PickQuery& query) {
     std::vector<Hit> found;
-    if (!query.nodesOf.empty()) {
-        const GroupTree tree(level);
-        for (const Object& object : level.objects) {
-            if (std::ranges::binary_search(query.nodesOf, object.key) && !isFar(object, query) &&
-                tree.isVisible(object) && !tree.isLocked(object)) {
-                addNodes(found, object, query);
-            }
+    const LevelIndex& index = levelIndex(level);
+    const GroupTree tree(level);
+    for (const int place : level.objects.indicesOf(query.nodesOf)) {
+        if (mayBePicked(tree, level.objects[place])) {
+            addNodes(found, index, place, query);
         }
-        std::ranges::stable_sort(found, [](const Hit& a, const Hit& b) {
-            return std::tuple(a.kind, a.distance) < std::tuple(b.kind, b.distance);
-        });
     }
+    std::ranges::stable_sort(found, [](const Hit& a, const Hit& b) {
+        return std::tuple(a.kind, a.distance) < std::tuple(b.kind, b.distance);
+    });
     for (const Key key : picked(level, query.point, query.tolerance)) {
         found.push_back({HitKind::Object, key, -1, -1, query.point, 0});
     }
@@ -71,19 +123,14 @@ std::vector<Hit> hits(const Level& level, const PickQuery& query) {
 std::vector<Key> picked(const Level& level, const Vec2& point, double tolerance) {
     using Candidate = std::tuple<int, double, int, Key>; // rank, size, minus the place in the level
     std::vector<Candidate> candidates;
-    const Outlines outlines(level);
+    const LevelIndex& index = levelIndex(level);
     const GroupTree tree(level);
-    int index = 0;
-    for (const Object& object : level.objects) {
-        ++index;
-        if (isFar(object, {point, tolerance}) || !tree.isVisible(object) || tree.isLocked(object)) {
-            continue;
+    index.visitObjects(around(point, tolerance), [&](int place) {
+        const Object& object = level.objects[place];
+        if (mayBePicked(tree, object) && isNear(index, place, point, tolerance)) {
+            candidates.emplace_back(rankOf(object), index.boundsOf(place).size().norm(), -place, object.key);
         }
-        const Outline outline = outlines.of(object);
-        if (distanceTo(outline, point) <= tolerance) {
-            candidates.emplace_back(rankOf(object), boundsOf(outline).size().norm(), -index, object.key);
-        }
-    }
+    });
     std::sort(candidates.begin(), candidates.end());
     std::vector<Key> keys;
     keys.reserve(candidates.size());
@@ -95,23 +142,15 @@ std::vector<Key> picked(const Level& level, const Vec2& point, double tolerance)
 
 std::vector<Key> pickedIn(const Level& level, const Aabb& box, bool wholly) {
     std::vector<Key> keys;
-    const Outlines outlines(level);
+    const LevelIndex& index = levelIndex(level);
     const GroupTree tree(level);
-    for (const Object& object : level.objects) {
-        const Aabb rough = ownBounds(object.data);
-        if ((!rough.isEmpty() && !rough.overlaps(box)) || !tree.isVisible(object) || tree.isLocked(object)) {
-            continue;
-        }
-        if (!rough.isEmpty() && box.contains(rough)) {
-            keys.push_back(object.key);
-            continue;
-        }
-        const Outline outline = outlines.of(object);
-        const Aabb exact = boundsOf(outline);
-        if (wholly ? !exact.isEmpty() && box.contains(exact) : touches(outline, box)) {
+    index.visitObjects(box, [&](int place) {
+        const Object& object = level.objects[place];
+        const bool inside = box.contains(index.boundsOf(place));
+        if ((inside || (!wholly && touchesBox(index, place, box))) && mayBePicked(tree, object)) {
             keys.push_back(object.key);
         }
-    }
+    });
     return keys;
 }
 

@@ -89,13 +89,12 @@ Selection Selection::within(const Level& level) const {
         return {};
     }
     Selection kept;
-    for (const Object& object : level.objects) {
-        if (object.key == m_entered && std::holds_alternative<GroupObject>(object.data)) {
-            kept.m_entered = m_entered;
-        }
-        if (!contains(object.key)) {
-            continue;
-        }
+    const Object* group = m_entered == 0 ? nullptr : level.objects.find(m_entered);
+    if (group != nullptr && std::holds_alternative<GroupObject>(group->data)) {
+        kept.m_entered = m_entered;
+    }
+    for (const int place : level.objects.indicesOf(m_keys)) {
+        const Object& object = level.objects[place];
         kept.m_keys.push_back(object.key);
         const auto nodes = std::ranges::equal_range(m_nodes, object.key, {}, &NodeRef::key);
         std::ranges::copy_if(nodes, std::back_inserter(kept.m_nodes),

@@ -25,8 +25,9 @@ std::optional<Vec2> middleOf(const Edit& edit) {
     const Outlines outlines(*edit.level);
     const std::vector<Key> keys = withMembers(*edit.level, edit.selection.keys());
     PointSum all;
-    for (const Object& object : edit.level->objects) {
-        if (std::ranges::binary_search(keys, object.key) && !std::holds_alternative<ConnectorObject>(object.data)) {
+    for (const int place : edit.level->objects.indicesOf(keys)) {
+        const Object& object = edit.level->objects[place];
+        if (!std::holds_alternative<ConnectorObject>(object.data)) {
             const PointSum points = pointsOf(outlines.of(object));
             all.sum += points.sum;
             all.count += points.count;

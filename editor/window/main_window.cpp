@@ -308,15 +308,8 @@ QString MainWindow::snapHint() const {
 }
 
 void MainWindow::updateSelection() {
-    Aabb box;
     const Edit& shown = m_document.shown();
-    if (!shown.selection.empty()) {
-        for (const Object& object : shown.level->objects) {
-            if (shown.selection.contains(object.key)) {
-                box.include(boundsOf(*shown.level, object));
-            }
-        }
-    }
+    const Aabb box = boundsOf(*shown.level, shown.selection.keys());
     m_status.setSelection(shown.selection.size(), box);
     m_frame.setExtent(box);
 }

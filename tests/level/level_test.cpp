@@ -1,7 +1,6 @@
 #include "core/level/level.h"
 
 #include "core/game/ship.h"
-#include "core/level/key_index.h"
 #include "tests/support/random_level.h"
 #include "tests/support/test_main.h"
 
@@ -96,14 +95,6 @@ class LevelTest : public QObject {
             level.objects.append(named(key, ""));
         }
         QCOMPARE(freshKey(level, 9), freshKey(level, 9));
-    }
-
-    void theIndexFindsTheFirstOfEqualKeys() {
-        ObjectList list = abcd();
-        list.append(named('b', "second"));
-        const KeyIndex index(list);
-        QCOMPARE(index.find('b')->name, std::string("b"));
-        QVERIFY(index.find('z') == nullptr);
     }
 
     void theOutlineOfTheShipIsItsHull() {
