@@ -23,12 +23,16 @@ struct LevelFile {
     std::vector<Problem> problems; // of the file, then of lint, in the order of their lines
 };
 
-LevelFile parseLevel(std::string_view text);
+/// What is looked for in a file that is read: also what lint finds, with its lines, or only what keeps the file from
+/// saying what was meant, for those who ask lint themselves.
+enum class Checks : std::uint8_t { All, FileOnly };
+
+LevelFile parseLevel(std::string_view text, Checks checks = Checks::All);
 /// The text of the file, newline at the end. Shortest round-trip numbers, keys in fixed order.
 std::string levelText(const Level& level);
 
 /// Codes: "cannot-read" (path, reason), "file-too-large" (path, bytes allowed).
-Result<LevelFile> readLevel(const std::filesystem::path& path);
+Result<LevelFile> readLevel(const std::filesystem::path& path, Checks checks = Checks::All);
 /// Writes beside the file, flushes and renames, so that the old file stays whole when anything fails.
 /// Links are followed and the mode of the old file is kept. Codes: "cannot-write" (path, reason), "file-too-large"
 /// (path, bytes allowed) and those of notWritable.

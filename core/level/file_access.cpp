@@ -113,7 +113,7 @@ int writeTemporary(const fs::path& path, std::string_view text, const struct sta
 
 } // namespace
 
-Result<LevelFile> readLevel(const fs::path& path) {
+Result<LevelFile> readLevel(const fs::path& path, Checks checks) {
     // Not waiting keeps a pipe without a writer from hanging the program.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat info {};
@@ -142,7 +142,7 @@ Result<LevelFile> readLevel(const fs::path& path) {
         size += static_cast<std::size_t>(count);
     }
     text.resize(size);
-    return parseLevel(text);
+    return parseLevel(text, checks);
 }
 
 std::optional<Error> writeLevel(const fs::path& path, const Level& level) {

@@ -88,16 +88,15 @@ void checkFilters(const Level& level, Findings& findings) {
     }
 }
 
-std::vector<Problem> lint(const Level& level) {
+std::vector<Problem> lint(const Level& level, const std::stop_token& stop) {
     Findings findings;
-    checkTags(level, findings);
-    checkKeys(level, findings);
-    checkRanges(level, findings);
-    checkShapes(level, findings);
-    checkFilters(level, findings);
-    checkGroups(level, findings);
-    checkConnectors(level, findings);
-    checkStart(level, findings);
+    for (const auto check :
+         {checkTags, checkKeys, checkRanges, checkShapes, checkFilters, checkGroups, checkConnectors, checkStart}) {
+        if (stop.stop_requested()) {
+            break;
+        }
+        check(level, findings);
+    }
     return std::move(findings).sorted();
 }
 

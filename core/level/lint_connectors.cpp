@@ -1,26 +1,27 @@
 #include "core/geometry/mass.h"
 #include "core/level/build.h"
 #include "core/level/json_text.h"
-#include "core/level/key_index.h"
 #include "core/level/key_text.h"
 #include "core/level/lint_findings.h"
 
 #include <cmath>
+#include <map>
 
 namespace spacetow {
 
 namespace {
 
-/// 1/kg: how easily a pull at the anchor moves it, at most (the pull being across the arm).
-double yielding(const BodyObject& body, const Vec2& anchor) {
-    if (body.kind != BodyKind::Dynamic || body.frozen) {
-        return 0;
-    }
+MassProperties massOf(const BodyObject& body) {
     std::vector<MassProperties> parts;
     for (const Shape& shape : physicsShapes(body)) {
         parts.push_back(massOf(shape, body.density));
     }
-    const MassProperties total = sum(parts);
+    return sum(parts);
+}
+
+/// 1/kg: how easily a pull at the anchor moves it, at most (the pull being across the arm). `total` is that of its
+/// shapes.
+double yieldingOf(const BodyObject& body, const MassProperties& total, const Vec2& anchor) {
     if (!(total.mass > 0) || !(total.inertia > 0)) {
         return 0;
     }
@@ -32,7 +33,7 @@ double yielding(const BodyObject& body, const Vec2& anchor) {
 class ConnectorChecker {
   public:
     ConnectorChecker(const Level& level, Findings& findings)
-        : m_index(level.objects), m_findings(findings),
+        : m_objects(level.objects), m_findings(findings),
           m_substep(level.updateSeconds / level.iterations / level.substeps), m_substeps(level.substeps) {}
 
     void check(int index, Key key, const ConnectorObject& connector) {
@@ -53,8 +54,19 @@ class ConnectorChecker {
     }
 
   private:
+    double yielding(const BodyObject& body, const Vec2& anchor) {
+        if (body.kind != BodyKind::Dynamic || body.frozen) {
+            return 0;
+        }
+        // Many connectors may hang on a body of many shapes.
+        auto [found, isNew] = m_masses.try_emplace(&body);
+        if (isNew) {
+            found->second = massOf(body);
+        }
+        return yieldingOf(body, found->second, anchor);
+    }
     const BodyObject* end(int index, Key key, Key wanted, const char* name) {
-        const Object* object = m_index.find(wanted);
+        const Object* object = m_objects.find(wanted);
         const auto* body = object == nullptr ? nullptr : std::get_if<BodyObject>(&object->data);
         if (body == nullptr) {
             const char* code = object == nullptr ? "connector-end-missing" : "connector-end-no-body";
@@ -79,7 +91,8 @@ class ConnectorChecker {
         }
     }
 
-    KeyIndex m_index;
+    const ObjectList& m_objects;
+    std::map<const BodyObject*, MassProperties> m_masses;
     Findings& m_findings;
     double m_substep;  // s
     double m_substeps; // an iteration

@@ -1,15 +1,17 @@
 #pragma once
-// What lint finds in the level, looked for anew shortly after each edit. A click leads to the object.
+// What lint finds in the level, looked for anew shortly after each edit, by a thread beside the window. A click leads
+// to the object.
 
-#include "core/level/problem.h"
+#include "editor/canvas/background_task.h"
 #include "editor/editing/document.h"
+#include "editor/panels/problem_list.h"
 
-#include <QListWidget>
+#include <QLabel>
+#include <QListView>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <QWidget>
 
-#include <functional>
 #include <vector>
 
 namespace spacetow {
@@ -18,18 +20,16 @@ class ProblemsPanel : public QWidget {
     Q_OBJECT
 
   public:
-    using Sentence = std::function<QString(const Problem&)>;
-
     /// The document must outlive the panel.
-    ProblemsPanel(Document& document, Sentence sentence, QWidget* parent = nullptr);
+    ProblemsPanel(Document& document, ProblemList::Sentence sentence, QWidget* parent = nullptr);
     ~ProblemsPanel() override;
 
-    const std::vector<Problem>& problems() const { return m_problems; }
+    const std::vector<Problem>& problems() const { return m_problems.problems(); }
     int errors() const;
     int warnings() const;
     /// Goes to the problem before or after the current one, round and round.
     void go(int by);
-    /// At once instead of shortly.
+    /// At once instead of shortly; waits for what is found.
     void check();
     /// Draws the marks in colours that are read on the palette.
     void tint();
@@ -43,17 +43,21 @@ class ProblemsPanel : public QWidget {
     void objectWanted(spacetow::Key key);
 
   private:
-    void fill();
-    void choose(int row);
+    void checkBeside();
+    void take(const std::shared_ptr<const Level>& level, std::vector<Problem> problems);
+    void note();
+    void choose(const QModelIndex& row);
 
     Document& m_document;
-    Sentence m_sentence;
+    ProblemList m_problems;
     QVBoxLayout m_column;
-    QListWidget m_list;
+    QLabel m_note; // instead of rows, or while checking takes its time
+    QListView m_list;
     QTimer m_soon;
-    std::vector<Problem> m_problems;
+    QTimer m_slow; // since a check began
     std::shared_ptr<const Level> m_checked;
     int m_listener = 0;
+    BackgroundTask m_task; // last, so that it has ended before the rest goes
 };
 
 } // namespace spacetow

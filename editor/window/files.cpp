@@ -1,6 +1,5 @@
 #include "editor/window/files.h"
 
-#include "core/level/lint.h"
 #include "editor/window/messages.h"
 
 #include <QCoreApplication>
@@ -10,9 +9,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-
-#include <algorithm>
-#include <iterator>
 
 namespace spacetow {
 
@@ -68,18 +64,6 @@ QString listed(const std::vector<Problem>& problems) {
         text += QLatin1Char('\n') + FileWords::tr("… and %1 more").arg(count - fewProblems);
     }
     return text;
-}
-
-/// Without what lint says of the level, which stands in the panel of problems as long as it is true.
-std::vector<Problem> ofFileOnly(const LevelFile& file) {
-    const std::vector<Problem> known = lint(*file.level);
-    std::vector<Problem> others;
-    std::ranges::copy_if(file.problems, std::back_inserter(others), [&known](const Problem& problem) {
-        return std::ranges::none_of(known, [&problem](const Problem& other) {
-            return other.code == problem.code && other.object == problem.object && other.arguments == problem.arguments;
-        });
-    });
-    return others;
 }
 
 } // namespace
@@ -157,7 +141,7 @@ bool Files::openExample(const QString& resource) {
     if (!file.open(QIODevice::ReadOnly)) {
         return false;
     }
-    const LevelFile example = parseLevel(file.readAll().toStdString());
+    const LevelFile example = parseLevel(file.readAll().toStdString(), Checks::FileOnly);
     if (!holdsLevel(example, exampleName()) || !mayLeave()) {
         return false;
     }
@@ -168,7 +152,7 @@ bool Files::openExample(const QString& resource) {
 }
 
 std::optional<LevelFile> Files::readable(const QString& path) {
-    Result<LevelFile> file = readLevel(toPath(path));
+    Result<LevelFile> file = readLevel(toPath(path), Checks::FileOnly);
     if (!file) {
         preferences.removeRecent(path);
         m_tell(MessageBar::Tone::Error, sentence(file.error()));
@@ -191,7 +175,8 @@ void Files::adopt(const LevelFile& file, const QString& path) {
     m_path = path;
     m_untitled.clear();
     m_document.reset(*file.level);
-    const std::vector<Problem> problems = ofFileOnly(file);
+    // What lint says of the level stands in the panel of problems as long as it is true.
+    const std::vector<Problem>& problems = file.problems;
     if (!problems.empty()) {
         const QString shownName = path.isEmpty() ? exampleName() : QFileInfo(path).fileName();
         m_tell(MessageBar::Tone::Warning, FileWords::tr("%1 was opened, but:").arg(shownName) + listed(problems));

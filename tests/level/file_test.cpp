@@ -291,6 +291,17 @@ class FileTest : public QObject {
         QVERIFY(file.problems.size() <= 1001);
         QVERIFY(hasErrors(file.problems));
     }
+
+    void whoAsksLintItselfIsSparedItsAnswer() {
+        Level level;
+        level.objects.append({5, {}, BodyObject(), {}});
+        const std::string text = levelText(level);
+        QVERIFY(!parseLevel(text).problems.empty());
+        const LevelFile file = parseLevel(text, Checks::FileOnly);
+        QVERIFY(file.problems.empty());
+        QVERIFY(*file.level == level);
+        QVERIFY(!parseLevel("{", Checks::FileOnly).problems.empty());
+    }
 };
 
 SPACETOW_TEST(FileTest)

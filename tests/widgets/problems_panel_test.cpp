@@ -4,7 +4,7 @@
 #include "editor/window/messages.h"
 #include "tests/support/test_main.h"
 
-#include <QListWidget>
+#include <QListView>
 #include <QSignalSpy>
 
 using namespace spacetow;
@@ -39,7 +39,7 @@ class ProblemsPanelTest : public QObject {
         QCOMPARE(panel.problems(), lint(level));
         QVERIFY(panel.errors() > 0);
         QCOMPARE(changed.count(), 1);
-        QCOMPARE(panel.findChild<QListWidget*>()->count(), static_cast<int>(panel.problems().size()));
+        QCOMPARE(panel.findChild<QListView*>()->model()->rowCount(), static_cast<int>(panel.problems().size()));
         document.undo();
         panel.check();
         QCOMPARE(panel.errors(), 0);
@@ -98,6 +98,39 @@ class ProblemsPanelTest : public QObject {
         QVERIFY(std::ranges::find(wanted, Key{6}) != wanted.end());
         panel.go(-1);
         QCOMPARE(wanted.back(), Key{6});
+    }
+
+    void fiftyThousandProblemsTakeUpNoTimeUntilTheyAreLookedAt() {
+        Document document;
+        int sentences = 0;
+        ProblemsPanel panel(document, [&sentences](const Problem& problem) {
+            ++sentences;
+            return code(problem);
+        });
+        panel.resize(300, 200);
+        panel.show();
+        Level level;
+        for (Key key = 1; key <= 50'000; ++key) {
+            BodyObject body; // without a shape
+            level.objects.append({key, {}, body, {}});
+        }
+        document.commit({"paste", 1}, {std::make_shared<Level>(level), Selection()});
+        panel.check();
+        QVERIFY(panel.errors() >= 50'000);
+        QCoreApplication::processEvents();
+        QVERIFY2(sentences < 5000, QByteArray::number(sentences));
+    }
+
+    void anEditDuringACheckIsCheckedAfterIt() {
+        Document document;
+        ProblemsPanel panel(document, code);
+        for (Key key = 1; key < 40; ++key) {
+            Level level = *document.current().level;
+            level.objects.append(crossed(key));
+            document.commit({"draw-polygon", 1}, {std::make_shared<Level>(level), Selection()});
+            QCoreApplication::processEvents();
+        }
+        QTRY_COMPARE(panel.problems(), lint(*document.current().level));
     }
 
     void aPreviewIsNotCheckedBeforeItEnds() {
