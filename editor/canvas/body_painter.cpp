@@ -42,7 +42,12 @@ void hatch(const Stage& stage, const QPainterPath& path, const BodyColors& color
     if (style.kind == BodyKind::Static && style.tangible && std::min(box.width(), box.height()) >= hatchFrom) {
         QColor line = colors.line;
         line.setAlpha(60);
+        // Fixed to the world, so that pictures put together from strips have no seams.
+        constexpr double period = 8;
+        const QPointF origin = stage.at(Vec2(0, 0));
+        stage.painter.setBrushOrigin(QPointF(std::fmod(origin.x(), period), std::fmod(origin.y(), period)));
         stage.painter.fillPath(path, QBrush(line, Qt::BDiagPattern));
+        stage.painter.setBrushOrigin(QPointF(0, 0));
     }
 }
 

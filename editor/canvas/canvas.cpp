@@ -1,11 +1,11 @@
 #include "editor/canvas/canvas.h"
 
-#include "core/level/edits.h"
+#include "core/level/bounds.h"
+#include "editor/canvas/grid_painter.h"
 #include "editor/canvas/guide_painter.h"
 #include "editor/canvas/highlight_painter.h"
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/overlay_painter.h"
-#include "editor/canvas/scene_painter.h"
 #include "editor/canvas/snap_painter.h"
 #include "editor/canvas/tag_painter.h"
 
@@ -50,29 +50,25 @@ Qt::CursorShape shapeFor(CursorShape shape) {
 }
 
 Aabb boundsOfSelected(const Edit& edit) {
-    Aabb box;
-    for (const Object& object : edit.level->objects) {
-        if (edit.selection.contains(object.key)) {
-            box.include(boundsOf(*edit.level, object));
-        }
-    }
-    return box;
+    return boundsOf(*edit.level, edit.selection.keys());
 }
 
 } // namespace
 
 Canvas::Canvas(Document& document, Toolbox& toolbox, QWidget* parent)
-    : QWidget(parent), m_document(document), m_toolbox(toolbox), m_entry(toolbox, *this) {
+    : QWidget(parent), m_document(document), m_toolbox(toolbox), m_board([this] { update(); }), m_entry(toolbox, *this) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMinimumSize(240, 180);
     setAccessibleName(tr("Drawing board"));
-    m_documentListener = m_document.changed.connect([this](const Change& change) { documentChanged(change); });
+    m_documentListener = m_document.changed.connect([this](const Change&) { update(); });
     m_toolboxListener = m_toolbox.changed.connect([this] {
         updateCursor();
         m_entry.follow(m_position.value_or(QPointF(rect().center())).toPoint());
-        update();
+        if (!(m_toolbox.overlay() == m_overlay)) {
+            update();
+        }
     });
 }
 
@@ -152,67 +148,78 @@ Pointer Canvas::pointerAt(const QPointF& position, Qt::KeyboardModifiers modifie
             m_view.pixel(), m_view.visible()};
 }
 
-void Canvas::documentChanged(const Change& change) {
-    if (change.before.level != change.after.level) {
-        if (m_document.hasPreview()) {
-            m_layer.setMoving(*m_document.current().level, *change.after.level);
-        } else {
-            m_layer.clearMoving();
-        }
-    }
-    update();
+void Canvas::showAnew() {
+    m_board.forget();
+    fitLevel();
+}
+
+void Canvas::finishPainting() {
+    repaint();
+    m_board.finish();
+    repaint();
 }
 
 void Canvas::paintEvent(QPaintEvent*) {
-    if (!m_document.hasPreview()) {
-        m_layer.clearMoving();
-    }
-    const bool live = m_document.hasPreview();
     const Edit& shown = m_document.shown();
-    LayerCache::Request request;
-    request.view = m_view;
+    const double ratio = devicePixelRatioF();
+    BoardRequest request;
+    request.frame = {alignedToPixels(m_view, ratio), ratio};
+    request.theme = &editingTheme(shadeOf(palette()));
     request.level = shown.level;
-    request.selection = live ? Selection() : shown.selection;
-    request.overlays = live ? OverlayFlags() : m_overlays;
-    request.gridStep = m_grid ? m_toolbox.snap.fineStep() : 0;
-    request.pixelRatio = devicePixelRatioF();
-    request.shade = shadeOf(palette());
+    request.base = m_document.current().level;
+    request.live = m_document.hasPreview();
+    request.selection = shown.selection;
+    request.overlays = m_overlays;
+    m_board.prepare(request);
+    composeStill({request.frame, request.theme, m_grid ? m_toolbox.snap.fineStep() : 0, m_board.stillRevision()});
 
     QPainter painter(this);
-    painter.drawPixmap(0, 0, m_layer.layer(request));
-    const Stage stage{painter, m_view, editingTheme(request.shade)};
-    if (m_layer.hasMoving()) {
-        paintObjects(stage, *shown.level, [this](const Object& object) { return m_layer.isMoving(object.key); });
-    }
+    painter.drawPixmap(0, 0, m_still);
+    const Stage stage{painter, request.frame.view, *request.theme};
     if (m_toolbox.guidesVisible) {
         paintGuides(stage, *shown.level, m_toolbox.guideInReach());
     }
-    if (live) {
-        if (m_overlays.any()) {
-            paintLevelOverlays(stage, *shown.level, m_overlays);
-        }
-        paintSelection(stage, *shown.level, shown.selection);
-    }
+    m_board.drawRest(painter);
     paintHighlight(stage, *shown.level, m_highlighted);
     if (m_overlays.tags) {
         paintTags(stage, *shown.level);
     }
-    const Overlay overlay = m_toolbox.overlay();
-    if (overlay.hovered != 0) {
-        paintHovered(stage, *shown.level, overlay.hovered);
+    m_overlay = m_toolbox.overlay();
+    if (m_overlay.hovered != 0) {
+        paintHovered(stage, *shown.level, m_overlay.hovered);
     }
-    if (overlay.nodes) {
-        paintNodes(stage, *shown.level, shown.selection, *overlay.nodes);
+    if (m_overlay.nodes) {
+        paintNodes(stage, *shown.level, shown.selection, *m_overlay.nodes);
     }
-    paintToolOverlay(stage, overlay);
-    if (overlay.snap) {
-        paintSnap(stage, *overlay.snap, m_snapName ? m_snapName(*overlay.snap) : QString());
+    paintToolOverlay(stage, m_overlay);
+    if (m_overlay.snap) {
+        paintSnap(stage, *m_overlay.snap, m_snapName ? m_snapName(*m_overlay.snap) : QString());
     }
     if (hasFocus()) {
         painter.setPen(stroke(palette().color(QPalette::Highlight), 1));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
+}
+
+/// Background, grid and all of the level that stands still, in one picture for as long as it does.
+void Canvas::composeStill(const Still& wanted) {
+    if (wanted == m_composed && !m_still.isNull()) {
+        return;
+    }
+    m_composed = wanted;
+    const QSize size = wanted.frame.deviceSize();
+    if (m_still.size() != size || m_still.devicePixelRatio() != wanted.frame.pixelRatio) {
+        m_still = QPixmap(size);
+        m_still.setDevicePixelRatio(wanted.frame.pixelRatio);
+    }
+    QPainter painter(&m_still);
+    painter.fillRect(QRectF(0, 0, wanted.frame.view.size.x() + 1, wanted.frame.view.size.y() + 1),
+                     wanted.theme->background);
+    if (wanted.gridStep > 0) {
+        paintGrid(Stage{painter, wanted.frame.view, *wanted.theme}, wanted.gridStep);
+    }
+    m_board.drawStill(painter);
 }
 
 void Canvas::resizeEvent(QResizeEvent*) {
@@ -228,12 +235,11 @@ void Canvas::panBy(const QPointF& pixels) {
 }
 
 void Canvas::updateCursor() {
-    if (m_drag == Drag::Pan) {
-        setCursor(Qt::ClosedHandCursor);
-    } else if (m_spaceHeld) {
-        setCursor(Qt::OpenHandCursor);
-    } else {
-        setCursor(shapeFor(m_toolbox.cursor()));
+    const Qt::CursorShape shape = m_drag == Drag::Pan ? Qt::ClosedHandCursor
+                                  : m_spaceHeld       ? Qt::OpenHandCursor
+                                                      : shapeFor(m_toolbox.cursor());
+    if (shape != cursor().shape()) {
+        setCursor(shape);
     }
 }
 

@@ -2,13 +2,14 @@
 // The drawing board: shows the document, hands mouse and keys to the toolbox, and moves the view. Positions of the
 // mouse are logical pixels; the world is in metres.
 
+#include "editor/canvas/board.h"
 #include "editor/canvas/entry_box.h"
-#include "editor/canvas/layer_cache.h"
 #include "editor/canvas/overlay_flags.h"
 #include "editor/editing/document.h"
 #include "editor/editing/toolbox.h"
 #include "editor/editing/viewport.h"
 
+#include <QPixmap>
 #include <QPointF>
 #include <QWidget>
 
@@ -52,6 +53,10 @@ class Canvas : public QWidget {
     void zoomTo(double scale); // pixels a metre
     /// The whole level in view, and again whenever the canvas changes its size, until the view is moved.
     void fitLevel();
+    /// Another level has been opened: all of it in view, and nothing of the one before, not even for a moment.
+    void showAnew();
+    /// Waits for what is being painted beside, and paints it.
+    void finishPainting();
     void centerSelection();
     void frameSelection();
 
@@ -91,6 +96,14 @@ class Canvas : public QWidget {
 
   private:
     enum class Drag { None, Tool, Guide, Pan, PanOrMenu };
+    struct Still {
+        Frame2D frame;
+        const Theme* theme = nullptr;
+        double gridStep = 0; // m; 0 for no grid
+        int revision = 0;    // of the board
+
+        bool operator==(const Still&) const = default;
+    };
 
     Pointer pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
     void moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers);
@@ -101,12 +114,15 @@ class Canvas : public QWidget {
     bool nudge(int key, Qt::KeyboardModifiers modifiers);
     void panBy(const QPointF& pixels);
     void updateCursor();
-    void documentChanged(const Change& change);
+    void composeStill(const Still& wanted);
 
     Document& m_document;
     Toolbox& m_toolbox;
     Viewport m_view;
-    LayerCache m_layer;
+    Board m_board;
+    QPixmap m_still;
+    Still m_composed;
+    Overlay m_overlay; // shown
     OverlayFlags m_overlays;
     std::vector<Key> m_highlighted;
     std::function<QString(const SnapAnswer&)> m_snapName;

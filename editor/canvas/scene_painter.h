@@ -6,18 +6,26 @@
 #include "core/level/level.h"
 #include "editor/canvas/overlay_flags.h"
 #include "editor/canvas/stage.h"
+#include "editor/canvas/wall_painter.h"
 #include "editor/editing/selection.h"
 
-#include <functional>
+#include <vector>
 
 namespace spacetow {
+
+/// Which objects of a level are painted: all, or all but some, or only some; by their places, ascending.
+struct PaintedPart {
+    const std::vector<int>* without = nullptr;
+    const std::vector<int>* only = nullptr;
+};
 
 /// All objects, walls first, then the selected ones' outlines on top.
 void paintLevel(const Stage& stage, const Level& level, const Selection& selection);
 
-using Wanted = std::function<bool(const Object&)>;
-/// Only the objects that are wanted, for layers that are painted apart.
-void paintObjects(const Stage& stage, const Level& level, const Wanted& wanted);
+/// Matter behind closed walls that have no back.
+void paintRock(const Stage& stage, const Level& level, const PaintedPart& part);
+/// Everything else, for layers that are painted apart.
+void paintObjects(const Stage& stage, const Level& level, const PaintedPart& part);
 /// Outlines of the selected objects, with a dot at each vertex.
 void paintSelection(const Stage& stage, const Level& level, const Selection& selection);
 /// The outline of what a click would select: an object, or a group with its members.
@@ -25,5 +33,10 @@ void paintHovered(const Stage& stage, const Level& level, Key hovered);
 
 /// Statics, kinematics, dynamics, connectors, then the overlays that are switched on.
 void paintSnapshot(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);
+
+/// The same in two parts, of which the first may be kept as long as nothing static changes.
+Ground groundOf(const Snapshot& snapshot);
+void paintStatics(const Stage& stage, const Snapshot& snapshot, const Ground& ground);
+void paintMoving(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);
 
 } // namespace spacetow

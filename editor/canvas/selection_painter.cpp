@@ -1,7 +1,9 @@
 // The outlines of what is selected.
 #include "core/level/groups.h"
+#include "core/level/level_index.h"
 #include "core/level/outline.h"
 #include "editor/canvas/scene_painter.h"
+#include "editor/canvas/seen_points.h"
 #include "editor/canvas/wall_painter.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace {
 
 void strokeOutline(const Stage& stage, const Outline& outline) {
     for (const OutlinePath& path : outline.paths) {
-        paintPolyline(stage, path.points, path.closed);
+        paintPolyline(stage, simplified(path.points, finestDetail(stage)), path.closed);
     }
     for (const Circle& circle : outline.discs) {
         const double radius = stage.pixels(circle.radius);
@@ -30,9 +32,12 @@ void paintDots(const Stage& stage, const Outline& outline) {
         QPointF last(-1e9, -1e9);
         for (const Vec2& point : path.points) {
             const QPointF at = stage.at(point);
-            if (view.contains(at) && (at - last).manhattanLength() >= apart) {
+            if ((at - last).manhattanLength() < apart) {
+                continue;
+            }
+            last = at; // whether it can be seen or not, so that views that overlap show the same dots
+            if (view.contains(at)) {
                 stage.painter.drawRect(QRectF(at.x() - size, at.y() - size, 2 * size, 2 * size));
-                last = at;
             }
         }
     }
@@ -53,10 +58,12 @@ void paintSelection(const Stage& stage, const Level& level, const Selection& sel
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    for (const Object& object : level.objects) {
-        if (!std::ranges::binary_search(keys, object.key)) {
+    const LevelIndex& index = levelIndex(level);
+    for (const int place : level.objects.indicesOf(keys)) {
+        if (!stage.sees(index.boundsOf(place))) {
             continue;
         }
+        const Object& object = level.objects[place];
         const Outline outline = outlines.of(object);
         if (glows) {
             QColor glow = stage.theme.selection;

@@ -35,6 +35,22 @@ struct Stage {
     bool sees(const Aabb& box) const { return view.visible().grown(8 * view.pixel()).overlaps(box); }
 };
 
+/// Leaves the painter as it was found; in between edges are smooth and nothing is filled.
+class SavedPainter {
+  public:
+    explicit SavedPainter(QPainter& painter) : m_painter(painter) {
+        m_painter.save();
+        m_painter.setRenderHint(QPainter::Antialiasing);
+        m_painter.setBrush(Qt::NoBrush);
+    }
+    ~SavedPainter() { m_painter.restore(); }
+    SavedPainter(const SavedPainter&) = delete;
+    SavedPainter& operator=(const SavedPainter&) = delete;
+
+  private:
+    QPainter& m_painter;
+};
+
 /// A pen with round ends; its width is in logical pixels.
 QPen stroke(const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine);
 

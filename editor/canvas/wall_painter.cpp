@@ -1,6 +1,7 @@
 #include "editor/canvas/wall_painter.h"
 
 #include "core/geometry/polygon.h"
+#include "editor/canvas/seen_points.h"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +11,9 @@ namespace spacetow {
 
 namespace {
 
-constexpr double fadeDepth = 0.45; // m, how far the band of a wall without a back reaches
-constexpr double fadeLeast = 6;    // px, so that it is seen from far away
-constexpr double fadeMost = 56;    // px, so that its other end is seen from near by
-constexpr double bandLeast = 6;    // px, of a wall that has a back
+constexpr double fadeLeast = 6; // px, so that it is seen from far away
+constexpr double fadeMost = 56; // px, so that its other end is seen from near by
+constexpr double bandLeast = 6; // px, of a wall that has a back
 constexpr int fadeLayers = 8;
 constexpr double minMitre = 0.35; // sharper corners are bevelled
 
@@ -132,15 +132,6 @@ QColor faded(QColor color, double factor) {
 
 } // namespace
 
-WallRun wallRun(const EdgeChain& chain, const Transform& pose) {
-    WallRun run{{}, chain.closed && chain.vertices.size() > 2, chain.depth};
-    run.points.reserve(chain.vertices.size());
-    for (const Vec2& vertex : chain.vertices) {
-        run.points.push_back(pose.toWorld(vertex));
-    }
-    return run;
-}
-
 std::vector<WallRun> wallRuns(std::span<const Shape> shapes, const Transform& pose) {
     std::vector<WallRun> runs;
     const Edge* last = nullptr;
@@ -160,21 +151,22 @@ std::vector<WallRun> wallRuns(std::span<const Shape> shapes, const Transform& po
         }
         last = edge;
     }
+    for (WallRun& run : runs) {
+        run.hollow = run.closed && signedArea(run.points) > 0;
+    }
     return runs;
 }
 
-QPainterPath rockBehind(const Stage& stage, std::span<const WallRun> runs) {
+QPainterPath rockBehind(const Stage& stage, const Ground& ground) {
     QPainterPath rock;
     rock.setFillRule(Qt::WindingFill);
-    bool outside = false;
-    for (const WallRun& run : runs) {
+    for (const WallRun& run : ground.runs) {
         if (run.closed && std::isinf(run.depth)) {
             rock.addPolygon(stage.at(run.points));
             rock.closeSubpath();
-            outside = outside || signedArea(run.points) > 0;
         }
     }
-    if (outside) {
+    if (ground.hollow) {
         // Clockwise in the world, so that an anticlockwise loop cuts a hole and a clockwise one inside it fills again.
         const Aabb box = stage.view.visible().grown(20 * stage.view.pixel());
         const std::array<Vec2, 4> corners{box.min, Vec2(box.min.x(), box.max.y()), box.max,
@@ -204,29 +196,35 @@ void paintRims(const Stage& stage, std::span<const WallRun> runs, const QColor& 
     }
 }
 
+void paintGroundRims(const Stage& stage, const Ground& ground) {
+    Ground closed{{}, ground.hollow};
+    std::vector<WallRun> open;
+    for (const WallRun& run : ground.runs) {
+        (run.closed && std::isinf(run.depth) ? closed.runs : open).push_back(run);
+    }
+    if (!closed.runs.empty()) {
+        // Thin pillars: the band must not come out on the other side.
+        stage.painter.save();
+        stage.painter.setClipPath(rockBehind(stage, closed), Qt::IntersectClip);
+        paintRims(stage, closed.runs, stage.theme.rim);
+        stage.painter.restore();
+    }
+    paintRims(stage, open, stage.theme.rim);
+}
+
+double finestDetail(const Stage& stage) {
+    return 0.35 * stage.view.pixel();
+}
+
 WallRun thinned(const Stage& stage, WallRun run) {
     constexpr std::size_t few = 64;
-    const double finest = 0.8 * stage.view.pixel();
     if (run.points.size() > few) {
-        Vec2 last = run.points.front();
-        std::size_t kept = 1;
-        for (std::size_t i = 1; i < run.points.size(); ++i) {
-            if (i + 1 == run.points.size() || (run.points[i] - last).cwiseAbs().maxCoeff() >= finest) {
-                last = run.points[i];
-                run.points[kept++] = last;
-            }
-        }
-        run.points.resize(kept);
+        run.points = simplified(run.points, finestDetail(stage));
     }
     return run;
 }
 
-void paintWallLine(const Stage& stage, const WallRun& run) {
-    paintPolyline(stage, run.points, run.closed);
-}
-
 void paintPolyline(const Stage& stage, std::span<const Vec2> points, bool closed) {
-    constexpr double finest = 0.7; // pixels
     const Aabb visible = stage.view.visible().grown(8 * stage.view.pixel());
     const std::size_t count = points.size();
     QPolygonF piece;
@@ -250,10 +248,7 @@ void paintPolyline(const Stage& stage, std::span<const Vec2> points, bool closed
         if (piece.isEmpty()) {
             piece << stage.at(a);
         }
-        const QPointF end = stage.at(b);
-        if ((end - piece.back()).manhattanLength() >= finest || i + 1 == last) {
-            piece << end;
-        }
+        piece << stage.at(b);
     }
     flush();
 }

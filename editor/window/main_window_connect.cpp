@@ -24,7 +24,7 @@ void MainWindow::listen() {
         updateOrigin();
         m_toolbox.cancel();
         m_guideBar.dismiss();
-        m_canvas.fitLevel();
+        m_canvas.showAnew();
     });
 }
 

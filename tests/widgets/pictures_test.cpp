@@ -2,8 +2,8 @@
 
 #include "core/game/session.h"
 #include "core/level/edits.h"
-#include "editor/canvas/layer_cache.h"
 #include "editor/play/scene_marks.h"
+#include "tests/support/board.h"
 #include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
 
@@ -91,18 +91,15 @@ class PicturesTest : public QObject {
     }
     void movingAStaticObjectShows() {
         QFETCH(bool, kept);
-        LayerCache::Request request;
-        request.view = smallView();
-        const auto before = std::make_shared<const Level>(twoBoxes());
         const std::vector<Key> keys{1};
-        const auto after = std::make_shared<const Level>(moved(*before, keys, Vec2(0, 5)));
-        LayerCache cache;
-        request.level = before;
-        const QImage old = cache.layer(request).toImage();
-        request.level = after;
-        const QImage fresh = LayerCache().layer(request).toImage();
+        const BoardRequest before = boardRequest(std::make_shared<const Level>(twoBoxes()), smallView());
+        const BoardRequest after =
+            boardRequest(std::make_shared<const Level>(moved(*before.level, keys, Vec2(0, 5))), smallView());
+        Board board([] {});
+        const QImage old = shownBy(board, before);
+        const QImage fresh = fromScratch(after);
         QVERIFY(fresh != old);
-        QCOMPARE(kept ? cache.layer(request).toImage() : fresh, fresh);
+        QCOMPARE(kept ? shownBy(board, after) : fresh, fresh);
         QCOMPARE(fresh.pixelColor(60, 100), editingTheme().background); // where it was
         QVERIFY(fresh.pixelColor(60, 50) != editingTheme().background); // where it is
     }

@@ -60,8 +60,9 @@ class ProblemsPanelTest : public QObject {
         document.commit({"draw-circle", 1}, {std::make_shared<Level>(level), Selection()});
         panel.check();
         QStringList texts;
-        for (const QListWidgetItem* item : panel.findChild<QListWidget*>()->findItems("*", Qt::MatchWildcard)) {
-            texts << item->text();
+        const QAbstractItemModel& list = *panel.findChild<QListView*>()->model();
+        for (int row = 0; row < list.rowCount(); ++row) {
+            texts << list.index(row, 0).data().toString();
         }
         const QString all = texts.join('\n');
         QVERIFY2(all.contains("The ship starts in touch with the circle at 0.5; -0.25 m"), qPrintable(all));

@@ -3,8 +3,8 @@
 #include "core/level/edits.h"
 #include "editor/canvas/body_painter.h"
 #include "editor/canvas/grid_painter.h"
-#include "editor/canvas/layer_cache.h"
 #include "editor/canvas/overlay_painter.h"
+#include "tests/support/board.h"
 #include "tests/support/color_vision.h"
 #include "tests/support/test_main.h"
 
@@ -320,17 +320,13 @@ class ScenePainterTest : public QObject {
     void aShiftedLayerIsThePictureOfTheNewView() {
         QFETCH(double, ratio);
         const auto level = std::make_shared<const Level>(mixedLevel());
-        LayerCache::Request request;
-        request.view = sceneView();
-        request.level = level;
-        request.gridStep = 0.25;
-        request.pixelRatio = ratio;
-        LayerCache cache;
-        cache.layer(request);
+        BoardRequest request = boardRequest(level, sceneView(), ratio);
+        Board board([] {});
+        shownBy(board, request);
         for (const Vec2& by : {Vec2(7, 0), Vec2(-3, 11), Vec2(0, -40), Vec2(150, 90)}) {
-            request.view = request.view.panned(by);
-            const QImage shifted = cache.layer(request).toImage();
-            const QImage fresh = LayerCache().layer(request).toImage();
+            request.frame.view = request.frame.view.panned(by);
+            const QImage shifted = shownBy(board, request);
+            const QImage fresh = fromScratch(request);
             // Pens at the seam of a strip may be blended a shade differently.
             int differing = 0;
             for (int y = 0; y < fresh.height(); ++y) {
@@ -344,24 +340,17 @@ class ScenePainterTest : public QObject {
         }
     }
 
-    void whatMovesIsNotInTheLayer() {
-        const auto before =
-            std::make_shared<const Level>(levelOf({body(1, Polygon{square(true)}), body(2, Circle{Vec2(3.5, 0), 1})}));
-        const std::vector<Key> keys{1};
-        const auto after = std::make_shared<const Level>(moved(*before, keys, Vec2(0.1, 0)));
-        LayerCache cache;
-        LayerCache::Request request;
-        request.view = sceneView();
-        request.level = before;
-        cache.layer(request);
-        cache.setMoving(*before, *after);
-        request.level = after;
-        QVERIFY(cache.isMoving(1) && !cache.isMoving(2));
-        const QImage without = cache.layer(request).toImage();
-        QCOMPARE(without.pixelColor(100, 100), editingTheme().background);
-        QVERIFY(without.pixelColor(170, 100) != editingTheme().background);
-        cache.clearMoving();
-        QVERIFY(cache.layer(request).toImage().pixelColor(100, 100) != editingTheme().background);
+    void aPartOfALevelShowsOnlyItsObjects() {
+        const Level level = levelOf({body(1, Polygon{square(true)}), body(2, Circle{Vec2(3.5, 0), 1})});
+        const std::vector<int> first{0};
+        const auto shows = [&](const PaintedPart& part) {
+            const QImage image =
+                paintedScene(sceneView(), [&](const Stage& stage) { paintObjects(stage, level, part); });
+            return std::pair(!isBackground(image, 0, 0), !isBackground(image, 3.5, 0));
+        };
+        QVERIFY(shows({}) == std::pair(true, true));
+        QVERIFY(shows({.without = &first}) == std::pair(false, true));
+        QVERIFY(shows({.only = &first}) == std::pair(true, false));
     }
 
     void whatIsSmallerThanAPixelIsStillSeen_data() {

@@ -1,0 +1,83 @@
+#pragma once
+// The picture of a level on the drawing board, in layers that change at different times: rock; the objects that stay
+// where they are; those that a gesture moves; marks of what is selected; debug overlays. Each is painted anew only
+// where it must be, and what has merely moved is drawn elsewhere. A value: it may be brought up to date by any thread.
+
+#include "editor/canvas/overlay_flags.h"
+#include "editor/canvas/picture_layer.h"
+#include "editor/editing/selection.h"
+
+#include <array>
+#include <memory>
+
+namespace spacetow {
+
+/// What the drawing board is to show.
+struct BoardRequest {
+    Frame2D frame;
+    const Theme* theme = nullptr;       // lives as long as the program
+    std::shared_ptr<const Level> level; // shown
+    std::shared_ptr<const Level> base;  // from which a gesture in progress started; else the same
+    bool live = false;                  // a gesture is in progress
+    Selection selection;
+    OverlayFlags overlays;
+
+    bool operator==(const BoardRequest&) const = default;
+};
+
+enum class BoardLayer : std::uint8_t { Rock, Objects, Moving, Overlays, Marks };
+
+class BoardPicture {
+  public:
+    /// What has to be done to one of the layers.
+    struct Step {
+        Frame2D frame;
+        QRegion region;                     // to paint, in the frame
+        std::shared_ptr<const Level> level; // to paint it from
+        Vec2 moved{0, 0};                   // by how much what is painted is to be drawn elsewhere, world
+        bool blank = false;                 // there is nothing to see
+        int work = 0;                       // segments of outlines in the region
+    };
+    struct Plan {
+        BoardRequest request;
+        std::vector<int> moving;
+        std::array<Step, 5> steps; // one a layer
+        int work = 0;
+    };
+
+    /// How to come from what the picture shows to what is wanted. What is expensive to paint and has only moved is not
+    /// painted, but drawn elsewhere.
+    Plan planFor(const BoardRequest& request) const;
+    void bring(const Plan& plan);
+    /// Takes over by how much things have moved, without painting anything; whether what stands still has.
+    bool follow(const Plan& plan);
+    /// As it is, though the request may want another view or something else by now: what stands still, and what comes
+    /// on top of it.
+    void drawStill(QPainter& painter, const Frame2D& frame) const;
+    void drawRest(QPainter& painter, const Frame2D& frame) const;
+    /// Whether the plan would change what stands still.
+    bool touchesStill(const Plan& plan) const;
+
+    /// All layers in one, to be drawn larger or smaller.
+    PictureLayer flattened(const Theme& theme) const;
+    /// Whether the view has come close to the border of what was painted ahead.
+    bool isNearBorder(const Frame2D& frame) const;
+    bool isOfScale(double scale) const { return part(BoardLayer::Objects).picture.frame().view.scale == scale; }
+    bool isEmpty() const { return !part(BoardLayer::Objects).picture.isValid(); }
+
+  private:
+    struct Part {
+        PictureLayer picture;
+        std::shared_ptr<const Level> level; // that was painted
+        Vec2 moved{0, 0};
+    };
+    class Planner;
+
+    const Part& part(BoardLayer layer) const { return m_parts[static_cast<std::size_t>(layer)]; }
+
+    std::array<Part, 5> m_parts;
+    BoardRequest m_shown;
+    std::vector<int> m_moving; // places in the level, ascending
+};
+
+} // namespace spacetow
