@@ -95,6 +95,7 @@ void PlayView::stop() {
     m_held.clear();
     m_dragging = false;
     m_runner.reset();
+    m_ground.forget();
     if (m_paused) {
         m_paused = false;
         Q_EMIT pausedChanged(false);
@@ -198,11 +199,12 @@ void PlayView::paintEvent(QPaintEvent*) {
 }
 
 void PlayView::paintScene(QPainter& painter, const Snapshot& snapshot) {
-    const Viewport view = viewport(snapshot);
-    const Stage stage{painter, view, canvasTheme()};
+    const Frame2D frame{alignedToPixels(viewport(snapshot), devicePixelRatioF()), devicePixelRatioF()};
+    const Stage stage{painter, frame.view, canvasTheme()};
     paintBackdrop(stage, m_background);
+    m_ground.draw(painter, frame, snapshot, canvasTheme());
     paintFlame(stage, snapshot);
-    paintSnapshot(stage, snapshot, m_overlays);
+    paintMoving(stage, snapshot, m_overlays);
     paintTowRange(stage, snapshot, m_towRange);
 }
 

@@ -6,6 +6,7 @@
 #include "core/game/runner.h"
 #include "editor/canvas/overlay_flags.h"
 #include "editor/editing/viewport.h"
+#include "editor/play/ground_picture.h"
 #include "editor/play/key_map.h"
 
 #include <QTimer>
@@ -85,6 +86,7 @@ class PlayView : public QWidget {
     PauseMenu* m_menu; // owned by Qt as a child
     QTimer m_frames;
     OverlayFlags m_overlays;
+    GroundPicture m_ground;
     HeldKeys m_held;
     QString m_background;
     double m_towRange = 0;        // m

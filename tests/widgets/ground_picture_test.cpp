@@ -1,0 +1,99 @@
+#include "editor/play/ground_picture.h"
+
+#include "core/game/session.h"
+#include "editor/canvas/scene_painter.h"
+#include "tests/support/game_levels.h"
+#include "tests/support/test_main.h"
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+Level cave() {
+    Level level = openSpace();
+    addWall(level, Vec2(3, 1), Vec2(-3, 1));
+    BodyObject rock;
+    rock.shapes.emplace_back(EdgeChain{{{-6, -4}, {6, -4}, {6, 4}, {0, 5}, {-6, 4}}, true, noBack});
+    rock.filter.tags = TagMask::bit(wallTag);
+    level.objects.append({500, {}, rock, {}});
+    BodyObject pillar;
+    pillar.position = Vec2(2, -2);
+    pillar.shapes.emplace_back(Polygon{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+    level.objects.append({501, {}, pillar, {}});
+    return level;
+}
+
+Frame2D frameAt(const Vec2& center, double scale) {
+    Viewport view;
+    view.size = Vec2(240, 160);
+    view.center = center;
+    view.scale = scale;
+    return {alignedToPixels(view, 1), 1};
+}
+
+template <class Paint>
+QImage paintedFrame(const Frame2D& frame, Paint paint) {
+    QImage image(frame.deviceSize(), QImage::Format_ARGB32_Premultiplied);
+    image.fill(canvasTheme().background);
+    QPainter painter(&image);
+    paint(painter);
+    return image;
+}
+
+QImage fromScratch(const Frame2D& frame, const Snapshot& snapshot) {
+    return paintedFrame(frame, [&](QPainter& painter) {
+        paintStatics({painter, frame.view, canvasTheme()}, snapshot, groundOf(snapshot));
+    });
+}
+
+QImage kept(GroundPicture& ground, const Frame2D& frame, const Snapshot& snapshot) {
+    return paintedFrame(frame, [&](QPainter& painter) { ground.draw(painter, frame, snapshot, canvasTheme()); });
+}
+
+bool alike(const QImage& a, const QImage& b) {
+    constexpr int rounding = 6;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor p = a.pixelColor(x, y);
+            const QColor q = b.pixelColor(x, y);
+            if (std::abs(p.red() - q.red()) > rounding || std::abs(p.green() - q.green()) > rounding ||
+                std::abs(p.blue() - q.blue()) > rounding) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+class GroundPictureTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void whereverTheCameraGoesItIsThePicturePaintedFromScratch() {
+        const Session session(cave());
+        const auto snapshot = session.snapshot();
+        GroundPicture ground;
+        Vec2 center(0, 0);
+        for (int i = 0; i < 60; ++i) {
+            center += Vec2(0.11 * (i % 7) - 0.3, 0.07 * (i % 5) - 0.1);
+            const Frame2D frame = frameAt(center, i < 40 ? 45 : 30);
+            QVERIFY2(alike(kept(ground, frame, *snapshot), fromScratch(frame, *snapshot)), QByteArray::number(i));
+        }
+    }
+
+    void anotherLevelIsAnotherPicture() {
+        const auto first = Session(cave()).snapshot();
+        const auto second = Session(openSpace()).snapshot();
+        const Frame2D frame = frameAt({0, 0}, 40);
+        GroundPicture ground;
+        kept(ground, frame, *first);
+        QVERIFY(alike(kept(ground, frame, *second), fromScratch(frame, *second)));
+        QVERIFY(!alike(kept(ground, frame, *first), fromScratch(frame, *second)));
+    }
+};
+
+SPACETOW_TEST(GroundPictureTest)
+#include "ground_picture_test.moc"
