@@ -34,9 +34,9 @@ bool makesRock(const Object& object) {
     return body != nullptr && makesRock(*body);
 }
 
-/// Whether what is behind some wall of it lies outside.
+/// Whether it shows a wall behind which everything outside lies.
 bool isHollow(const Object& object) {
-    const BodyObject* body = bodyOf(object);
+    const BodyObject* body = object.visible ? bodyOf(object) : nullptr;
     return body != nullptr && makesRock(*body) && std::ranges::any_of(body->shapes, [](const LevelShape& shape) {
                const auto* chain = std::get_if<EdgeChain>(&shape);
                return chain != nullptr && chain->closed && std::isinf(chain->depth) && signedArea(chain->vertices) > 0;

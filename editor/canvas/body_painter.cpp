@@ -42,10 +42,14 @@ void hatch(const Stage& stage, const QPainterPath& path, const BodyColors& color
     if (style.kind == BodyKind::Static && style.tangible && std::min(box.width(), box.height()) >= hatchFrom) {
         QColor line = colors.line;
         line.setAlpha(60);
-        // Fixed to the world, so that pictures put together from strips have no seams.
-        constexpr double period = 8;
-        const QPointF origin = stage.at(Vec2(0, 0));
-        stage.painter.setBrushOrigin(QPointF(std::fmod(origin.x(), period), std::fmod(origin.y(), period)));
+        // Fixed to the world, so that pictures put together from strips have no seams. The toolkit scales neither the
+        // pattern nor its origin by the ratio of device pixels.
+        const double ratio = stage.painter.device()->devicePixelRatioF();
+        const QTransform& world = stage.painter.worldTransform();
+        const QPointF moved(world.dx(), world.dy());
+        const QPointF origin = (stage.at(Vec2(0, 0)) + moved) * ratio;
+        constexpr double period = 8; // device pixels
+        stage.painter.setBrushOrigin(QPointF(std::fmod(origin.x(), period), std::fmod(origin.y(), period)) - moved);
         stage.painter.fillPath(path, QBrush(line, Qt::BDiagPattern));
         stage.painter.setBrushOrigin(QPointF(0, 0));
     }
@@ -219,10 +223,10 @@ void paintFinish(const Stage& stage, const Vec2& a, const Vec2& b) {
     glow.setAlpha(44);
     painter.setPen(stroke(glow, 11));
     painter.drawLine(from, to);
-    QPen dashes = stroke(stage.theme.finish, 3, Qt::CustomDashLine);
-    dashes.setDashPattern({3, 2});
-    painter.setPen(dashes);
-    painter.drawLine(from, to);
+    QPen pen = stroke(stage.theme.finish, 3);
+    pen.setCapStyle(Qt::FlatCap);
+    painter.setPen(pen);
+    paintDashed(stage, a, b, {9, 6});
     painter.setPen(stroke(stage.theme.background, 1.5));
     painter.setBrush(stage.theme.finish);
     painter.drawEllipse(from, 5, 5);

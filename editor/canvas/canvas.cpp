@@ -6,6 +6,8 @@
 #include "editor/canvas/highlight_painter.h"
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/overlay_painter.h"
+#include "editor/canvas/palette.h"
+#include "editor/canvas/scene_painter.h"
 #include "editor/canvas/snap_painter.h"
 #include "editor/canvas/tag_painter.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace spacetow {
@@ -12,15 +13,15 @@ namespace {
 /// vectors, so that none is computed; narrower than half a turn.
 class Sleeve {
   public:
-    Sleeve(const Vec2& from, double tolerance) : m_from(from), m_tolerance(tolerance) {}
+    /// A point may be so far from the line on its side and beyond its end at once.
+    Sleeve(const Vec2& from, double tolerance) : m_from(from), m_tolerance(tolerance / std::numbers::sqrt2) {}
 
     /// Whether a line from the point to `to` passes all points so far; if so, `to` becomes one of them.
     bool admits(const Vec2& to) {
         const Vec2 way = to - m_from;
         const double distance = way.norm();
         if (distance <= m_tolerance) {
-            // A line that turns back would leave out a point further away.
-            return distance + m_tolerance >= m_furthest;
+            return !m_cone; // a line that turns back would leave out a point further away
         }
         if (m_cone && (cross(m_right, way) < 0 || cross(way, m_left) < 0 || way.dot(m_right + m_left) < 0)) {
             return false;
@@ -111,11 +112,11 @@ std::vector<Vec2> seenPoints(const SeenOutline& outline, const SeenArea& area) {
             }
         }
     };
-    const Aabb local = localArea(outline, area.box);
+    const Aabb local = localArea(outline, area.box.grown(area.finest)); // for rounding
     const auto enter = [&](const Aabb& box, int first, int end) {
         // What does not overlap the area lies on one side of it, and so does the line across it.
         const bool outside = end - first > SegmentTree::stretch && !local.overlaps(box);
-        if (!outside && box.size().maxCoeff() > area.finest) {
+        if (!outside && box.size().norm() > area.finest) {
             return true;
         }
         add(first, first + 1);

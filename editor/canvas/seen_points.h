@@ -20,10 +20,10 @@ struct SeenOutline {
 
 struct SeenArea {
     Aabb box;      // what must be right: the view with room for pens and bands
-    double finest; // m; points may be this far from where the outline is
+    double finest; // m; what lies closer together may become one
 };
 
-/// Points of the outline in the world. In the area they follow it within the given distance; outside it they only lead
+/// Points of the outline in the world. In the area they follow it within twice `finest`; outside it they only lead
 /// round in a way that leaves what is filled in the area as it is.
 std::vector<Vec2> seenPoints(const SeenOutline& outline, const SeenArea& area);
 

@@ -54,4 +54,13 @@ class SavedPainter {
 /// A pen with round ends; its width is in logical pixels.
 QPen stroke(const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine);
 
+/// Lengths in logical pixels.
+struct Dashes {
+    double dash, gap;
+};
+
+/// The dashes of a line that are in view, with the painter's pen, which is a solid one with flat ends. Where they lie
+/// does not depend on the view, so that parts of a picture that are painted one after the other fit together.
+void paintDashed(const Stage& stage, const Vec2& a, const Vec2& b, const Dashes& dashes);
+
 } // namespace spacetow

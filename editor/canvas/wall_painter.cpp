@@ -122,7 +122,9 @@ void paintBack(const Stage& stage, const WallRun& run) {
     if (!segments.empty() && !run.closed) {
         back.emplace_back(segments.back().b - run.depth * segments.back().free);
     }
-    paintPolyline(stage, back, run.closed);
+    for (std::size_t i = 0; i + (run.closed ? 0 : 1) < back.size(); ++i) {
+        paintDashed(stage, back[i], back[(i + 1) % back.size()], {1, 2});
+    }
 }
 
 QColor faded(QColor color, double factor) {
@@ -185,7 +187,9 @@ void paintRims(const Stage& stage, std::span<const WallRun> runs, const QColor& 
         if (std::isfinite(run.depth)) {
             fillRim(stage, run, std::max(run.depth, bandLeast * stage.view.pixel()), faded(color, 0.34));
             if (stage.pixels(run.depth) > 3) {
-                stage.painter.setPen(stroke(faded(color, 0.8), 1, Qt::DotLine));
+                QPen pen = stroke(faded(color, 0.8), 1);
+                pen.setCapStyle(Qt::FlatCap);
+                stage.painter.setPen(pen);
                 paintBack(stage, run);
             }
             continue;

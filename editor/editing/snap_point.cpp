@@ -98,7 +98,7 @@ void addCenters(std::vector<Vec2>& points, const Level& level, const std::vector
                 points.push_back(*place);
             }
         }
-        for (const LevelShape& shape : body != nullptr ? body->shapes : std::vector<LevelShape>()) {
+        for (const LevelShape& shape : body != nullptr ? body->shapes : ShapeList()) {
             if (const auto* circle = std::get_if<Circle>(&shape)) {
                 points.push_back(tidied(Transform{body->position, Rot::fromAngle(body->angle)}.toWorld(circle->center)));
             }
