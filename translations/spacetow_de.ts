@@ -168,10 +168,6 @@
         <translation>Die Auswahl in die Mitte der Ansicht holen</translation>
     </message>
     <message>
-        <source>F&amp;rame Selection</source>
-        <translation>Auswahl ein&amp;passen</translation>
-    </message>
-    <message>
         <source>Show the selection as large as fits</source>
         <translation>Die Auswahl so groß wie möglich zeigen</translation>
     </message>
@@ -186,10 +182,6 @@
     <message>
         <source>&amp;Snap to Grid</source>
         <translation>Am Raster ei&amp;nrasten</translation>
-    </message>
-    <message>
-        <source>Let points land on the grid; Ctrl inverts it while drawing</source>
-        <translation>Punkte am Raster einrasten lassen; Strg kehrt das beim Zeichnen um</translation>
     </message>
     <message>
         <source>&amp;Bounding Boxes</source>
@@ -827,6 +819,238 @@
         <source>Original Si&amp;ze</source>
         <translation>&amp;Originalgröße</translation>
     </message>
+    <message>
+        <source>&amp;Tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show names and colors of the tags of every object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show What &amp;Collides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark everything that the selection would collide with, by its tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find objects by name, kind or tag in the outliner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rena&amp;me…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the selected object another name, in the outliner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level P&amp;roperties…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit the name, rules and physics of the level itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let points land on the grid; Ctrl suspends it while it is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Coarser Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on to the next larger step of the grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Finer Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on to the next smaller step of the grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap to &amp;Objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let points land on what is in the level; Ctrl suspends it while it is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Vertices and Centers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap to the vertices of objects, and to the centers of circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Midpoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap to the middles of segments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Intersections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap to where edges and guides cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Perpendiculars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap to where the way from the last point meets an edge at a right angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap to the edges of objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>G&amp;uides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap to guides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Alignment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap in line with the sides and middles of other objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;ngles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap to multiples of 15° from the last point; Shift keeps to them always</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure lengths and angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a solid rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Moving Body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a body that moves as it is told, and its velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;onnector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join two bodies by a spring or rope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Guide…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a guide at the pointer and type where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fra&amp;me Selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Rulers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the rulers, out of which guides are dragged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guid&amp;es</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the guides; what is hidden is neither taken nor snapped to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete All Guides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take all guides out of the level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Hide All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put all panels out of the way, and back as they were</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Like the &amp;Desktop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is, and changing with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light panels and a white drawing board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark panels and a drawing board as dark as space</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Files</name>
@@ -902,14 +1126,6 @@
 <context>
     <name>Hud</name>
     <message>
-        <source>Paused</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>P: go on · O: one step · Esc: menu</source>
-        <translation>P: weiter · O: Einzelschritt · Esc: Menü</translation>
-    </message>
-    <message>
         <source>Ready</source>
         <translation>Bereit</translation>
     </message>
@@ -960,6 +1176,10 @@
     <message>
         <source>In range. Space: tow</source>
         <translation>In Reichweite. Leertaste: schleppen</translation>
+    </message>
+    <message>
+        <source>Paused · P: go on · O: one step · Esc: menu</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1208,6 +1428,202 @@
         <source>mixed</source>
         <translation>verschieden</translation>
     </message>
+    <message>
+        <source>For people; several objects may share one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Static bodies never move, kinematic ones move as told and are pushed by nothing, dynamic ones obey forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished">Gruppe</translation>
+    </message>
+    <message>
+        <source>Name or key of the group that it is in; nothing for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the group&apos;s mark and of what is selected in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layer: a group at the top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Visible in the editor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked: cannot be picked or moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the origin of the object is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anticlockwise. Plain numbers are degrees; write “rad” after radians</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One end of the finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The other end of the finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle of the circle in the coordinates of its body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the middle to the rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many corners the shape has; move them on the canvas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far behind the line counts as inside the wall; nothing for a wall without a back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing: area times density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts while no mass is given; a metre of wall weighs 1 kg times the density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the speed that is left after a bounce</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coefficient of friction: force along a surface per force on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the centre of mass at the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning at the start, anticlockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the velocity that is lost each second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the spin that is lost each second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name or key of the body that it holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name or key of the other body that it holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it holds the first body, in the coordinates of that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it holds the second body, in the coordinates of that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At which it neither pulls nor pushes; nothing: the distance at the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force per metre of stretch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force against the speed of stretching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the force of the spring is limited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most tension, where it is limited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the limit below which “partial tanh” changes nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tags that say what it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two bodies meet when each touches a tag that the other has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the level, as players see it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who made it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest distance of ship and payload at which the rope can be attached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration of everything that falls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time that one update simulates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passes of motion and collision in one update; more are more exact and slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of motion in one iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>
@@ -1222,18 +1638,6 @@
     <message>
         <source>Drag on empty space</source>
         <translation>Ziehen auf leerer Fläche</translation>
-    </message>
-    <message>
-        <source>Select with a rubber band; Alt: only what lies wholly inside</source>
-        <translation>Mit Gummiband auswählen; Alt: nur was ganz darin liegt</translation>
-    </message>
-    <message>
-        <source>Alt + click</source>
-        <translation>Alt + Klick</translation>
-    </message>
-    <message>
-        <source>Select the next object underneath</source>
-        <translation>Das nächste darunterliegende Objekt auswählen</translation>
     </message>
     <message>
         <source>Shift while dragging</source>
@@ -1320,10 +1724,6 @@
         <translation>Leertaste</translation>
     </message>
     <message>
-        <source>Tow the payload when it is near</source>
-        <translation>Die Fracht ins Schlepptau nehmen, wenn sie nah ist</translation>
-    </message>
-    <message>
         <source>Hold the game and show the menu</source>
         <translation>Das Spiel anhalten und das Menü zeigen</translation>
     </message>
@@ -1342,6 +1742,30 @@
     <message>
         <source>In the game</source>
         <translation>Im Spiel</translation>
+    </message>
+    <message>
+        <source>Select with a rubber band; Alt or B: only what lies wholly inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + click · B + click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the next object underneath; a right click lists them all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + drag · B + drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selection from anywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tow the payload when it is near; again: let it go</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1390,6 +1814,64 @@
         <source>Group</source>
         <translation>Gruppe</translation>
     </message>
+    <message>
+        <source>%1 at (%2, %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2; %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Panels</name>
+    <message>
+        <source>&amp;Inspector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Outliner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Problems</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Nodes</source>
+        <translation type="unfinished">K&amp;noten</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Level Properties</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tag Matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show or hide this panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TagNames</name>
+    <message>
+        <source>There is a tag of this name already.</source>
+        <translation type="unfinished">Es gibt schon ein Merkmal mit diesem Namen.</translation>
+    </message>
+    <message>
+        <source>That is how a tag without a name is written.</source>
+        <translation type="unfinished">So wird ein Merkmal ohne Namen geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -1413,20 +1895,8 @@
         <translation>Verschieben um %1 m, %2 m · Umschalt: entlang einer Achse · Strg: Einrasten aus/ein · Esc: abbrechen</translation>
     </message>
     <message>
-        <source>%1 selected · Alt: only what lies wholly inside · Escape: cancel</source>
-        <translation>%1 ausgewählt · Alt: nur was ganz darin liegt · Esc: abbrechen</translation>
-    </message>
-    <message>
         <source>One-way wall · click: first point · drag: first segment · Ctrl: snap off/on · what comes from the left of the drawing direction is stopped</source>
         <translation>Einseitige Kante · Klick: erster Punkt · Ziehen: erstes Stück · Strg: Einrasten aus/ein · was von links der Zeichenrichtung kommt, wird aufgehalten</translation>
-    </message>
-    <message>
-        <source>%1 points · click: add · click the first point: close · Enter or right click: end · Backspace: undo point · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°</source>
-        <translation>%1 Punkte · Klick: hinzufügen · Klick auf den ersten Punkt: schließen · Eingabe oder Rechtsklick: beenden · Rücktaste: Punkt zurücknehmen · Umschalt: 15° · Strg: Einrasten aus/ein · Länge %2 m, Winkel %3°</translation>
-    </message>
-    <message>
-        <source>%1 points · click: close the chain · Enter or right click: end it open · Escape: cancel</source>
-        <translation>%1 Punkte · Klick: Wandzug schließen · Eingabe oder Rechtsklick: offen beenden · Esc: abbrechen</translation>
     </message>
     <message>
         <source>A chain of walls needs two points: click to add another, or Escape to cancel</source>
@@ -1445,14 +1915,6 @@
         <translation>Polygon · Klick: erste Ecke · Ziehen: erste Seite · Strg: Einrasten aus/ein</translation>
     </message>
     <message>
-        <source>%1 corners · click: add · click the first corner, Enter or right click: close · Backspace: undo corner · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°</source>
-        <translation>%1 Ecken · Klick: hinzufügen · Klick auf die erste Ecke, Eingabe oder Rechtsklick: schließen · Rücktaste: Ecke zurücknehmen · Umschalt: 15° · Strg: Einrasten aus/ein · Länge %2 m, Winkel %3°</translation>
-    </message>
-    <message>
-        <source>%1 corners · click: close the polygon · Escape: cancel</source>
-        <translation>%1 Ecken · Klick: Polygon schließen · Esc: abbrechen</translation>
-    </message>
-    <message>
         <source>A polygon needs three corners: click to add another, or Escape to cancel</source>
         <translation>Ein Polygon braucht drei Ecken: mit einem Klick eine weitere setzen oder mit Esc abbrechen</translation>
     </message>
@@ -1467,10 +1929,6 @@
     <message>
         <source>All corners lie on one line: a polygon needs an inside · click: add a corner · Backspace: undo corner</source>
         <translation>Alle Ecken liegen auf einer Geraden: ein Polygon braucht ein Inneres · Klick: Ecke hinzufügen · Rücktaste: Ecke zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Circle · drag from the centre, or click the centre · Ctrl: snap off/on</source>
-        <translation>Kreis · vom Mittelpunkt aus ziehen oder den Mittelpunkt anklicken · Strg: Einrasten aus/ein</translation>
     </message>
     <message>
         <source>Radius %1 m · click or release: done · Ctrl: snap off/on · Escape: cancel</source>
@@ -1495,10 +1953,6 @@
     <message>
         <source>Payload at %1 m, %2 m · Ctrl: snap off/on · release: done · Escape: cancel</source>
         <translation>Fracht bei %1 m, %2 m · Strg: Einrasten aus/ein · Loslassen: fertig · Esc: abbrechen</translation>
-    </message>
-    <message>
-        <source>Finish line · drag it, or click one end · Ctrl: snap off/on · choose the tool again for the ship</source>
-        <translation>Ziellinie · aufziehen oder ein Ende anklicken · Strg: Einrasten aus/ein · Werkzeug erneut wählen: Schiff</translation>
     </message>
     <message>
         <source>Finish line · click or release at the other end · Shift: 15° · Ctrl: snap off/on · length %1 m, angle %2° · Escape: cancel</source>
@@ -1767,10 +2221,6 @@
     <message>
         <source>“%1” must hold objects in braces, not %2.</source>
         <translation>„%1“ muss Objekte in geschweiften Klammern enthalten, nicht %2.</translation>
-    </message>
-    <message>
-        <source>“%1” must be “all” or a list of tags, not %2.</source>
-        <translation>„%1“ muss „all“ oder eine Liste von Merkmalen sein, nicht %2.</translation>
     </message>
     <message>
         <source>“%1” is %2; it must be one of: %3.</source>
@@ -2049,14 +2499,6 @@
         <translation>Hier gibt es noch nichts zu schneiden · Ketten werden geschnitten, wo die Linie sie trifft, Polygone, wo sie ganz hindurchgeht</translation>
     </message>
     <message>
-        <source>Click: select · drag: rubber band · Shift + Alt + drag: lasso · Shift or Ctrl + click: add or remove · Alt + click: next object underneath</source>
-        <translation>Klick: auswählen · ziehen: Gummiband · Umschalt + Alt + ziehen: Lasso · Umschalt oder Strg + Klick: hinzunehmen oder wegnehmen · Alt + Klick: nächstes Objekt darunter</translation>
-    </message>
-    <message>
-        <source>%1 selected · drag: move · click again: turn or scale · Alt + drag: move from anywhere · Shift or Ctrl + click: add or remove · Delete: remove · Escape: select nothing</source>
-        <translation>%1 ausgewählt · ziehen: verschieben · erneuter Klick: drehen oder skalieren · Alt + ziehen: von überall verschieben · Umschalt oder Strg + Klick: hinzunehmen oder wegnehmen · Entf: löschen · Esc: nichts auswählen</translation>
-    </message>
-    <message>
         <source>Click: select the group · double click: enter it · Ctrl + click: select by itself · drag: select and move · Shift + click: add or remove</source>
         <translation>Klick: Gruppe auswählen · Doppelklick: hineingehen · Strg + Klick: einzeln auswählen · ziehen: auswählen und verschieben · Umschalt + Klick: hinzunehmen oder wegnehmen</translation>
     </message>
@@ -2075,18 +2517,6 @@
     <message>
         <source>%1 selected · Ctrl: only what lies wholly inside · Escape: cancel</source>
         <translation>%1 ausgewählt · Strg: nur was ganz darin liegt · Esc: abbrechen</translation>
-    </message>
-    <message>
-        <source>Node · drag: move it alone · Alt + drag: move the whole object · double click: edit all nodes</source>
-        <translation>Knoten · ziehen: ihn allein verschieben · Alt + ziehen: das ganze Objekt verschieben · Doppelklick: alle Knoten bearbeiten</translation>
-    </message>
-    <message>
-        <source>Drag: scale · Shift: about the middle · Ctrl: keep the proportions · Alt: snap off/on</source>
-        <translation>Ziehen: skalieren · Umschalt: um die Mitte · Strg: Seitenverhältnis halten · Alt: Einrasten aus/an</translation>
-    </message>
-    <message>
-        <source>%1 × %2 m (%3 %, %4 %) · Shift: about the middle · Ctrl: keep the proportions · Alt: snap off/on · Escape: cancel</source>
-        <translation>%1 × %2 m (%3 %, %4 %) · Umschalt: um die Mitte · Strg: Seitenverhältnis halten · Alt: Einrasten aus/an · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Drag: turn about the pivot · Shift: about the opposite corner · Ctrl: in steps of 15° · click the object: scale</source>
@@ -2411,16 +2841,489 @@
         <source>It is hidden in the editor, but takes part in the game.</source>
         <translation>Es ist im Editor ausgeblendet, nimmt aber am Spiel teil.</translation>
     </message>
+    <message>
+        <source>Points: %1 · click: add · click the first point: close · Enter or right click: end · Backspace: undo point · digits: type length and angle · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points: %1 · click: close the chain · Enter or right click: end it open · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click or drag: go on with this chain, which keeps its direction · Alt or B + click: begin a chain of its own here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: close the chain at its other end · Enter or right click: end it open · Escape: leave it as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click or drag: go on with this line · Alt or B + click: begin a line of its own here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: close the line at its other end · Enter or right click: end it open · Escape: leave it as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corners: %1 · click: add · click the first corner, Enter or right click: close · Backspace: undo corner · digits: type length and angle · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corners: %1 · click: close the polygon · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This side would run through another one, and a polygon must not cross itself · move on before you click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The polygon crosses itself where it is marked and cannot be finished like this · Backspace: undo corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rectangle · drag from corner to corner, or click both, or click one and type the size · Shift: from the middle · Ctrl: square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width %1 m, height %2 m · click or release: done · Shift: from the middle · Ctrl: square · Alt or B: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A rectangle needs width and height: move on before you click or release</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving body · drag: rectangle · click: first corner of a polygon · then its velocity · Shift: from the middle · Ctrl: square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity %1 m/s, %2° · click or drag: set it · digits: type it · Shift: 15° · Ctrl: snap off/on · Enter, right click or Escape: leave the body at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity %1 m/s, %2° · Shift: 15° · Ctrl: snap off/on · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: change the velocity of this body, a metre for each m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connector · drag from one body to another, or click both · anchors snap to nodes, middles and the grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag or click: connect “%1” with another body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag or click: connect this fixed body with another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag or click: connect this moving body with another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag or click: connect this loose body with another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length %1 m · release or click: connect with “%2” · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length %1 m · release or click: connect with this fixed body · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length %1 m · release or click: connect with this moving body · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length %1 m · release or click: connect with this loose body · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neither of these two bodies can be moved by a connector, one should be dynamic · release or click: connect them all the same · length %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the body where the connector begins: it needs another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connectors join bodies; ship, payload and finish are none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no body here: a connector leads from one body to another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There was no body where the drag began: press on one, then drag to another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was connected: release the button over another body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length and angle · Tab: the other one · an empty one is left to the pointer · Enter or click: place the point · Escape: back to the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed and direction · Tab: the other one · an empty one is left to the pointer · Enter or click: set the velocity · Escape: back to the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width and height · Tab: the other one · an empty one is left to the pointer · Enter or click: draw the rectangle · Escape: back to the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius · Enter or click: draw the circle · Escape: back to the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no number in metres: type one such as 2.5, 80 cm or 3/4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no angle: type degrees such as 45, −22.5 or 180/7, anticlockwise from the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is too small: a size must be more than nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle · drag from the centre, or click it and then click or type the radius · Ctrl: snap off/on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guide · drag: move it · drag onto a ruler: delete it · double click: type place, angle and name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New guide at %1 m, %2 m · release: done · Ctrl: snap off/on · back onto the ruler or Escape: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New guide · drag it into the drawing board · Escape: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guide at %1 m, %2 m, %3° · release: done · Shift: turn · Ctrl: snap off/on · onto a ruler: delete · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guide on the ruler · release: delete it · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure · drag from one point to the other, or click both · Ctrl: snap off/on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m, across %2 m, upwards %3 m, %4° · click or release: done · Shift: 15° · Ctrl: snap off/on · Escape: clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First point · click the other one · Escape: clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m, across %2 m, upwards %3 m, %4° · Ctrl+C: copy · drag: measure anew · Escape: clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m, across %2 m, upwards %3 m, %4° · click: angle %5° · Ctrl+C: copy · drag: measure anew · Escape: clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle %1° between %2 m and %3 m · Ctrl+C: copy · click or drag: measure anew · Escape: clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finish line · drag it, or click one end and then click or type the other · Ctrl: snap off/on · choose the tool again for the ship</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: select · drag: rubber band · Shift + Alt (or B) + drag: lasso · Shift or Ctrl + click: add or remove · Alt or B + click: next object underneath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 selected · drag: move · click again: turn or scale · Alt or B + drag: move from anywhere · Shift or Ctrl + click: add or remove · Delete: remove · Escape: select nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Node · drag: move it alone · Alt or B + drag: move the whole object · double click: edit all nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: scale · Shift: about the middle · Ctrl: keep the proportions · Alt or B: snap off/on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 × %2 m (%3 %, %4 %) · Shift: about the middle · Ctrl: keep the proportions · Alt or B: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 selected · Alt or B: only what lies wholly inside · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw moving body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw connector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Extend chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move object to another group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n objects to another group</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rename object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Show %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unlock object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Unlock %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change who touches whom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete all guides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” must be “all”, a list of tags or {&quot;except&quot;: a list of tags}, not %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship starts in touch with %2 at %3; %4 m and would crash at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The payload starts in touch with %2 at %3; %4 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the one-way wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two-way line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the polygon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These tags came along, as the level did not have them: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tag “%1” is called “%2” in this level.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All 32 tags of this level are in use, so these were left off: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A number is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something is missing at the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” cannot stand where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is neither a unit nor a function; try 2*pi/3, sqrt(2), 20 cm or +=0.5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A parenthesis is not closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has another number of values; they are parted by semicolons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is too long or too deeply nested.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be divided by zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result is too large, or is no number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These units do not go together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result must be a plain number or one in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a plain number without a unit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>center of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>intersection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>intersection with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>midpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>midpoint of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perpendicular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perpendicular to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edge of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guide %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aligned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in line with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>multiple of 15°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
     <message>
         <source>Copies</source>
         <translation>Kopien</translation>
-    </message>
-    <message>
-        <source>m</source>
-        <translation>m</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -2484,6 +3387,44 @@
     </message>
 </context>
 <context>
+    <name>spacetow::ColorField</name>
+    <message>
+        <source>mixed</source>
+        <translation type="unfinished">verschieden</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::EntryBox</name>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished">Breite</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished">Radius</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished">Länge</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation type="unfinished">Winkel</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished">Höhe</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::Form</name>
     <message>
         <source>Stars</source>
@@ -2496,6 +3437,90 @@
     <message>
         <source>mixed</source>
         <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>Fold or unfold this section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the default: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the %2 selected objects have this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::GuideBar</name>
+    <message>
+        <source>X</source>
+        <translation type="unfinished">X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation type="unfinished">Y</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Name</translation>
+    </message>
+    <message>
+        <source>X of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete this guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::HistoryModel</name>
+    <message numerus="yes">
+        <source>%n older changes that can no longer be undone</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>present state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to go back, or forward again, to the state after an edit</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2511,6 +3536,51 @@
             <numerusform>%n Objekte</numerusform>
         </translation>
     </message>
+    <message>
+        <source>A group cannot be put into itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation type="unfinished">Form</translation>
+    </message>
+    <message>
+        <source>Which shape the fields of shapes speak of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is selected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n shapes</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Shape %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n nodes selected</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>That would leave the range of the field, so nothing has changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the values would leave the range of the field, so nothing has changed.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spacetow::KeysDialog</name>
@@ -2520,15 +3590,14 @@
     </message>
 </context>
 <context>
+    <name>spacetow::LevelPanel</name>
+    <message>
+        <source>That would leave the range of the field, so nothing has changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>spacetow::MainWindow</name>
-    <message>
-        <source>Inspector</source>
-        <translation>Eigenschaften</translation>
-    </message>
-    <message>
-        <source>Problems</source>
-        <translation>Probleme</translation>
-    </message>
     <message>
         <source>Open &amp;Recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
@@ -2669,8 +3738,24 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <translation>&amp;Level</translation>
     </message>
     <message>
-        <source>Nodes</source>
-        <translation>Knoten</translation>
+        <source>New level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>snaps to: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Su&amp;b-Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2756,6 +3841,168 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <source>%1, or nothing</source>
         <translation>%1 oder nichts</translation>
     </message>
+    <message>
+        <source>Type a number or an expression such as 2*pi/3, 20 cm, +=0.5 or *=2 · Up, Down, wheel: step · Shift: finer · Ctrl: coarser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exactly %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 above %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result is too large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not possible: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ObjectField</name>
+    <message>
+        <source>There is no object with this key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation type="unfinished">verschieden</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing here is called “%1”; write the name or the key of another object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Several objects are called “%1”; write the key of the one you mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::OutlinerModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>Color of the group. Click to choose another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hidden in the editor; played all the same. Click to show it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Visible. Click to hide it in the editor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked: not picked on the canvas, moved or deleted. Click to unlock it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not locked. Click to lock it against changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Name</translation>
+    </message>
+    <message>
+        <source>Color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::OutlinerPanel</name>
+    <message>
+        <source>What is locked stays where it is; unlock it to move it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find: name, kind:wall, tag:ice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter of the objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the objects whose name holds these words, with their groups.
+kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round.
+The list shows what is drawn on top first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose what to find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color of the Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished">Art</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::OutlinerView</name>
+    <message>
+        <source>Objects of the level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No object matches the filter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The level has no objects.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>spacetow::PauseMenu</name>
@@ -2787,6 +4034,18 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <source>Stop playing (F8)</source>
         <translation>Spiel beenden (F8)</translation>
     </message>
+    <message>
+        <source>You made it!</source>
+        <translation type="unfinished">Geschafft!</translation>
+    </message>
+    <message>
+        <source>Crashed</source>
+        <translation type="unfinished">Abgestürzt</translation>
+    </message>
+    <message>
+        <source>Game over</source>
+        <translation type="unfinished">Game over</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::PlayView</name>
@@ -2796,18 +4055,62 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     </message>
 </context>
 <context>
+    <name>spacetow::ProblemList</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::ProblemsPanel</name>
     <message>
         <source>Problems of the level</source>
         <translation>Probleme des Levels</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Nothing to complain about.</source>
         <translation>Nichts zu beanstanden.</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::Ruler</name>
+    <message>
+        <source>Ruler above the drawing board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ruler beside the drawing board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres; drag a horizontal guide out of the ruler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres; drag a vertical guide out of the ruler</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RulerCorner</name>
+    <message>
+        <source>Corner of the rulers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres; drag a slanting guide out of the corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ScrubLabel</name>
+    <message>
+        <source>Drag: change the number · Shift: a tenth as fast · Ctrl: in whole steps · Escape: take it back</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2815,14 +4118,6 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>Grid S&amp;tep</source>
         <translation>Raster&amp;schritt</translation>
-    </message>
-    <message>
-        <source>Distance at which points snap; Shift+G switches snapping off and on</source>
-        <translation>Abstand, in dem Punkte einrasten; Umschalt+G schaltet das Einrasten aus und ein</translation>
-    </message>
-    <message>
-        <source>Zoom to original size (Ctrl+0)</source>
-        <translation>Auf Originalgröße zoomen (Strg+0)</translation>
     </message>
     <message>
         <source>Next problem (F4)</source>
@@ -2856,10 +4151,6 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <translation>Einrasten aus</translation>
     </message>
     <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
@@ -2881,16 +4172,32 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <source>No problems</source>
         <translation>Keine Probleme</translation>
     </message>
+    <message>
+        <source>Su&amp;b-Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How points snap; Shift+G switches the grid, Shift+S the rest, Ctrl suspends both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snap to objects</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>spacetow::TagGrid</name>
     <message>
         <source>everything</source>
         <translation>alles</translation>
-    </message>
-    <message>
-        <source>Touches whatever has a tag, also tags that are made later</source>
-        <translation>Berührt alles, was ein Merkmal hat, auch solche, die später entstehen</translation>
     </message>
     <message>
         <source>New tag</source>
@@ -2921,12 +4228,81 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>There is a tag of this name already.</source>
-        <translation>Es gibt schon ein Merkmal mit diesem Namen.</translation>
+        <source>everything except</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>That is how a tag without a name is written.</source>
-        <translation>So wird ein Merkmal ohne Namen geschrieben.</translation>
+        <source>Touches whatever has a tag, also tags that are made later, but for those crossed out; click for everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touches whatever has a tag, also tags that are made later; click for nothing, click a tag to leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touches the marked tags only; click for everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Select All with This Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TagMatrixPanel</name>
+    <message>
+        <source>Name of the tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Select All with This Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation type="unfinished">&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Color…</source>
+        <translation type="unfinished">&amp;Farbe…</translation>
+    </message>
+    <message>
+        <source>Color of “%1”</source>
+        <translation type="unfinished">Farbe von „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TagMatrixView</name>
+    <message>
+        <source>Tag matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No object is “%1” or “%2”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” pass through each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” touch each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some that are “%1” and “%2” touch each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rules of the game say so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects are “%1”; double-click to select them, right-click for more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2972,8 +4348,23 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <translation>Schließt diese Leiste (Esc)</translation>
     </message>
     <message>
-        <source>m</source>
-        <translation>m</translation>
+        <source>That would leave the map, which ends %1 m from the origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ZoomField</name>
+    <message>
+        <source>Zoom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom: type a percentage, or choose one; Ctrl+0 shows the original size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished">%1 %</translation>
     </message>
 </context>
 </TS>
