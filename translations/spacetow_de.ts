@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>&amp;Fit Level</source>
-        <translation>Level &amp;einpassen</translation>
+        <translation>Level ei&amp;npassen</translation>
     </message>
     <message>
         <source>Show the whole level</source>
@@ -821,235 +821,235 @@
     </message>
     <message>
         <source>&amp;Tags</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Merkmale</translation>
     </message>
     <message>
         <source>Show names and colors of the tags of every object</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt Namen und Farben der Merkmale jedes Objekts</translation>
     </message>
     <message>
         <source>Show What &amp;Collides</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, was &amp;kollidiert</translation>
     </message>
     <message>
         <source>Mark everything that the selection would collide with, by its tags</source>
-        <translation type="unfinished"></translation>
+        <translation>Markiert alles, womit die Auswahl nach ihren Merkmalen kollidieren würde</translation>
     </message>
     <message>
         <source>&amp;Find…</source>
-        <translation type="unfinished"></translation>
+        <translation>Su&amp;chen…</translation>
     </message>
     <message>
         <source>Find objects by name, kind or tag in the outliner</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet Objekte in der Gliederung nach Name, Art oder Merkmal</translation>
     </message>
     <message>
         <source>Rena&amp;me…</source>
-        <translation type="unfinished"></translation>
+        <translation>Um&amp;benennen…</translation>
     </message>
     <message>
         <source>Give the selected object another name, in the outliner</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt dem ausgewählten Objekt in der Gliederung einen anderen Namen</translation>
     </message>
     <message>
         <source>Level P&amp;roperties…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Leveleigenschaften…</translation>
     </message>
     <message>
         <source>Edit the name, rules and physics of the level itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändert Namen, Regeln und Physik des Levels selbst</translation>
     </message>
     <message>
         <source>Let points land on the grid; Ctrl suspends it while it is held</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt Punkte am Raster einrasten; Strg setzt das aus, solange es gehalten wird</translation>
     </message>
     <message>
         <source>&amp;Coarser Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gröberes Raster</translation>
     </message>
     <message>
         <source>Go on to the next larger step of the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Wechselt zum nächstgrößeren Rasterschritt</translation>
     </message>
     <message>
         <source>&amp;Finer Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Feineres Raster</translation>
     </message>
     <message>
         <source>Go on to the next smaller step of the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Wechselt zum nächstkleineren Rasterschritt</translation>
     </message>
     <message>
         <source>Snap to &amp;Objects</source>
-        <translation type="unfinished"></translation>
+        <translation>An &amp;Objekten einrasten</translation>
     </message>
     <message>
         <source>Let points land on what is in the level; Ctrl suspends it while it is held</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt Punkte an dem einrasten, was im Level ist; Strg setzt das aus, solange es gehalten wird</translation>
     </message>
     <message>
         <source>&amp;Vertices and Centers</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Eckpunkte und Kreismitten</translation>
     </message>
     <message>
         <source>Snap to the vertices of objects, and to the centers of circles</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastet an den Eckpunkten von Objekten und den Mittelpunkten von Kreisen ein</translation>
     </message>
     <message>
         <source>&amp;Midpoints</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mittelpunkte</translation>
     </message>
     <message>
         <source>Snap to the middles of segments</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastet an den Mitten von Segmenten ein</translation>
     </message>
     <message>
         <source>&amp;Intersections</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;chnittpunkte</translation>
     </message>
     <message>
         <source>Snap to where edges and guides cross</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastet dort ein, wo Kanten und Hilfslinien sich kreuzen</translation>
     </message>
     <message>
         <source>&amp;Perpendiculars</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lote</translation>
     </message>
     <message>
         <source>Snap to where the way from the last point meets an edge at a right angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastet dort ein, wo der Weg vom letzten Punkt im rechten Winkel auf eine Kante trifft</translation>
     </message>
     <message>
         <source>&amp;Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kanten</translation>
     </message>
     <message>
         <source>Snap to the edges of objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastet an den Kanten von Objekten ein</translation>
     </message>
     <message>
         <source>G&amp;uides</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfslinien</translation>
     </message>
     <message>
         <source>Snap to guides</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastet an Hilfslinien ein</translation>
     </message>
     <message>
         <source>&amp;Alignment</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ausrichtung</translation>
     </message>
     <message>
         <source>Snap in line with the sides and middles of other objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastet in einer Linie mit den Seiten und Mitten anderer Objekte ein</translation>
     </message>
     <message>
         <source>A&amp;ngles</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Winkel</translation>
     </message>
     <message>
         <source>Snap to multiples of 15° from the last point; Shift keeps to them always</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastet bei Vielfachen von 15° vom letzten Punkt aus ein; Umschalt hält sie immer ein</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
-        <translation type="unfinished"></translation>
+        <translation>M&amp;essen</translation>
     </message>
     <message>
         <source>Measure lengths and angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Misst Längen und Winkel</translation>
     </message>
     <message>
         <source>&amp;Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rech&amp;teck</translation>
     </message>
     <message>
         <source>Draw a solid rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet ein massives Rechteck</translation>
     </message>
     <message>
         <source>&amp;Moving Body</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bewegter Körper</translation>
     </message>
     <message>
         <source>Draw a body that moves as it is told, and its velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet einen Körper, der sich wie vorgegeben bewegt, und seine Geschwindigkeit</translation>
     </message>
     <message>
         <source>C&amp;onnector</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verbindung</translation>
     </message>
     <message>
         <source>Join two bodies by a spring or rope</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindet zwei Körper durch eine Feder oder ein Seil</translation>
     </message>
     <message>
         <source>&amp;Guide…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfslinie…</translation>
     </message>
     <message>
         <source>Add a guide at the pointer and type where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt am Mauszeiger eine Hilfslinie ein, deren Ort sich eingeben lässt</translation>
     </message>
     <message>
         <source>Fra&amp;me Selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl ein&amp;passen</translation>
     </message>
     <message>
         <source>&amp;Rulers</source>
-        <translation type="unfinished"></translation>
+        <translation>Line&amp;ale</translation>
     </message>
     <message>
         <source>Show the rulers, out of which guides are dragged</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt die Lineale, aus denen sich Hilfslinien ziehen lassen</translation>
     </message>
     <message>
         <source>Guid&amp;es</source>
-        <translation type="unfinished"></translation>
+        <translation>Hil&amp;fslinien</translation>
     </message>
     <message>
         <source>Show the guides; what is hidden is neither taken nor snapped to</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt die Hilfslinien; ausgeblendete lassen sich nicht greifen, und nichts rastet an ihnen ein</translation>
     </message>
     <message>
         <source>&amp;Delete All Guides</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle &amp;Hilfslinien löschen</translation>
     </message>
     <message>
         <source>Take all guides out of the level</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt alle Hilfslinien aus dem Level</translation>
     </message>
     <message>
         <source>&amp;Hide All</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alle ausblenden</translation>
     </message>
     <message>
         <source>Put all panels out of the way, and back as they were</source>
-        <translation type="unfinished"></translation>
+        <translation>Räumt alle Bedienfelder aus dem Weg und holt sie zurück, wie sie waren</translation>
     </message>
     <message>
         <source>Like the &amp;Desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wie der Desktop</translation>
     </message>
     <message>
         <source>Light or dark as the desktop is, and changing with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell oder dunkel wie der Desktop und mit ihm wechselnd</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hell</translation>
     </message>
     <message>
         <source>Light panels and a white drawing board</source>
-        <translation type="unfinished"></translation>
+        <translation>Helle Bedienfelder und eine weiße Zeichenfläche</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dunkel</translation>
     </message>
     <message>
         <source>Dark panels and a drawing board as dark as space</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkle Bedienfelder und eine Zeichenfläche so dunkel wie das All</translation>
     </message>
 </context>
 <context>
@@ -1179,7 +1179,7 @@
     </message>
     <message>
         <source>Paused · P: go on · O: one step · Esc: menu</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten · P: weiter · O: ein Schritt · Esc: Menü</translation>
     </message>
 </context>
 <context>
@@ -1430,199 +1430,199 @@
     </message>
     <message>
         <source>For people; several objects may share one</source>
-        <translation type="unfinished"></translation>
+        <translation>Für Menschen; mehrere Objekte dürfen denselben haben</translation>
     </message>
     <message>
         <source>Static bodies never move, kinematic ones move as told and are pushed by nothing, dynamic ones obey forces</source>
-        <translation type="unfinished"></translation>
+        <translation>Statische Körper bewegen sich nie, kinematische bewegen sich wie vorgegeben und werden von nichts geschoben, dynamische gehorchen Kräften</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished">Gruppe</translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Name or key of the group that it is in; nothing for none</source>
-        <translation type="unfinished"></translation>
+        <translation>Name oder Schlüssel der Gruppe, in der es ist; leer: in keiner</translation>
     </message>
     <message>
         <source>Color</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe</translation>
     </message>
     <message>
         <source>Of the group&apos;s mark and of what is selected in it</source>
-        <translation type="unfinished"></translation>
+        <translation>Für die Markierung der Gruppe und für das, was darin ausgewählt ist</translation>
     </message>
     <message>
         <source>Layer: a group at the top</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene: eine Gruppe ganz oben</translation>
     </message>
     <message>
         <source>Visible in the editor</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Editor sichtbar</translation>
     </message>
     <message>
         <source>Locked: cannot be picked or moved</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesperrt: weder wählbar noch verschiebbar</translation>
     </message>
     <message>
         <source>Where the origin of the object is</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Ursprung des Objekts liegt</translation>
     </message>
     <message>
         <source>Anticlockwise. Plain numbers are degrees; write “rad” after radians</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegen den Uhrzeigersinn. Bloße Zahlen sind Grad; für Radiant steht „rad“ dahinter</translation>
     </message>
     <message>
         <source>One end of the finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ende der Ziellinie</translation>
     </message>
     <message>
         <source>The other end of the finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Das andere Ende der Ziellinie</translation>
     </message>
     <message>
         <source>Center</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelpunkt</translation>
     </message>
     <message>
         <source>Middle of the circle in the coordinates of its body</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte des Kreises in den Koordinaten seines Körpers</translation>
     </message>
     <message>
         <source>From the middle to the rim</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Mitte zum Rand</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>How many corners the shape has; move them on the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Ecken die Form hat; auf der Zeichenfläche lassen sie sich verschieben</translation>
     </message>
     <message>
         <source>How far behind the line counts as inside the wall; nothing for a wall without a back</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit hinter der Linie noch als in der Wand gilt; leer bei einer Wand ohne Rückseite</translation>
     </message>
     <message>
         <source>Nothing: area times density</source>
-        <translation type="unfinished"></translation>
+        <translation>Leer: Fläche mal Dichte</translation>
     </message>
     <message>
         <source>Counts while no mass is given; a metre of wall weighs 1 kg times the density</source>
-        <translation type="unfinished"></translation>
+        <translation>Zählt, solange keine Masse angegeben ist; ein Meter Wand wiegt 1 kg mal die Dichte</translation>
     </message>
     <message>
         <source>Share of the speed that is left after a bounce</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Geschwindigkeit, der nach einem Aufprall bleibt</translation>
     </message>
     <message>
         <source>Coefficient of friction: force along a surface per force on it</source>
-        <translation type="unfinished"></translation>
+        <translation>Reibungszahl: Kraft entlang einer Fläche je Kraft auf sie</translation>
     </message>
     <message>
         <source>Of the centre of mass at the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Schwerpunkts beim Start</translation>
     </message>
     <message>
         <source>Turning at the start, anticlockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung beim Start, gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Share of the velocity that is lost each second</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Geschwindigkeit, der jede Sekunde verloren geht</translation>
     </message>
     <message>
         <source>Share of the spin that is lost each second</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Drehrate, der jede Sekunde verloren geht</translation>
     </message>
     <message>
         <source>First body</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Körper</translation>
     </message>
     <message>
         <source>Name or key of the body that it holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Name oder Schlüssel des Körpers, den sie hält</translation>
     </message>
     <message>
         <source>Second body</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweiter Körper</translation>
     </message>
     <message>
         <source>Name or key of the other body that it holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Name oder Schlüssel des anderen Körpers, den sie hält</translation>
     </message>
     <message>
         <source>Where it holds the first body, in the coordinates of that</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo sie den ersten Körper hält, in dessen Koordinaten</translation>
     </message>
     <message>
         <source>Where it holds the second body, in the coordinates of that</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo sie den zweiten Körper hält, in dessen Koordinaten</translation>
     </message>
     <message>
         <source>At which it neither pulls nor pushes; nothing: the distance at the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei der sie weder zieht noch drückt; leer: der Abstand beim Start</translation>
     </message>
     <message>
         <source>Force per metre of stretch</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft je Meter Dehnung</translation>
     </message>
     <message>
         <source>Force against the speed of stretching</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft gegen die Geschwindigkeit der Dehnung</translation>
     </message>
     <message>
         <source>How the force of the spring is limited</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Kraft der Feder begrenzt wird</translation>
     </message>
     <message>
         <source>Most tension, where it is limited</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Spannung, falls sie begrenzt ist</translation>
     </message>
     <message>
         <source>Share of the limit below which “partial tanh” changes nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Grenze, unter dem „Teilweise Tanh“ nichts ändert</translation>
     </message>
     <message>
         <source>Tags that say what it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Merkmale, die sagen, was es ist</translation>
     </message>
     <message>
         <source>Two bodies meet when each touches a tag that the other has</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Körper treffen sich, wenn jeder ein Merkmal berührt, das der andere hat</translation>
     </message>
     <message>
         <source>Of the level, as players see it</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Levels, wie Spieler ihn sehen</translation>
     </message>
     <message>
         <source>Who made it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer es gemacht hat</translation>
     </message>
     <message>
         <source>Attempts</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche</translation>
     </message>
     <message>
         <source>Greatest distance of ship and payload at which the rope can be attached</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Abstand von Schiff und Fracht, bei dem sich das Seil befestigen lässt</translation>
     </message>
     <message>
         <source>Acceleration of everything that falls</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigung von allem, was fällt</translation>
     </message>
     <message>
         <source>Time that one update simulates</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit, die ein Zeitschritt simuliert</translation>
     </message>
     <message>
         <source>Passes of motion and collision in one update; more are more exact and slower</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgänge von Bewegung und Kollision je Zeitschritt; mehr sind genauer und langsamer</translation>
     </message>
     <message>
         <source>Steps of motion in one iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegungsschritte in einer Iteration</translation>
     </message>
 </context>
 <context>
@@ -1745,27 +1745,27 @@
     </message>
     <message>
         <source>Select with a rubber band; Alt or B: only what lies wholly inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem Rahmen auswählen; Alt oder B: nur was ganz darin liegt</translation>
     </message>
     <message>
         <source>Alt + click · B + click</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt + Klick · B + Klick</translation>
     </message>
     <message>
         <source>Select the next object underneath; a right click lists them all</source>
-        <translation type="unfinished"></translation>
+        <translation>Das nächste Objekt darunter auswählen; ein Rechtsklick listet alle auf</translation>
     </message>
     <message>
         <source>Alt + drag · B + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt + Ziehen · B + Ziehen</translation>
     </message>
     <message>
         <source>Move the selection from anywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Auswahl von überall aus verschieben</translation>
     </message>
     <message>
         <source>Tow the payload when it is near; again: let it go</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Fracht schleppen, wenn sie nah ist; erneut: loslassen</translation>
     </message>
 </context>
 <context>
@@ -1816,61 +1816,61 @@
     </message>
     <message>
         <source>%1 at (%2, %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bei (%2, %3)</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1 at %2; %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bei %2; %3</translation>
     </message>
 </context>
 <context>
     <name>Panels</name>
     <message>
         <source>&amp;Inspector</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Inspektor</translation>
     </message>
     <message>
         <source>&amp;Outliner</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gliederung</translation>
     </message>
     <message>
         <source>&amp;Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Probleme</translation>
     </message>
     <message>
         <source>&amp;Nodes</source>
-        <translation type="unfinished">K&amp;noten</translation>
+        <translation>K&amp;noten</translation>
     </message>
     <message>
         <source>&amp;History</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verlauf</translation>
     </message>
     <message>
         <source>&amp;Level Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Level-Eigenschaften</translation>
     </message>
     <message>
         <source>&amp;Tag Matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Merkmal-Matrix</translation>
     </message>
     <message>
         <source>Show or hide this panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt dieses Bedienfeld oder blendet es aus</translation>
     </message>
 </context>
 <context>
     <name>TagNames</name>
     <message>
         <source>There is a tag of this name already.</source>
-        <translation type="unfinished">Es gibt schon ein Merkmal mit diesem Namen.</translation>
+        <translation>Es gibt schon ein Merkmal mit diesem Namen.</translation>
     </message>
     <message>
         <source>That is how a tag without a name is written.</source>
-        <translation type="unfinished">So wird ein Merkmal ohne Namen geschrieben.</translation>
+        <translation>So wird ein Merkmal ohne Namen geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -2843,480 +2843,480 @@
     </message>
     <message>
         <source>Points: %1 · click: add · click the first point: close · Enter or right click: end · Backspace: undo point · digits: type length and angle · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte: %1 · Klick: hinzufügen · Klick auf den ersten Punkt: schließen · Eingabe oder Rechtsklick: beenden · Rücktaste: Punkt zurücknehmen · Ziffern: Länge und Winkel eingeben · Umschalt: 15° · Strg: Einrasten aus/ein · Länge %2 m, Winkel %3°</translation>
     </message>
     <message>
         <source>Points: %1 · click: close the chain · Enter or right click: end it open · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte: %1 · Klick: die Kette schließen · Eingabe oder Rechtsklick: offen beenden · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Click or drag: go on with this chain, which keeps its direction · Alt or B + click: begin a chain of its own here</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick oder Ziehen: diese Kette fortsetzen, sie behält ihre Richtung · Alt oder B + Klick: hier eine eigene Kette beginnen</translation>
     </message>
     <message>
         <source>Click: close the chain at its other end · Enter or right click: end it open · Escape: leave it as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick: die Kette an ihrem anderen Ende schließen · Eingabe oder Rechtsklick: offen beenden · Esc: lassen, wie sie war</translation>
     </message>
     <message>
         <source>Click or drag: go on with this line · Alt or B + click: begin a line of its own here</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick oder Ziehen: diese Linie fortsetzen · Alt oder B + Klick: hier eine eigene Linie beginnen</translation>
     </message>
     <message>
         <source>Click: close the line at its other end · Enter or right click: end it open · Escape: leave it as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick: die Linie an ihrem anderen Ende schließen · Eingabe oder Rechtsklick: offen beenden · Esc: lassen, wie sie war</translation>
     </message>
     <message>
         <source>Corners: %1 · click: add · click the first corner, Enter or right click: close · Backspace: undo corner · digits: type length and angle · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken: %1 · Klick: hinzufügen · Klick auf die erste Ecke, Eingabe oder Rechtsklick: schließen · Rücktaste: Ecke zurücknehmen · Ziffern: Länge und Winkel eingeben · Umschalt: 15° · Strg: Einrasten aus/ein · Länge %2 m, Winkel %3°</translation>
     </message>
     <message>
         <source>Corners: %1 · click: close the polygon · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken: %1 · Klick: das Polygon schließen · Esc: abbrechen</translation>
     </message>
     <message>
         <source>This side would run through another one, and a polygon must not cross itself · move on before you click</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Seite würde eine andere kreuzen, und ein Polygon darf sich nicht selbst kreuzen · vor dem Klick weiterbewegen</translation>
     </message>
     <message>
         <source>The polygon crosses itself where it is marked and cannot be finished like this · Backspace: undo corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Polygon kreuzt sich an der markierten Stelle und lässt sich so nicht abschließen · Rücktaste: Ecke zurücknehmen</translation>
     </message>
     <message>
         <source>Rectangle · drag from corner to corner, or click both, or click one and type the size · Shift: from the middle · Ctrl: square</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteck · von Ecke zu Ecke ziehen oder beide anklicken oder eine anklicken und die Größe eingeben · Umschalt: von der Mitte aus · Strg: Quadrat</translation>
     </message>
     <message>
         <source>Width %1 m, height %2 m · click or release: done · Shift: from the middle · Ctrl: square · Alt or B: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite %1 m, Höhe %2 m · Klick oder Loslassen: fertig · Umschalt: von der Mitte aus · Strg: Quadrat · Alt oder B: Einrasten aus/ein · Esc: abbrechen</translation>
     </message>
     <message>
         <source>A rectangle needs width and height: move on before you click or release</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Rechteck braucht Breite und Höhe: vor dem Klick oder Loslassen weiterbewegen</translation>
     </message>
     <message>
         <source>Moving body · drag: rectangle · click: first corner of a polygon · then its velocity · Shift: from the middle · Ctrl: square</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegter Körper · Ziehen: Rechteck · Klick: erste Ecke eines Polygons · danach seine Geschwindigkeit · Umschalt: von der Mitte aus · Strg: Quadrat</translation>
     </message>
     <message>
         <source>Velocity %1 m/s, %2° · click or drag: set it · digits: type it · Shift: 15° · Ctrl: snap off/on · Enter, right click or Escape: leave the body at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit %1 m/s, %2° · Klick oder Ziehen: festlegen · Ziffern: eingeben · Umschalt: 15° · Strg: Einrasten aus/ein · Eingabe, Rechtsklick oder Esc: den Körper in Ruhe lassen</translation>
     </message>
     <message>
         <source>Velocity %1 m/s, %2° · Shift: 15° · Ctrl: snap off/on · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit %1 m/s, %2° · Umschalt: 15° · Strg: Einrasten aus/ein · Loslassen: fertig · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Drag: change the velocity of this body, a metre for each m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: die Geschwindigkeit dieses Körpers ändern, ein Meter für jeden m/s</translation>
     </message>
     <message>
         <source>Connector · drag from one body to another, or click both · anchors snap to nodes, middles and the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindung · von einem Körper zum anderen ziehen oder beide anklicken · Anker rasten an Knoten, Mitten und am Raster ein</translation>
     </message>
     <message>
         <source>Drag or click: connect “%1” with another body</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen oder Klick: „%1“ mit einem anderen Körper verbinden</translation>
     </message>
     <message>
         <source>Drag or click: connect this fixed body with another one</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen oder Klick: diesen festen Körper mit einem anderen verbinden</translation>
     </message>
     <message>
         <source>Drag or click: connect this moving body with another one</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen oder Klick: diesen bewegten Körper mit einem anderen verbinden</translation>
     </message>
     <message>
         <source>Drag or click: connect this loose body with another one</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen oder Klick: diesen losen Körper mit einem anderen verbinden</translation>
     </message>
     <message>
         <source>Length %1 m · release or click: connect with “%2” · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge %1 m · Loslassen oder Klick: mit „%2“ verbinden · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Length %1 m · release or click: connect with this fixed body · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge %1 m · Loslassen oder Klick: mit diesem festen Körper verbinden · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Length %1 m · release or click: connect with this moving body · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge %1 m · Loslassen oder Klick: mit diesem bewegten Körper verbinden · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Length %1 m · release or click: connect with this loose body · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge %1 m · Loslassen oder Klick: mit diesem losen Körper verbinden · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Neither of these two bodies can be moved by a connector, one should be dynamic · release or click: connect them all the same · length %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>Keiner dieser beiden Körper lässt sich durch eine Verbindung bewegen, einer sollte dynamisch sein · Loslassen oder Klick: trotzdem verbinden · Länge %1 m</translation>
     </message>
     <message>
         <source>This is the body where the connector begins: it needs another one</source>
-        <translation type="unfinished"></translation>
+        <translation>An diesem Körper beginnt die Verbindung: Sie braucht noch einen anderen</translation>
     </message>
     <message>
         <source>Connectors join bodies; ship, payload and finish are none</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindungen verbinden Körper; Schiff, Fracht und Ziellinie sind keine</translation>
     </message>
     <message>
         <source>There is no body here: a connector leads from one body to another</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier ist kein Körper: Eine Verbindung führt von einem Körper zu einem anderen</translation>
     </message>
     <message>
         <source>There was no body where the drag began: press on one, then drag to another</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das Ziehen begann, war kein Körper: auf einen drücken, dann zu einem anderen ziehen</translation>
     </message>
     <message>
         <source>Nothing was connected: release the button over another body</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde nichts verbunden: die Taste über einem anderen Körper loslassen</translation>
     </message>
     <message>
         <source>Length and angle · Tab: the other one · an empty one is left to the pointer · Enter or click: place the point · Escape: back to the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge und Winkel · Tab: das jeweils andere · ein leeres Feld folgt dem Mauszeiger · Eingabe oder Klick: den Punkt setzen · Esc: zurück zum Mauszeiger</translation>
     </message>
     <message>
         <source>Speed and direction · Tab: the other one · an empty one is left to the pointer · Enter or click: set the velocity · Escape: back to the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo und Richtung · Tab: das jeweils andere · ein leeres Feld folgt dem Mauszeiger · Eingabe oder Klick: die Geschwindigkeit festlegen · Esc: zurück zum Mauszeiger</translation>
     </message>
     <message>
         <source>Width and height · Tab: the other one · an empty one is left to the pointer · Enter or click: draw the rectangle · Escape: back to the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite und Höhe · Tab: das jeweils andere · ein leeres Feld folgt dem Mauszeiger · Eingabe oder Klick: das Rechteck zeichnen · Esc: zurück zum Mauszeiger</translation>
     </message>
     <message>
         <source>Radius · Enter or click: draw the circle · Escape: back to the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Radius · Eingabe oder Klick: den Kreis zeichnen · Esc: zurück zum Mauszeiger</translation>
     </message>
     <message>
         <source>“%1” is no number in metres: type one such as 2.5, 80 cm or 3/4</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Zahl in Metern: erwartet wird etwa 2.5, 80 cm oder 3/4</translation>
     </message>
     <message>
         <source>“%1” is no angle: type degrees such as 45, −22.5 or 180/7, anticlockwise from the right</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist kein Winkel: erwartet werden Grad wie 45, −22.5 oder 180/7, von rechts aus gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>“%1” is too small: a size must be more than nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist zu klein: Eine Größe muss mehr als nichts sein</translation>
     </message>
     <message>
         <source>Circle · drag from the centre, or click it and then click or type the radius · Ctrl: snap off/on</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreis · von der Mitte aus ziehen oder sie anklicken und dann den Radius anklicken oder eingeben · Strg: Einrasten aus/ein</translation>
     </message>
     <message>
         <source>Guide · drag: move it · drag onto a ruler: delete it · double click: type place, angle and name</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfslinie · Ziehen: verschieben · auf ein Lineal ziehen: löschen · Doppelklick: Ort, Winkel und Namen eingeben</translation>
     </message>
     <message>
         <source>New guide at %1 m, %2 m · release: done · Ctrl: snap off/on · back onto the ruler or Escape: none</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Hilfslinie bei %1 m, %2 m · Loslassen: fertig · Strg: Einrasten aus/ein · zurück auf das Lineal oder Esc: keine</translation>
     </message>
     <message>
         <source>New guide · drag it into the drawing board · Escape: none</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Hilfslinie · auf die Zeichenfläche ziehen · Esc: keine</translation>
     </message>
     <message>
         <source>Guide at %1 m, %2 m, %3° · release: done · Shift: turn · Ctrl: snap off/on · onto a ruler: delete · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfslinie bei %1 m, %2 m, %3° · Loslassen: fertig · Umschalt: drehen · Strg: Einrasten aus/ein · auf ein Lineal: löschen · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Guide on the ruler · release: delete it · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfslinie auf dem Lineal · Loslassen: löschen · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Measure · drag from one point to the other, or click both · Ctrl: snap off/on</source>
-        <translation type="unfinished"></translation>
+        <translation>Messen · von einem Punkt zum anderen ziehen oder beide anklicken · Strg: Einrasten aus/ein</translation>
     </message>
     <message>
         <source>%1 m, across %2 m, upwards %3 m, %4° · click or release: done · Shift: 15° · Ctrl: snap off/on · Escape: clear</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m, waagerecht %2 m, senkrecht %3 m, %4° · Klick oder Loslassen: fertig · Umschalt: 15° · Strg: Einrasten aus/ein · Esc: leeren</translation>
     </message>
     <message>
         <source>First point · click the other one · Escape: clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Punkt · den anderen anklicken · Esc: leeren</translation>
     </message>
     <message>
         <source>%1 m, across %2 m, upwards %3 m, %4° · Ctrl+C: copy · drag: measure anew · Escape: clear</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m, waagerecht %2 m, senkrecht %3 m, %4° · Strg+C: kopieren · Ziehen: neu messen · Esc: leeren</translation>
     </message>
     <message>
         <source>%1 m, across %2 m, upwards %3 m, %4° · click: angle %5° · Ctrl+C: copy · drag: measure anew · Escape: clear</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m, waagerecht %2 m, senkrecht %3 m, %4° · Klick: Winkel %5° · Strg+C: kopieren · Ziehen: neu messen · Esc: leeren</translation>
     </message>
     <message>
         <source>Angle %1° between %2 m and %3 m · Ctrl+C: copy · click or drag: measure anew · Escape: clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel %1° zwischen %2 m und %3 m · Strg+C: kopieren · Klick oder Ziehen: neu messen · Esc: leeren</translation>
     </message>
     <message>
         <source>Finish line · drag it, or click one end and then click or type the other · Ctrl: snap off/on · choose the tool again for the ship</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziellinie · ziehen oder ein Ende anklicken und dann das andere anklicken oder eingeben · Strg: Einrasten aus/ein · Werkzeug erneut wählen: Schiff</translation>
     </message>
     <message>
         <source>Click: select · drag: rubber band · Shift + Alt (or B) + drag: lasso · Shift or Ctrl + click: add or remove · Alt or B + click: next object underneath</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick: auswählen · Ziehen: Gummiband · Umschalt + Alt (oder B) + Ziehen: Lasso · Umschalt oder Strg + Klick: hinzufügen oder entfernen · Alt oder B + Klick: nächstes Objekt darunter</translation>
     </message>
     <message>
         <source>%1 selected · drag: move · click again: turn or scale · Alt or B + drag: move from anywhere · Shift or Ctrl + click: add or remove · Delete: remove · Escape: select nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ausgewählt · Ziehen: verschieben · erneuter Klick: drehen oder skalieren · Alt oder B + Ziehen: von überall verschieben · Umschalt oder Strg + Klick: hinzufügen oder entfernen · Entf: löschen · Esc: nichts auswählen</translation>
     </message>
     <message>
         <source>Node · drag: move it alone · Alt or B + drag: move the whole object · double click: edit all nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten · Ziehen: nur ihn verschieben · Alt oder B + Ziehen: das ganze Objekt verschieben · Doppelklick: alle Knoten bearbeiten</translation>
     </message>
     <message>
         <source>Drag: scale · Shift: about the middle · Ctrl: keep the proportions · Alt or B: snap off/on</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: skalieren · Umschalt: um die Mitte · Strg: Seitenverhältnis beibehalten · Alt oder B: Einrasten aus/ein</translation>
     </message>
     <message>
         <source>%1 × %2 m (%3 %, %4 %) · Shift: about the middle · Ctrl: keep the proportions · Alt or B: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 m (%3 %, %4 %) · Umschalt: um die Mitte · Strg: Seitenverhältnis beibehalten · Alt oder B: Einrasten aus/ein · Esc: abbrechen</translation>
     </message>
     <message>
         <source>%1 selected · Alt or B: only what lies wholly inside · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ausgewählt · Alt oder B: nur was ganz darin liegt · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Draw rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteck zeichnen</translation>
     </message>
     <message>
         <source>Draw moving body</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegten Körper zeichnen</translation>
     </message>
     <message>
         <source>Draw connector</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindung zeichnen</translation>
     </message>
     <message>
         <source>Set velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit festlegen</translation>
     </message>
     <message>
         <source>Extend chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette verlängern</translation>
     </message>
     <message>
         <source>Move object to another group</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt in andere Gruppe verschieben</translation>
     </message>
     <message numerus="yes">
         <source>Move %n objects to another group</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekt in andere Gruppe verschieben</numerusform>
+            <numerusform>%n Objekte in andere Gruppe verschieben</numerusform>
         </translation>
     </message>
     <message>
         <source>Rename object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt umbenennen</translation>
     </message>
     <message>
         <source>Show object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt anzeigen</translation>
     </message>
     <message numerus="yes">
         <source>Show %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekt anzeigen</numerusform>
+            <numerusform>%n Objekte anzeigen</numerusform>
         </translation>
     </message>
     <message>
         <source>Unlock object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt entsperren</translation>
     </message>
     <message numerus="yes">
         <source>Unlock %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekt entsperren</numerusform>
+            <numerusform>%n Objekte entsperren</numerusform>
         </translation>
     </message>
     <message>
         <source>Change who touches whom</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändern, wer wen berührt</translation>
     </message>
     <message>
         <source>Add guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfslinie hinzufügen</translation>
     </message>
     <message>
         <source>Change guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfslinie ändern</translation>
     </message>
     <message>
         <source>Delete guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfslinie löschen</translation>
     </message>
     <message>
         <source>Delete all guides</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Hilfslinien löschen</translation>
     </message>
     <message>
         <source>“%1” must be “all”, a list of tags or {&quot;except&quot;: a list of tags}, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ muss „all“, eine Liste von Merkmalen oder {&quot;except&quot;: eine Liste von Merkmalen} sein, nicht %2.</translation>
     </message>
     <message>
         <source>The ship starts in touch with %2 at %3; %4 m and would crash at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Start berühren sich das Schiff und %2 bei %3; %4 m, und das Schiff würde sofort zerschellen.</translation>
     </message>
     <message>
         <source>The payload starts in touch with %2 at %3; %4 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Start berühren sich die Fracht und %2 bei %3; %4 m.</translation>
     </message>
     <message>
         <source>the one-way wall</source>
-        <translation type="unfinished"></translation>
+        <translation>die einseitige Kante</translation>
     </message>
     <message>
         <source>the two-way line</source>
-        <translation type="unfinished"></translation>
+        <translation>die zweiseitige Linie</translation>
     </message>
     <message>
         <source>the polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>das Polygon</translation>
     </message>
     <message>
         <source>the circle</source>
-        <translation type="unfinished"></translation>
+        <translation>der Kreis</translation>
     </message>
     <message>
         <source>the body</source>
-        <translation type="unfinished"></translation>
+        <translation>der Körper</translation>
     </message>
     <message>
         <source>These tags came along, as the level did not have them: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Merkmale sind hinzugekommen, weil das Level sie nicht hatte: %1.</translation>
     </message>
     <message>
         <source>The tag “%1” is called “%2” in this level.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Merkmal „%1“ heißt in diesem Level „%2“.</translation>
     </message>
     <message>
         <source>All 32 tags of this level are in use, so these were left off: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle 32 Merkmale dieses Levels sind in Gebrauch, deshalb wurden diese weggelassen: %1.</translation>
     </message>
     <message>
         <source>A number is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zahl fehlt.</translation>
     </message>
     <message>
         <source>Something is missing at the end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Ende fehlt etwas.</translation>
     </message>
     <message>
         <source>“%1” cannot stand where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ kann an dieser Stelle nicht stehen.</translation>
     </message>
     <message>
         <source>“%1” is neither a unit nor a function; try 2*pi/3, sqrt(2), 20 cm or +=0.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist weder eine Einheit noch eine Funktion; möglich ist etwa 2*pi/3, sqrt(2), 20 cm oder +=0.5.</translation>
     </message>
     <message>
         <source>A parenthesis is not closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Klammer ist nicht geschlossen.</translation>
     </message>
     <message>
         <source>“%1” has another number of values; they are parted by semicolons.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ hat eine andere Anzahl von Werten; sie werden durch Semikolons getrennt.</translation>
     </message>
     <message>
         <source>This is too long or too deeply nested.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist zu lang oder zu tief verschachtelt.</translation>
     </message>
     <message>
         <source>Nothing can be divided by zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch null lässt sich nicht teilen.</translation>
     </message>
     <message>
         <source>The result is too large, or is no number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ergebnis ist zu groß oder keine Zahl.</translation>
     </message>
     <message>
         <source>These units do not go together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Einheiten passen nicht zusammen.</translation>
     </message>
     <message>
         <source>The result must be a plain number or one in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ergebnis muss eine bloße Zahl oder eine in %1 sein.</translation>
     </message>
     <message>
         <source>This is a plain number without a unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist eine bloße Zahl ohne Einheit.</translation>
     </message>
     <message>
         <source>vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkt</translation>
     </message>
     <message>
         <source>vertex of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckpunkt von %1</translation>
     </message>
     <message>
         <source>center</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelpunkt</translation>
     </message>
     <message>
         <source>center of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelpunkt von %1</translation>
     </message>
     <message>
         <source>intersection</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittpunkt</translation>
     </message>
     <message>
         <source>intersection with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittpunkt mit %1</translation>
     </message>
     <message>
         <source>midpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte</translation>
     </message>
     <message>
         <source>midpoint of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte von %1</translation>
     </message>
     <message>
         <source>perpendicular</source>
-        <translation type="unfinished"></translation>
+        <translation>senkrecht</translation>
     </message>
     <message>
         <source>perpendicular to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>senkrecht zu %1</translation>
     </message>
     <message>
         <source>edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Kante</translation>
     </message>
     <message>
         <source>edge of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Kante von %1</translation>
     </message>
     <message>
         <source>guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfslinie</translation>
     </message>
     <message>
         <source>guide %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfslinie %1</translation>
     </message>
     <message>
         <source>aligned</source>
-        <translation type="unfinished"></translation>
+        <translation>ausgerichtet</translation>
     </message>
     <message>
         <source>in line with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>in einer Linie mit %1</translation>
     </message>
     <message>
         <source>multiple of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Vielfaches von 15°</translation>
     </message>
     <message>
         <source>grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Raster</translation>
     </message>
     <message>
         <source>%1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2</translation>
     </message>
 </context>
 <context>
@@ -3390,38 +3390,38 @@
     <name>spacetow::ColorField</name>
     <message>
         <source>mixed</source>
-        <translation type="unfinished">verschieden</translation>
+        <translation>verschieden</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts</translation>
     </message>
 </context>
 <context>
     <name>spacetow::EntryBox</name>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished">Breite</translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Radius</source>
-        <translation type="unfinished">Radius</translation>
+        <translation>Radius</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished">Länge</translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished">Winkel</translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">Höhe</translation>
+        <translation>Höhe</translation>
     </message>
 </context>
 <context>
@@ -3440,87 +3440,87 @@
     </message>
     <message>
         <source>Fold or unfold this section</source>
-        <translation type="unfinished"></translation>
+        <translation>Klappt diesen Abschnitt auf oder zu</translation>
     </message>
     <message>
         <source>Back to the default</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zur Vorgabe</translation>
     </message>
     <message>
         <source>Back to the default: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zur Vorgabe: %1</translation>
     </message>
     <message>
         <source>%1 of the %2 selected objects have this.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 der %2 ausgewählten Objekte haben das.</translation>
     </message>
 </context>
 <context>
     <name>spacetow::GuideBar</name>
     <message>
         <source>X</source>
-        <translation type="unfinished">X</translation>
+        <translation>X</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished">Y</translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Name</translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>X of the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>X der Hilfslinie</translation>
     </message>
     <message>
         <source>Y of the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Y der Hilfslinie</translation>
     </message>
     <message>
         <source>Angle of the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel der Hilfslinie</translation>
     </message>
     <message>
         <source>Name of the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Hilfslinie</translation>
     </message>
     <message>
         <source>Delete this guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Löscht diese Hilfslinie</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
     <name>spacetow::HistoryModel</name>
     <message numerus="yes">
         <source>%n older changes that can no longer be undone</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n ältere Änderung, die sich nicht mehr rückgängig machen lässt</numerusform>
+            <numerusform>%n ältere Änderungen, die sich nicht mehr rückgängig machen lassen</numerusform>
         </translation>
     </message>
     <message>
         <source>present state</source>
-        <translation type="unfinished"></translation>
+        <translation>jetziger Stand</translation>
     </message>
     <message>
         <source>undone</source>
-        <translation type="unfinished"></translation>
+        <translation>rückgängig gemacht</translation>
     </message>
 </context>
 <context>
     <name>spacetow::HistoryPanel</name>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlauf</translation>
     </message>
     <message>
         <source>Click to go back, or forward again, to the state after an edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Klick führt zum Stand nach einer Änderung zurück oder wieder vor</translation>
     </message>
 </context>
 <context>
@@ -3538,47 +3538,47 @@
     </message>
     <message>
         <source>A group cannot be put into itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Gruppe kann nicht in sich selbst gelegt werden.</translation>
     </message>
     <message>
         <source>Shape</source>
-        <translation type="unfinished">Form</translation>
+        <translation>Form</translation>
     </message>
     <message>
         <source>Which shape the fields of shapes speak of</source>
-        <translation type="unfinished"></translation>
+        <translation>Für welche Form die Felder der Formen gelten</translation>
     </message>
     <message>
         <source>Nothing is selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts ist ausgewählt.</translation>
     </message>
     <message numerus="yes">
         <source>All %n shapes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Form</numerusform>
+            <numerusform>Alle %n Formen</numerusform>
         </translation>
     </message>
     <message>
         <source>Shape %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Form %1: %2</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n nodes selected</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, %n Knoten ausgewählt</numerusform>
+            <numerusform>%1, %n Knoten ausgewählt</numerusform>
         </translation>
     </message>
     <message>
         <source>That would leave the range of the field, so nothing has changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das läge außerhalb des Bereichs dieses Felds; deshalb hat sich nichts geändert.</translation>
     </message>
     <message numerus="yes">
         <source>%n of the values would leave the range of the field, so nothing has changed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n der Werte läge außerhalb des Bereichs dieses Felds; deshalb hat sich nichts geändert.</numerusform>
+            <numerusform>%n der Werte lägen außerhalb des Bereichs dieses Felds; deshalb hat sich nichts geändert.</numerusform>
         </translation>
     </message>
 </context>
@@ -3593,7 +3593,7 @@
     <name>spacetow::LevelPanel</name>
     <message>
         <source>That would leave the range of the field, so nothing has changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das läge außerhalb des Bereichs dieses Felds; deshalb hat sich nichts geändert.</translation>
     </message>
 </context>
 <context>
@@ -3739,23 +3739,23 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     </message>
     <message>
         <source>New level</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Level</translation>
     </message>
     <message>
         <source>Opened %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 geöffnet</translation>
     </message>
     <message>
         <source>snaps to: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>rastet ein: %1</translation>
     </message>
     <message>
         <source>Su&amp;b-Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Unterraster</translation>
     </message>
     <message>
         <source>&amp;Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Erscheinungsbild</translation>
     </message>
 </context>
 <context>
@@ -3843,165 +3843,167 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     </message>
     <message>
         <source>Type a number or an expression such as 2*pi/3, 20 cm, +=0.5 or *=2 · Up, Down, wheel: step · Shift: finer · Ctrl: coarser</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl oder Ausdruck wie 2*pi/3, 20 cm, +=0.5 oder *=2 · Auf, Ab, Mausrad: schrittweise · Umschalt: feiner · Strg: gröber</translation>
     </message>
     <message>
         <source>Exactly %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Genau %1 %2</translation>
     </message>
     <message>
         <source>%1 above %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 über %2</translation>
     </message>
     <message>
         <source>%1 of %2 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ab %2</translation>
     </message>
     <message>
         <source>The result is too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ergebnis ist zu groß.</translation>
     </message>
     <message>
         <source>%1 is not possible: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht möglich: %2.</translation>
     </message>
     <message>
         <source>“%1” is no number.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Zahl.</translation>
     </message>
 </context>
 <context>
     <name>spacetow::ObjectField</name>
     <message>
         <source>There is no object with this key.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Objekt mit diesem Schlüssel.</translation>
     </message>
     <message>
         <source>mixed</source>
-        <translation type="unfinished">verschieden</translation>
+        <translation>verschieden</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts</translation>
     </message>
     <message>
         <source>Nothing here is called “%1”; write the name or the key of another object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts hier heißt „%1“; gebraucht wird der Name oder Schlüssel eines anderen Objekts.</translation>
     </message>
     <message>
         <source>Several objects are called “%1”; write the key of the one you mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehrere Objekte heißen „%1“; gebraucht wird der Schlüssel des gemeinten.</translation>
     </message>
 </context>
 <context>
     <name>spacetow::OutlinerModel</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Color of the group. Click to choose another one</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe der Gruppe. Ein Klick wählt eine andere</translation>
     </message>
     <message>
         <source>Hidden in the editor; played all the same. Click to show it</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Editor ausgeblendet, im Spiel trotzdem dabei. Ein Klick blendet es ein</translation>
     </message>
     <message>
         <source>Visible. Click to hide it in the editor</source>
-        <translation type="unfinished"></translation>
+        <translation>Sichtbar. Ein Klick blendet es im Editor aus</translation>
     </message>
     <message>
         <source>Locked: not picked on the canvas, moved or deleted. Click to unlock it</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesperrt: auf der Zeichenfläche nicht auswählbar, nicht verschiebbar, nicht löschbar. Ein Klick entsperrt es</translation>
     </message>
     <message>
         <source>Not locked. Click to lock it against changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gesperrt. Ein Klick sperrt es gegen Änderungen</translation>
     </message>
     <message>
         <source>hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>ausgeblendet</translation>
     </message>
     <message>
         <source>visible</source>
-        <translation type="unfinished"></translation>
+        <translation>sichtbar</translation>
     </message>
     <message>
         <source>locked</source>
-        <translation type="unfinished"></translation>
+        <translation>gesperrt</translation>
     </message>
     <message>
         <source>not locked</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gesperrt</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Name</translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Color</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe</translation>
     </message>
     <message>
         <source>Visible</source>
-        <translation type="unfinished"></translation>
+        <translation>Sichtbar</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesperrt</translation>
     </message>
 </context>
 <context>
     <name>spacetow::OutlinerPanel</name>
     <message>
         <source>What is locked stays where it is; unlock it to move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gesperrt ist, bleibt, wo es ist; erst entsperrt lässt es sich verschieben.</translation>
     </message>
     <message>
         <source>Find: name, kind:wall, tag:ice</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche: Name, kind:wall, tag:ice</translation>
     </message>
     <message>
         <source>Filter of the objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter der Objekte</translation>
     </message>
     <message>
         <source>Shows the objects whose name holds these words, with their groups.
 kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round.
 The list shows what is drawn on top first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt die Objekte, deren Name diese Wörter enthält, mit ihren Gruppen.
+kind:wall, tag:ice, is:hidden und is:locked fragen nach anderem; ein Minus vor einem Wort kehrt es um.
+Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     </message>
     <message>
         <source>Choose what to find</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt, was gesucht wird</translation>
     </message>
     <message>
         <source>Color of the Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe der Gruppe</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished">Art</translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Tag</source>
-        <translation type="unfinished"></translation>
+        <translation>Merkmal</translation>
     </message>
 </context>
 <context>
     <name>spacetow::OutlinerView</name>
     <message>
         <source>Objects of the level</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekte des Levels</translation>
     </message>
     <message>
         <source>No object matches the filter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Objekt passt zum Filter.</translation>
     </message>
     <message>
         <source>The level has no objects.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Level hat keine Objekte.</translation>
     </message>
 </context>
 <context>
@@ -4036,15 +4038,15 @@ The list shows what is drawn on top first.</source>
     </message>
     <message>
         <source>You made it!</source>
-        <translation type="unfinished">Geschafft!</translation>
+        <translation>Geschafft!</translation>
     </message>
     <message>
         <source>Crashed</source>
-        <translation type="unfinished">Abgestürzt</translation>
+        <translation>Abgestürzt</translation>
     </message>
     <message>
         <source>Game over</source>
-        <translation type="unfinished">Game over</translation>
+        <translation>Game over</translation>
     </message>
 </context>
 <context>
@@ -4058,7 +4060,7 @@ The list shows what is drawn on top first.</source>
     <name>spacetow::ProblemList</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -4073,44 +4075,44 @@ The list shows what is drawn on top first.</source>
     </message>
     <message>
         <source>Checking…</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung läuft…</translation>
     </message>
 </context>
 <context>
     <name>spacetow::Ruler</name>
     <message>
         <source>Ruler above the drawing board</source>
-        <translation type="unfinished"></translation>
+        <translation>Lineal über der Zeichenfläche</translation>
     </message>
     <message>
         <source>Ruler beside the drawing board</source>
-        <translation type="unfinished"></translation>
+        <translation>Lineal neben der Zeichenfläche</translation>
     </message>
     <message>
         <source>Metres; drag a horizontal guide out of the ruler</source>
-        <translation type="unfinished"></translation>
+        <translation>Meter; Ziehen holt eine waagerechte Hilfslinie aus dem Lineal</translation>
     </message>
     <message>
         <source>Metres; drag a vertical guide out of the ruler</source>
-        <translation type="unfinished"></translation>
+        <translation>Meter; Ziehen holt eine senkrechte Hilfslinie aus dem Lineal</translation>
     </message>
 </context>
 <context>
     <name>spacetow::RulerCorner</name>
     <message>
         <source>Corner of the rulers</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecke der Lineale</translation>
     </message>
     <message>
         <source>Metres; drag a slanting guide out of the corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Meter; Ziehen holt eine schräge Hilfslinie aus der Ecke</translation>
     </message>
 </context>
 <context>
     <name>spacetow::ScrubLabel</name>
     <message>
         <source>Drag: change the number · Shift: a tenth as fast · Ctrl: in whole steps · Escape: take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: Zahl ändern · Umschalt: zehnmal langsamer · Strg: in ganzen Schritten · Esc: zurücknehmen</translation>
     </message>
 </context>
 <context>
@@ -4174,23 +4176,23 @@ The list shows what is drawn on top first.</source>
     </message>
     <message>
         <source>Su&amp;b-Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Unterraster</translation>
     </message>
     <message>
         <source>How points snap; Shift+G switches the grid, Shift+S the rest, Ctrl suspends both</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie Punkte einrasten; Umschalt+G schaltet das Raster, Umschalt+S den Rest, Strg setzt beides aus</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keines</translation>
     </message>
     <message>
         <source>%1 parts</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Teile</translation>
     </message>
     <message>
         <source>Snap to objects</source>
-        <translation type="unfinished"></translation>
+        <translation>An Objekten einrasten</translation>
     </message>
 </context>
 <context>
@@ -4229,79 +4231,79 @@ The list shows what is drawn on top first.</source>
     </message>
     <message>
         <source>everything except</source>
-        <translation type="unfinished"></translation>
+        <translation>alles außer</translation>
     </message>
     <message>
         <source>Touches whatever has a tag, also tags that are made later, but for those crossed out; click for everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Berührt alles, was ein Merkmal hat, auch später angelegte, außer den durchgestrichenen; Klick: alles</translation>
     </message>
     <message>
         <source>Touches whatever has a tag, also tags that are made later; click for nothing, click a tag to leave it out</source>
-        <translation type="unfinished"></translation>
+        <translation>Berührt alles, was ein Merkmal hat, auch später angelegte; Klick: nichts, Klick auf ein Merkmal: es auslassen</translation>
     </message>
     <message>
         <source>Touches the marked tags only; click for everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Berührt nur die markierten Merkmale; Klick: alles</translation>
     </message>
     <message>
         <source>&amp;Select All with This Tag</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alle mit diesem Merkmal auswählen</translation>
     </message>
 </context>
 <context>
     <name>spacetow::TagMatrixPanel</name>
     <message>
         <source>Name of the tag</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Merkmals</translation>
     </message>
     <message>
         <source>&amp;Select All with This Tag</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alle mit diesem Merkmal auswählen</translation>
     </message>
     <message>
         <source>&amp;Rename</source>
-        <translation type="unfinished">&amp;Umbenennen</translation>
+        <translation>&amp;Umbenennen</translation>
     </message>
     <message>
         <source>&amp;Color…</source>
-        <translation type="unfinished">&amp;Farbe…</translation>
+        <translation>&amp;Farbe…</translation>
     </message>
     <message>
         <source>Color of “%1”</source>
-        <translation type="unfinished">Farbe von „%1“</translation>
+        <translation>Farbe von „%1“</translation>
     </message>
 </context>
 <context>
     <name>spacetow::TagMatrixView</name>
     <message>
         <source>Tag matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Merkmalmatrix</translation>
     </message>
     <message>
         <source>No object is “%1” or “%2”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Objekt ist „%1“ oder „%2“.</translation>
     </message>
     <message>
         <source>“%1” and “%2” pass through each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ und „%2“ gehen durcheinander hindurch.</translation>
     </message>
     <message>
         <source>“%1” and “%2” touch each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ und „%2“ berühren einander.</translation>
     </message>
     <message>
         <source>Some that are “%1” and “%2” touch each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Manche, die „%1“ und „%2“ sind, berühren einander.</translation>
     </message>
     <message>
         <source>The rules of the game say so.</source>
-        <translation type="unfinished"></translation>
+        <translation>So wollen es die Spielregeln.</translation>
     </message>
     <message numerus="yes">
         <source>%n objects are “%1”; double-click to select them, right-click for more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Objekt ist „%1“; Doppelklick: auswählen, Rechtsklick: mehr</numerusform>
+            <numerusform>%n Objekte sind „%1“; Doppelklick: auswählen, Rechtsklick: mehr</numerusform>
         </translation>
     </message>
 </context>
@@ -4349,22 +4351,22 @@ The list shows what is drawn on top first.</source>
     </message>
     <message>
         <source>That would leave the map, which ends %1 m from the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das läge außerhalb der Karte; sie endet %1 m vom Ursprung.</translation>
     </message>
 </context>
 <context>
     <name>spacetow::ZoomField</name>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom</translation>
     </message>
     <message>
         <source>Zoom: type a percentage, or choose one; Ctrl+0 shows the original size</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom: Prozentwert zum Eingeben oder Auswählen; Strg+0 zeigt die Originalgröße</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished">%1 %</translation>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

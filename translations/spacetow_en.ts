@@ -208,23 +208,23 @@
     </message>
     <message numerus="yes">
         <source>Move %n objects to another group</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Move %n object to another group</numerusform>
+            <numerusform>Move %n objects to another group</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Show %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Show %n object</numerusform>
+            <numerusform>Show %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Unlock %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Unlock %n object</numerusform>
+            <numerusform>Unlock %n objects</numerusform>
         </translation>
     </message>
 </context>
@@ -232,9 +232,9 @@
     <name>spacetow::HistoryModel</name>
     <message numerus="yes">
         <source>%n older changes that can no longer be undone</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n older change that can no longer be undone</numerusform>
+            <numerusform>%n older changes that can no longer be undone</numerusform>
         </translation>
     </message>
 </context>
@@ -249,23 +249,23 @@
     </message>
     <message numerus="yes">
         <source>All %n shapes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>The shape (%n)</numerusform>
+            <numerusform>All %n shapes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1, %n nodes selected</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, %n node selected</numerusform>
+            <numerusform>%1, %n nodes selected</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n of the values would leave the range of the field, so nothing has changed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n of the values would leave the range of the field, so nothing has changed.</numerusform>
+            <numerusform>%n of the values would leave the range of the field, so nothing has changed.</numerusform>
         </translation>
     </message>
 </context>
@@ -307,9 +307,9 @@
     <name>spacetow::TagMatrixView</name>
     <message numerus="yes">
         <source>%n objects are “%1”; double-click to select them, right-click for more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n object is “%1”; double-click to select it, right-click for more</numerusform>
+            <numerusform>%n objects are “%1”; double-click to select them, right-click for more</numerusform>
         </translation>
     </message>
 </context>
