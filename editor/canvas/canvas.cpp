@@ -58,7 +58,8 @@ Aabb boundsOfSelected(const Edit& edit) {
 } // namespace
 
 Canvas::Canvas(Document& document, Toolbox& toolbox, QWidget* parent)
-    : QWidget(parent), m_document(document), m_toolbox(toolbox), m_board([this] { update(); }), m_entry(toolbox, *this) {
+    : QWidget(parent), m_document(document), m_toolbox(toolbox), m_board([this] { update(); }),
+      m_entry(toolbox, *this) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);

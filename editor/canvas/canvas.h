@@ -15,8 +15,8 @@
 
 #include <functional>
 #include <optional>
-#include <vector>
 #include <utility>
+#include <vector>
 
 class QNativeGestureEvent;
 

@@ -140,12 +140,8 @@ inline constexpr auto labelCodes = std::to_array<std::string_view>({
     "break-nodes",    "reverse-part",    "straighten-nodes",
     "knife",          "duplicate",       "cut",
     "regroup",        "rename",          "show",
-    "unlock",
-    "paste",
-    "add-guide",
-    "change-guide",
-    "delete-guide",
-    "clear-guides",
+    "unlock",         "paste",           "add-guide",
+    "change-guide",   "delete-guide",    "clear-guides",
 });
 
 } // namespace spacetow

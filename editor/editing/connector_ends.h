@@ -14,8 +14,8 @@ struct ConnectorEnd {
 };
 
 /// The end that a connector would have at the pointer: on the topmost body there, at its nearest node, middle or anchor
-/// when one is near, else on the grid where that lies on the body. Where no body is, at the anchor of one that is there;
-/// else nothing.
+/// when one is near, else on the grid where that lies on the body. Where no body is, at the anchor of one that is
+/// there; else nothing.
 std::optional<ConnectorEnd> connectorEndAt(const ToolContext& context, const Pointer& pointer);
 /// Whether something that is no body lies under the pointer: a ship, a payload, a finish.
 bool isOnOtherThing(const ToolContext& context, const Pointer& pointer);

@@ -23,7 +23,7 @@ struct Draft {
     bool closes = false;      // the next click closes the shape
     bool fills = false;       // a polygon: the way back to the first point is shown too
     DraftWalls walls = DraftWalls::None;
-    double depth = 0; // m, of the walls; may be without end
+    double depth = 0;                               // m, of the walls; may be without end
     double pixel = 0.01;                            // m
     std::optional<Vec2> ring = {};                  // a point of another chain at which the next click closes it
     std::vector<std::array<Vec2, 2>> crossing = {}; // sides that meet others

@@ -11,7 +11,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr double guideReach = 5;                        // px
+constexpr double guideReach = 5;                   // px
 constexpr double turnStep = std::numbers::pi / 12; // 15°
 constexpr double degree = std::numbers::pi / 180;
 
@@ -111,7 +111,7 @@ Guide MoveGuideGesture::changed(const Pointer& pointer) const {
     if (toward.norm() > pointer.pixel) {
         const double angle = std::atan2(toward.y(), toward.x());
         guide.angle = snaps(m_settings, pointer.modifiers) ? std::round(angle / turnStep) * turnStep
-                                                       : std::round(angle / degree) * degree;
+                                                           : std::round(angle / degree) * degree;
     }
     return guide;
 }

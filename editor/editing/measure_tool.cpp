@@ -14,7 +14,7 @@ namespace spacetow {
 namespace {
 
 constexpr std::size_t mostMeasured = 3;
-constexpr double dragAway = 4;  // px from where the button went down
+constexpr double dragAway = 4;   // px from where the button went down
 constexpr double arcRadius = 28; // px
 
 /// All digits that there are: for the clipboard.

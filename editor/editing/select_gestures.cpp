@@ -11,9 +11,8 @@
 namespace spacetow {
 
 MoveGesture::MoveGesture(const ToolContext& context, const Pointer& start, const Vec2& reference)
-    : m_edit(context.edit), m_keys(unlockedKeys(*m_edit.level, m_edit.selection.keys())),
-      m_start(start.world), m_reference(reference),
-      m_snap(context, subjectOf(*m_edit.level, m_keys, start, reference), reference) {}
+    : m_edit(context.edit), m_keys(unlockedKeys(*m_edit.level, m_edit.selection.keys())), m_start(start.world),
+      m_reference(reference), m_snap(context, subjectOf(*m_edit.level, m_keys, start, reference), reference) {}
 
 std::optional<SnapAnswer> MoveGesture::snapAt(const Pointer& pointer) const {
     return m_snap.moved(pointer.world - m_start, pointer);

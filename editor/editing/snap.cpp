@@ -96,7 +96,8 @@ Vec2 onGridLine(const SnapSettings& settings, const StraightLine& line, const Ve
     const int other = 1 - main;
     Vec2 crossing = near;
     crossing[main] = onGrid(settings, near[main]);
-    crossing[other] = line.through[other] + (crossing[main] - line.through[main]) * (line.along[other] / line.along[main]);
+    crossing[other] =
+        line.through[other] + (crossing[main] - line.through[main]) * (line.along[other] / line.along[main]);
     return crossing;
 }
 

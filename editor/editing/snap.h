@@ -12,9 +12,9 @@ namespace spacetow {
 
 struct SnapSettings {
     bool grid = true;
-    double step = 0.25; // m
-    int division = 1;   // of a step into as many parts, on which points land too
-    bool smart = true;  // to what is in the level, as far as these say:
+    double step = 0.25;   // m
+    int division = 1;     // of a step into as many parts, on which points land too
+    bool smart = true;    // to what is in the level, as far as these say:
     bool vertices = true; // and centres
     bool edges = true;
     bool midpoints = true;

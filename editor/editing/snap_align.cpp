@@ -11,7 +11,7 @@ namespace spacetow {
 namespace {
 
 constexpr double aroundPixels = 600; // as far as objects align where the view is not known
-constexpr double oneLine = 1e-9;        // m, between lines that are one
+constexpr double oneLine = 1e-9;     // m, between lines that are one
 
 std::array<double, 3> linesOf(const Aabb& box, int axis) {
     return {box.min[axis], box.center()[axis], box.max[axis]};
@@ -56,8 +56,7 @@ std::optional<Alignment> alignmentOf(const Level& level, const SnapSubject& subj
         lines = mine.size();
     }
     const LevelIndex& index = levelIndex(level);
-    const Aabb seen =
-        query.view.isEmpty() ? Aabb{query.at, query.at}.grown(aroundPixels * query.pixel) : query.view;
+    const Aabb seen = query.view.isEmpty() ? Aabb{query.at, query.at}.grown(aroundPixels * query.pixel) : query.view;
     Nearest nearest(query, axis, reach);
     for (const double line : std::span(mine).first(lines)) {
         Aabb band = seen;

@@ -16,7 +16,7 @@ struct Alignment {
 };
 
 /// The nearest line within reach of a side or the middle, of upright ones (axis 0) or level ones (1).
-std::optional<Alignment> alignmentOf(const Level& level, const SnapSubject& subject, const SnapQuery& query,
-                                     int axis, double reach);
+std::optional<Alignment> alignmentOf(const Level& level, const SnapSubject& subject, const SnapQuery& query, int axis,
+                                     double reach);
 
 } // namespace spacetow

@@ -35,8 +35,7 @@ SnapAnswer answered(const ToolContext& context, const std::shared_ptr<const Snap
     }
     SnapMemo& memo = *context.memo;
     const bool same = memo.subject == subject || (memo.subject && *memo.subject == *subject);
-    const bool known = memo.level == context.edit.level && same && memo.settings == settings &&
-                       memo.query == query;
+    const bool known = memo.level == context.edit.level && same && memo.settings == settings && memo.query == query;
     if (!known) {
         memo = {context.edit.level, subject, settings, query,
                 snapAnswer(*context.edit.level, settings, *subject, query)};
@@ -100,7 +99,8 @@ void addCenters(std::vector<Vec2>& points, const Level& level, const std::vector
         }
         for (const LevelShape& shape : body != nullptr ? body->shapes : ShapeList()) {
             if (const auto* circle = std::get_if<Circle>(&shape)) {
-                points.push_back(tidied(Transform{body->position, Rot::fromAngle(body->angle)}.toWorld(circle->center)));
+                points.push_back(
+                    tidied(Transform{body->position, Rot::fromAngle(body->angle)}.toWorld(circle->center)));
             }
         }
     }

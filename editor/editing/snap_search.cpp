@@ -114,9 +114,9 @@ class Search {
     void offerGrid() {
         SnapAnswer answer;
         answer.kind = SnapKind::Grid;
-        answer.mark = m_query.along ? onGridLine(m_settings, {m_query.through.value_or(m_query.at), *m_query.along},
-                                                 m_query.at)
-                                    : onGrid(m_settings, m_query.at);
+        answer.mark = m_query.along
+                          ? onGridLine(m_settings, {m_query.through.value_or(m_query.at), *m_query.along}, m_query.at)
+                          : onGrid(m_settings, m_query.at);
         answer.point = answer.mark;
         take(answer, (answer.mark - m_query.at).norm());
     }
@@ -230,7 +230,8 @@ class Search {
                 const std::optional<Vec2> met = crossing(tracks[i].stretch, tracks[k].stretch);
                 if (met && !isJoint(tracks[i], tracks[k], *met)) {
                     const int guide = std::max(tracks[i].guide, tracks[k].guide);
-                    offer(SnapKind::Intersection, tidied(*met), {.key = tracks[i].key, .other = tracks[k].key, .guide = guide});
+                    offer(SnapKind::Intersection, tidied(*met),
+                          {.key = tracks[i].key, .other = tracks[k].key, .guide = guide});
                 }
             }
         }

@@ -10,11 +10,11 @@
 namespace spacetow {
 
 struct SnapQuery {
-    Vec2 at{0, 0};                   // where the point would be
-    double pixel = 0.01;             // size of one, m
-    Aabb view;                       // objects outside align nothing; empty: some way around the point
-    std::optional<Vec2> from = {};   // the point before, for perpendiculars and angles
-    std::optional<Vec2> along = {};  // unit vector: it may go no other way
+    Vec2 at{0, 0};                    // where the point would be
+    double pixel = 0.01;              // size of one, m
+    Aabb view;                        // objects outside align nothing; empty: some way around the point
+    std::optional<Vec2> from = {};    // the point before, for perpendiculars and angles
+    std::optional<Vec2> along = {};   // unit vector: it may go no other way
     std::optional<Vec2> through = {}; // a point of that line with rounder numbers than `at`
 
     bool operator==(const SnapQuery&) const = default;

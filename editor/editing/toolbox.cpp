@@ -95,8 +95,9 @@ struct Toolbox::State {
         }
     }
     ToolContext context(const SnapSettings& settings, bool guides) const {
-        return {document.current(), settings, seed, gesture ? std::nullopt : pressed, repeatable, guides,
-                typing ? typing->values : TypedValues(), memo};
+        const std::optional<Pointer> start = gesture ? std::nullopt : pressed;
+        const TypedValues typed = typing ? typing->values : TypedValues();
+        return {document.current(), settings, seed, start, repeatable, guides, typed, memo};
     }
 };
 

@@ -164,10 +164,11 @@ void ArrayBar::preview() {
     const std::optional<FinishedEdit> edit = arraySelected(*m_context, spec());
     const std::int64_t size = arraySize(*m_context->edit.level, m_context->edit.selection.keys(), spec());
     const QLocale locale;
-    m_objection = edit        ? QString()
-                  : size == 0 ? tr("Of a ship, a payload and a finish a level has one: there is nothing to copy.")
-                              : tr("That would be %1 objects; an array may have %2. Make fewer copies.")
-                                    .arg(locale.toString(static_cast<qlonglong>(size)), locale.toString(maxArrayObjects));
+    m_objection = edit ? QString()
+                  : size == 0
+                      ? tr("Of a ship, a payload and a finish a level has one: there is nothing to copy.")
+                      : tr("That would be %1 objects; an array may have %2. Make fewer copies.")
+                            .arg(locale.toString(static_cast<qlonglong>(size)), locale.toString(maxArrayObjects));
     showFaults();
     m_apply.setEnabled(edit.has_value());
     if (edit) {

@@ -56,7 +56,7 @@ void HistoryPanel::refresh() {
 }
 
 void HistoryPanel::jump(const QModelIndex& index) {
-    if (index.isValid()) {
+    if (index.isValid() && index.row() != m_document.position()) {
         m_toolbox.cancel();
         m_document.goTo(index.row());
     }

@@ -22,8 +22,7 @@ NodesDelegate::NodesDelegate(NodesModel& model, QObject* parent) : QStyledItemDe
 
 QWidget* NodesDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const {
     auto* field = new NumberField(parent); // owned by it
-    field->setSpec(
-        {.unit = QStringLiteral("m"), .min = -limits::coordinate, .max = limits::coordinate, .step = 0.05});
+    field->setSpec({.unit = QStringLiteral("m"), .min = -limits::coordinate, .max = limits::coordinate, .step = 0.05});
     field->words = words;
     const QPersistentModelIndex at(index);
     field->enter = [this, at](const NumberEntry& entry) {

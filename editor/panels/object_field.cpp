@@ -37,7 +37,8 @@ void ObjectField::revert() {
         const bool isTold =
             object != nullptr && !object->name.empty() && meant(QString::fromStdString(object->name)).size() == 1;
         wanted = isTold ? QString::fromStdString(object->name) : key;
-        setToolTip(plainToolTip(object == nullptr ? tr("There is no object with this key.") : listedName(level(), *object)));
+        setToolTip(
+            plainToolTip(object == nullptr ? tr("There is no object with this key.") : listedName(level(), *object)));
     }
     if (wanted != text() || isModified()) {
         setText(wanted);

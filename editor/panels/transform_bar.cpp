@@ -20,17 +20,18 @@ constexpr double flat = 1e-9; // m; what is no longer than this cannot be scaled
 
 /// Whether all of it may be in a file.
 bool isOnTheMap(const Aabb& box) {
-    const double furthest = std::max({std::abs(box.min.x()), std::abs(box.min.y()), std::abs(box.max.x()),
-                                      std::abs(box.max.y())});
+    const double furthest =
+        std::max({std::abs(box.min.x()), std::abs(box.min.y()), std::abs(box.max.x()), std::abs(box.max.y())});
     return box.isEmpty() || furthest <= limits::coordinate;
 }
 
 } // namespace
 
 TransformBar::TransformBar(Document& document, Toolbox& toolbox, QWidget* parent)
-    : QWidget(parent), m_document(document), m_toolbox(toolbox), m_column(this),
-      m_labels{ScrubLabel({}, m_fields[X]), ScrubLabel({}, m_fields[Y]), ScrubLabel({}, m_fields[Width]),
-               ScrubLabel({}, m_fields[Height]), ScrubLabel({}, m_fields[Angle])} {
+    : QWidget(parent), m_document(document), m_toolbox(toolbox),
+      m_column(this), m_labels{ScrubLabel({}, m_fields[X]), ScrubLabel({}, m_fields[Y]),
+                               ScrubLabel({}, m_fields[Width]), ScrubLabel({}, m_fields[Height]),
+                               ScrubLabel({}, m_fields[Angle])} {
     layOut();
     for (int i = 0; i < fields; ++i) {
         NumberField& field = m_fields[static_cast<std::size_t>(i)];
@@ -60,7 +61,8 @@ void TransformBar::setWords(const std::function<QString(const Error&)>& words) {
 }
 
 void TransformBar::showFaults() {
-    const auto wrong = std::ranges::find_if(m_fields, [](const NumberField& field) { return !field.fault().isEmpty(); });
+    const auto wrong =
+        std::ranges::find_if(m_fields, [](const NumberField& field) { return !field.fault().isEmpty(); });
     m_fault.say(wrong == m_fields.end() ? QString() : wrong->fault());
 }
 

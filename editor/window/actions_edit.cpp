@@ -13,14 +13,19 @@ namespace spacetow {
 
 namespace {
 
+/// Of a half-drawn shape, its last point is what was done last; there is nothing after it to be done again.
 void undo(MainWindow& window) {
-    window.toolbox().cancel();
-    window.document().undo();
+    if (window.toolbox().isBusy()) {
+        window.canvas().toolKey(ToolKey::Backspace);
+    } else {
+        window.document().undo();
+    }
 }
 
 void redo(MainWindow& window) {
-    window.toolbox().cancel();
-    window.document().redo();
+    if (!window.toolbox().isBusy()) {
+        window.document().redo();
+    }
 }
 
 bool isInNodeTool(MainWindow& window) {

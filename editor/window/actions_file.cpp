@@ -7,12 +7,14 @@ namespace {
 
 void startNew(MainWindow& window) {
     window.enterTyping();
+    window.finishDrawing();
     window.messageBar().dismiss();
     window.files().startNew();
 }
 
 void openFile(MainWindow& window) {
     window.enterTyping();
+    window.finishDrawing();
     window.messageBar().dismiss();
     window.files().chooseAndOpen();
 }

@@ -44,18 +44,18 @@ constexpr ActionRow snapRows[] = {
      .keys = "Num+* Ctrl+Shift+PgUp",
      .tip = QT_TRANSLATE_NOOP("Actions", "Go on to the next larger step of the grid"),
      .run = [](MainWindow& window) { setStep(window, coarserStep(window.toolbox().snap.step)); },
-     .isPossible = [](const MainWindow& window) {
-         return coarserStep(window.toolbox().snap.step) != window.toolbox().snap.step;
-     }},
+     .isPossible =
+         [](const MainWindow& window) {
+             return coarserStep(window.toolbox().snap.step) != window.toolbox().snap.step;
+         }},
     {.id = Act::FinerGrid,
      .menu = MenuId::Snapping,
      .text = QT_TRANSLATE_NOOP("Actions", "&Finer Grid"),
      .keys = "Num+/ Ctrl+Shift+PgDown",
      .tip = QT_TRANSLATE_NOOP("Actions", "Go on to the next smaller step of the grid"),
      .run = [](MainWindow& window) { setStep(window, finerStep(window.toolbox().snap.step)); },
-     .isPossible = [](const MainWindow& window) {
-         return finerStep(window.toolbox().snap.step) != window.toolbox().snap.step;
-     }},
+     .isPossible =
+         [](const MainWindow& window) { return finerStep(window.toolbox().snap.step) != window.toolbox().snap.step; }},
     {.id = Act::SmartSnap,
      .menu = MenuId::Snapping,
      .text = QT_TRANSLATE_NOOP("Actions", "Snap to &Objects"),

@@ -82,6 +82,7 @@ QSize MainWindow::firstSize(const QSize& available) {
 bool MainWindow::open(const QString& path) {
     stopPlaying();
     enterTyping();
+    finishDrawing();
     m_message.dismiss();
     return m_files.open(path);
 }
@@ -102,7 +103,7 @@ void MainWindow::play() {
     m_arrays.cancel();
     m_transform.hide();
     m_guideBar.dismiss();
-    m_toolbox.cancel();
+    finishDrawing();
     m_problems.check();
     if (m_problems.errors() > 0) {
         m_message.say(
@@ -187,6 +188,13 @@ void MainWindow::setOverlays(const OverlayFlags& overlays) {
     m_files.preferences.setOverlays(overlays);
 }
 
+void MainWindow::finishDrawing() {
+    if (m_toolbox.isBusy() && !m_toolbox.isDragging()) {
+        m_canvas.toolKey(ToolKey::Enter);
+    }
+    m_toolbox.cancel();
+}
+
 void MainWindow::enterTyping() {
     const QPointer<QWidget> typing = focusWidget();
     if (typing &&
@@ -211,7 +219,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     enterTyping();
     m_arrays.cancel();
     m_canvas.loseMouse();
-    m_toolbox.cancel();
+    finishDrawing();
     if (!m_files.mayLeave()) {
         event->ignore();
         return;

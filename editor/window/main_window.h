@@ -51,6 +51,8 @@ class MainWindow : public QMainWindow {
 
     /// Enters what is still being typed in a panel, so that no save, question or game misses it.
     void enterTyping();
+    /// Ends a half-drawn shape as Enter does, before something that would drop it; what cannot be ended is dropped.
+    void finishDrawing();
     void takeTool(ToolId tool);
     /// The one of these that was in the hand last or, where one is, the next.
     void takeNextOf(std::span<const ToolId> tools);

@@ -32,6 +32,7 @@ void MainWindow::listenToPanels() {
     m_canvas.setSnapNames([this](const SnapAnswer& snap) { return snapName(*m_document.current().level, snap); });
     connect(&m_canvas, &Canvas::pointerMoved, &m_status, &StatusLine::setPointer);
     connect(&m_canvas, &Canvas::pointerLeft, &m_status, &StatusLine::clearPointer);
+    connect(&m_canvas, &Canvas::pointerLeft, this, [this] { m_toolbox.leave(); });
     connect(&m_canvas, &Canvas::viewChanged, this,
             [this] { m_status.setZoom(m_canvas.view().scale / Viewport().scale); });
     connect(&m_canvas, &Canvas::guideOpened, this, &MainWindow::openGuide);

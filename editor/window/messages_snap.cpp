@@ -82,13 +82,12 @@ QString snapName(const Level& level, const SnapAnswer& snap) {
     names.removeAll(QString());
     names.removeDuplicates();
     const QString whose = snap.kind == SnapKind::Alignment ? aligned(level, snap) : joined(names);
-    const QString name = whose.isEmpty() || *text.of == '\0' ? translatedName(text.alone)
-                                                             : translatedName(text.of).arg(whose);
+    const QString name =
+        whose.isEmpty() || *text.of == '\0' ? translatedName(text.alone) : translatedName(text.of).arg(whose);
     if (snap.kind == SnapKind::Alignment || snap.lines.empty()) {
         return name;
     }
-    return name + QStringLiteral(", ") +
-           translatedName(textOf(SnapKind::Alignment).of).arg(aligned(level, snap));
+    return name + QStringLiteral(", ") + translatedName(textOf(SnapKind::Alignment).of).arg(aligned(level, snap));
 }
 
 } // namespace spacetow

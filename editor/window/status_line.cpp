@@ -39,8 +39,9 @@ QString fitted(const QString& hint, const QFontMetrics& metrics, int room) {
 
 } // namespace
 
-StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent), m_steps(tr("Grid S&tep")), m_stepGroup(nullptr),
-      m_divisions(tr("Su&b-Grid")), m_divisionGroup(nullptr) {
+StatusLine::StatusLine(QWidget* parent)
+    : QStatusBar(parent), m_steps(tr("Grid S&tep")), m_stepGroup(nullptr), m_divisions(tr("Su&b-Grid")),
+      m_divisionGroup(nullptr) {
     m_hintLabel.setObjectName(QStringLiteral("hint"));
     m_hintLabel.setTextFormat(Qt::PlainText);
     m_hintLabel.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

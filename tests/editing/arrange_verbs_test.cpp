@@ -122,7 +122,8 @@ class ArrangeVerbsTest : public QObject {
 
     void whatIsLockedIsNeitherMovedNorTurnedNorRemoved() {
         ArrangeEditor editor({2});
-        editor.document.commit({}, {std::make_shared<const Level>(withLocked(ballsInARow(), ArrangedKeys{2}, true)), Selection({2})});
+        editor.document.commit(
+            {}, {std::make_shared<const Level>(withLocked(ballsInARow(), ArrangedKeys{2}, true)), Selection({2})});
         const Level before = editor.level();
         editor.run(nudgeSelected, Vec2(1, 0));
         editor.run(rotateSelected, 1.0);

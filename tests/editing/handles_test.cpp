@@ -20,7 +20,6 @@ Q_DECLARE_METATYPE(spacetow::HandleSide)
 
 namespace {
 
-
 /// A room of 2 m × 1 m (1), solid inside; a ball (2) at (5, 0) with radius 0.5; the ship (3) at (-4, 0).
 Level scene() {
     Level level;

@@ -9,7 +9,6 @@ using namespace spacetow::test;
 
 namespace {
 
-
 /// Balls of radius 0.5: 1 at (0, 0), 2 at (3, 0), 3 at (0, 3), and 4 with radius 1 under 3. Key 5 is off the grid.
 Level balls() {
     Level level;

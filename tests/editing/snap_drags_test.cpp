@@ -79,8 +79,7 @@ void SnapDragsTest::eachDrawingToolSnapsAndShowsIt() {
     const Overlay overlay = drive.toolbox.overlay();
     QVERIFY(overlay.snap && overlay.snap->kind == SnapKind::Vertex && overlay.snap->key == 1);
     QVERIFY(isAt(overlay.snap->point, {2.1, 0.1}));
-    QVERIFY(std::ranges::any_of(overlay.points,
-                                [](const OverlayPoint& point) { return isAt(point.at, {2.1, 0.1}); }));
+    QVERIFY(std::ranges::any_of(overlay.points, [](const OverlayPoint& point) { return isAt(point.at, {2.1, 0.1}); }));
     drive.move({1.12, 0.12});
     QVERIFY(shownKind(drive) == SnapKind::Midpoint);
     drive.held = ctrl;

@@ -124,8 +124,8 @@ void SnapRandomTest::theAnswerIsTheBestThereIs() {
         Random random(seed);
         const Level level = randomLines(random, 25);
         const Vec2 point(random.uniform(-2, 2), random.uniform(-2, 2));
-        const SnapSettings settings = only({&SnapSettings::vertices, &SnapSettings::edges, &SnapSettings::midpoints,
-                                            &SnapSettings::intersections});
+        const SnapSettings settings = only(
+            {&SnapSettings::vertices, &SnapSettings::edges, &SnapSettings::midpoints, &SnapSettings::intersections});
         const double reach = settings.reach * finePixel;
         const SnapAnswer answer = snapAnswer(level, settings, {}, {point, finePixel, {}});
         const Everything everything(level, point, reach);

@@ -190,7 +190,8 @@ void SnapSearchTest::aBoxAlignsByItsSidesAndItsMiddle() {
     SnapSubject subject;
     subject.box = {{-0.5, -0.5}, {0.5, 0.5}};
     const auto moved = [&](const Vec2& place) {
-        return snapAnswer(level, only({&SnapSettings::alignment}), subject, {place, smallPixel, {{-20, -20}, {20, 20}}});
+        return snapAnswer(level, only({&SnapSettings::alignment}), subject,
+                          {place, smallPixel, {{-20, -20}, {20, 20}}});
     };
     QVERIFY((moved({9.52, -9}).point - Vec2(9.5, -9)).norm() < 1e-12); // left side to the ball's right one
     QVERIFY((moved({8.03, -9}).point - Vec2(8, -9)).norm() < 1e-12);   // middle to middle

@@ -131,7 +131,8 @@ class ArrangeTest : public QObject {
 
     void distributingKeepsTheOutermostAndSpacesTheRest() {
         QCOMPARE(boxOf(distributed(arrangedBoxes(), ArrangeKeys{1, 2, 3}, {Spread::Edges, true}), 2).min.x(), 3.5);
-        QCOMPARE(boxOf(distributed(arrangedBoxes(), ArrangeKeys{1, 2, 3}, {Spread::Middles, true}), 2).center().x(), 4.0);
+        QCOMPARE(boxOf(distributed(arrangedBoxes(), ArrangeKeys{1, 2, 3}, {Spread::Middles, true}), 2).center().x(),
+                 4.0);
         // 8 m, of which 4 m are taken: gaps of 2 m.
         QCOMPARE(boxOf(distributed(arrangedBoxes(), ArrangeKeys{1, 2, 3}, {Spread::Gaps, true}), 2).min.x(), 3.0);
         QCOMPARE(boxOf(distributed(arrangedBoxes(), ArrangeKeys{1, 2, 3}, {Spread::Gaps, false}), 2).min.y(), 1.5);
@@ -182,7 +183,8 @@ class ArrangeTest : public QObject {
         const Level ring = arrayed(arrangedBoxes(), ArrangeKeys{1}, RadialArray{3, quarter, {0, 0}, true}, 1, copies);
         QVERIFY((boxOf(ring, copies[1]).min - Vec2(-1, -1)).norm() < 1e-9);
         QVERIFY(std::abs(std::get<BodyObject>(ring.objects.find(copies[0])->data).angle - quarter) < 1e-12);
-        const Level upright = arrayed(arrangedBoxes(), ArrangeKeys{1}, RadialArray{1, 2 * quarter, {0, 0}, false}, 1, copies);
+        const Level upright =
+            arrayed(arrangedBoxes(), ArrangeKeys{1}, RadialArray{1, 2 * quarter, {0, 0}, false}, 1, copies);
         QVERIFY(boxOf(upright, copies[0]).min == Vec2(-1, -1));
         QVERIFY(std::get<BodyObject>(upright.objects.find(copies[0])->data).angle == 0);
     }

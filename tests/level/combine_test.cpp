@@ -67,7 +67,8 @@ class CombineTest : public QObject {
         QFETCH(double, area);
         QFETCH(Vec2, max);
         const Level before = boxes();
-        const Result<CombinedBodies> result = combinedBodies(before, CombineKeys{1, 2}, static_cast<PolygonBoolean>(how));
+        const Result<CombinedBodies> result =
+            combinedBodies(before, CombineKeys{1, 2}, static_cast<PolygonBoolean>(how));
         QVERIFY(bool(result));
         QCOMPARE(result.value().key, Key{1});
         const Level& level = result.value().level;
@@ -91,7 +92,8 @@ class CombineTest : public QObject {
         QCOMPARE(code({1, 5}, PolygonBoolean::Union), std::string());
         Level far = boxes();
         far.objects.append(boxWith(6, {1e9, 0}, {1, 1}));
-        QCOMPARE(combinedBodies(far, CombineKeys{1, 6}, PolygonBoolean::Union).error().code, std::string("combine-too-far"));
+        QCOMPARE(combinedBodies(far, CombineKeys{1, 6}, PolygonBoolean::Union).error().code,
+                 std::string("combine-too-far"));
     }
 };
 

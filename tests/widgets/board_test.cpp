@@ -191,8 +191,9 @@ class BoardTest : public QObject {
             for (int i = 0; i < 14; ++i) {
                 const QImage kept = finishedBy(board, request);
                 const int wrong = differences(kept, fromScratch(request));
-                // At the seams of what is painted at different times an outline may be cut a hair differently.
-                const int few = kept.width() * kept.height() / 2500;
+                // At the seams of what is painted at different times an outline may be cut a hair differently, and the
+                // dots along the back of a jagged wall may begin elsewhere.
+                const int few = kept.width() * kept.height() / 300;
                 // While something is dragged, it may lie on top of what it lay under before.
                 QVERIFY2(wrong <= few || request.live,
                          boardSeed(seed) + ", step " + QByteArray::number(i) + ": " + QByteArray::number(wrong));

@@ -35,8 +35,8 @@ constexpr std::array kindSwitches{
     std::pair{Act::Snap, &SnapSettings::grid},
 };
 
-constexpr std::array allKinds{SnapKind::Vertex, SnapKind::Center,    SnapKind::Intersection, SnapKind::Midpoint,
-                              SnapKind::Perpendicular, SnapKind::Edge, SnapKind::Guide,      SnapKind::Alignment,
+constexpr std::array allKinds{SnapKind::Vertex,        SnapKind::Center, SnapKind::Intersection, SnapKind::Midpoint,
+                              SnapKind::Perpendicular, SnapKind::Edge,   SnapKind::Guide,        SnapKind::Alignment,
                               SnapKind::Angle,         SnapKind::Grid};
 
 /// Key 1, "Ramp", a line off the grid.
@@ -193,8 +193,7 @@ class SnappingTest : public QObject {
     void markerNameAndLinesArePainted() {
         const QImage marker = painted({.kind = SnapKind::Vertex}, QString());
         const QImage named = painted({.kind = SnapKind::Vertex}, QStringLiteral("vertex"));
-        const QImage lined =
-            painted({.kind = SnapKind::Vertex, .lines = {{Vec2(0, 0), Vec2(-1, 0), 1}}}, QString());
+        const QImage lined = painted({.kind = SnapKind::Vertex, .lines = {{Vec2(0, 0), Vec2(-1, 0), 1}}}, QString());
         QVERIFY(marker != painted({}, QString()));
         QVERIFY(named != marker);
         QVERIFY(lined != marker);
