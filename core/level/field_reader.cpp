@@ -169,12 +169,8 @@ void FieldReader::point(const Field& field, Vec2& value, const Vec2& byDefault) 
 
 void FieldReader::points(const Field& field, std::vector<Vec2>& value) {
     value.clear();
-    const auto json = member(field.name, true);
     const Place place{&m_place, field.name};
-    if (json && !json->isArray()) {
-        reject("not-a-list", place, *json);
-        return;
-    }
+    const auto json = list(field.name, true, place);
     if (!json) {
         return;
     }
@@ -224,13 +220,9 @@ TagMask FieldReader::maskOf(JsonView list, const Place& place) {
 
 void FieldReader::tags(const Field& field, TagMask& value, TagMask byDefault) {
     value = byDefault;
-    if (const auto json = member(field.name, false)) {
-        const Place place{&m_place, field.name};
-        if (json->isArray()) {
-            value = maskOf(*json, place);
-        } else {
-            reject("not-a-list", place, *json);
-        }
+    const Place place{&m_place, field.name};
+    if (const auto json = list(field.name, false, place)) {
+        value = maskOf(*json, place);
     }
 }
 
@@ -300,27 +292,17 @@ void FieldReader::chooseFrom(const Field& field, int& index, std::span<const std
 
 void FieldReader::shapes(const Field& field, std::vector<LevelShape>& value) {
     value.clear();
-    const auto json = member(field.name, true);
     const Place place{&m_place, field.name};
-    if (json && !json->isArray()) {
-        reject("not-a-list", place, *json);
-        return;
-    }
+    const auto json = list(field.name, true, place);
     if (!json) {
         return;
     }
-    int index = 0;
-    for (const JsonView item : *json) {
-        const Place here{&place, {}, index++};
-        if (!item.isObject()) {
-            reject("not-an-object", here, item);
-            continue;
-        }
+    eachObjectIn(*json, place, [this, &value](JsonView item, const Place& here) {
         FieldReader reader(m_state, item, here);
         const auto type = reader.member("type", true);
         const int kind = type ? reader.spelling(*type, "type", shapeTypeNames) : -1;
         if (kind < 0) {
-            continue;
+            return;
         }
         constexpr auto makers =
             std::array{+[]() -> LevelShape { return EdgeChain(); }, +[]() -> LevelShape { return LineChain(); },
@@ -329,7 +311,16 @@ void FieldReader::shapes(const Field& field, std::vector<LevelShape>& value) {
         std::visit([&reader](auto& s) { visitFields(reader, s); }, shape);
         reader.finish();
         value.push_back(std::move(shape));
+    });
+}
+
+std::optional<JsonView> FieldReader::list(const char* name, bool required, const Place& place) {
+    auto json = member(name, required);
+    if (json && !json->isArray()) {
+        reject("not-a-list", place, *json);
+        json.reset();
     }
+    return json;
 }
 
 void FieldReader::finish() {

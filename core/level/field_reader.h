@@ -61,6 +61,21 @@ class FieldReader {
 
     /// The member of this name, remembered as a known one; none when it is missing, which is a problem if required.
     std::optional<JsonView> member(const char* name, bool required);
+    /// A member that is a list; none when it is missing or, which is reported, something else.
+    std::optional<JsonView> list(const char* name, bool required, const Place& place);
+    /// Calls `visit(item, where)` for the objects of a list; what else is in it is reported.
+    template <class Visit>
+    void eachObjectIn(JsonView list, const Place& place, Visit visit) {
+        int index = 0;
+        for (const JsonView item : list) {
+            const Place here{&place, {}, index++};
+            if (item.isObject()) {
+                visit(item, here);
+            } else {
+                reject("not-an-object", here, item);
+            }
+        }
+    }
     /// Index of the text among the names, or −1 after reporting it.
     int spelling(JsonView value, std::string_view name, std::span<const std::string_view> names);
     /// To be called after all fields: what is left is unknown, kept and reported.

@@ -65,50 +65,28 @@ void readTag(ReadState& state, JsonView entry, const Place& place) {
 }
 
 void readTags(ReadState& state, FieldReader& level, const Place& parent) {
-    const auto json = level.member("tags", false);
-    if (!json) {
-        return;
-    }
     const Place place{&parent, "tags"};
-    if (!json->isArray()) {
-        level.reject("not-a-list", place, *json);
+    const auto json = level.list("tags", false, place);
+    if (!json) {
         return;
     }
     state.tags = TagTable::empty();
-    int index = 0;
-    for (const JsonView entry : *json) {
-        const Place here{&place, {}, index++};
-        if (entry.isObject()) {
-            readTag(state, entry, here);
-        } else {
-            level.reject("not-an-object", here, entry);
-        }
-    }
+    level.eachObjectIn(*json, place, [&state](JsonView entry, const Place& here) { readTag(state, entry, here); });
 }
 
 void readGuides(ReadState& state, FieldReader& level, std::vector<Guide>& guides) {
-    const auto json = level.member("guides", false);
     const Place place{&documentPlace, "guides"};
-    if (json && !json->isArray()) {
-        level.reject("not-a-list", place, *json);
-        return;
-    }
+    const auto json = level.list("guides", false, place);
     if (!json) {
         return;
     }
-    int index = 0;
-    for (const JsonView item : *json) {
-        const Place here{&place, {}, index++};
-        if (!item.isObject()) {
-            level.reject("not-an-object", here, item);
-            continue;
-        }
+    level.eachObjectIn(*json, place, [&state, &guides](JsonView item, const Place& here) {
         FieldReader reader(state, item, here);
         visitFields(reader, guides.emplace_back());
         state.owner = &here;
         state.ownerPointer = here.pointer();
         reader.finish();
-    }
+    });
 }
 
 /// The key of an object, 0 after reporting that it has none.
@@ -150,13 +128,7 @@ template <class Take>
 void readObjectList(ReadState& state, FieldReader& document, JsonView list, const Take& take) {
     const Place place{&documentPlace, "objects"};
     std::map<Key, int> lines;
-    int index = 0;
-    for (const JsonView item : list) {
-        const Place here{&place, {}, index++};
-        if (!item.isObject()) {
-            document.reject("not-an-object", here, item);
-            continue;
-        }
+    document.eachObjectIn(list, place, [&](JsonView item, const Place& here) {
         const bool errorsBefore = std::exchange(state.hasErrors, false);
         std::optional<Object> object = readObject(state, item, here);
         if (object && object->key != 0) {
@@ -170,7 +142,7 @@ void readObjectList(ReadState& state, FieldReader& document, JsonView list, cons
             take(std::move(*object));
         }
         state.hasErrors = state.hasErrors || errorsBefore;
-    }
+    });
     state.object = 0;
 }
 
@@ -182,15 +154,6 @@ void addDuplicateNames(ReadState& state, const JsonTree& tree) {
 }
 
 /// The member "objects" of the document.
-std::optional<JsonView> objectsMember(FieldReader& document, const Place& place) {
-    auto json = document.member("objects", true);
-    if (json && !json->isArray()) {
-        document.reject("not-a-list", {&place, "objects"}, *json);
-        json.reset();
-    }
-    return json;
-}
-
 /// False when the document is no object or of a schema that this version cannot read; it has then been reported.
 bool checkDocument(ReadState& state, const JsonTree& tree) {
     if (std::optional<Problem> problem = schemaProblem(tree)) {
@@ -225,7 +188,7 @@ LevelReading readTree(const JsonTree& tree) {
     }
     readTags(state, reader, documentPlace);
     readGuides(state, reader, level.guides);
-    const auto objects = objectsMember(reader, documentPlace);
+    const auto objects = reader.list("objects", true, {&documentPlace, "objects"});
     state.owner = &documentPlace;
     state.ownerPointer.clear();
     reader.finish();
@@ -251,7 +214,7 @@ ForeignObjects readObjects(const JsonTree& tree, std::vector<Problem>& problems)
         state.owner = &documentPlace;
         FieldReader reader(state, tree.root(), documentPlace);
         readTags(state, reader, documentPlace);
-        if (const auto objects = objectsMember(reader, documentPlace)) {
+        if (const auto objects = reader.list("objects", true, {&documentPlace, "objects"})) {
             readObjectList(state, reader, *objects,
                            [&result](Object object) { result.objects.push_back(std::move(object)); });
         }

@@ -5,7 +5,6 @@
 #include "core/geometry/polygon.h"
 #include "core/level/groups.h"
 #include "core/level/level_index.h"
-#include "core/level/nodes.h"
 
 #include <algorithm>
 #include <tuple>
@@ -81,44 +80,7 @@ bool touchesBox(const LevelIndex& index, int place, const Aabb& box) {
            });
 }
 
-void addNodes(std::vector<Hit>& hits, const LevelIndex& index, int place, const PickQuery& query) {
-    const Aabb box = around(query.point, query.tolerance);
-    const Key key = index.objects()[place].key;
-    const auto add = [&](HitKind kind, int shape, int number, const Vec2& at) {
-        const double distance = (at - query.point).norm();
-        if (distance <= query.tolerance) {
-            hits.push_back({kind, key, shape, number, at, distance});
-        }
-    };
-    index.visitVerticesOf(place, box, [&](const VertexRef& ref, const Vec2& at) {
-        add(HitKind::Node, ref.shape, ref.vertex, tidied(at));
-    });
-    index.visitSegmentsOf(place, box, [&](const SegmentRef& ref, const Vec2& a, const Vec2& b) {
-        if (hasNode(index.objects()[place].data, ref.shape, ref.segment)) {
-            add(HitKind::Segment, ref.shape, ref.segment, closestOnSegment(tidied(a), tidied(b), query.point));
-        }
-    });
-}
-
 } // namespace
-
-std::vector<Hit> hits(const Level& level, const PickQuery& query) {
-    std::vector<Hit> found;
-    const LevelIndex& index = levelIndex(level);
-    const GroupTree tree(level);
-    for (const int place : level.objects.indicesOf(query.nodesOf)) {
-        if (mayBePicked(tree, level.objects[place])) {
-            addNodes(found, index, place, query);
-        }
-    }
-    std::ranges::stable_sort(found, [](const Hit& a, const Hit& b) {
-        return std::tuple(a.kind, a.distance) < std::tuple(b.kind, b.distance);
-    });
-    for (const Key key : picked(level, query.point, query.tolerance)) {
-        found.push_back({HitKind::Object, key, -1, -1, query.point, 0});
-    }
-    return found;
-}
 
 std::vector<Key> picked(const Level& level, const Vec2& point, double tolerance) {
     using Candidate = std::tuple<int, double, int, Key>; // rank, size, minus the place in the level

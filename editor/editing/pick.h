@@ -29,9 +29,6 @@ struct PickQuery {
     std::span<const Key> nodesOf{}; // the objects whose nodes and segments count, ascending
 };
 
-/// All hits: nodes by their distance, segments likewise, then objects as `picked` has them.
-std::vector<Hit> hits(const Level& level, const PickQuery& query);
-
 /// Keys of the objects within `tolerance` metres of the point: outlines count by distance, filled shapes inside too.
 /// The best pick comes first: things like ship and payload before walls, small before large, later before earlier.
 std::vector<Key> picked(const Level& level, const Vec2& point, double tolerance);

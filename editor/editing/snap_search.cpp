@@ -190,7 +190,8 @@ class Search {
     }
 
     void offerOn(const Track& track, const Vec2& source) {
-        Vec2 at = track.stretch.nearest(source);
+        Vec2 at = track.guide >= 0 ? footOn(m_level.guides[static_cast<std::size_t>(track.guide)], source)
+                                   : track.stretch.nearest(source);
         if (m_query.along) {
             const std::optional<Vec2> met = crossing(Stretch::endless(source, *m_query.along), track.stretch);
             if (!met) {

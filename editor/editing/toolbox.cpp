@@ -95,9 +95,8 @@ struct Toolbox::State {
         }
     }
     ToolContext context(const SnapSettings& settings, bool guides) const {
-        const std::optional<Pointer> start = gesture ? std::nullopt : pressed;
         const TypedValues typed = typing ? typing->values : TypedValues();
-        return {document.current(), settings, seed, start, repeatable, guides, typed, memo};
+        return {document.current(), settings, seed, gesture ? std::nullopt : pressed, repeatable, guides, typed, memo};
     }
 };
 

@@ -45,7 +45,8 @@ void selectTheOthers(MainWindow& window) {
 QString undoName(const MainWindow& window) {
     const QString verb = MainWindow::tr("&Undo");
     const Document& document = window.document();
-    return document.canUndo() ? QStringLiteral("%1: %2").arg(verb, sentence(document.undoLabel())) : verb;
+    const bool ofEdit = document.canUndo() && !window.toolbox().isBusy();
+    return ofEdit ? QStringLiteral("%1: %2").arg(verb, sentence(document.undoLabel())) : verb;
 }
 
 QString redoName(const MainWindow& window) {
@@ -113,7 +114,7 @@ constexpr ActionRow editRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Take back the last change"),
      .flags = OnMainBar,
      .run = undo,
-     .isPossible = [](const MainWindow& window) { return window.document().canUndo(); },
+     .isPossible = [](const MainWindow& window) { return window.toolbox().isBusy() || window.document().canUndo(); },
      .name = undoName},
     {.id = Act::Redo,
      .menu = MenuId::Edit,
@@ -123,7 +124,7 @@ constexpr ActionRow editRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Make the change again"),
      .flags = OnMainBar,
      .run = redo,
-     .isPossible = [](const MainWindow& window) { return window.document().canRedo(); },
+     .isPossible = [](const MainWindow& window) { return !window.toolbox().isBusy() && window.document().canRedo(); },
      .name = redoName},
     {.id = Act::Cut,
      .menu = MenuId::Edit,

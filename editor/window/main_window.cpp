@@ -301,8 +301,9 @@ void MainWindow::updateOrigin() {
 void MainWindow::updateTool() {
     m_status.setHint(isPlaying() ? tr("Playing a copy of the level · F8: back to the editor · Esc: menu")
                                  : sentence(m_toolbox.hint()) + snapHint());
-    if (m_toolbox.current() != m_shownTool) {
+    if (m_toolbox.current() != m_shownTool || m_toolbox.isBusy() != m_shownBusy) {
         m_shownTool = m_toolbox.current();
+        m_shownBusy = m_toolbox.isBusy();
         m_actions.refresh();
     }
 }

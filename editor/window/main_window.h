@@ -165,6 +165,7 @@ class MainWindow : public QMainWindow {
     OverlayFlags m_overlays;
     bool m_panelsHidden = false;
     ToolId m_shownTool = ToolId::Select;
+    bool m_shownBusy = false; // a shape was half drawn
 };
 
 } // namespace spacetow

@@ -39,6 +39,18 @@ class UnfinishedDrawingTest : public QObject {
         QCOMPARE(test.level().objects.size(), 1);
     }
 
+    void undoTakesBackPointsBeforeThereIsAnyEdit() {
+        TestWindow test;
+        test.trigger(ToolId::Polygon);
+        test.click(-1, -1);
+        test.click(1, -1);
+        QVERIFY(!test.document().canUndo());
+        test.trigger(Act::Undo);
+        QVERIFY(test.window->toolbox().isBusy());
+        test.trigger(Act::Undo);
+        QVERIFY(!test.window->toolbox().isBusy());
+    }
+
     void redoLeavesItAlone() {
         HalfDrawn test;
         test.trigger(Act::Redo);
