@@ -44,10 +44,10 @@ std::vector<Vec2> arcBetween(const std::vector<Vec2>& points, double radius) {
     return arc;
 }
 
-void addLeg(Overlay& overlay, const Vec2& from, const Vec2& to) {
+void addLeg(Overlay& overlay, const Vec2& from, const Vec2& to, const Vec2& label) {
     overlay.lines.push_back({OverlayStyle::Measure, {from, {to.x(), from.y()}, to}}); // across, then upwards
     overlay.lines.push_back({OverlayStyle::Draft, {from, to}});
-    overlay.texts.push_back({to, wayText(to - from)});
+    overlay.texts.push_back({label, wayText(to - from)});
 }
 
 std::vector<std::string> wayArguments(const Vec2& way) {
@@ -107,7 +107,9 @@ Overlay MeasureTool::overlay(const ToolContext& context, const Pointer& pointer)
     const bool stands = m_points.size() == mostMeasured && !context.pressed;
     const std::vector<Vec2> points = stands ? m_points : withPointer(context, pointer);
     for (std::size_t i = 1; i < points.size(); ++i) {
-        addLeg(overlay, points[i - 1], points[i]);
+        // At the corner of two legs there is their angle to be read.
+        const bool atCorner = i + 1 < points.size();
+        addLeg(overlay, points[i - 1], points[i], atCorner ? Vec2(0.5 * (points[i - 1] + points[i])) : points[i]);
     }
     for (const Vec2& point : points) {
         overlay.points.push_back({OverlayStyle::Handle, point});

@@ -92,6 +92,11 @@ void MeasureToolTest::aThirdClickGivesTheAngle() {
     QCOMPARE(hintOf(drive), QString("measure.angle"));
     QVERIFY(textsOf(drive).contains(QString::fromUtf8("45°")));
     QVERIFY(numbersOf(drive).endsWith(QString::fromUtf8("∠ 45°\n")));
+    // No number hides another: each stands where nothing else does.
+    const std::vector<OverlayText> texts = drive.toolbox.overlay().texts;
+    QCOMPARE(texts.size(), std::size_t{3});
+    QVERIFY(texts[0].at == Vec2(1.5, 0));
+    QVERIFY(texts[1].at == Vec2(1, 2));
 }
 
 void MeasureToolTest::whatWasMeasuredStaysUntilTheNext() {
