@@ -87,7 +87,10 @@ std::optional<FinishedEdit> CircleTool::click(const ToolContext& context, const 
     return FinishedEdit{{"draw-circle", 1}, std::move(drawn)};
 }
 
-std::optional<FinishedEdit> CircleTool::key(const ToolContext&, ToolKey key, const Pointer&) {
+std::optional<FinishedEdit> CircleTool::key(const ToolContext& context, ToolKey key, const Pointer& pointer) {
+    if (key == ToolKey::Enter && m_center) {
+        return click(context, pointer);
+    }
     if (key == ToolKey::Backspace || key == ToolKey::Delete) {
         cancel();
     }

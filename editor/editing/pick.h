@@ -1,5 +1,6 @@
 #pragma once
-// What lies under a point or in a box. Every tool asks here. What is hidden or locked is not picked.
+// Which objects lie under a point or in a box; their nodes and segments are found by node_pick.h, which answers with
+// the Hit of here. What is hidden or locked is not picked.
 
 #include "core/level/level.h"
 #include "core/math/aabb.h"
@@ -9,14 +10,14 @@
 
 namespace spacetow {
 
-enum class HitKind : std::uint8_t { Node, Segment, Handle, Object };
+enum class HitKind : std::uint8_t { Node, Segment };
 
-/// One thing under the pointer.
+/// A part of an object under the pointer.
 struct Hit {
-    HitKind kind = HitKind::Object;
+    HitKind kind = HitKind::Node;
     Key key = 0;
-    int shape = -1;      // of nodes and segments
-    int index = -1;      // vertex, or segment (it begins at the vertex of that index), or handle
+    int shape = -1;
+    int index = -1;      // vertex, or segment (it begins at the vertex of that index)
     Vec2 at{0, 0};       // world: the node, or the nearest point
     double distance = 0; // m, from the point that was asked for
 

@@ -26,7 +26,17 @@ class CircleToolTest : public QObject {
     void aCircleWithoutRadiusIsNotDrawn();
     void escapeCancels();
     void aSecondDragMayGiveTheRadius();
+    void enterSetsTheRimWhereThePointerIs();
 };
+
+void CircleToolTest::enterSetsTheRimWhereThePointerIs() {
+    CircleDrawer drive;
+    drive.click({1, 2});
+    drive.move({1, 4});
+    drive.key(ToolKey::Enter);
+    QVERIFY(drive.circle() == (Circle{{0, 0}, 2}));
+    QVERIFY(!drive.toolbox.isBusy());
+}
 
 void CircleToolTest::aDragDrawsFromTheCentre() {
     CircleDrawer drive;
