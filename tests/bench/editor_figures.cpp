@@ -61,6 +61,7 @@ class Timing {
         zoom();
         hover();
         dragOne();
+        dragNode();
         changeAll();
     }
 
@@ -199,6 +200,24 @@ class Timing {
         sayFrames("drag-one", dragFrames(at(grip())), 4, 8);
         rest();
         say("undo-one", frame([&] { key(Qt::Key_Z, Qt::ControlModifier); }), 0, 0);
+        rest();
+    }
+
+    /// The vertex where the grip's segment begins, of the body there alone.
+    void dragNode() {
+        QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at(grip()));
+        canvasKey(Qt::Key_O);
+        canvas().zoomTo(usualZoom);
+        canvas().frameSelection();
+        rest();
+        const ObjectList& objects = m_window.document().level().objects;
+        const auto* body = std::get_if<BodyObject>(&objects.find(m_window.document().selection().keys().front())->data);
+        const std::vector<Vec2>& vertices = std::get<EdgeChain>(body->shapes.front()).vertices;
+        sayFrames("drag-node", dragFrames(at(body->position + vertices[vertices.size() / 2 - 1])), 4, 8);
+        rest();
+        key(Qt::Key_Z, Qt::ControlModifier);
+        canvasKey(Qt::Key_S);
+        canvas().fitLevel();
         rest();
     }
 
