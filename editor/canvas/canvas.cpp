@@ -194,9 +194,10 @@ void Canvas::paintEvent(QPaintEvent*) {
     if (m_overlay.nodes) {
         paintNodes(stage, *shown.level, shown.selection, *m_overlay.nodes);
     }
-    paintToolOverlay(stage, m_overlay);
+    LabelPainter labels(stage);
+    paintToolOverlay(stage, m_overlay, labels);
     if (m_overlay.snap) {
-        paintSnap(stage, *m_overlay.snap, m_snapName ? m_snapName(*m_overlay.snap) : QString());
+        paintSnap(stage, *m_overlay.snap, m_snapName ? m_snapName(*m_overlay.snap) : QString(), labels);
     }
     if (hasFocus()) {
         painter.setPen(stroke(palette().color(QPalette::Highlight), 1));

@@ -3,6 +3,7 @@
 
 #include "core/game/snapshot.h"
 #include "core/level/level.h"
+#include "editor/canvas/label_painter.h"
 #include "editor/canvas/overlay_flags.h"
 #include "editor/canvas/stage.h"
 #include "editor/editing/overlay.h"
@@ -16,6 +17,6 @@ void paintLevelOverlays(const Stage& stage, const Level& level, const OverlayFla
 void paintSnapshotOverlays(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);
 
 /// Drafts, handles, rubber band, snap marks and measurements.
-void paintToolOverlay(const Stage& stage, const Overlay& overlay);
+void paintToolOverlay(const Stage& stage, const Overlay& overlay, LabelPainter& labels);
 
 } // namespace spacetow

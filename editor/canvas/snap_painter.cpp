@@ -1,7 +1,5 @@
 #include "editor/canvas/snap_painter.h"
 
-#include "editor/canvas/label_painter.h"
-
 #include <QLineF>
 
 namespace spacetow {
@@ -76,7 +74,7 @@ QPainterPath snapMarker(SnapKind kind) {
     return path;
 }
 
-void paintSnap(const Stage& stage, const SnapAnswer& snap, const QString& name) {
+void paintSnap(const Stage& stage, const SnapAnswer& snap, const QString& name, LabelPainter& labels) {
     QPainter& painter = stage.painter;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -91,7 +89,7 @@ void paintSnap(const Stage& stage, const SnapAnswer& snap, const QString& name) 
     painter.setPen(stroke(stage.theme.snap, 1.8));
     painter.drawPath(marker);
     if (!name.isEmpty() && snap.kind != SnapKind::Grid) {
-        paintLabel(stage, snap.mark, name, LabelSide::Below);
+        labels.paint(snap.mark, name, LabelSide::Below);
     }
     painter.restore();
 }

@@ -2,7 +2,7 @@
 // Where a point has snapped to: a marker, another one for each kind of thing, its name, and dashed lines to what the
 // point is in line with.
 
-#include "editor/canvas/stage.h"
+#include "editor/canvas/label_painter.h"
 #include "editor/editing/snap_answer.h"
 
 #include <QPainterPath>
@@ -10,7 +10,7 @@
 
 namespace spacetow {
 
-void paintSnap(const Stage& stage, const SnapAnswer& snap, const QString& name);
+void paintSnap(const Stage& stage, const SnapAnswer& snap, const QString& name, LabelPainter& labels);
 
 /// In pixels around the origin; empty for what has none. No two kinds have the same.
 QPainterPath snapMarker(SnapKind kind);

@@ -1,9 +1,10 @@
 // What a tool shows while it is at work.
-#include "editor/canvas/label_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/wall_painter.h"
 
 #include <QPainterPath>
+
+#include <ranges>
 
 namespace spacetow {
 
@@ -92,7 +93,7 @@ void paintSpotlight(const Stage& stage, const Aabb& box) {
 
 } // namespace
 
-void paintToolOverlay(const Stage& stage, const Overlay& overlay) {
+void paintToolOverlay(const Stage& stage, const Overlay& overlay, LabelPainter& labels) {
     stage.painter.save();
     stage.painter.setRenderHint(QPainter::Antialiasing);
     stage.painter.setBrush(Qt::NoBrush);
@@ -112,8 +113,9 @@ void paintToolOverlay(const Stage& stage, const Overlay& overlay) {
             paintPoint(stage, point);
         }
     }
-    for (const OverlayText& text : overlay.texts) {
-        paintLabel(stage, text.at, QString::fromStdString(text.text));
+    // The last one is the pointer's and stays with it.
+    for (const OverlayText& text : std::views::reverse(overlay.texts)) {
+        labels.paint(text.at, QString::fromStdString(text.text));
     }
     stage.painter.restore();
 }

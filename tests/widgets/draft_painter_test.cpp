@@ -27,7 +27,9 @@ QImage paintedDraft(const Drive& drive) {
     QPainter painter(&image);
     Overlay overlay = drive.toolbox.overlay();
     overlay.texts.clear(); // a plate with numbers may lie anywhere
-    paintToolOverlay(Stage{painter, view, editingTheme()}, overlay);
+    const Stage stage{painter, view, editingTheme()};
+    LabelPainter labels(stage);
+    paintToolOverlay(stage, overlay, labels);
     return image;
 }
 

@@ -58,7 +58,9 @@ QImage painted(const SnapAnswer& snap, const QString& name) {
     QPainter painter(&image);
     Viewport view;
     view.size = {200, 160};
-    paintSnap({painter, view, editingTheme()}, snap, name);
+    const Stage stage{painter, view, editingTheme()};
+    LabelPainter labels(stage);
+    paintSnap(stage, snap, name, labels);
     return image;
 }
 
@@ -208,7 +210,7 @@ class SnappingTest : public QObject {
             Viewport view;
             view.size = {200, 160};
             const Stage stage{painter, view, editingTheme()};
-            paintLabel(stage, corner, QStringLiteral("two\nlines"));
+            LabelPainter(stage).paint(corner, QStringLiteral("two\nlines"));
             painter.end();
             int lit = 0;
             for (int y = 0; y < image.height(); ++y) {
@@ -217,6 +219,26 @@ class SnappingTest : public QObject {
                 }
             }
             QVERIFY2(lit > 40, qPrintable(QString::number(lit)));
+        }
+    }
+
+    void labelsOfPointsNearEachOtherDoNotCoverEachOther() {
+        QImage image(600, 400, QImage::Format_ARGB32_Premultiplied);
+        QPainter painter(&image);
+        Viewport view;
+        view.size = {600, 400};
+        const Stage stage{painter, view, editingTheme()};
+        for (const Vec2& corner : {Vec2(0, 0), Vec2(-100, -100), Vec2(100, 100)}) {
+            LabelPainter labels(stage);
+            for (int i = 0; i < 6; ++i) {
+                labels.paint(corner + Vec2(0.02 * i, 0), QStringLiteral("\u0394x 0.34\n1.76 m"),
+                             i % 2 == 0 ? LabelSide::Above : LabelSide::Below);
+            }
+            for (const QRectF& plate : labels.plates()) {
+                QVERIFY(QRectF(image.rect()).contains(plate));
+                QCOMPARE(std::ranges::count_if(labels.plates(), [&](const QRectF& x) { return x.intersects(plate); }),
+                         1);
+            }
         }
     }
 
