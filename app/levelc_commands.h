@@ -17,6 +17,10 @@ int infoCommand(const QStringList& arguments);
 int renderCommand(const QStringList& arguments);
 int simulateCommand(const QStringList& arguments);
 int replayCommand(const QStringList& arguments);
+/// What is different between two levels, in words.
+int diffCommand(const QStringList& arguments);
+/// The three-way merge of levels.
+int mergeCommand(const QStringList& arguments);
 /// The JSON schema of level files.
 int schemaCommand(const QStringList& arguments);
 /// The fields of a part of them as a Markdown table.

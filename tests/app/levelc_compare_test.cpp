@@ -1,0 +1,108 @@
+#include "core/level/edits.h"
+#include "core/level/file.h"
+#include "tests/support/folders.h"
+#include "tests/support/test_main.h"
+
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <filesystem>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+using KeysToMove = std::vector<Key>;
+
+struct Ended {
+    int status = -1;
+    QString out, err;
+};
+
+Ended ended(const QStringList& arguments) {
+    QProcess process;
+    process.start(binaryFolder() + "/bin/levelc", arguments);
+    process.waitForFinished(120000);
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};
+}
+
+Level cave() {
+    Level level;
+    for (const Key key : {1u, 2u}) {
+        BodyObject wall;
+        wall.shapes = {EdgeChain{{{0, 0}, {4, double(key)}}, false, noBack}};
+        level.objects.append({key, key == 1 ? "floor" : "roof", wall, {}});
+    }
+    return level;
+}
+
+} // namespace
+
+class LevelcCompareTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init() { m_folder.emplace(); }
+
+    void diffTellsWhatIsDifferentInWords() {
+        Level after = renamed(moved(cave(), KeysToMove{1}, {2, 0}), 2, "ceiling");
+        after.objects.append({9, "stone", BodyObject{.shapes = {Circle{}}}, {}});
+        const QString a = saved("a.json", cave());
+        const QString b = saved("b.json", after);
+        const Ended told = ended({"diff", a, b});
+        QCOMPARE(told.status, 1);
+        QCOMPARE(told.out.split('\n', Qt::SkipEmptyParts),
+                 (QStringList{"~ floor (One-way wall): Position x 0 m → 2 m",
+                              "~ ceiling (One-way wall): Name “roof” → “ceiling”", "+ stone (Circle): added"}));
+        const Ended same = ended({"diff", a, a});
+        QCOMPARE(same.status, 0);
+        QVERIFY(same.out.isEmpty());
+        QCOMPARE(ended({"diff", a, path("none.json")}).status, 2);
+        QCOMPARE(ended({"diff", a}).status, 2);
+    }
+
+    void diffServesGit() {
+        const QString b = saved("b.json", cave());
+        const Ended told = ended({"diff", "--git", "levels/x.json", "/dev/null", ".", ".", b, "abc", "100644"});
+        QCOMPARE(told.status, 0);
+        QCOMPARE(told.out.split('\n').value(0), QString("level levels/x.json"));
+        QVERIFY(told.out.contains("+ roof (One-way wall): added"));
+    }
+
+    void mergePutsBothSidesTogetherAndNamesConflicts() {
+        const QString base = saved("base.json", cave());
+        const QString ours = saved("ours.json", moved(cave(), KeysToMove{1}, {2, 0}));
+        const QString theirs = saved("theirs.json", renamed(cave(), 2, "ceiling"));
+        const QString out = path("out.json");
+        const Ended clean = ended({"merge", base, ours, theirs, "-o", out});
+        QCOMPARE(clean.status, 0);
+        QVERIFY(*readLevel(out.toStdString()).value().level ==
+                renamed(moved(cave(), KeysToMove{1}, {2, 0}), 2, "ceiling"));
+        const QString other = saved("other.json", moved(cave(), KeysToMove{1}, {0, 3}));
+        const Ended torn = ended({"merge", base, ours, other});
+        QCOMPARE(torn.status, 1);
+        QVERIFY2(torn.err.contains("floor (One-way wall): both sides changed “position”."), qPrintable(torn.err));
+        QVERIFY(*readLevel(ours.toStdString()).value().level == moved(cave(), KeysToMove{1}, {2, 0}));
+        QCOMPARE(ended({"merge", base, ours, other, "--theirs"}).status, 1);
+        QVERIFY(*readLevel(ours.toStdString()).value().level == moved(cave(), KeysToMove{1}, {0, 3}));
+        QCOMPARE(ended({"merge", base, ours, path("none.json")}).status, 2);
+    }
+
+  private:
+    QString path(const char* name) const { return m_folder->filePath(name); }
+    QString saved(const char* name, const Level& level) const {
+        const QString file = path(name);
+        if (writeLevel(file.toStdString(), level)) {
+            qFatal("cannot write %s", name);
+        }
+        return file;
+    }
+
+    std::optional<QTemporaryDir> m_folder;
+};
+
+SPACETOW_TEST(LevelcCompareTest)
+#include "levelc_compare_test.moc"
