@@ -6,7 +6,7 @@
 // where bit 0 is left, 1 right, 2 thrust, 3 tow. `levelHash` may be missing; a different one means that the level has
 // been edited since.
 
-#include "core/base/result.h"
+#include "core/base/whole_file.h"
 #include "core/game/controls.h"
 #include "core/game/snapshot.h"
 #include "core/level/level.h"
@@ -70,9 +70,9 @@ std::uint64_t levelHash(const Level& level);
 Result<Replay> parseReplay(std::string_view text);
 std::string replayText(const Replay& replay);
 
-/// Codes: those of parseReplay, "cannot-read" (path, reason), "file-too-large" (path, bytes allowed).
-Result<Replay> readReplay(const std::filesystem::path& path);
-/// The old file stays whole when anything fails. Code: "cannot-write" (path, reason).
+/// Codes: those of parseReplay and of readFile.
+Result<Replay> readReplay(const std::filesystem::path& path, Sources sources = Sources::Files);
+/// The old file stays whole when anything fails. Codes: those of writeFile.
 std::optional<Error> writeReplay(const std::filesystem::path& path, const Replay& replay);
 
 } // namespace spacetow

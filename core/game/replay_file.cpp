@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <fstream>
-#include <system_error>
 
 namespace spacetow {
 namespace {
@@ -113,10 +111,6 @@ Result<Replay> replayFrom(const Json& json) {
     return replay;
 }
 
-std::string reason(std::error_code code) {
-    return code ? code.message() : std::string("input/output error");
-}
-
 } // namespace
 
 Result<Replay> parseReplay(std::string_view text) {
@@ -162,46 +156,14 @@ std::string replayText(const Replay& replay) {
     return text;
 }
 
-Result<Replay> readReplay(const std::filesystem::path& path) {
-    std::error_code code;
-    const auto size = std::filesystem::file_size(path, code);
-    if (code) {
-        return Error{"cannot-read", {path.string(), reason(code)}};
-    }
-    if (size > maxReplayBytes) {
-        return Error{"file-too-large", {path.string(), std::to_string(maxReplayBytes)}};
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::string text(size, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(size));
-    if (!file) {
-        return Error{"cannot-read", {path.string(), reason(std::error_code(errno, std::generic_category()))}};
-    }
-    return parseReplay(text);
+Result<Replay> readReplay(const std::filesystem::path& path, Sources sources) {
+    const Result<ReadText> read = readFile(path, maxReplayBytes, sources);
+    return read ? parseReplay(read.value().text) : Result<Replay>(read.error());
 }
 
 std::optional<Error> writeReplay(const std::filesystem::path& path, const Replay& replay) {
-    std::filesystem::path beside = path;
-    beside += ".part";
-    std::error_code code;
-    {
-        std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-        file << replayText(replay);
-        file.flush();
-        if (!file) {
-            code = std::error_code(errno, std::generic_category());
-            std::error_code ignored;
-            std::filesystem::remove(beside, ignored);
-            return Error{"cannot-write", {path.string(), reason(code)}};
-        }
-    }
-    std::filesystem::rename(beside, path, code);
-    if (code) {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        return Error{"cannot-write", {path.string(), reason(code)}};
-    }
-    return std::nullopt;
+    const Result<FileStamp> written = writeFile(path, replayText(replay));
+    return written ? std::nullopt : std::optional(written.error());
 }
 
 } // namespace spacetow

@@ -2,7 +2,7 @@
 // Level files: JSON as laid down in levels/README.md. Reading reports every problem with its line and JSON pointer;
 // writing is atomic. A file that the program wrote, read and saved unchanged, is the same to the byte.
 
-#include "core/base/result.h"
+#include "core/base/whole_file.h"
 #include "core/level/adopt_tags.h"
 #include "core/level/problem.h"
 
@@ -21,6 +21,7 @@ constexpr std::size_t maxLevelBytes = 64u << 20; // larger files are refused unr
 struct LevelFile {
     std::optional<Level> level;
     std::vector<Problem> problems; // of the file, then of lint, in the order of their lines
+    FileStamp stamp;               // of the file that was read from disk
 };
 
 /// What is looked for in a file that is read: also what lint finds, with its lines, or only what keeps the file from
@@ -31,11 +32,15 @@ LevelFile parseLevel(std::string_view text, Checks checks = Checks::All);
 /// The text of the file, newline at the end. Shortest round-trip numbers, keys in fixed order.
 std::string levelText(const Level& level);
 
-/// Codes: "cannot-read" (path, reason), "file-too-large" (path, bytes allowed).
-Result<LevelFile> readLevel(const std::filesystem::path& path, Checks checks = Checks::All);
-/// Writes beside the file, flushes and renames, so that the old file stays whole when anything fails.
-/// Links are followed and the mode of the old file is kept. Codes: "cannot-write" (path, reason), "file-too-large"
-/// (path, bytes allowed) and those of notWritable.
+/// Codes: those of readFile.
+Result<LevelFile> readLevel(const std::filesystem::path& path, Checks checks = Checks::All,
+                            Sources sources = Sources::Files);
+/// Replaces the file as writeFile does, so that it is whole whatever happens; with `known`, only while it is still that
+/// one. Gives what the file is now. Codes: those of writeFile and of notWritable, "file-too-large" (path, bytes
+/// allowed).
+Result<FileStamp> savedLevel(const std::filesystem::path& path, const Level& level,
+                             const std::optional<FileStamp>& known = {});
+/// Likewise, for those who do not care what the file is then.
 std::optional<Error> writeLevel(const std::filesystem::path& path, const Level& level);
 
 /// Why a file of the level could not be read again. Codes: "not-finite" (field), "bad-tag-name" (name),

@@ -163,7 +163,7 @@ class ReplayTest : public QObject {
         const Result<Replay> folder = readReplay(path.parent_path());
         QVERIFY(!folder && folder.error().code == "cannot-read");
         const std::optional<Error> failed = writeReplay(path.parent_path() / "no" / "such" / "folder.json", replay);
-        QVERIFY(failed && failed->code == "cannot-write" && failed->arguments.size() == 2);
+        QVERIFY(failed && failed->code == "folder-missing" && failed->arguments.size() == 2);
     }
 };
 

@@ -171,13 +171,19 @@ class DiskTest : public QObject {
 
     void whatCannotBeWrittenLeavesEverythingAsItWas_data() {
         QTest::addColumn<QString>("name");
-        QTest::newRow("no such folder") << "nowhere/level.json";
-        QTest::newRow("a folder") << "folder";
-        QTest::newRow("a pipe") << "pipe";
-        QTest::newRow("a circle of links") << "circle";
+        QTest::addColumn<QString>("code");
+        QTest::newRow("no such folder") << "nowhere/level.json"
+                                        << "folder-missing";
+        QTest::newRow("a folder") << "folder"
+                                  << "cannot-write";
+        QTest::newRow("a pipe") << "pipe"
+                                << "cannot-write";
+        QTest::newRow("a circle of links") << "circle"
+                                           << "cannot-write";
     }
     void whatCannotBeWrittenLeavesEverythingAsItWas() {
         QFETCH(QString, name);
+        QFETCH(QString, code);
         QVERIFY(QDir(m_folder->path()).mkdir("folder"));
         QCOMPARE(::mkfifo(qPrintable(m_folder->filePath("pipe")), 0600), 0);
         QVERIFY(QFile::link("circle", m_folder->filePath("circle")));
@@ -188,8 +194,18 @@ class DiskTest : public QObject {
         const QStringList before = entries();
         const auto error = writeLevel(native(m_folder->filePath(name)), Level());
         QVERIFY(error.has_value());
-        QCOMPARE(error->code, std::string("cannot-write"));
+        QCOMPARE(QString::fromStdString(error->code), code);
         QCOMPARE(entries(), before);
+    }
+
+    void aSavedLevelIsToldWhatItsFileIsThen() {
+        const fs::path path = native(m_folder->filePath("level.json"));
+        const Result<FileStamp> saved = savedLevel(path, Level());
+        QVERIFY(saved && readLevel(path).value().stamp == saved.value());
+        QVERIFY(bool(savedLevel(path, populatedLevel(), saved.value())));
+        const Result<FileStamp> late = savedLevel(path, Level(), saved.value());
+        QVERIFY(!late && late.error().code == "changed-on-disk");
+        QVERIFY(*readLevel(path).value().level == populatedLevel());
     }
 
     void aDeviceIsNotReplacedByALevel() {
@@ -220,12 +236,12 @@ class DiskTest : public QObject {
         QCOMPARE(writeLevel(native(path), Level()), std::nullopt);
         const QByteArray before = contentsOnDisk(path);
         // Permissions do not bind root, so the attempt is made by a child that is somebody else.
-        const auto asNobody = [&](const QString& target) {
+        const auto asNobody = [&](const QString& target, const char* code) {
             const pid_t child = ::fork();
             if (child == 0) {
                 const bool plain = ::geteuid() != 0 || (::setgid(65534) == 0 && ::setuid(65534) == 0);
                 const auto error = writeLevel(native(target), populatedLevel());
-                ::_exit(plain && error && error->code == "cannot-write" ? 0 : 1);
+                ::_exit(plain && error && error->code == code ? 0 : 1);
             }
             int status = -1;
             ::waitpid(child, &status, 0);
@@ -233,9 +249,9 @@ class DiskTest : public QObject {
         };
         QCOMPARE(::chmod(qPrintable(path), 0444), 0);
         QCOMPARE(::chmod(qPrintable(m_folder->path()), 0777), 0);
-        QCOMPARE(asNobody(path), 0);
+        QCOMPARE(asNobody(path, "file-protected"), 0);
         QCOMPARE(::chmod(qPrintable(m_folder->path()), 0555), 0);
-        QCOMPARE(asNobody(m_folder->filePath("new.json")), 0);
+        QCOMPARE(asNobody(m_folder->filePath("new.json"), "folder-protected"), 0);
         QCOMPARE(::chmod(qPrintable(m_folder->path()), 0755), 0);
         QCOMPARE(contentsOnDisk(path), before);
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
