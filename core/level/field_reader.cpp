@@ -324,15 +324,17 @@ std::optional<JsonView> FieldReader::list(const char* name, bool required, const
 }
 
 void FieldReader::finish() {
+    std::string where; // made for the first
+    bool isMade = false;
     for (const JsonView value : m_object) {
         if (std::ranges::find(m_known, value.name()) != m_known.end()) {
             continue;
         }
-        const Place place{&m_place, value.name()};
-        const std::string pointer = m_state.ownerPointer + place.pointer().substr(m_state.owner->pointer().size());
-        report(Severity::Warning, {"unknown-field", {std::string(value.name())}}, value, place);
-        m_state.unknownFields += m_state.unknownFields.empty() ? "" : ", ";
-        m_state.unknownFields += spelledText(pointer) + ": " + value.spelled(std::string::npos);
+        if (!std::exchange(isMade, true)) {
+            where = m_state.ownerPointer + m_place.pointer().substr(m_state.owner->pointer().size());
+        }
+        report(Severity::Warning, {"unknown-field", {std::string(value.name())}}, value, {&m_place, value.name()});
+        m_state.unknownFields.add(where, value);
     }
 }
 

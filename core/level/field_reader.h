@@ -6,6 +6,7 @@
 #include "core/level/json_tree.h"
 #include "core/level/key_text.h"
 #include "core/level/problem.h"
+#include "core/level/unknown_fields.h"
 
 #include <span>
 #include <string>
@@ -25,13 +26,14 @@ struct Place {
 /// What all readers of a document share.
 struct ReadState {
     TagTable tags;
+    TagMask seenTags; // by their index in the table of the file
     std::vector<Problem> problems;
-    bool adoptsTags = false;      // a tag that is not in the table is put there; else it is an error
-    bool hasErrors = false;       // also counts the errors that are no longer listed
-    Key object = 0;               // whose fields are being read
-    const Place* owner = nullptr; // of the unknown fields: the place of the object, the level or the tag
-    std::string ownerPointer;     // what stands for that place in `unknownFields`
-    std::string unknownFields;    // collected so far: members of a JSON object, without the braces
+    bool adoptsTags = false;         // a tag that is not in the table is put there; else it is an error
+    bool hasErrors = false;          // also counts the errors that are no longer listed
+    Key object = 0;                  // whose fields are being read
+    const Place* owner = nullptr;    // of the unknown fields: the place of the object, the level or the tag
+    std::string ownerPointer;        // what stands for that place in `unknownFields`
+    UnknownCollection unknownFields; // so far
 };
 
 class FieldReader {

@@ -1,5 +1,6 @@
 #include "core/level/file.h"
 
+#include "core/level/fields.h"
 #include "core/level/groups.h"
 #include "core/level/json_read.h"
 #include "core/level/json_write.h"
@@ -17,11 +18,17 @@ namespace {
 
 constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
 
+void errorsFirst(std::vector<Problem>& problems) {
+    // clang++ 14 does not compile the one of std::ranges.
+    std::stable_partition(problems.begin(), problems.end(),
+                          [](const Problem& p) { return p.severity == Severity::Error; });
+}
+
 /// Leaves at most `maxProblems`, errors before warnings, in the order of their lines.
 void trim(std::vector<Problem>& problems) {
     if (problems.size() > maxProblems) {
         const std::size_t total = problems.size();
-        std::ranges::stable_partition(problems, [](const Problem& p) { return p.severity == Severity::Error; });
+        errorsFirst(problems);
         problems.resize(maxProblems);
         Problem more;
         more.severity = Severity::Warning;
@@ -31,6 +38,14 @@ void trim(std::vector<Problem>& problems) {
         problems.push_back(std::move(more));
     }
     std::ranges::stable_sort(problems, {}, &Problem::line);
+}
+
+/// Whether a file may, by its size, say more than this program can write down for another reading: missing fields are
+/// written too, and blanks.
+bool mayBeTooLargeToSave(std::string_view text, const JsonTree& tree) {
+    constexpr std::size_t growth = 8; // of a text, at most
+    constexpr std::size_t valueGrowth = 3;
+    return text.size() > maxLevelBytes / growth || tree.size() > JsonTree::maxValues / valueGrowth;
 }
 
 } // namespace
@@ -54,9 +69,13 @@ LevelFile parseLevel(std::string_view text, Checks checks) {
     LevelReading reading = readTree(tree);
     std::ranges::move(reading.problems, std::back_inserter(file.problems));
     file.level = std::move(reading.level);
+    if (file.level && mayBeTooLargeToSave(text, tree) && !savableText(*file.level)) {
+        file.problems.push_back({Severity::Error, "too-large-to-save", {}, "", 1, 0});
+        file.level.reset();
+    }
     if (file.level && checks == Checks::All) {
         std::vector<Problem> found = lint(*file.level);
-        std::ranges::stable_partition(found, [](const Problem& p) { return p.severity == Severity::Error; });
+        errorsFirst(found);
         for (Problem& problem : found) {
             // Lines of problems that are going to be trimmed need not be looked up.
             problem.line = file.problems.size() <= maxProblems ? tree.lineAt(problem.pointer) : 1;
@@ -69,6 +88,25 @@ LevelFile parseLevel(std::string_view text, Checks checks) {
 
 std::string levelText(const Level& level) {
     return writtenLevel(level).laidOut();
+}
+
+Result<std::string> savableText(const Level& level) {
+    if (std::optional<Error> error = notWritable(level)) {
+        return *std::move(error);
+    }
+    std::string text = levelText(level);
+    if (text.size() > maxLevelBytes) {
+        return Error{"text-too-large", {std::to_string(maxLevelBytes)}};
+    }
+    // As many vertices as a file may have take at least so many bytes, as many values take more.
+    constexpr std::size_t always = std::size_t{6} * limits::vertices;
+    if (text.size() >= always) {
+        const auto parsed = JsonTree::parsed(text);
+        if (const auto* problem = std::get_if<Problem>(&parsed)) {
+            return Error{problem->code, problem->arguments};
+        }
+    }
+    return text;
 }
 
 std::string objectsText(const Level& level, std::span<const Key> keys) {

@@ -15,7 +15,7 @@
 namespace spacetow {
 
 constexpr int levelSchema = 2;
-constexpr std::size_t maxLevelBytes = 64u << 20; // larger files are refused unread
+constexpr std::size_t maxLevelBytes = 128u << 20; // larger files are refused unread
 
 /// What a file says. There is a level unless something in the file cannot be understood without guessing.
 struct LevelFile {
@@ -32,12 +32,15 @@ LevelFile parseLevel(std::string_view text, Checks checks = Checks::All);
 /// The text of the file, newline at the end. Shortest round-trip numbers, keys in fixed order.
 std::string levelText(const Level& level);
 
+/// The same, of a level whose file could be read again. Codes: those of notWritable, "text-too-large" (bytes allowed),
+/// "too-many-values" (number allowed), "too-many-vertices".
+Result<std::string> savableText(const Level& level);
+
 /// Codes: those of readFile.
 Result<LevelFile> readLevel(const std::filesystem::path& path, Checks checks = Checks::All,
                             Sources sources = Sources::Files);
 /// Replaces the file as writeFile does, so that it is whole whatever happens; with `known`, only while it is still that
-/// one. Gives what the file is now. Codes: those of writeFile and of notWritable, "file-too-large" (path, bytes
-/// allowed).
+/// one. Gives what the file is now. Codes: those of writeFile and of savableText.
 Result<FileStamp> savedLevel(const std::filesystem::path& path, const Level& level,
                              const std::optional<FileStamp>& known = {});
 /// Likewise, for those who do not care what the file is then.

@@ -17,14 +17,8 @@ Result<LevelFile> readLevel(const fs::path& path, Checks checks, Sources sources
 }
 
 Result<FileStamp> savedLevel(const fs::path& path, const Level& level, const std::optional<FileStamp>& known) {
-    if (std::optional<Error> error = notWritable(level)) {
-        return *std::move(error);
-    }
-    const std::string text = levelText(level);
-    if (text.size() > maxLevelBytes) {
-        return Error{"file-too-large", {path.string(), std::to_string(maxLevelBytes)}};
-    }
-    return writeFile(path, text, known);
+    const Result<std::string> text = savableText(level);
+    return text ? writeFile(path, text.value(), known) : Result<FileStamp>(text.error());
 }
 
 std::optional<Error> writeLevel(const fs::path& path, const Level& level) {

@@ -1,9 +1,12 @@
 #include "core/level/guides.h"
 
+#include "core/level/unknown_fields.h"
 #include "core/math/transform.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace spacetow {
 
@@ -48,11 +51,15 @@ Level guideReplaced(Level level, std::size_t index, const Guide& guide) {
 Level guideRemoved(Level level, std::size_t index) {
     if (index < level.guides.size()) {
         level.guides.erase(level.guides.begin() + static_cast<std::ptrdiff_t>(index));
+        level.unknownFields = withoutEntries(level.unknownFields, "/guides", std::array{static_cast<int>(index)});
     }
     return level;
 }
 
 Level guidesCleared(Level level) {
+    std::vector<int> all(level.guides.size());
+    std::iota(all.begin(), all.end(), 0);
+    level.unknownFields = withoutEntries(level.unknownFields, "/guides", all);
     level.guides.clear();
     return level;
 }

@@ -18,6 +18,7 @@ namespace {
 struct LineCount {
     std::uint32_t line = 1;
     bool atNewline = false; // the last character read ends a line
+    const char* next = nullptr;
 };
 
 /// Goes over the text and counts the lines that the lexer has read.
@@ -36,6 +37,7 @@ class CountingIterator {
         m_count->atNewline = *m_at == '\n';
         m_count->line += m_count->atNewline ? 1 : 0;
         ++m_at;
+        m_count->next = m_at;
         return *this;
     }
     CountingIterator operator++(int) {
@@ -136,6 +138,7 @@ std::optional<Problem> rawProblem(std::string_view text) {
 class JsonTreeBuilder {
   public:
     JsonTreeBuilder(std::string_view text, const LineCount& lines) : m_text(text), m_lines(lines) {
+        m_tree.m_text = text;
         m_tree.m_names.emplace_back();
         m_vertices = nameIndex("vertices");
     }
@@ -170,6 +173,7 @@ class JsonTreeBuilder {
     bool end_array() { return close(); }
     bool key(std::string& name) {
         m_name = nameIndex(std::move(name));
+        m_before = read();
         return true;
     }
     bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& e) {
@@ -205,7 +209,8 @@ class JsonTreeBuilder {
         JsonNode node{};
         node.kind = kind;
         node.line = line;
-        node.name = std::exchange(m_name, 0);
+        node.name = std::exchange(m_name, 0) & 0xffffffu;
+        node.begin = begin();
         node.end = static_cast<std::uint32_t>(m_tree.m_nodes.size()) + 1;
         fill(node);
         m_tree.m_nodes.push_back(node);
@@ -213,7 +218,16 @@ class JsonTreeBuilder {
     }
     template <class Fill>
     bool add(JsonKind kind, Fill fill) {
-        return add(kind, fill, m_lines.line);
+        const bool added = add(kind, fill, m_lines.line);
+        m_before = read();
+        return added;
+    }
+    std::size_t read() const {
+        return m_lines.next == nullptr ? 0 : static_cast<std::size_t>(m_lines.next - m_text.data());
+    }
+    /// Of the value that has just been read.
+    std::uint32_t begin() const {
+        return static_cast<std::uint32_t>(std::min(m_text.find_first_not_of(" \t\r\n,:", m_before), m_text.size()));
     }
     bool addLiteral(JsonKind kind) {
         return add(kind, [](JsonNode&) {});
@@ -221,7 +235,9 @@ class JsonTreeBuilder {
     /// The lexer has to read one character past a number to know that it ends.
     template <class Fill>
     bool addNumber(JsonKind kind, Fill fill) {
-        return add(kind, fill, m_lines.line - (m_lines.atNewline ? 1 : 0));
+        const bool added = add(kind, fill, m_lines.line - (m_lines.atNewline ? 1 : 0));
+        m_before = std::min(m_text.find_first_of(" \t\r\n,]}", begin()), m_text.size());
+        return added;
     }
     bool open(JsonKind kind) {
         if (m_open.size() >= static_cast<std::size_t>(JsonTree::maxDepth)) {
@@ -233,6 +249,7 @@ class JsonTreeBuilder {
     bool close() {
         m_tree.m_nodes[m_open.back()].end = static_cast<std::uint32_t>(m_tree.m_nodes.size());
         m_open.pop_back();
+        m_before = read();
         return true;
     }
     bool refuse(std::string code, std::vector<std::string> arguments) {
@@ -251,6 +268,7 @@ class JsonTreeBuilder {
     std::vector<std::uint32_t> m_open;
     std::uint32_t m_name = 0;
     std::uint32_t m_vertices = 0;
+    std::size_t m_before = 0; // the place after what was read before
     int m_vertexCount = 0;
     std::optional<Problem> m_problem;
 };

@@ -20,11 +20,6 @@ ObjectData emptyData(int type) {
     return makers[static_cast<std::size_t>(type)]();
 }
 
-std::string takeUnknownFields(ReadState& state) {
-    std::string members = std::exchange(state.unknownFields, {});
-    return members.empty() ? members : '{' + members + '}';
-}
-
 /// One entry of the tag table.
 void readTag(ReadState& state, JsonView entry, const Place& place) {
     FieldReader reader(state, entry, place);
@@ -55,9 +50,10 @@ void readTag(ReadState& state, JsonView entry, const Place& place) {
         return;
     }
     const int position = static_cast<int>(number);
-    if (!(state.tags[position] == TagInfo())) {
+    if (state.seenTags.contains(position)) {
         reader.report(Severity::Error, {"duplicate-tag-index", {std::to_string(position)}}, *index, {&place, "index"});
     }
+    state.seenTags = state.seenTags | TagMask::bit(position);
     state.tags.set(position, std::move(info));
     state.owner = &place;
     state.ownerPointer = "/tags/" + std::to_string(position);
@@ -107,6 +103,7 @@ std::optional<Object> readObject(ReadState& state, JsonView json, const Place& p
     state.object = 0;
     state.owner = &place;
     state.ownerPointer.clear();
+    state.unknownFields.take(); // those of an object that was left out
     FieldReader reader(state, json, place);
     Object object;
     object.key = readKey(state, reader, place);
@@ -119,7 +116,7 @@ std::optional<Object> readObject(ReadState& state, JsonView json, const Place& p
     object.data = emptyData(kind);
     std::visit([&reader](auto& data) { visitFields(reader, data); }, object.data);
     reader.finish();
-    object.unknownFields = takeUnknownFields(state);
+    object.unknownFields = state.unknownFields.take();
     return object;
 }
 
@@ -192,7 +189,7 @@ LevelReading readTree(const JsonTree& tree) {
     state.owner = &documentPlace;
     state.ownerPointer.clear();
     reader.finish();
-    level.unknownFields = takeUnknownFields(state);
+    level.unknownFields = state.unknownFields.take();
     level.tags = state.tags;
     if (objects) {
         readObjectList(state, reader, *objects, [&level](Object object) { level.objects.append(std::move(object)); });

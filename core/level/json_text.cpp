@@ -1,5 +1,6 @@
 #include "core/level/json_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -118,33 +119,33 @@ JsonText JsonText::broken() && {
     return std::move(*this);
 }
 
-void JsonText::insert(const std::vector<std::string>& segments, JsonText value) {
+void JsonText::append(std::string_view name, JsonText value) {
+    m_members.emplace_back(spelledText(name), std::move(value));
+}
+
+JsonText* JsonText::at(const std::vector<std::string>& segments) {
     JsonText* place = this;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        const std::string& segment = segments[i];
-        const bool last = i + 1 == segments.size();
-        JsonText* next = nullptr;
-        for (std::size_t j = 0; j < place->m_members.size(); ++j) {
-            if (place->m_kind == Kind::Array ? std::to_string(j) == segment : place->m_members[j].first == segment) {
-                next = &place->m_members[j].second;
-                break;
-            }
+    for (const std::string& segment : segments) {
+        std::size_t index = place->m_members.size();
+        if (place->m_kind == Kind::Array) {
+            std::from_chars(segment.data(), segment.data() + segment.size(), index);
+        } else {
+            const std::string name = spelledText(segment);
+            const auto found = std::ranges::find(place->m_members, name, &std::pair<std::string, JsonText>::first);
+            index = static_cast<std::size_t>(found - place->m_members.begin());
         }
-        if (last && next == nullptr && place->m_kind == Kind::Object) {
-            place->append(segment, std::move(value));
-            return;
+        if (index >= place->m_members.size()) {
+            return nullptr;
         }
-        if (last || next == nullptr) {
-            return;
-        }
-        place = next;
+        place = &place->m_members[index].second;
     }
+    return place;
 }
 
 bool JsonText::addOnOneLine(std::string& out, std::size_t limit) const {
     if (m_kind == Kind::Scalar) {
         out += m_scalar;
-        return out.size() <= limit;
+        return out.size() <= limit && (limit == anyWidth || m_scalar.find('\n') == std::string::npos);
     }
     out += m_kind == Kind::Array ? '[' : '{';
     bool first = true;
@@ -154,7 +155,7 @@ bool JsonText::addOnOneLine(std::string& out, std::size_t limit) const {
         }
         first = false;
         if (m_kind == Kind::Object) {
-            out += spelledText(name);
+            out += name;
             out += ": ";
         }
         if ((value.m_broken && !value.m_members.empty() && limit != anyWidth) || !value.addOnOneLine(out, limit)) {
@@ -185,7 +186,7 @@ void JsonText::addLaidOut(std::string& out, int depth, std::size_t lineStart) co
         const std::size_t begin = out.size();
         out += indent;
         if (m_kind == Kind::Object) {
-            out += spelledText(name);
+            out += name;
             out += ": ";
         }
         value.addLaidOut(out, depth + 1, begin);

@@ -16,7 +16,7 @@ class JsonText {
     static JsonText flag(bool value);
     static JsonText text(std::string_view value);
     static JsonText null();
-    /// JSON that is spelled already and stays on one line.
+    /// JSON that is spelled already and stays as it is.
     static JsonText raw(std::string json);
     static JsonText array();
     static JsonText object();
@@ -24,15 +24,19 @@ class JsonText {
     JsonText broken() &&;
 
     void append(JsonText value) { m_members.emplace_back(std::string(), std::move(value)); }
-    void append(std::string name, JsonText value) { m_members.emplace_back(std::move(name), std::move(value)); }
+    void append(std::string_view name, JsonText value);
+    /// The name is in its quotes already.
+    void appendSpelled(std::string name, JsonText value) { m_members.emplace_back(std::move(name), std::move(value)); }
     /// Appends the members of another object.
     void take(const JsonText& object) {
         m_members.insert(m_members.end(), object.m_members.begin(), object.m_members.end());
     }
-    /// Puts `value` where the segments of a JSON pointer lead; does nothing when the way is not there or the place is
-    /// taken.
-    void insert(const std::vector<std::string>& segments, JsonText value);
+    /// Where the segments of a JSON pointer lead, null when the way is not there. Valid until something is appended.
+    JsonText* at(const std::vector<std::string>& segments);
 
+    bool isObject() const { return m_kind == Kind::Object; }
+    /// Of the i-th member of an object, in its quotes.
+    const std::string& spelledName(int i) const { return m_members[static_cast<std::size_t>(i)].first; }
     int size() const { return static_cast<int>(m_members.size()); }
 
     std::string onOneLine() const;
@@ -47,7 +51,7 @@ class JsonText {
     Kind m_kind = Kind::Scalar;
     bool m_broken = false;
     std::string m_scalar;
-    std::vector<std::pair<std::string, JsonText>> m_members;
+    std::vector<std::pair<std::string, JsonText>> m_members; // with their names as spelled
 };
 
 /// The shortest decimal number that reads back as `value`; "null" for one that is not finite.

@@ -62,6 +62,36 @@ int JsonView::size() const {
 
 namespace {
 
+/// The place after the text whose opening quote stands at `at`.
+std::size_t afterText(std::string_view json, std::size_t at) {
+    for (++at; json[at] != '"'; ++at) {
+        at += json[at] == '\\' ? 1 : 0;
+    }
+    return at + 1;
+}
+
+/// The place after the value that starts at `at`. The text is known to be JSON.
+std::size_t afterValue(std::string_view json, std::size_t at) {
+    int depth = 0;
+    do {
+        const char c = json[at];
+        if (c == '"') {
+            at = afterText(json, at);
+        } else if (c == '{' || c == '[') {
+            ++depth;
+            ++at;
+        } else if (c == '}' || c == ']') {
+            --depth;
+            ++at;
+        } else if (depth > 0) {
+            ++at;
+        } else {
+            return std::min(json.find_first_of(" \t\r\n,]}", at), json.size());
+        }
+    } while (depth > 0);
+    return at;
+}
+
 void spell(std::string& out, JsonView value, std::size_t limit) {
     switch (value.kind()) {
     case JsonKind::Null:
@@ -122,6 +152,24 @@ std::string JsonView::spelled(std::size_t limit) const {
     return out;
 }
 
+std::string_view JsonView::source() const {
+    const std::string_view text = m_tree->m_text;
+    const std::size_t begin = node().begin;
+    return text.substr(begin, afterValue(text, begin) - begin);
+}
+
+std::string_view JsonView::spelledName() const {
+    const std::string_view text = m_tree->m_text;
+    const std::size_t end = text.rfind('"', text.rfind(':', node().begin - std::size_t{1}));
+    // A quote within the name comes after an odd number of backslashes.
+    std::size_t begin = end;
+    for (bool escaped = true; escaped;) {
+        begin = text.rfind('"', begin - 1);
+        escaped = (begin - 1 - text.find_last_not_of('\\', begin - 1)) % 2 != 0;
+    }
+    return text.substr(begin + 1, end - begin - 1);
+}
+
 std::vector<Problem> JsonTree::duplicateNames() const {
     constexpr std::size_t enough = 1000;
     std::vector<Problem> problems;
@@ -132,7 +180,7 @@ std::vector<Problem> JsonTree::duplicateNames() const {
         }
         members.clear();
         for (const JsonView member : JsonView(*this, i)) {
-            members.emplace_back(member.node().name, member.index());
+            members.emplace_back(std::uint32_t{member.node().name}, member.index());
         }
         std::ranges::sort(members);
         for (std::size_t j = 1; j < members.size(); ++j) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace spacetow {
@@ -15,16 +16,19 @@ namespace spacetow {
 enum class JsonKind : std::uint8_t { Null, False, True, Integer, Unsigned, Float, String, Array, Object };
 
 struct JsonNode {
-    JsonKind kind;
-    std::uint32_t line; // from 1
-    std::uint32_t name; // place of the member's name among the names; 0 for values that have none
-    std::uint32_t end;  // index after the last value inside this one
+    JsonKind kind : 8;
+    std::uint32_t name : 24; // place of the member's name among the names; 0 for values that have none
+    std::uint32_t line;      // from 1
+    std::uint32_t begin;     // of its spelling in the text
+    std::uint32_t end;       // index after the last value inside this one
     union {
         std::int64_t integer;
         std::uint64_t natural; // also the place of a text among the texts
         double real;
     };
 };
+
+static_assert(sizeof(JsonNode) == 24); // there may be millions
 
 class JsonTree;
 
@@ -47,6 +51,10 @@ class JsonView {
     const std::string& name() const;
     /// The value as compact JSON, cut off after about `limit` characters.
     std::string spelled(std::size_t limit) const;
+    /// The value as the text spells it.
+    std::string_view source() const;
+    /// Its name as the text spells it, between the quotes.
+    std::string_view spelledName() const;
 
     std::uint32_t index() const { return m_index; }
     const JsonNode& node() const;
@@ -76,12 +84,14 @@ class JsonView {
 class JsonTree {
   public:
     static constexpr int maxDepth = 64;
-    static constexpr std::size_t maxValues = 6'000'000;
+    static constexpr std::size_t maxValues = 8'000'000;
 
-    /// The tree of the text, or the one problem that keeps it from being JSON.
+    /// The tree of the text, which must live as long, or the one problem that keeps it from being JSON.
     static std::variant<JsonTree, Problem> parsed(std::string_view text);
 
     JsonView root() const { return {*this, 0}; }
+    /// Number of values, all in all.
+    std::size_t size() const { return m_nodes.size(); }
     /// Names that occur twice in the same object.
     std::vector<Problem> duplicateNames() const;
     /// The line of the value at this JSON pointer, or of the innermost value around it that there is.
@@ -93,6 +103,7 @@ class JsonTree {
     friend class JsonView;
     friend class JsonTreeBuilder;
 
+    std::string_view m_text;
     std::vector<JsonNode> m_nodes;
     std::vector<std::string> m_names;
     std::vector<std::string> m_texts;

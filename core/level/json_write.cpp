@@ -1,10 +1,12 @@
 #include "core/level/json_write.h"
 
 #include "core/level/fields.h"
-#include "core/level/json_tree.h"
 #include "core/level/key_text.h"
 #include "core/level/migrate.h"
 #include "core/level/tag_spelling.h"
+#include "core/level/unknown_fields.h"
+
+#include <cstdlib>
 
 namespace spacetow {
 
@@ -122,33 +124,37 @@ class FieldWriter {
     const TagTable& m_tags;
 };
 
-/// Puts the fields that this version does not know back where they were. `row[i]` is the place of tag i in its list.
-void insertUnknown(JsonText& out, const std::string& unknownFields, const std::vector<int>& row = {}) {
-    if (unknownFields.empty()) {
-        return;
-    }
-    const auto parsed = JsonTree::parsed(unknownFields);
-    const JsonTree* tree = std::get_if<JsonTree>(&parsed);
-    if (tree == nullptr || !tree->root().isObject()) {
-        return;
-    }
-    for (const JsonView member : tree->root()) {
-        std::vector<std::string> segments = pointerSegments(member.name());
-        if (segments.size() == 3 && segments[0] == "tags" && !row.empty()) {
-            const auto index = static_cast<std::size_t>(std::atoi(segments[1].c_str()));
-            segments[1] = index < row.size() ? std::to_string(row[index]) : segments[1];
+constexpr std::string_view tagPlace = "/tags/";
+
+/// The tags that have fields which this version does not know.
+TagMask tagsWithUnknown(const std::string& text) {
+    TagMask mask;
+    if (text.find(tagPlace) != std::string::npos) {
+        for (const UnknownField& field : unknownFields(text)) {
+            const int tag = field.place.starts_with(tagPlace) ? std::atoi(field.place.c_str() + tagPlace.size()) : -1;
+            mask = tag >= 0 && tag < TagTable::size ? mask | TagMask::bit(tag) : mask;
         }
-        out.insert(segments, JsonText::raw(member.spelled(std::string::npos)));
     }
+    return mask;
+}
+
+/// Fields of tags are kept by the index of the tag, which need not be its place in the list.
+std::string placeOfTag(const std::string& place, const std::vector<int>& rows) {
+    if (!place.starts_with(tagPlace)) {
+        return place;
+    }
+    const auto index = static_cast<std::size_t>(std::atoi(place.c_str() + tagPlace.size()));
+    return index < rows.size() && rows[index] >= 0 ? std::string(tagPlace) + std::to_string(rows[index])
+                                                   : std::string();
 }
 
 } // namespace
 
-JsonText writtenTags(const TagTable& tags, TagMask which) {
+JsonText writtenTags(const TagTable& tags, TagMask which, TagMask always) {
     JsonText list = JsonText::array();
     for (int i = 0; i < TagTable::size; ++i) {
         const TagInfo& info = tags[i];
-        if (which.contains(i) && !(info == TagInfo())) {
+        if (always.contains(i) || (which.contains(i) && !(info == TagInfo()))) {
             JsonText tag = JsonText::object();
             tag.append("index", JsonText::integer(i));
             tag.append("name", JsonText::text(info.name));
@@ -166,7 +172,7 @@ JsonText writtenObject(const Object& object, const TagTable& tags) {
     FieldWriter writer(json, tags);
     visitFields(writer, object);
     std::visit([&writer](const auto& data) { visitFields(writer, data); }, object.data);
-    insertUnknown(json, object.unknownFields);
+    insertUnknownFields(json, object.unknownFields);
     return json;
 }
 
@@ -180,12 +186,13 @@ JsonText writtenLevel(const Level& level) {
     visitFields(rulesWriter, level.rules);
     json.append("rules", std::move(rules));
 
-    std::vector<int> row(TagTable::size, -1);
-    int rows = 0;
+    const TagMask kept = tagsWithUnknown(level.unknownFields);
+    std::vector<int> rows(TagTable::size, -1);
+    int row = 0;
     for (int i = 0; i < TagTable::size; ++i) {
-        row[static_cast<std::size_t>(i)] = level.tags[i] == TagInfo() ? -1 : rows++;
+        rows[static_cast<std::size_t>(i)] = level.tags[i] == TagInfo() && !kept.contains(i) ? -1 : row++;
     }
-    json.append("tags", writtenTags(level.tags, TagMask::all()));
+    json.append("tags", writtenTags(level.tags, TagMask::all(), kept));
 
     if (!level.guides.empty()) {
         JsonText guides = JsonText::array();
@@ -203,7 +210,8 @@ JsonText writtenLevel(const Level& level) {
         objects.append(writtenObject(object, level.tags));
     }
     json.append("objects", std::move(objects).broken());
-    insertUnknown(json, level.unknownFields, row);
+    insertUnknownFields(json, level.unknownFields,
+                        [&rows](const std::string& place) { return placeOfTag(place, rows); });
     return std::move(json).broken();
 }
 

@@ -7,8 +7,9 @@
 namespace spacetow {
 
 JsonText writtenLevel(const Level& level);
-/// The entries of the tag table that are among `which` and not as those of a table without names.
-JsonText writtenTags(const TagTable& tags, TagMask which);
+/// The entries of the tag table that are among `which` and not as those of a table without names, and those of
+/// `always`.
+JsonText writtenTags(const TagTable& tags, TagMask which, TagMask always = {});
 /// Tags are spelled by the names in `tags`.
 JsonText writtenObject(const Object& object, const TagTable& tags);
 

@@ -2,45 +2,13 @@
 
 #include "core/base/contract.h"
 #include "core/level/edits.h"
-#include "core/level/json_text.h"
-#include "core/level/json_tree.h"
+#include "core/level/unknown_fields.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace spacetow {
 
 namespace {
-
-/// The unknown fields of an object (see Object) that has lost a shape: those of the shapes after it move up.
-std::string withoutShapeFields(const std::string& fields, int shape) {
-    if (fields.empty()) {
-        return fields;
-    }
-    const auto parsed = JsonTree::parsed(fields);
-    const auto* tree = std::get_if<JsonTree>(&parsed);
-    if (tree == nullptr) {
-        return fields;
-    }
-    constexpr std::string_view place = "/shapes/";
-    std::string kept;
-    for (const JsonView member : tree->root()) {
-        std::string pointer = member.name();
-        int index = -1;
-        if (pointer.starts_with(place)) {
-            const char* from = pointer.data() + place.size();
-            const auto [rest, error] = std::from_chars(from, pointer.data() + pointer.size(), index);
-            if (error == std::errc{} && index == shape) {
-                continue;
-            }
-            if (error == std::errc{} && index > shape) {
-                pointer = std::string(place) + std::to_string(index - 1) + std::string(rest);
-            }
-        }
-        kept += (kept.empty() ? "" : ", ") + spelledText(pointer) + ": " + member.spelled(std::string::npos);
-    }
-    return kept.empty() ? kept : "{" + kept + "}";
-}
 
 /// One body while its shapes are changed.
 class Reshaping {
@@ -77,11 +45,11 @@ class Reshaping {
         auto& shapes = std::get<BodyObject>(m_object.data).shapes;
         for (auto lost = m_lost.rbegin(); lost != m_lost.rend(); ++lost) {
             shapes.erase(shapes.begin() + *lost);
-            m_object.unknownFields = withoutShapeFields(m_object.unknownFields, *lost);
             for (NodeRef& node : m_nodes) {
                 node.shape -= node.shape > *lost ? 1 : 0;
             }
         }
+        m_object.unknownFields = withoutEntries(m_object.unknownFields, "/shapes", m_lost);
         m_kept.insert(m_kept.end(), m_nodes.begin(), m_nodes.end());
         return m_changed;
     }

@@ -121,14 +121,14 @@ class DiskTest : public QObject {
     void whatCouldNotBeReadAgainIsNotSaved_data() {
         QTest::addColumn<QString>("code");
         for (const char* code :
-             {"file-too-large", "too-many-vertices", "bad-tag-name", "duplicate-tag", "not-finite"}) {
+             {"text-too-large", "too-many-vertices", "bad-tag-name", "duplicate-tag", "not-finite"}) {
             QTest::newRow(code) << code;
         }
     }
     void whatCouldNotBeReadAgainIsNotSaved() {
         QFETCH(QString, code);
         Level level;
-        if (code == "file-too-large") {
+        if (code == "text-too-large") {
             level.description.assign(maxLevelBytes, 'x');
         } else if (code == "too-many-vertices") {
             BodyObject body;
