@@ -22,7 +22,7 @@ constexpr Command commands[] = {
     {"check", checkCommand, "check FILE… [--json]"},
     {"info", infoCommand, "info FILE"},
     {"render", renderCommand, "render FILE -o OUT.png|OUT.svg [--size WxH] [--overlays LIST] [--replay REPLAY]"},
-    {"simulate", simulateCommand, "simulate FILE --updates N [--dump OUT.json] [--hash]"},
+    {"simulate", simulateCommand, "simulate FILE --updates N [--game] [--dump OUT.json] [--hash]"},
     {"replay", replayCommand, "replay FILE REPLAY [--dump OUT.json]"},
     {"diff", diffCommand, "diff BEFORE AFTER"},
     {"merge", mergeCommand, "merge BASE OURS THEIRS [-o OUT] [--theirs]"},
@@ -52,19 +52,19 @@ std::unique_ptr<QCoreApplication> application(int& argc, char** argv) {
 int main(int argc, char** argv) {
     const auto app = application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("levelc"));
-    QStringList arguments = QCoreApplication::arguments();
+    QStringList arguments = argumentsOf(argc, argv);
     if (arguments.size() < 2) {
-        complain(QStringLiteral("a command is missing\n") + usage());
+        complain(QStringLiteral("a command is missing"), usage());
         return exit_status::unusable;
     }
     const QString name = arguments.takeAt(1);
     if (name == QLatin1String("--help") || name == QLatin1String("-h")) {
-        printLine(usage());
+        printText(usage());
         return exit_status::good;
     }
     const auto found = std::ranges::find_if(commands, [&name](const Command& c) { return name == c.name; });
     if (found == std::end(commands)) {
-        complain(QStringLiteral("there is no command “%1”\n").arg(name) + usage());
+        complain(QStringLiteral("there is no command “%1”").arg(name), usage());
         return exit_status::unusable;
     }
     return found->run(arguments);

@@ -12,7 +12,7 @@ namespace {
 
 JsonText problemJson(const QString& file, const Problem& problem) {
     JsonText json = JsonText::object();
-    json.append("file", JsonText::text(file.toStdString()));
+    json.append("file", JsonText::text(toPath(file).string()));
     json.append("line", JsonText::integer(problem.line));
     json.append("severity", JsonText::text(problem.severity == Severity::Error ? "error" : "warning"));
     json.append("code", JsonText::text(problem.code));
@@ -24,7 +24,7 @@ JsonText problemJson(const QString& file, const Problem& problem) {
 
 /// The problems of one file; none after complaining that it cannot be read.
 std::optional<std::vector<Problem>> problemsOf(const QString& file) {
-    const Result<LevelFile> result = readLevel(file.toStdString());
+    const Result<LevelFile> result = readLevel(toPath(file), Checks::All, Sources::Any);
     if (!result) {
         complain(result.error());
         return {};
@@ -45,7 +45,7 @@ int checkCommand(const QStringList& arguments) {
         return exit_status::unusable;
     }
     if (line.helpWanted()) {
-        printLine(line.helpText());
+        printText(line.helpText());
         return exit_status::good;
     }
     const bool json = line.parser.isSet(QStringLiteral("json"));
@@ -67,7 +67,7 @@ int checkCommand(const QStringList& arguments) {
         }
     }
     if (json) {
-        printLine(QString::fromStdString(std::move(all).broken().laidOut()).trimmed());
+        printText(QString::fromStdString(std::move(all).broken().laidOut()).trimmed());
     }
     return status;
 }

@@ -46,7 +46,7 @@ int diffCommand(const QStringList& arguments) {
         return exit_status::unusable;
     }
     if (line.helpWanted()) {
-        printLine(line.helpText());
+        printText(line.helpText());
         return exit_status::good;
     }
     const QStringList given = line.parser.positionalArguments();
@@ -86,7 +86,7 @@ int mergeCommand(const QStringList& arguments) {
         return exit_status::unusable;
     }
     if (line.helpWanted()) {
-        printLine(line.helpText());
+        printText(line.helpText());
         return exit_status::good;
     }
     const QStringList given = line.parser.positionalArguments();
@@ -99,7 +99,7 @@ int mergeCommand(const QStringList& arguments) {
     const MergeSide preferred = line.parser.isSet(QStringLiteral("theirs")) ? MergeSide::Theirs : MergeSide::Ours;
     const MergedLevel result = merged(*base, *ours, *theirs, preferred);
     const QString out = line.parser.isSet(QStringLiteral("o")) ? line.parser.value(QStringLiteral("o")) : given[1];
-    if (const std::optional<Error> error = writeLevel(out.toStdString(), result.level)) {
+    if (const std::optional<Error> error = writeLevel(toPath(out), result.level)) {
         complain(*error);
         return exit_status::unusable;
     }

@@ -9,7 +9,7 @@ int schemaCommand(const QStringList& arguments) {
         complain(QStringLiteral("schema takes no arguments"));
         return exit_status::unusable;
     }
-    printLine(QString::fromStdString(levelSchemaText()).trimmed());
+    printText(QString::fromStdString(levelSchemaText()).trimmed());
     return exit_status::good;
 }
 
@@ -23,7 +23,7 @@ int fieldsCommand(const QStringList& arguments) {
         complain(QStringLiteral("fields wants one of ") + parts.join(QStringLiteral(", ")));
         return exit_status::unusable;
     }
-    printLine(QString::fromStdString(table).trimmed());
+    printText(QString::fromStdString(table).trimmed());
     return exit_status::good;
 }
 

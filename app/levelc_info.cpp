@@ -103,7 +103,7 @@ int infoCommand(const QStringList& arguments) {
         return exit_status::unusable;
     }
     if (line.helpWanted()) {
-        printLine(line.helpText());
+        printText(line.helpText());
         return exit_status::good;
     }
     const std::optional<Level> level = loadedLevel(line.parser.positionalArguments().front());

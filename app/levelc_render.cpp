@@ -5,10 +5,10 @@
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/scene_painter.h"
 
+#include <QBuffer>
 #include <QFileInfo>
 #include <QImage>
 #include <QRegularExpression>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 namespace spacetow {
@@ -88,7 +88,7 @@ std::optional<Flight> wantedFlight(const Level& level, const QString& file) {
     if (file.isEmpty()) {
         return {};
     }
-    const Result<Replay> replay = readReplay(file.toStdString());
+    const Result<Replay> replay = readReplay(toPath(file), Sources::Any);
     if (!replay) {
         complain(replay.error());
         return {};
@@ -102,18 +102,19 @@ int write(const QString& file, const Picture& picture) {
         complain(QStringLiteral("the picture must be named *.png or *.svg"));
         return exit_status::unusable;
     }
-    QSaveFile out(file);
+    QBuffer out;
     bool good = out.open(QIODevice::WriteOnly);
     if (good && kind == QLatin1String("svg")) {
         paintSvg(out, picture);
     } else if (good) {
         good = paintPng(out, picture);
     }
-    if (!good || !out.commit()) {
-        complain(Error{"cannot-write", {file.toStdString(), out.errorString().toStdString()}});
-        return exit_status::unusable;
+    if (!good) {
+        complain(QStringLiteral("the picture is too large to be drawn"));
     }
-    return exit_status::good;
+    const QByteArray& bytes = out.data();
+    return good && writeOut(file, {bytes.data(), static_cast<std::size_t>(bytes.size())}) ? exit_status::good
+                                                                                          : exit_status::unusable;
 }
 
 } // namespace
@@ -135,7 +136,7 @@ int renderCommand(const QStringList& arguments) {
         return exit_status::unusable;
     }
     if (line.helpWanted()) {
-        printLine(line.helpText());
+        printText(line.helpText());
         return exit_status::good;
     }
     const auto size = sizeFromText(line.parser.value(QStringLiteral("size")));

@@ -33,7 +33,7 @@ int replayCommand(const QStringList& arguments) {
         return exit_status::unusable;
     }
     if (line.helpWanted()) {
-        printLine(line.helpText());
+        printText(line.helpText());
         return exit_status::good;
     }
     const QStringList files = line.parser.positionalArguments();
@@ -41,7 +41,7 @@ int replayCommand(const QStringList& arguments) {
     if (!level) {
         return exit_status::unusable;
     }
-    const Result<Replay> replay = readReplay(files[1].toStdString());
+    const Result<Replay> replay = readReplay(toPath(files[1]), Sources::Any);
     if (!replay) {
         complain(replay.error());
         return exit_status::unusable;
@@ -51,12 +51,12 @@ int replayCommand(const QStringList& arguments) {
         complain(QStringLiteral("the level has been changed since the flight was recorded"));
     }
     const char* result = outcome.won() ? "won" : outcome.lost() ? "lost" : "running";
-    printLine(QStringLiteral("outcome=%1 time=%2 fuel=%3 lives=%4 hash=%5")
-                  .arg(QLatin1String(result), QString::fromStdString(spelledNumber(outcome.time)),
-                       QString::fromStdString(spelledNumber(outcome.fuel)))
-                  .arg(outcome.lives)
-                  .arg(hashText(outcome.hash)));
     const QString dump = line.parser.value(QStringLiteral("dump"));
+    printBeside(dump, QStringLiteral("outcome=%1 time=%2 fuel=%3 lives=%4 hash=%5")
+                          .arg(QLatin1String(result), QString::fromStdString(spelledNumber(outcome.time)),
+                               QString::fromStdString(spelledNumber(outcome.fuel)))
+                          .arg(outcome.lives)
+                          .arg(hashText(outcome.hash)));
     if (!dump.isEmpty() && !dumpEnd(dump, *level, replay.value())) {
         return exit_status::unusable;
     }

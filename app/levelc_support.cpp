@@ -4,8 +4,6 @@
 #include "core/level/key_text.h"
 #include "editor/window/messages.h"
 
-#include <QSaveFile>
-
 #include <cstdio>
 
 namespace spacetow {
@@ -34,12 +32,101 @@ bool CommandLine::read(const QStringList& arguments, int least, int most) {
     return true;
 }
 
-void printLine(const QString& line) {
-    std::fputs(qUtf8Printable(line + '\n'), stdout);
+namespace {
+
+// As Python does it: a byte that is not UTF-8 is the code of half a character, which no text has alone.
+constexpr char16_t firstHalf = 0xdc00;
+
+bool isByte(QChar c) {
+    return c.unicode() >= firstHalf + 0x80 && c.unicode() < firstHalf + 0x100;
 }
 
-void complain(const QString& line) {
-    std::fputs(qUtf8Printable("levelc: " + line + '\n'), stderr);
+QString decoded(std::string_view bytes) {
+    QString text;
+    while (!bytes.empty()) {
+        const auto length = static_cast<qsizetype>(utf8Length(bytes));
+        if (length == 0) {
+            text += QChar(static_cast<char16_t>(firstHalf + static_cast<unsigned char>(bytes.front())));
+        } else {
+            text += QString::fromUtf8(bytes.data(), length);
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(length == 0 ? 1 : length));
+    }
+    return text;
+}
+
+/// Characters that a terminal obeys, or that turn the order of others.
+bool isObeyed(QChar c) {
+    const char16_t code = c.unicode();
+    return c.category() == QChar::Other_Control || (code >= 0x2028 && code <= 0x202e) ||
+           (code >= 0x2066 && code <= 0x2069) || code == 0x200e || code == 0x200f;
+}
+
+QString codeText(QChar c) {
+    switch (c.unicode()) {
+    case u'\n':
+        return QStringLiteral("\\n");
+    case u'\r':
+        return QStringLiteral("\\r");
+    case u'\t':
+        return QStringLiteral("\\t");
+    default:
+        const bool isShort = isByte(c) || c.unicode() < 0x80;
+        const int code = isByte(c) ? c.unicode() - firstHalf : c.unicode();
+        return (isShort ? QStringLiteral("\\x") : QStringLiteral("\\u")) +
+               QStringLiteral("%1").arg(code, isShort ? 2 : 4, 16, QLatin1Char('0'));
+    }
+}
+
+} // namespace
+
+QStringList argumentsOf(int argc, char** argv) {
+    QStringList arguments;
+    for (int i = 0; i < argc; ++i) {
+        arguments << decoded(argv[i]);
+    }
+    return arguments;
+}
+
+std::filesystem::path toPath(const QString& file) {
+    std::string bytes;
+    for (qsizetype i = 0; i < file.size(); ++i) {
+        const qsizetype length = file[i].isHighSurrogate() && i + 1 < file.size() ? 2 : 1;
+        if (length == 1 && isByte(file[i])) {
+            bytes += static_cast<char>(file[i].unicode() - firstHalf);
+        } else {
+            bytes += QStringView(file).mid(i, length).toUtf8().toStdString();
+        }
+        i += length - 1;
+    }
+    return bytes;
+}
+
+QString harmless(const QString& text) {
+    QString out;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        const bool isPair = text[i].isHighSurrogate() && i + 1 < text.size();
+        if (isPair) {
+            out += text[i++];
+            out += text[i];
+        } else {
+            out += isObeyed(text[i]) || isByte(text[i]) ? codeText(text[i]) : QString(text[i]);
+        }
+    }
+    return out;
+}
+
+void printLine(const QString& line) {
+    printText(harmless(line));
+}
+
+void printText(const QString& text) {
+    std::fputs(qUtf8Printable(text + '\n'), stdout);
+}
+
+void complain(const QString& line, const QString& more) {
+    const QString rest = more.isEmpty() ? QString() : '\n' + more;
+    std::fputs(qUtf8Printable("levelc: " + harmless(line) + rest + '\n'), stderr);
 }
 
 void complain(const Error& error) {
@@ -48,13 +135,14 @@ void complain(const Error& error) {
 
 QString problemLine(const QString& file, const Problem& problem) {
     const char* severity = problem.severity == Severity::Error ? "error" : "warning";
-    return QStringLiteral("%1:%2: %3: ").arg(file).arg(problem.line).arg(severity) +
+    // Put together, as a file name may hold what looks like a place for an argument.
+    return file + ':' + QString::number(problem.line) + ": " + QLatin1String(severity) + ": " +
            QString::fromStdString(problem.code) + ": " + sentence(problem) + " (" +
            QString::fromStdString(problem.pointer) + ')';
 }
 
 std::optional<Level> loadedLevel(const QString& file) {
-    Result<LevelFile> result = readLevel(file.toStdString());
+    Result<LevelFile> result = readLevel(toPath(file), Checks::All, Sources::Any);
     if (!result) {
         complain(result.error());
         return {};
@@ -62,7 +150,7 @@ std::optional<Level> loadedLevel(const QString& file) {
     LevelFile read = std::move(result).value();
     if (!read.level) {
         for (const Problem& problem : read.problems) {
-            std::fputs(qUtf8Printable(problemLine(file, problem) + '\n'), stderr);
+            std::fputs(qUtf8Printable(harmless(problemLine(file, problem)) + '\n'), stderr);
         }
     }
     return std::move(read.level);
@@ -94,6 +182,23 @@ JsonText bodyJson(const BodyState& body, const std::string& name) {
 
 } // namespace
 
+void printBeside(const QString& dump, const QString& line) {
+    if (!dump.isEmpty() && isStandardOutput(toPath(dump))) {
+        std::fputs(qUtf8Printable(harmless(line) + '\n'), stderr);
+    } else {
+        printLine(line);
+    }
+}
+
+bool writeOut(const QString& file, std::string_view text) {
+    std::fflush(stdout); // what was printed comes first
+    const std::optional<Error> error = writeFileOrStream(toPath(file), text);
+    if (error) {
+        complain(*error);
+    }
+    return !error;
+}
+
 bool writeDump(const QString& file, const Level& level, const World& world, std::int64_t updates) {
     JsonText bodies = JsonText::array();
     for (const BodyId id : world.bodies()) {
@@ -104,15 +209,7 @@ bool writeDump(const QString& file, const Level& level, const World& world, std:
     JsonText json = JsonText::object();
     json.append("updates", JsonText::integer(updates));
     json.append("bodies", std::move(bodies).broken());
-    const std::string text = std::move(json).broken().laidOut();
-    QSaveFile out(file);
-    const bool written = out.open(QIODevice::WriteOnly) &&
-                         out.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
-                         out.commit();
-    if (!written) {
-        complain(Error{"cannot-write", {file.toStdString(), out.errorString().toStdString()}});
-    }
-    return written;
+    return writeOut(file, std::move(json).broken().laidOut());
 }
 
 } // namespace spacetow

@@ -27,8 +27,19 @@ class CommandLine {
     QString m_command;
 };
 
+/// The arguments of the program, whatever bytes they are made of; toPath() gives those bytes back.
+QStringList argumentsOf(int argc, char** argv);
+std::filesystem::path toPath(const QString& file);
+/// With control characters, and bytes that are not UTF-8, spelled by their codes: a text out of a file must not steer
+/// the terminal.
+QString harmless(const QString& text);
+
+/// One line, made harmless.
 void printLine(const QString& line);
-void complain(const QString& line);
+/// Texts of our own, of any number of lines, and JSON, as they are.
+void printText(const QString& text);
+/// One line, made harmless, and what may follow it as it is.
+void complain(const QString& line, const QString& more = {});
 void complain(const Error& error);
 
 /// "FILE:LINE: error: code: message (/pointer)"
@@ -39,6 +50,10 @@ std::optional<Level> loadedLevel(const QString& file);
 
 /// "0123456789abcdef"
 QString hashText(std::uint64_t hash);
+/// Prints a result, on standard error when standard output is where `dump` goes.
+void printBeside(const QString& dump, const QString& line);
+/// Writes to a file, or on a pipe or device. False after complaining.
+bool writeOut(const QString& file, std::string_view text);
 /// Writes every body's key, name, position, angle, velocity and angular velocity as JSON. False after complaining.
 bool writeDump(const QString& file, const Level& level, const World& world, std::int64_t updates);
 

@@ -66,7 +66,7 @@ Outcome replayed(const Level& level, const Replay& replay);
 std::uint64_t levelHash(const Level& level);
 
 /// Codes: "replay-not-json" (line), "replay-bad-field" (JSON pointer), "replay-newer" (version, newest known),
-/// "replay-too-long" (updates allowed).
+/// "replay-too-long" (updates allowed), "replay-unknown-field" (name), "replay-duplicate-field" (name).
 Result<Replay> parseReplay(std::string_view text);
 std::string replayText(const Replay& replay);
 

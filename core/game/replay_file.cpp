@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdio>
 
@@ -19,6 +20,35 @@ struct BadField {
     std::string pointer;
 };
 struct TooDeep {};
+struct WrongField {
+    const char* code;
+    std::string name;
+};
+
+/// The members of a replay, each once and none else: what is not understood here would be dropped by the next save, and
+/// of two seeds nobody knows which was flown.
+class FieldsSeen {
+  public:
+    void see(const std::string& name) {
+        constexpr std::array known{"replay", "level", "levelHash", "seed", "updates"};
+        if (std::ranges::find(m_seen, name) != m_seen.end()) {
+            throw WrongField{"replay-duplicate-field", name};
+        }
+        m_seen.push_back(name);
+        m_hasUnknown = m_hasUnknown || std::ranges::find(known, name) == known.end();
+        m_unknown = m_hasUnknown && m_unknown.empty() ? name : m_unknown;
+    }
+    void finish() const {
+        if (m_hasUnknown) {
+            throw WrongField{"replay-unknown-field", m_unknown};
+        }
+    }
+
+  private:
+    std::vector<std::string> m_seen;
+    bool m_hasUnknown = false;
+    std::string m_unknown;
+};
 
 const Json& member(const Json& object, const char* name) {
     const auto found = object.find(name);
@@ -115,10 +145,21 @@ Result<Replay> replayFrom(const Json& json) {
 
 Result<Replay> parseReplay(std::string_view text) {
     try {
-        const auto bounded = [](int depth, Json::parse_event_t, Json&) {
+        FieldsSeen fields;
+        const auto bounded = [&fields](int depth, Json::parse_event_t event, Json& value) {
+            if (event == Json::parse_event_t::key && depth == 1) {
+                fields.see(value.get<std::string>());
+            }
             return depth <= deepest ? true : throw TooDeep{};
         };
-        return replayFrom(Json::parse(text.begin(), text.end(), bounded));
+        const Json json = Json::parse(text.begin(), text.end(), bounded);
+        Result<Replay> replay = replayFrom(json);
+        if (replay) {
+            fields.finish();
+        }
+        return replay;
+    } catch (const WrongField& wrong) {
+        return Error{wrong.code, {wrong.name}};
     } catch (const BadField& bad) {
         return Error{"replay-bad-field", {bad.pointer}};
     } catch (const TooDeep&) {

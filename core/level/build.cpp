@@ -95,10 +95,8 @@ ConnectorDef connectorDef(const ConnectorObject& connector, BodyId a, BodyId b) 
 
 std::vector<Key> keysWithErrors(const Level& level) {
     std::vector<Key> keys;
-    for (const Problem& problem : lint(level)) {
-        if (problem.severity == Severity::Error && problem.object != 0) {
-            keys.push_back(problem.object);
-        }
+    for (const Problem& problem : problemsLeftOut(level)) {
+        keys.push_back(problem.object);
     }
     std::ranges::sort(keys);
     return keys;
@@ -112,6 +110,16 @@ std::vector<Shape> physicsShapes(const BodyObject& body) {
         std::visit(AddShapes{shapes}, shape);
     }
     return shapes;
+}
+
+std::vector<Problem> problemsLeftOut(const Level& level) {
+    std::vector<Problem> problems = lint(level);
+    std::erase_if(problems,
+                  [](const Problem& problem) { return problem.severity != Severity::Error || problem.object == 0; });
+    // Those of an object stand together.
+    const auto sameObject = [](const Problem& a, const Problem& b) { return a.object == b.object; };
+    problems.erase(std::unique(problems.begin(), problems.end(), sameObject), problems.end());
+    return problems;
 }
 
 BuiltWorld builtWorld(const Level& level) {

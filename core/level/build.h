@@ -1,7 +1,7 @@
 #pragma once
 // From the document to the running world.
 
-#include "core/level/level.h"
+#include "core/level/problem.h"
 #include "core/physics/world.h"
 
 #include <utility>
@@ -17,6 +17,8 @@ struct BuiltWorld {
 
 /// Objects that lint reports as errors (a polygon that crosses itself, say) are left out.
 BuiltWorld builtWorld(const Level& level);
+/// The first error of each object that is left out.
+std::vector<Problem> problemsLeftOut(const Level& level);
 
 /// The shapes of one body object as the physics takes them: chains become edges and lines.
 std::vector<Shape> physicsShapes(const BodyObject& body);

@@ -90,8 +90,8 @@ void checkFilters(const Level& level, Findings& findings) {
 
 std::vector<Problem> lint(const Level& level, const std::stop_token& stop) {
     Findings findings;
-    for (const auto check :
-         {checkTags, checkKeys, checkRanges, checkShapes, checkFilters, checkGroups, checkConnectors, checkStart}) {
+    for (const auto check : {checkTags, checkKeys, checkRanges, checkShapes, checkMasses, checkFilters, checkGroups,
+                             checkConnectors, checkStart}) {
         if (stop.stop_requested()) {
             break;
         }

@@ -40,6 +40,8 @@ void checkKeys(const Level& level, Findings& findings);
 void checkRanges(const Level& level, Findings& findings);
 /// Shapes that cannot be built: too few vertices, crossing sides, no length, no area.
 void checkShapes(const Level& level, Findings& findings);
+/// Bodies so small or light, or so large and heavy, that the physics cannot reckon with them and takes no such body.
+void checkMasses(const Level& level, Findings& findings);
 /// Bodies that no other can touch.
 void checkFilters(const Level& level, Findings& findings);
 /// Parents that are missing, no groups, or in a circle; layers that are not at the top; a hidden ship.

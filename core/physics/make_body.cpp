@@ -1,7 +1,6 @@
 #include "core/physics/make_body.h"
 
 #include "core/geometry/convex_parts.h"
-#include "core/geometry/mass.h"
 #include "core/geometry/moved.h"
 #include "core/geometry/polygon.h"
 
@@ -99,20 +98,14 @@ bool hasInverse(double x) {
     return std::isfinite(x) && std::isfinite(1 / x);
 }
 
-/// False when the body has no mass or inertia that can be reckoned with.
 bool setMass(BodyRecord& record, const BodyDef& def) {
-    std::vector<MassProperties> shapes;
-    for (const Shape& shape : def.shapes) {
-        shapes.push_back(massOf(shape, def.density));
+    const std::optional<MassProperties> total = usableMass(def.shapes, def.density, def.mass);
+    if (total) {
+        record.localCenter = total->center;
+        record.mass = total->mass;
+        record.inertia = total->inertia;
     }
-    MassProperties total = sum(shapes);
-    if (def.mass && hasInverse(total.mass)) {
-        total = total.withMass(*def.mass);
-    }
-    record.localCenter = total.center;
-    record.mass = total.mass;
-    record.inertia = total.inertia;
-    return isFinite(total.center) && hasInverse(total.mass) && hasInverse(total.inertia);
+    return total.has_value();
 }
 
 void setParts(BodyRecord& record, const BodyDef& def) {
@@ -152,6 +145,20 @@ BodyStep stepOf(const BodyRecord& record) {
 }
 
 } // namespace
+
+std::optional<MassProperties> usableMass(std::span<const Shape> shapes, double density, std::optional<double> mass) {
+    std::vector<MassProperties> parts;
+    parts.reserve(shapes.size());
+    for (const Shape& shape : shapes) {
+        parts.push_back(massOf(shape, density));
+    }
+    MassProperties total = sum(parts);
+    if (mass && hasInverse(total.mass)) {
+        total = total.withMass(*mass);
+    }
+    const bool usable = isFinite(total.center) && hasInverse(total.mass) && hasInverse(total.inertia);
+    return usable ? std::optional(total) : std::nullopt;
+}
 
 Result<MadeBody> makeBody(const BodyDef& def) {
     if (std::optional<Error> error = checkNumbers(def)) {

@@ -36,6 +36,12 @@ constexpr MessageText problems[] = {
     {"text-too-large", QT_TRANSLATE_NOOP("messages", "This is too large: at most %1 bytes are read.")},
     {"not-finite", QT_TRANSLATE_NOOP("messages", "“%1” is not a finite number, and a file cannot hold it.")},
     {"out-of-range", QT_TRANSLATE_NOOP("messages", "“%1” is %2; it must lie between %3 and %4.")},
+    {"mass-not-usable",
+     QT_TRANSLATE_NOOP("messages", "The mass is too small or too large to be computed with, so the body would be "
+                                   "missing from the game.")},
+    {"body-not-usable",
+     QT_TRANSLATE_NOOP("messages", "The body is so small and light, or so large and heavy, that its mass or inertia "
+                                   "cannot be computed with. It would be missing from the game.")},
     {"not-positive", QT_TRANSLATE_NOOP("messages", "“%1” is %2; it must be more than zero.")},
     {"combine-too-few", QT_TRANSLATE_NOOP("messages", "Select at least two bodies made of polygons, not locked.")},
     {"combine-no-polygon",
@@ -66,6 +72,8 @@ constexpr MessageText problems[] = {
     {"number-too-large", QT_TRANSLATE_NOOP("messages", "The number %1 is larger than any that can be computed with.")},
     {"nested-too-deep", QT_TRANSLATE_NOOP("messages", "Lists and objects lie more than %1 deep in one another.")},
     {"too-many-values", QT_TRANSLATE_NOOP("messages", "The file holds more than %1 values.")},
+    {"too-large-to-save",
+     QT_TRANSLATE_NOOP("messages", "The level is so large that it could not be saved again, so it is not opened.")},
     {"too-many-vertices", QT_TRANSLATE_NOOP("messages", "The file holds more than %1 vertices.")},
     {"duplicate-field", QT_TRANSLATE_NOOP("messages", "The field “%1” is given twice.")},
     {"not-a-level", QT_TRANSLATE_NOOP("messages", "This is not a level: it should be an object in braces, but is %1.")},
@@ -172,6 +180,8 @@ constexpr MessageText problems[] = {
     {"same-body", QT_TRANSLATE_NOOP("messages", "Both ends of the connector are on the same body.")},
     {"no-force", QT_TRANSLATE_NOOP("messages", "The force field has no force.")},
     {"replay-bad-field", QT_TRANSLATE_NOOP("messages", "The replay cannot be understood at “%1”.")},
+    {"replay-unknown-field", QT_TRANSLATE_NOOP("messages", "The field “%1” is none that a replay has.")},
+    {"replay-duplicate-field", QT_TRANSLATE_NOOP("messages", "The field “%1” is given twice in the replay.")},
     {"replay-newer",
      QT_TRANSLATE_NOOP(
          "messages",

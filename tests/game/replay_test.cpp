@@ -149,6 +149,16 @@ class ReplayTest : public QObject {
             QVERIFY2(!read || read.value().updates() <= maxReplayUpdates, qPrintable(QString("seed %1").arg(seed)));
         }
     }
+    void aFieldThatIsUnknownOrGivenTwiceIsRefused() {
+        const std::string good = R"({"replay": 1, "level": "a.json", "seed": 1, "updates": [[0, 1]])";
+        QVERIFY(bool(parseReplay(good + "}")));
+        QVERIFY((parseReplay(good + R"(, "speed": 2})").error() == Error{"replay-unknown-field", {"speed"}}));
+        QVERIFY((parseReplay(good + R"(, "": 2})").error() == Error{"replay-unknown-field", {""}}));
+        QVERIFY((parseReplay(good + R"(, "seed": 2})").error() == Error{"replay-duplicate-field", {"seed"}}));
+        QVERIFY((parseReplay(good + R"(, "se\u0065d": 2})").error() == Error{"replay-duplicate-field", {"seed"}}));
+        // What a newer version has added is its own business.
+        QCOMPARE(parseReplay(R"({"replay": 2, "level": "", "speed": 2})").error().code, std::string("replay-newer"));
+    }
     void filesAreWrittenWholeOrNotAtAll() {
         const QTemporaryDir dir;
         const std::filesystem::path path = std::filesystem::path(dir.path().toStdString()) / "flight.json";
