@@ -19,7 +19,6 @@ namespace {
 constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
 
 void errorsFirst(std::vector<Problem>& problems) {
-    // clang++ 14 does not compile the one of std::ranges.
     std::stable_partition(problems.begin(), problems.end(),
                           [](const Problem& p) { return p.severity == Severity::Error; });
 }

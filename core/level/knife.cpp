@@ -51,8 +51,8 @@ std::vector<Crossing> crossingsOf(const std::vector<Vec2>& vertices, bool closed
     }
     const auto place = [](const Crossing& crossing) { return std::pair(crossing.vertex, crossing.along); };
     std::ranges::sort(found, {}, place);
-    const auto same = std::ranges::unique(found, {}, place);
-    found.erase(same.begin(), same.end());
+    const auto same = [&place](const Crossing& a, const Crossing& b) { return place(a) == place(b); };
+    found.erase(std::unique(found.begin(), found.end(), same), found.end());
     return found;
 }
 

@@ -130,7 +130,8 @@ Level withMappedNodes(Level level, std::span<const NodeRef> nodes, const Affine&
     EXPECTS(std::ranges::is_sorted(nodes));
     for (std::size_t first = 0; first < nodes.size();) {
         const Key key = nodes[first].key;
-        const std::size_t end = first + std::ranges::equal_range(nodes.subspan(first), key, {}, &NodeRef::key).size();
+        const auto next = std::ranges::upper_bound(nodes.subspan(first), key, {}, &NodeRef::key);
+        const auto end = static_cast<std::size_t>(next - nodes.begin());
         const auto own = nodes.subspan(first, end - first);
         first = end;
         const int place = level.objects.indexOf(key);

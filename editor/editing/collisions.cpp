@@ -60,8 +60,7 @@ std::vector<std::pair<Key, Key>> pairsKeptApart(const Level& level) {
         }
     }
     std::ranges::sort(pairs);
-    const auto same = std::ranges::unique(pairs);
-    pairs.erase(same.begin(), same.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
 }
 

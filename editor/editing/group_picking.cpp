@@ -58,8 +58,8 @@ std::vector<GroupPick> pickedMembers(const Edit& edit, const Pointer& pointer) {
         picks.push_back(pickOf(edit, tree, *edit.level->objects.find(key)));
     }
     keepFirst(picks, [](const GroupPick& pick) { return pick.key; });
-    std::ranges::stable_partition(picks,
-                                  [&](const GroupPick& pick) { return pick.entered == edit.selection.entered(); });
+    std::stable_partition(picks.begin(), picks.end(),
+                          [&](const GroupPick& pick) { return pick.entered == edit.selection.entered(); });
     return picks;
 }
 

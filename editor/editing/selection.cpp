@@ -96,9 +96,12 @@ Selection Selection::within(const Level& level) const {
     for (const int place : level.objects.indicesOf(m_keys)) {
         const Object& object = level.objects[place];
         kept.m_keys.push_back(object.key);
-        const auto nodes = std::ranges::equal_range(m_nodes, object.key, {}, &NodeRef::key);
-        std::ranges::copy_if(nodes, std::back_inserter(kept.m_nodes),
-                             [&object](const NodeRef& node) { return hasNode(object.data, node.shape, node.vertex); });
+        const auto first = std::ranges::lower_bound(m_nodes, object.key, {}, &NodeRef::key);
+        for (auto node = first; node != m_nodes.end() && node->key == object.key; ++node) {
+            if (hasNode(object.data, node->shape, node->vertex)) {
+                kept.m_nodes.push_back(*node);
+            }
+        }
     }
     makeSet(kept.m_keys);
     makeSet(kept.m_nodes);

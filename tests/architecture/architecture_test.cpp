@@ -277,6 +277,8 @@ void ArchitectureTest::aFileOfBadFormIsFound_data() {
                                            << "#pragma once\n#include <vector>\n";
     QTest::newRow("empty header") << "core/base/a.h"
                                   << "";
+    QTest::newRow("answers with a subrange") << "core/base/a.cpp"
+                                             << "std::ranges::unique(all);\n";
     QTest::newRow("vague name") << "core/base/string_utils.cpp"
                                 << "\n";
 }
