@@ -1,6 +1,7 @@
 #include "core/level/compare.h"
 
 #include "core/base/overloaded.h"
+#include "core/level/edits.h"
 #include "core/level/field_survey.h"
 
 #include <algorithm>
@@ -208,6 +209,27 @@ LevelDifference differenceBetween(const Level& before, const Level& after) {
     result.objects = differingObjects(before.objects, after.objects);
     result.unknownFields = before.unknownFields != after.unknownFields;
     return result;
+}
+
+Level takenOver(Level level, const Level& other, std::span<const Key> keys) {
+    std::vector<Key> gone;
+    for (const Key key : keys) {
+        const int at = level.objects.indexOf(key);
+        const int there = other.objects.indexOf(key);
+        if (there < 0) {
+            gone.push_back(key);
+        } else if (at >= 0) {
+            level.objects.replace(at, other.objects[there]);
+        } else {
+            int before = there - 1;
+            while (before >= 0 && level.objects.indexOf(other.objects[before].key) < 0) {
+                --before;
+            }
+            level.objects.insert(before < 0 ? 0 : level.objects.indexOf(other.objects[before].key) + 1,
+                                 other.objects[there]);
+        }
+    }
+    return removed(std::move(level), gone);
 }
 
 } // namespace spacetow

@@ -6,6 +6,7 @@
 #include "core/level/fields.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,11 @@ struct LevelDifference {
 /// Empty exactly when the levels are equal, but for the order of their guides. Pieces that both share are not looked
 /// into.
 LevelDifference differenceBetween(const Level& before, const Level& after);
+
+/// The objects with these keys as `other` has them: what it does not have goes, what only it has comes to stand behind
+/// what it follows there. What hangs on one that
+/// goes, goes with it, as when it is deleted.
+Level takenOver(Level level, const Level& other, std::span<const Key> keys);
 
 /// How all vertices have moved, when the shapes are the same but for that; circles by their centres.
 std::optional<Vec2> commonWay(const std::vector<LevelShape>& before, const std::vector<LevelShape>& after);

@@ -110,6 +110,11 @@ void Canvas::setHighlighted(std::vector<Key> keys) {
     }
 }
 
+void Canvas::setDifference(std::shared_ptr<const ShownDifference> difference) {
+    m_difference = std::move(difference);
+    update();
+}
+
 void Canvas::zoom(double factor) {
     setView(m_view.zoomedAt(0.5 * m_view.size, factor));
 }
@@ -184,6 +189,9 @@ void Canvas::paintEvent(QPaintEvent*) {
     }
     m_board.drawRest(painter);
     paintHighlight(stage, *shown.level, m_highlighted);
+    if (m_difference) {
+        paintDifference(stage, *shown.level, *m_difference);
+    }
     if (m_overlays.tags) {
         paintTags(stage, *shown.level);
     }

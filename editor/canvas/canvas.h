@@ -3,6 +3,7 @@
 // mouse are logical pixels; the world is in metres.
 
 #include "editor/canvas/board.h"
+#include "editor/canvas/difference_painter.h"
 #include "editor/canvas/entry_box.h"
 #include "editor/canvas/overlay_flags.h"
 #include "editor/editing/document.h"
@@ -38,6 +39,8 @@ class Canvas : public QWidget {
     /// Objects that are marked without being selected; the keys are ascending.
     void setHighlighted(std::vector<Key> keys);
     const std::vector<Key>& highlighted() const { return m_highlighted; }
+    /// Over the level, until null is given.
+    void setDifference(std::shared_ptr<const ShownDifference> difference);
     bool areGuidesVisible() const { return m_toolbox.guidesVisible; }
     void setGuidesVisible(bool visible);
 
@@ -125,6 +128,7 @@ class Canvas : public QWidget {
     Overlay m_overlay; // shown
     OverlayFlags m_overlays;
     std::vector<Key> m_highlighted;
+    std::shared_ptr<const ShownDifference> m_difference;
     std::function<QString(const SnapAnswer&)> m_snapName;
     bool m_grid = true;
     bool m_fitted = false; // since the last fitLevel() nobody has moved the view

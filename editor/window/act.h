@@ -142,6 +142,7 @@ enum class Act : std::uint8_t {
     Find,
     Rename,
     LevelProperties,
+    Compare,
 
     // actions_play.cpp
     Play,

@@ -52,6 +52,21 @@ constexpr ActionRow panelActionRows[] = {
              bringIntoSight(window, QStringLiteral("level"));
              window.levelPanel().form().editor(QStringLiteral("name"))->setFocus(Qt::ShortcutFocusReason);
          }},
+    {.id = Act::Compare,
+     .menu = MenuId::View,
+     .text = QT_TRANSLATE_NOOP("Actions", "Co&mpare With…"),
+     .icon = "compare",
+     .keys = "Ctrl+Alt+C",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Choose a level file and show what is different from it"),
+     .flags = SeparatorBefore,
+     .run =
+         [](MainWindow& window) {
+             QString name;
+             if (std::shared_ptr<const Level> other = window.files().chooseToCompare(name)) {
+                 window.differences().compareWith(std::move(other), name);
+                 bringIntoSight(window, QStringLiteral("differences"));
+             }
+         }},
 };
 
 } // namespace

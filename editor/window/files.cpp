@@ -136,6 +136,16 @@ bool Files::open(const QString& path) {
     return true;
 }
 
+std::shared_ptr<const Level> Files::chooseToCompare(QString& shownName) {
+    const QString path = questions.whichToOpen(QFileInfo(suggestion()).path());
+    const std::optional<LevelFile> file = path.isEmpty() ? std::nullopt : readable(path);
+    if (!file) {
+        return nullptr;
+    }
+    shownName = QFileInfo(path).fileName();
+    return std::make_shared<const Level>(*file->level);
+}
+
 bool Files::openExample(const QString& resource) {
     QFile file(resource);
     if (!file.open(QIODevice::ReadOnly)) {

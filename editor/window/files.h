@@ -10,6 +10,7 @@
 #include <QString>
 
 #include <functional>
+#include <memory>
 
 namespace spacetow {
 
@@ -38,6 +39,8 @@ class Files {
     bool chooseAndOpen();
     bool open(const QString& path);
     bool openExample(const QString& resource);
+    /// A level that the user chooses, and what to call it; null when there was none.
+    std::shared_ptr<const Level> chooseToCompare(QString& shownName);
     bool save();
     bool saveAs();
     /// Offers to save what is modified; false when the user would rather stay.

@@ -21,8 +21,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_problems(m_document, [](const Problem& problem) { return sentence(problem); }), m_nodes(m_document),
       m_outliner(m_document, m_toolbox),
       m_history(m_document, m_toolbox, [](const Label& label) { return sentence(label); }),
-      m_levelPanel(m_document, [](const Error& error) { return sentence(error); }), m_arrays(m_document, m_toolbox),
-      m_transform(m_document, m_toolbox), m_guideBar(m_document),
+      m_levelPanel(m_document, [](const Error& error) { return sentence(error); }), m_differences(m_document, m_canvas),
+      m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
       m_files(m_document, dialogQuestions(this),
               [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }) {
     setAcceptDrops(true);
@@ -248,6 +248,7 @@ void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
         m_actions.tint(palette());
         m_problems.tint();
+        m_differences.tint();
     }
     QMainWindow::changeEvent(event);
 }
@@ -332,6 +333,7 @@ void MainWindow::updateMode() {
     m_outliner.setEnabled(!playing);
     m_history.setEnabled(!playing);
     m_levelPanel.setEnabled(!playing);
+    m_differences.setEnabled(!playing);
     m_menus.at(MenuId::Recent)->setEnabled(!playing);
     m_actions.refresh();
     updateTool();

@@ -17,6 +17,7 @@
 #include "editor/window/actions.h"
 #include "editor/window/appearance.h"
 #include "editor/window/collision_view.h"
+#include "editor/window/difference_panel.h"
 #include "editor/window/files.h"
 #include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
@@ -90,6 +91,7 @@ class MainWindow : public QMainWindow {
     OutlinerPanel& outliner() { return m_outliner; }
     HistoryPanel& history() { return m_history; }
     LevelPanel& levelPanel() { return m_levelPanel; }
+    DifferencePanel& differences() { return m_differences; }
     ArrayBar& arrayBar() { return m_arrays; }
     TransformBar& transformBar() { return m_transform; }
     Actions& actions() { return m_actions; }
@@ -155,6 +157,7 @@ class MainWindow : public QMainWindow {
     OutlinerPanel m_outliner;
     HistoryPanel m_history;
     LevelPanel m_levelPanel;
+    DifferencePanel m_differences;
     MessageBar m_message;
     ArrayBar m_arrays;
     TransformBar m_transform;

@@ -48,6 +48,7 @@ void MainWindow::listenToPanels() {
             [this](const QString& text) { m_message.say(MessageBar::Tone::Info, text); });
     m_outliner.addButtons({&m_actions[Act::NewLayer], &m_actions[Act::Group], &m_actions[Act::Ungroup],
                            &m_actions[Act::Forward], &m_actions[Act::Backward], &m_actions[Act::Delete]});
+    connect(&m_differences, &DifferencePanel::levelWanted, &m_actions[Act::Compare], &QAction::trigger);
     connect(&m_problems, &ProblemsPanel::objectWanted, this, &MainWindow::showObject);
     connect(&m_problems, &ProblemsPanel::problemsChanged, this,
             [this] { m_status.setProblems(m_problems.errors(), m_problems.warnings()); });

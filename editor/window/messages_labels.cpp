@@ -58,6 +58,8 @@ constexpr LabelText labels[] = {
     {"intersection", QT_TRANSLATE_NOOP("messages", "Intersect bodies"),
      QT_TRANSLATE_N_NOOP("messages", "Intersect %n objects")},
     {"reverse", QT_TRANSLATE_NOOP("messages", "Reverse object"), QT_TRANSLATE_N_NOOP("messages", "Reverse %n objects")},
+    {"take-over", QT_TRANSLATE_NOOP("messages", "Take over object"),
+     QT_TRANSLATE_N_NOOP("messages", "Take over %n objects")},
     {"delete", QT_TRANSLATE_NOOP("messages", "Delete object"), QT_TRANSLATE_N_NOOP("messages", "Delete %n objects")},
     {"move-nodes", QT_TRANSLATE_NOOP("messages", "Move node"), QT_TRANSLATE_N_NOOP("messages", "Move %n nodes")},
     {"rotate-nodes", QT_TRANSLATE_NOOP("messages", "Rotate nodes"), QT_TRANSLATE_N_NOOP("messages", "Rotate %n nodes")},

@@ -54,6 +54,12 @@ constexpr PanelRow allPanels[] = {
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.tagMatrix(); }},
+    {.name = "differences",
+     .title = QT_TRANSLATE_NOOP("Panels", "&Differences"),
+     .area = Qt::RightDockWidgetArea,
+     .shownAtFirst = false,
+     .tabOf = "outliner",
+     .make = [](MainWindow& window) -> QWidget* { return &window.differences(); }},
 };
 
 QString translatedTitle(const char* words) {

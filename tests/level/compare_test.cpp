@@ -13,7 +13,7 @@ using namespace spacetow::test;
 
 namespace {
 
-using KeyList = std::vector<Key>;
+using ComparedKeys = std::vector<Key>;
 
 Level threeBalls() {
     Level level;
@@ -64,7 +64,7 @@ class CompareTest : public QObject {
 
     void whatComesAndGoesIsTold() {
         const Level before = threeBalls();
-        Level after = removed(before, KeyList{2});
+        Level after = removed(before, ComparedKeys{2});
         after = added(after, {9, "new", BodyObject{.shapes = {Circle{}}}, {}});
         const LevelDifference difference = differenceBetween(before, after);
         QCOMPARE(difference.objects.size(), std::size_t(2));
@@ -76,7 +76,7 @@ class CompareTest : public QObject {
 
     void aMoveIsAMoveWhetherOfTheBodyOrOfAllItsShapes() {
         const Level before = threeBalls();
-        const ObjectDifference body = only(before, moved(before, KeyList{2}, {1, 0}));
+        const ObjectDifference body = only(before, moved(before, ComparedKeys{2}, {1, 0}));
         QCOMPARE(body.change, ObjectChange::Moved);
         QCOMPARE(names(body.fields), QStringList{"position.x"});
         QCOMPARE(std::get<double>(body.fields.front().before), 2.0);
@@ -115,7 +115,7 @@ class CompareTest : public QObject {
 
     void ofANewOrderOnlyThoseAreNamedThatHaveLeftTheirPlace() {
         const Level before = threeBalls();
-        const ObjectDifference first = only(before, reordered(before, KeyList{1}, OrderTo::Front));
+        const ObjectDifference first = only(before, reordered(before, ComparedKeys{1}, OrderTo::Front));
         QCOMPARE(first.key, Key(1));
         QCOMPARE(first.change, ObjectChange::Reordered);
     }

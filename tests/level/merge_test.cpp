@@ -16,7 +16,7 @@ using namespace spacetow::test;
 
 namespace {
 
-using Keys = std::vector<Key>;
+using MergedKeys = std::vector<Key>;
 
 Level rowOfBalls(int count = 4) {
     Level level;
@@ -43,7 +43,7 @@ const BodyObject& ballOf(const Level& level, Key key) {
 
 /// One edit of one of the bodies that are `parity` modulo two in the list, so that two people never touch the same.
 Level editedAtRandom(const Level& level, Random& random, int parity) {
-    Keys own;
+    MergedKeys own;
     for (int i = parity; i < level.objects.size(); i += 2) {
         if (std::holds_alternative<BodyObject>(level.objects[i].data)) {
             own.push_back(level.objects[i].key);
@@ -52,7 +52,7 @@ Level editedAtRandom(const Level& level, Random& random, int parity) {
     if (own.empty()) {
         return level;
     }
-    const Keys one{own[random.next() % own.size()]};
+    const MergedKeys one{own[random.next() % own.size()]};
     switch (random.next() % 5) {
     case 0:
         return moved(level, one, {random.uniform(-3, 3), 1});
@@ -136,7 +136,7 @@ class MergeTest : public QObject {
             ball.friction = 0.9;
             ball.filter.tags = TagMask{3};
         });
-        const Level theirs = changedBall(moved(base, Keys{2}, {0, 5}), 2, [](BodyObject& ball) {
+        const Level theirs = changedBall(moved(base, MergedKeys{2}, {0, 5}), 2, [](BodyObject& ball) {
             std::get<Circle>(ball.shapes[0]).radius = 3;
             ball.filter.tags = TagMask{5};
         });
@@ -151,8 +151,8 @@ class MergeTest : public QObject {
 
     void aFieldThatBothChangedIsNamedAndThePreferredSidesIsTaken() {
         const Level base = rowOfBalls();
-        const Level ours = moved(base, Keys{1}, {1, 0});
-        const Level theirs = moved(base, Keys{1}, {0, 1});
+        const Level ours = moved(base, MergedKeys{1}, {1, 0});
+        const Level theirs = moved(base, MergedKeys{1}, {0, 1});
         const MergedLevel mine = merged(base, ours, theirs);
         QCOMPARE(mine.conflicts, (std::vector{MergeConflict{ConflictKind::Field, 1, "position"}}));
         QVERIFY(mine.level == ours);
@@ -161,8 +161,8 @@ class MergeTest : public QObject {
 
     void whatOneSideRemovedAndTheOtherChangedStays() {
         const Level base = rowOfBalls();
-        const Level without = removed(base, Keys{3});
-        const Level changed = moved(base, Keys{3}, {0, 2});
+        const Level without = removed(base, MergedKeys{3});
+        const Level changed = moved(base, MergedKeys{3}, {0, 2});
         const MergedLevel a = merged(base, without, changed);
         QCOMPARE(a.conflicts, (std::vector{MergeConflict{ConflictKind::RemovedOurs, 3, {}}}));
         QVERIFY(a.level == changed);
@@ -174,7 +174,7 @@ class MergeTest : public QObject {
 
     void whatOneSideRemovedAndTheOtherNeedsStays() {
         const Level base = rowOfBalls();
-        const Level without = removed(base, Keys{1});
+        const Level without = removed(base, MergedKeys{1});
         const Level tied = added(base, {50, "rope", ConnectorObject{.a = 1, .b = 2}, {}});
         const MergedLevel result = merged(base, without, tied);
         QCOMPARE(result.conflicts, (std::vector{MergeConflict{ConflictKind::RemovedOurs, 1, {}}}));
@@ -231,17 +231,17 @@ class MergeTest : public QObject {
 
     void theOrderIsThatOfTheSideThatChangedItAndNewObjectsFollowTheirNeighbours() {
         const Level base = rowOfBalls(3);
-        const Level ours = reordered(base, Keys{1}, OrderTo::Front);
+        const Level ours = reordered(base, MergedKeys{1}, OrderTo::Front);
         Level theirs = base;
         theirs.objects.insert(1, {9, "new", BodyObject{.shapes = {Circle{}}}, {}});
         const MergedLevel result = merged(base, ours, theirs);
-        Keys order;
+        MergedKeys order;
         for (const Object& object : result.level.objects) {
             order.push_back(object.key);
         }
-        QCOMPARE(order, (Keys{2, 3, 1, 9}));
+        QCOMPARE(order, (MergedKeys{2, 3, 1, 9}));
         QVERIFY(result.conflicts.empty());
-        const MergedLevel both = merged(base, ours, reordered(base, Keys{3}, OrderTo::Back));
+        const MergedLevel both = merged(base, ours, reordered(base, MergedKeys{3}, OrderTo::Back));
         QCOMPARE(both.conflicts, (std::vector{MergeConflict{ConflictKind::Order, 0, {}}}));
         QVERIFY(both.level == ours);
     }
