@@ -275,13 +275,13 @@ std::vector<Row> levelRows() {
     return rows;
 }
 
-struct Part {
+struct DescribedPart {
     std::string_view name;
     std::string_view meaning; // of the objects and shapes
     std::vector<Row> (*rows)();
 };
 
-constexpr Part parts[] = {
+constexpr DescribedPart parts[] = {
     {"level", "", levelRows},
     {"rules", "", rowsOf<Rules>},
     {"tag", "", tagRows},
@@ -333,14 +333,14 @@ JsonText definition(const std::vector<Row>& rows, std::string_view type, std::st
 
 std::vector<std::string_view> describedParts() {
     std::vector<std::string_view> names;
-    for (const Part& part : parts) {
+    for (const DescribedPart& part : parts) {
         names.push_back(part.name);
     }
     return names;
 }
 
 std::string fieldTable(std::string_view name) {
-    for (const Part& part : parts) {
+    for (const DescribedPart& part : parts) {
         if (part.name != name) {
             continue;
         }
@@ -357,7 +357,7 @@ std::string fieldTable(std::string_view name) {
 
 std::string levelSchemaText() {
     JsonText definitions = JsonText::object();
-    for (const Part& part : parts) {
+    for (const DescribedPart& part : parts) {
         if (part.meaning.empty()) {
             continue;
         }

@@ -1,8 +1,6 @@
 #pragma once
 // Vectors in the plane, in metres unless said otherwise; y is up. The only include of Eigen.
 
-// Packets of two doubles cost more than they save: a vector is mostly made of two results and taken apart again.
-#define EIGEN_DONT_VECTORIZE
 #include <Eigen/Core>
 
 #include <cmath>
