@@ -284,6 +284,19 @@ class TypedEntryTest : public QObject {
         QVERIFY(!drive.toolbox.typing());
     }
 
+    void savingLeavesWhatIsBeingTyped() {
+        Typist drive(ToolId::Edge);
+        drive.document.commit({"rename-level"}, {std::make_shared<const Level>(Level{.name = "cave"}), {}});
+        drive.click({{0, 0}, {2, 0}});
+        drive.type("2", "45");
+        drive.document.markSaved();
+        QVERIFY(drive.toolbox.typing());
+        QVERIFY(drive.toolbox.enterTyped());
+        drive.type("1");
+        drive.document.undo(); // which is another level
+        QVERIFY(!drive.toolbox.typing());
+    }
+
     void typingEndsWithTheShape_data() {
         QTest::addColumn<int>("how");
         QTest::newRow("secondary") << 0;

@@ -2,6 +2,8 @@
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
+#include <QFileInfo>
+
 using namespace spacetow;
 using namespace spacetow::test;
 
@@ -56,6 +58,16 @@ class UnfinishedDrawingTest : public QObject {
         test.trigger(Act::Redo);
         QVERIFY(test.window->toolbox().isBusy());
         QCOMPARE(test.level().objects.size(), 1);
+    }
+
+    void savingLeavesItAndWhatIsBeingTyped() {
+        HalfDrawn test;
+        test.toSave = test.file("half.json");
+        QTest::keyClick(&test.canvas(), Qt::Key_2);
+        QVERIFY(test.window->toolbox().typing());
+        test.trigger(Act::SaveAs);
+        QVERIFY(QFileInfo::exists(test.toSave));
+        QVERIFY(test.window->toolbox().typing() && test.window->toolbox().isBusy());
     }
 
     void closingTheWindowFinishesItAndAsks() {
