@@ -6,7 +6,6 @@
 
 #include <QKeyEvent>
 #include <QLocale>
-#include <QScopedValueRollback>
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +32,12 @@ ArrayBar::ArrayBar(Document& document, Toolbox& toolbox, QWidget* parent)
     });
     connect(&m_x, &NumberField::entered, this, [this](std::optional<double> value) {
         (m_kind == Kind::Linear ? m_linear.step : m_radial.center).x() = value.value_or(0);
+        m_hasPlace = true;
         preview();
     });
     connect(&m_y, &NumberField::entered, this, [this](std::optional<double> value) {
         (m_kind == Kind::Linear ? m_linear.step : m_radial.center).y() = value.value_or(0);
+        m_hasPlace = true;
         preview();
     });
     connect(&m_angle, &NumberField::entered, this, [this](std::optional<double> value) {
@@ -49,15 +50,15 @@ ArrayBar::ArrayBar(Document& document, Toolbox& toolbox, QWidget* parent)
     });
     connect(&m_apply, &QToolButton::clicked, this, &ArrayBar::apply);
     connect(&m_cancel, &QToolButton::clicked, this, &ArrayBar::cancel);
-    m_connection = m_document.changed.connect([this](const Change&) {
-        if (m_context && !m_updating && !m_document.hasPreview()) {
-            shut();
-        }
-    });
+    m_soon.setSingleShot(true);
+    connect(&m_soon, &QTimer::timeout, this, &ArrayBar::follow);
+    m_documentListener = m_document.changed.connect([this](const Change&) { followSoon(); });
+    m_toolboxListener = m_toolbox.changed.connect([this] { followSoon(); }); // a drag has ended
 }
 
 ArrayBar::~ArrayBar() {
-    m_document.changed.disconnect(m_connection);
+    m_document.changed.disconnect(m_documentListener);
+    m_toolbox.changed.disconnect(m_toolboxListener);
 }
 
 void ArrayBar::layOut() {
@@ -102,8 +103,20 @@ void ArrayBar::begin(Kind kind) {
     if (m_document.selection().empty()) {
         return;
     }
-    m_context = m_toolbox.context();
     m_kind = kind;
+    m_hasPlace = false;
+    takeSelection();
+    show();
+    m_copies.setFocus();
+    m_copies.selectAll();
+    preview();
+}
+
+void ArrayBar::takeSelection() {
+    m_context = m_toolbox.context();
+    if (m_hasPlace) {
+        return;
+    }
     const std::vector<Key>& keys = m_context->edit.selection.keys();
     const Aabb box = placedBounds(*m_context->edit.level, keys);
     if (!box.isEmpty()) {
@@ -113,10 +126,26 @@ void ArrayBar::begin(Kind kind) {
     }
     m_radial.center = turningPoint(*m_context).value_or(Vec2(0, 0));
     setNumbers();
-    show();
-    m_copies.setFocus();
-    m_copies.selectAll();
-    preview();
+}
+
+bool ArrayBar::isBehind() const {
+    const Edit& now = m_document.current();
+    return now.level != m_context->edit.level || now.selection != m_context->edit.selection;
+}
+
+void ArrayBar::followSoon() {
+    if (m_context && !m_toolbox.isDragging() && (isBehind() || (m_isShown && !m_document.hasPreview()))) {
+        m_soon.start(0);
+    }
+}
+
+void ArrayBar::follow() {
+    if (m_context && !m_toolbox.isDragging()) {
+        if (isBehind()) {
+            takeSelection();
+        }
+        preview();
+    }
 }
 
 void ArrayBar::setNumbers() {
@@ -160,17 +189,19 @@ void ArrayBar::preview() {
     if (!m_context) {
         return;
     }
-    const QScopedValueRollback<bool> guard(m_updating, true);
+    const bool isNothing = m_context->edit.selection.empty();
     const std::optional<FinishedEdit> edit = arraySelected(*m_context, spec());
     const std::int64_t size = arraySize(*m_context->edit.level, m_context->edit.selection.keys(), spec());
     const QLocale locale;
-    m_objection = edit ? QString()
+    m_objection = edit        ? QString()
+                  : isNothing ? tr("Select what is to be copied.")
                   : size == 0
                       ? tr("Of a ship, a payload and a finish a level has one: there is nothing to copy.")
                       : tr("That would be %1 objects; an array may have %2. Make fewer copies.")
                             .arg(locale.toString(static_cast<qlonglong>(size)), locale.toString(maxArrayObjects));
     showFaults();
     m_apply.setEnabled(edit.has_value());
+    m_isShown = edit.has_value();
     if (edit) {
         m_document.preview(edit->edit);
     } else {
@@ -183,6 +214,9 @@ void ArrayBar::apply() {
     const auto fields = numbers();
     if (!m_context || !std::ranges::all_of(fields, &NumberField::enterTyped)) {
         return;
+    }
+    if (isBehind()) {
+        takeSelection();
     }
     const std::optional<FinishedEdit> edit = arraySelected(*m_context, spec());
     if (!edit) {
@@ -201,6 +235,8 @@ void ArrayBar::cancel() {
 
 void ArrayBar::shut() {
     m_context.reset();
+    m_isShown = false;
+    m_soon.stop();
     hide();
     Q_EMIT closed();
 }

@@ -1,6 +1,6 @@
 #pragma once
 // A bar above the canvas that makes arrays of what is selected: it shows them as they would be while the numbers are
-// being changed. What else is done to the level meanwhile closes it.
+// being changed. It stays while something else is selected or done to the level, and then goes on from there.
 
 #include "editor/editing/array_verb.h"
 #include "editor/editing/toolbox.h"
@@ -11,6 +11,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWidget>
@@ -48,6 +49,11 @@ class ArrayBar : public QWidget {
   private:
     void layOut();
     void add(ScrubLabel& label, const QString& text, NumberField& field);
+    /// Once the document has done telling what has happened.
+    void followSoon();
+    void follow();
+    bool isBehind() const;
+    void takeSelection();
     std::array<NumberField*, 4> numbers() { return {&m_copies, &m_angle, &m_x, &m_y}; }
     void setNumbers();
     void shut();
@@ -57,8 +63,11 @@ class ArrayBar : public QWidget {
 
     Document& m_document;
     Toolbox& m_toolbox;
-    int m_connection = 0;
-    bool m_updating = false;
+    int m_documentListener = 0;
+    int m_toolboxListener = 0;
+    QTimer m_soon;
+    bool m_isShown = false;  // the array, in the document's preview
+    bool m_hasPlace = false; // step or center have been typed, and go with no other selection
     Kind m_kind = Kind::Linear;
     std::optional<ToolContext> m_context; // while open
     LinearArray m_linear;

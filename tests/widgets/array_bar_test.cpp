@@ -1,5 +1,6 @@
 #include "editor/panels/array_bar.h"
 
+#include "core/level/edits.h"
 #include "editor/window/messages.h"
 #include "tests/support/drive.h"
 #include "tests/support/test_main.h"
@@ -99,12 +100,57 @@ class ArrayBarTest : public QObject {
         QCOMPARE(arrays.level().objects.size(), 4);
     }
 
-    void whatElseHappensClosesTheBar() {
+    void aClickOnTheCanvasLeavesTheBarOpenForWhatIsSelectedThen() {
+        Arrays arrays;
+        arrays.document.commit(
+            {"draw-circle"},
+            {std::make_shared<const Level>(added(ball(), bodyWith(2, Circle{{0, 0}, 0.5}, {0, 5}))), Selection({1})});
+        arrays.bar.begin(ArrayBar::Kind::Linear);
+        arrays.click({0, -5});
+        QCoreApplication::processEvents();
+        QVERIFY(!arrays.bar.isHidden() && !arrays.document.hasPreview());
+        auto* const refusal = arrays.bar.findChild<QLabel*>(QStringLiteral("refusal"));
+        QVERIFY(!refusal->text().isEmpty());
+        arrays.bar.apply();
+        QVERIFY(!arrays.bar.isHidden());
+        arrays.click({0, 5});
+        QCoreApplication::processEvents();
+        QVERIFY(refusal->text().isEmpty());
+        QCOMPARE(arrays.level().objects.size(), 5);
+        arrays.bar.apply();
+        QCOMPARE(arrays.document.selection().size(), 4);
+        QVERIFY(arrays.document.selection().contains(2));
+        QVERIFY(!arrays.document.selection().contains(1));
+    }
+
+    void whatIsDoneToTheLevelMeanwhileIsKept() {
         Arrays arrays;
         arrays.bar.begin(ArrayBar::Kind::Linear);
+        arrays.drag({0, 0}, {0, 3});
+        QCoreApplication::processEvents();
+        QVERIFY(arrays.document.hasPreview());
+        QCOMPARE(arrays.level().objects.size(), 4);
+        arrays.bar.apply();
+        QCOMPARE(arrays.document.history().size(), std::size_t{2});
+        for (const Object& object : arrays.level().objects) {
+            QVERIFY(std::abs(std::get<BodyObject>(object.data).position.y() - 3) < 0.2);
+        }
+        arrays.bar.begin(ArrayBar::Kind::Linear);
+        arrays.document.undo();
+        arrays.bar.apply(); // before the bar has seen it
+        QCOMPARE(arrays.level().objects.size(), 4);
+    }
+
+    void whatWasTypedStaysForTheNextSelection() {
+        Arrays arrays;
+        arrays.bar.begin(ArrayBar::Kind::Linear);
+        const auto fields = arrays.bar.findChildren<NumberField*>();
+        fields[2]->entered(7);
         arrays.document.select({});
-        QVERIFY(arrays.bar.isHidden());
-        QVERIFY(arrays.level() == ball());
+        QCoreApplication::processEvents();
+        arrays.document.select(Selection({1}));
+        QCoreApplication::processEvents();
+        QCOMPARE(std::get<BodyObject>(arrays.newest().data).position, Vec2(21, 0));
     }
 
     void withoutASelectionThereIsNoBar() {
