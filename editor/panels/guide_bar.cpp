@@ -19,20 +19,15 @@ constexpr double farthest = 1e6; // m, as the file allows
 } // namespace
 
 GuideBar::GuideBar(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_column(this), m_xLabel(tr("X")), m_yLabel(tr("Y")),
-      m_angleLabel(QStringLiteral("∠")) {
+    : QWidget(parent), m_document(document), m_column(this), m_xLabel(tr("X"), m_x), m_yLabel(tr("Y"), m_y),
+      m_angleLabel(QStringLiteral("∠"), m_angle) {
     layOut();
-    connect(&m_x, &NumberField::entered, this, [this](std::optional<double> value) {
-        change([value](Guide& guide) { guide.point.x() = value.value_or(guide.point.x()); });
+    enterInto(m_x, [](Guide& guide, double value) { guide.point.x() = value; });
+    enterInto(m_y, [](Guide& guide, double value) { guide.point.y() = value; });
+    enterInto(m_angle, [](Guide& guide, double value) { guide.angle = value * oneDegree; });
+    connect(&m_name, &QLineEdit::editingFinished, this, [this] {
+        change([this](Guide& guide) { guide.name = m_name.text().toStdString(); }, NumberEntry::Phase::Final);
     });
-    connect(&m_y, &NumberField::entered, this, [this](std::optional<double> value) {
-        change([value](Guide& guide) { guide.point.y() = value.value_or(guide.point.y()); });
-    });
-    connect(&m_angle, &NumberField::entered, this, [this](std::optional<double> value) {
-        change([value](Guide& guide) { guide.angle = value ? *value * oneDegree : guide.angle; });
-    });
-    connect(&m_name, &QLineEdit::editingFinished, this,
-            [this] { change([this](Guide& guide) { guide.name = m_name.text().toStdString(); }); });
     connect(&m_delete, &QToolButton::clicked, this, [this] {
         if (const std::optional<FinishedEdit> edit = deleteGuide(m_document.current(), m_index.value_or(0))) {
             m_document.commit(edit->label, edit->edit);
@@ -68,10 +63,9 @@ void GuideBar::layOut() {
     m_column.addLayout(&m_row);
     m_column.addWidget(&m_fault);
     m_row.setSpacing(4); // the bar stands between two panels in a window of 800 pixels
-    const std::initializer_list<std::pair<QLabel*, QLineEdit*>> fields{
+    const std::initializer_list<std::pair<ScrubLabel*, NumberField*>> fields{
         {&m_xLabel, &m_x}, {&m_yLabel, &m_y}, {&m_angleLabel, &m_angle}};
     for (const auto& [label, field] : fields) {
-        label->setBuddy(field);
         m_row.addWidget(label);
         m_row.addWidget(field, 1);
     }
@@ -144,13 +138,30 @@ void GuideBar::refresh() {
     }
 }
 
-void GuideBar::change(const std::function<void(Guide&)>& how) {
+void GuideBar::enterInto(NumberField& field, const std::function<void(Guide&, double)>& set) {
+    field.enter = [this, &field, set](const NumberEntry& entry) {
+        if (entry.change && entry.phase != NumberEntry::Phase::Cancelled) {
+            const double value = applied(*entry.change, field.value().value_or(0));
+            change([&set, value](Guide& guide) { set(guide, value); }, entry.phase);
+        } else {
+            m_document.dropPreview();
+        }
+        return QString();
+    };
+}
+
+void GuideBar::change(const std::function<void(Guide&)>& how, NumberEntry::Phase phase) {
     if (!m_index || *m_index >= m_document.current().level->guides.size()) {
         return;
     }
     Guide guide = m_document.current().level->guides[*m_index];
     how(guide);
-    if (const std::optional<FinishedEdit> edit = changeGuide(m_document.current(), *m_index, guide)) {
+    const std::optional<FinishedEdit> edit = changeGuide(m_document.current(), *m_index, guide);
+    if (!edit) {
+        m_document.dropPreview();
+    } else if (phase == NumberEntry::Phase::Preview) {
+        m_document.preview(edit->edit);
+    } else {
         m_document.commit(edit->label, edit->edit, edit->mergeKey);
     }
 }

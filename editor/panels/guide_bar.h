@@ -5,9 +5,9 @@
 #include "editor/editing/document.h"
 #include "editor/panels/fault_label.h"
 #include "editor/panels/number_field.h"
+#include "editor/panels/scrub_label.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -52,14 +52,15 @@ class GuideBar : public QWidget {
     void layOut();
     void refresh();
     void tint();
-    void change(const std::function<void(Guide&)>& how);
+    void change(const std::function<void(Guide&)>& how, NumberEntry::Phase phase);
+    void enterInto(NumberField& field, const std::function<void(Guide&, double)>& set);
 
     Document& m_document;
     std::optional<std::size_t> m_index;
     QVBoxLayout m_column;
     QHBoxLayout m_row;
-    QLabel m_xLabel, m_yLabel, m_angleLabel;
     NumberField m_x, m_y, m_angle;
+    ScrubLabel m_xLabel, m_yLabel, m_angleLabel;
     QLineEdit m_name;
     QToolButton m_delete, m_close;
     FaultLabel m_fault;

@@ -76,6 +76,37 @@ class GuideBarTest : public QObject {
         QVERIFY(test.level().guides[1] == guideAt(3, 0, pi / 2));
     }
 
+    void aDragOnALabelIsOneEntryAndEscapeTakesItBack() {
+        TestWindow test;
+        open(test, {guideAt(0, 1, 0)});
+        test.window->openGuide(0);
+        GuideBar& bar = test.window->guideBar();
+        for (NumberField* field : {&bar.x(), &bar.y(), &bar.angle()}) {
+            const Level before = test.level();
+            const auto labels = bar.findChildren<ScrubLabel*>();
+            const auto label = std::ranges::find(labels, static_cast<QWidget*>(field), &QLabel::buddy);
+            QVERIFY(label != labels.end());
+            const QPoint start = (*label)->rect().center();
+            const auto pull = [&](Qt::Key end) {
+                QTest::mousePress(*label, Qt::LeftButton, {}, start);
+                QTest::mouseMove(*label, start + QPoint(20, 0));
+                QTest::mouseMove(*label, start + QPoint(60, 0));
+                QVERIFY(!(test.level() == before));
+                if (end == Qt::Key_Escape) {
+                    QTest::keyClick(field, end);
+                }
+                QTest::mouseRelease(*label, Qt::LeftButton, {}, start + QPoint(60, 0));
+            };
+            pull(Qt::Key_Escape);
+            QVERIFY(test.level() == before && !test.document().canUndo());
+            pull(Qt::Key_unknown);
+            QCOMPARE(test.document().historySize(), 1);
+            test.trigger(Act::Undo);
+            QVERIFY(test.level() == before);
+            test.document().reset(before);
+        }
+    }
+
     void rubbishIsNotTaken() {
         TestWindow test;
         open(test, {guideAt(0, 1, 0)});
