@@ -11,6 +11,7 @@ HistoryPanel::HistoryPanel(Document& document, Toolbox& toolbox, HistoryModel::W
     m_list.setModel(&m_model);
     m_list.setFrameShape(QFrame::NoFrame);
     m_list.setUniformItemSizes(true);
+    m_list.setIconSize(QSize(16, 16));
     m_list.setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list.setAccessibleName(tr("History"));
     m_list.setToolTip(tr("Click to go back, or forward again, to the state after an edit"));
@@ -32,8 +33,7 @@ bool HistoryPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == &m_list && (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress)) {
         const auto& key = static_cast<const QKeyEvent&>(*event);
         const bool isJump = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter || key.key() == Qt::Key_Space;
-        if (event->type() == QEvent::ShortcutOverride && isForLists(key)) {
-            event->accept();
+        if (keepsListKey(*event)) {
             return true;
         }
         if (event->type() == QEvent::KeyPress && isForLists(key) && isJump) {

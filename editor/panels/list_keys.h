@@ -28,4 +28,13 @@ inline bool isForLists(const QKeyEvent& key) {
     }
 }
 
+/// Claims such a key for a list, before an action of the window takes it; whether the event was about one.
+inline bool keepsListKey(QEvent& event) {
+    if (event.type() != QEvent::ShortcutOverride || !isForLists(static_cast<const QKeyEvent&>(event))) {
+        return false;
+    }
+    event.accept();
+    return true;
+}
+
 } // namespace spacetow

@@ -2,9 +2,12 @@
 
 #include "core/level/fields.h"
 #include "editor/panels/number_field.h"
+#include "editor/panels/number_text.h"
 
+#include <QAbstractItemView>
 #include <QKeyEvent>
-#include <QPersistentModelIndex>
+
+#include <algorithm>
 
 namespace spacetow {
 
@@ -16,20 +19,42 @@ QAbstractItemDelegate::EndEditHint hintOf(int key) {
                                     : QAbstractItemDelegate::NoHint;
 }
 
+/// The rows that an entry into the cell changes, ascending.
+std::vector<int> rowsFor(const QWidget* view, const QModelIndex& index) {
+    std::vector<int> rows;
+    const auto* table = qobject_cast<const QAbstractItemView*>(view);
+    if (table != nullptr && table->selectionModel()->isRowSelected(index.row())) {
+        for (const QModelIndex& row : table->selectionModel()->selectedRows()) {
+            rows.push_back(row.row());
+        }
+    }
+    std::ranges::sort(rows);
+    return rows.empty() ? std::vector<int>{index.row()} : rows;
+}
+
+class NodeField : public NumberField {
+  public:
+    NodeField(std::vector<int> changed, QWidget* parent) : NumberField(parent), rows(std::move(changed)) {}
+
+    const std::vector<int> rows; // of a table that is filled anew when they are others
+};
+
 } // namespace
 
 NodesDelegate::NodesDelegate(NodesModel& model, QObject* parent) : QStyledItemDelegate(parent), m_model(model) {}
 
-QWidget* NodesDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const {
-    auto* field = new NumberField(parent); // owned by it
+QWidget* NodesDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                                     const QModelIndex& index) const {
+    auto* field = new NodeField(rowsFor(option.widget, index), parent); // owned by it
     field->setSpec({.unit = QStringLiteral("m"), .min = -limits::coordinate, .max = limits::coordinate, .step = 0.05});
     field->words = words;
-    const QPersistentModelIndex at(index);
-    field->enter = [this, at](const NumberEntry& entry) {
-        if (entry.change && at.isValid()) {
-            m_model.place(at, applied(*entry.change, m_model.coordinate(at)), entry.isStep);
+    field->enter = [this, field, column = index.column()](const NumberEntry& entry) {
+        const bool isThere = !field->rows.empty() && field->rows.back() < m_model.rowCount();
+        if (!entry.change || !isThere || m_model.change(field->rows, column, *entry.change, entry.isStep)) {
+            return QString();
         }
-        return QString();
+        return tr("That would leave the map, which ends %1 m from the origin.")
+            .arg(shortNumberText(limits::coordinate));
     };
     connect(field, &NumberField::faultChanged, this, [this, field] { Q_EMIT faultShown(field->fault()); });
     return field;
@@ -41,7 +66,12 @@ void NodesDelegate::destroyEditor(QWidget* editor, const QModelIndex& index) con
 }
 
 void NodesDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
-    static_cast<NumberField*>(editor)->setValue(m_model.coordinate(index));
+    auto* field = static_cast<NodeField*>(editor);
+    if (m_model.isAlike(field->rows, index.column())) {
+        field->setValue(m_model.coordinate(index));
+    } else {
+        field->setMixed();
+    }
 }
 
 void NodesDelegate::setModelData(QWidget*, QAbstractItemModel*, const QModelIndex&) const {

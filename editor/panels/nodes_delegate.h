@@ -1,6 +1,6 @@
 #pragma once
-// Edits a coordinate in the table of nodes with the field that numbers have everywhere. What is no number stays in the
-// cell to be mended.
+// Edits a coordinate in the table of nodes with the field that numbers have everywhere: in all selected rows, when the
+// cell is in one of several. What is no number stays in the cell to be mended.
 
 #include "core/base/result.h"
 #include "editor/panels/nodes_model.h"

@@ -1,6 +1,5 @@
 #include "editor/panels/nodes_model.h"
 
-#include "core/base/expression.h"
 #include "core/level/fields.h"
 #include "editor/editing/node_pick.h"
 #include "editor/panels/names.h"
@@ -13,13 +12,33 @@ namespace spacetow {
 
 namespace {
 
-int axisOf(const QModelIndex& index) {
-    return index.column() == NodesModel::X ? 0 : 1;
+int axisOf(int column) {
+    return column == NodesModel::X ? 0 : 1;
 }
 
-std::string mergeKeyOf(const NodeRef& node, int axis) {
-    return "coordinate " + std::to_string(node.key) + ' ' + std::to_string(node.shape) + ' ' +
-           std::to_string(node.vertex) + ' ' + std::to_string(axis);
+std::string mergeKeyOf(std::span<const NodeRef> nodes, int axis) {
+    std::string key = "coordinate " + std::to_string(axis);
+    for (const NodeRef& node : {nodes.front(), nodes.back()}) {
+        key += ' ' + std::to_string(node.key) + ' ' + std::to_string(node.shape) + ' ' + std::to_string(node.vertex);
+    }
+    return key + ' ' + std::to_string(nodes.size());
+}
+
+/// What the change does to one coordinate, as a map of the plane.
+Affine mapOf(const NumberChange& change, int axis) {
+    const double number = change.operand;
+    const bool isFactor = change.kind == NumberChange::Kind::Multiply || change.kind == NumberChange::Kind::Divide;
+    Vec2 factors(1, 1);
+    Vec2 offset(0, 0);
+    if (isFactor) {
+        factors[axis] = applied(change, 1);
+    } else if (change.isRelative()) {
+        offset[axis] = applied(change, 0);
+    } else {
+        factors[axis] = 0; // a translation might miss it by rounding
+        offset[axis] = number;
+    }
+    return {{factors.x(), 0}, {0, factors.y()}, offset};
 }
 
 } // namespace
@@ -110,28 +129,38 @@ bool NodesModel::setData(const QModelIndex& index, const QVariant& value, int ro
     if (role != Qt::EditRole || !index.isValid() || index.column() == Name) {
         return false;
     }
-    const Result<NumberChange> change = numberChange(withPlainDigits(value.toString()).toStdString(), "m");
-    const double number = change ? applied(change.value(), coordinate(index)) : limits::coordinate + 1;
-    return std::abs(number) <= limits::coordinate && place(index, number, false);
+    const Result<NumberChange> typed = numberChange(withPlainDigits(value.toString()).toStdString(), "m");
+    const int row = index.row();
+    return typed && change({&row, 1}, index.column(), typed.value(), false);
 }
 
 double NodesModel::coordinate(const QModelIndex& index) const {
-    return m_places[static_cast<std::size_t>(index.row())][axisOf(index)];
+    return m_places[static_cast<std::size_t>(index.row())][axisOf(index.column())];
 }
 
-bool NodesModel::place(const QModelIndex& index, double value, bool isStep) {
-    const NodeRef node = m_nodes[static_cast<std::size_t>(index.row())];
+bool NodesModel::isAlike(std::span<const int> rows, int column) const {
+    const auto at = [&](int row) { return m_places[static_cast<std::size_t>(row)][axisOf(column)]; };
+    return std::ranges::all_of(rows, [&](int row) { return at(row) == at(rows.front()); });
+}
+
+bool NodesModel::change(std::span<const int> rows, int column, const NumberChange& how, bool isStep) {
     const Edit& edit = m_document.current();
-    const std::optional<Vec2> place = nodePosition(*edit.level, node);
-    if (!place) {
+    const int axis = axisOf(column);
+    std::vector<NodeRef> nodes;
+    for (const int row : rows) {
+        nodes.push_back(node(row));
+        const std::optional<Vec2> place = nodePosition(*edit.level, nodes.back());
+        if (!place || !(std::abs(applied(how, (*place)[axis])) <= limits::coordinate)) {
+            return false;
+        }
+    }
+    if (nodes.empty()) {
         return false;
     }
-    Vec2 target = *place;
-    target[axisOf(index)] = value;
-    // To the very point, which a translation might miss by rounding.
-    Level level = withMappedNodes(*edit.level, {&node, 1}, Affine{{0, 0}, {0, 0}, target});
-    m_document.commit({"move-nodes", 1}, {std::make_shared<const Level>(std::move(level)), edit.selection},
-                      isStep ? mergeKeyOf(node, axisOf(index)) : std::string());
+    Level level = withMappedNodes(*edit.level, nodes, mapOf(how, axis));
+    m_document.commit({"move-nodes", static_cast<int>(nodes.size())},
+                      {std::make_shared<const Level>(std::move(level)), edit.selection},
+                      isStep ? mergeKeyOf(nodes, axis) : std::string());
     return true;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 // The nodes of the objects in edit as a table: where each is, exactly, in metres of the world.
 
+#include "core/base/expression.h"
 #include "core/level/nodes.h"
 #include "editor/editing/document.h"
 
 #include <QAbstractTableModel>
 
+#include <span>
 #include <vector>
 
 namespace spacetow {
@@ -26,8 +28,12 @@ class NodesModel : public QAbstractTableModel {
     int rowOf(const NodeRef& node) const;
     /// Of a cell in one of the columns of coordinates.
     double coordinate(const QModelIndex& index) const;
-    /// Moves the node to the very coordinate; false when it is not there any more. Steps merge within a second.
-    bool place(const QModelIndex& index, double value, bool isStep);
+    /// Whether the column has the same number in all rows.
+    bool isAlike(std::span<const int> rows, int column) const;
+    /// Changes the coordinates of a column in these rows, ascending, as one edit: what is set comes to the very number.
+    /// False, and nothing is changed, when a node is not there any more or would leave the range of coordinates. Steps
+    /// merge within a second.
+    bool change(std::span<const int> rows, int column, const NumberChange& how, bool isStep);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

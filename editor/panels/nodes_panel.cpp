@@ -2,17 +2,29 @@
 
 #include "core/level/node_edits.h"
 #include "editor/editing/node_pick.h"
+#include "editor/panels/list_keys.h"
 
 #include <QHeaderView>
 #include <QScopedValueRollback>
 
 #include <algorithm>
+#include <utility>
 
 namespace spacetow {
 
 namespace {
 
 constexpr int many = 2000; // nodes; a table of more waits for the end of a drag
+
+/// Whether the key opens a cell: F2 or Enter, or the first sign of what is to be typed.
+bool opensCell(const QKeyEvent& key) {
+    if ((key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) != Qt::NoModifier) {
+        return false;
+    }
+    const QString text = key.text();
+    const bool isStart = text.size() == 1 && (text[0].isDigit() || QStringLiteral("+-*/.,(").contains(text[0]));
+    return isStart || key.key() == Qt::Key_F2 || key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+}
 
 } // namespace
 
@@ -28,6 +40,9 @@ NodesPanel::NodesPanel(Document& document, QWidget* parent)
     m_table.horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table.setTabKeyNavigation(true);
     m_table.setItemDelegate(&m_delegate);
+    m_table.setToolTip(tr("Double click or type to change a coordinate; with several rows selected, in all of them"));
+    m_table.installEventFilter(this);
+    m_table.viewport()->installEventFilter(this);
     m_column.addWidget(&m_table);
     m_fault.setContentsMargins(6, 0, 6, 0);
     m_column.addWidget(&m_fault);
@@ -55,6 +70,53 @@ NodesPanel::~NodesPanel() {
 void NodesPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     refresh();
+}
+
+bool NodesPanel::eventFilter(QObject* watched, QEvent* event) {
+    const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (watched == &m_table && isKey && opensCell(static_cast<const QKeyEvent&>(*event))) {
+        if (event->type() == QEvent::KeyPress) {
+            return editByKey(static_cast<const QKeyEvent&>(*event));
+        }
+        event->accept();
+        return true;
+    }
+    if (watched == &m_table && keepsListKey(*event)) {
+        return true;
+    }
+    if (watched == m_table.viewport() && event->type() == QEvent::MouseButtonPress) {
+        m_selectedBefore = m_document.selection().nodes();
+    }
+    if (watched == m_table.viewport() && event->type() == QEvent::MouseButtonDblClick) {
+        return editSeveral(static_cast<const QMouseEvent&>(*event));
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+/// What is typed goes on to the field that the table opens for it.
+bool NodesPanel::editByKey(const QKeyEvent& key) {
+    const QModelIndex cell = m_table.currentIndex();
+    const bool isTyped = !key.text().isEmpty() && key.text()[0].isPrint();
+    if (isTyped || !cell.isValid()) {
+        return false;
+    }
+    m_table.edit(cell.column() == NodesModel::Name ? cell.siblingAtColumn(NodesModel::X) : cell);
+    return true;
+}
+
+/// The first click of a double click has selected one row: those of before are taken back when it was one of them.
+bool NodesPanel::editSeveral(const QMouseEvent& mouse) {
+    const QModelIndex cell = m_table.indexAt(mouse.position().toPoint());
+    const std::vector<NodeRef> nodes = std::exchange(m_selectedBefore, {});
+    const bool isOfSeveral = cell.isValid() && cell.column() != NodesModel::Name && nodes.size() > 1 &&
+                             std::ranges::binary_search(nodes, m_model.node(cell.row()));
+    if (!isOfSeveral || mouse.button() != Qt::LeftButton) {
+        return false;
+    }
+    m_document.select(m_document.selection().withNodes(nodes));
+    m_table.selectionModel()->setCurrentIndex(cell, QItemSelectionModel::NoUpdate);
+    m_table.edit(cell);
+    return true;
 }
 
 void NodesPanel::refresh() {

@@ -6,6 +6,8 @@
 #include "editor/panels/nodes_model.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -31,11 +33,14 @@ class NodesPanel : public QWidget {
 
   protected:
     void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void refresh();
     void showSelection();
     void takeSelection();
+    bool editByKey(const QKeyEvent& key);
+    bool editSeveral(const QMouseEvent& mouse);
     void insertNode();
     void removeSelectedNodes();
 
@@ -47,6 +52,7 @@ class NodesPanel : public QWidget {
     QTableView m_table;
     FaultLabel m_fault;
     QToolButton m_insert, m_remove;
+    std::vector<NodeRef> m_selectedBefore; // when the mouse was pressed
     int m_listener = 0;
     bool m_showing = false; // rows are being selected to show the document's selection
 };

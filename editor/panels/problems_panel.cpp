@@ -3,6 +3,7 @@
 #include "core/level/lint.h"
 #include "editor/canvas/icons.h"
 #include "editor/canvas/palette.h"
+#include "editor/panels/list_keys.h"
 
 #include <algorithm>
 
@@ -37,6 +38,7 @@ ProblemsPanel::ProblemsPanel(Document& document, ProblemList::Sentence sentence,
     m_list.setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list.setAccessibleName(tr("Problems of the level"));
+    m_list.installEventFilter(this);
     connect(&m_list, &QListView::clicked, this, &ProblemsPanel::choose);
     connect(&m_list, &QListView::activated, this, &ProblemsPanel::choose);
     m_soon.setSingleShot(true);
@@ -56,6 +58,10 @@ ProblemsPanel::ProblemsPanel(Document& document, ProblemList::Sentence sentence,
 
 ProblemsPanel::~ProblemsPanel() {
     m_document.changed.disconnect(m_listener);
+}
+
+bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
+    return (watched == &m_list && keepsListKey(*event)) || QWidget::eventFilter(watched, event);
 }
 
 void ProblemsPanel::check() {

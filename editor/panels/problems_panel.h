@@ -42,6 +42,9 @@ class ProblemsPanel : public QWidget {
     /// The user wants to see this object; 0 for the level itself.
     void objectWanted(spacetow::Key key);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     void checkBeside();
     void take(const std::shared_ptr<const Level>& level, std::vector<Problem> problems);

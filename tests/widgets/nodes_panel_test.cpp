@@ -123,6 +123,95 @@ class NodesPanelTest : public QObject {
         shown.document.undo();
         QCOMPARE(shown.node(1), Vec2(3, 0.5));
     }
+    void anEntryChangesAllSelectedRowsAsOneStep() {
+        Shown shown({1});
+        shown.document.select(Selection({1}, Nodes{{1, 0, 0}, {1, 0, 2}}));
+        const auto enter = [&](int row, int column, const QString& text) {
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            shown.panel.table().selectionModel()->setCurrentIndex(shown.at(row, column), QItemSelectionModel::NoUpdate);
+            shown.panel.table().edit(shown.at(row, column));
+            auto* field = shown.panel.table().findChild<NumberField*>();
+            QCOMPARE(field->isMixed(), row == 2 && column == NodesModel::X);
+            field->selectAll();
+            QTest::keyClicks(field, text);
+            QTest::keyClick(field, Qt::Key_Return);
+        };
+        enter(2, NodesModel::X, "+=0.5");
+        QCOMPARE(shown.node(0), Vec2(1.5, 0.5));
+        QCOMPARE(shown.node(1), Vec2(3, 0.5)); // not selected
+        QCOMPARE(shown.node(2), Vec2(3.5, 2.5));
+        QCOMPARE(shown.document.history(), (std::vector<Label>{{"move-nodes", 2}}));
+        QCOMPARE(shown.document.selection().nodes().size(), std::size_t(2));
+        enter(2, NodesModel::X, "1/4");
+        QCOMPARE(shown.node(0), Vec2(0.25, 0.5));
+        QCOMPARE(shown.node(2), Vec2(0.25, 2.5));
+        enter(0, NodesModel::X, "*=3");
+        QCOMPARE(shown.node(2), Vec2(0.75, 2.5));
+        shown.document.undo();
+        shown.document.undo();
+        shown.document.undo();
+        QCOMPARE(shown.document.level(), drawing());
+    }
+    void anEntryThatSendsOneOfThemOffTheMapChangesNone() {
+        Shown shown({1});
+        shown.document.select(Selection({1}, Nodes{{1, 0, 0}, {1, 0, 2}}));
+        shown.panel.table().edit(shown.at(0, NodesModel::X));
+        auto* field = shown.panel.table().findChild<NumberField*>();
+        QTest::keyClicks(field, "+=999998"); // from 1 it would go
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(!shown.fault().isEmpty());
+        QVERIFY(shown.document.history().empty());
+    }
+    void aStepOfSeveralRowsMovesThemAlike() {
+        Shown shown({1});
+        shown.document.select(Selection({1}, Nodes{{1, 0, 0}, {1, 0, 2}}));
+        shown.panel.table().edit(shown.at(2, NodesModel::X));
+        auto* field = shown.panel.table().findChild<NumberField*>();
+        QTest::keyClick(field, Qt::Key_Up);
+        QTest::keyClick(field, Qt::Key_Up);
+        QCOMPARE(shown.node(0), Vec2(1.1, 0.5));
+        QCOMPARE(shown.node(2), Vec2(3.1, 2.5));
+        QCOMPARE(shown.document.history().size(), std::size_t(1));
+    }
+    void aDoubleClickOnOneOfSeveralRowsKeepsThemSelected() {
+        Shown shown({1});
+        shown.panel.resize(310, 300);
+        shown.document.select(Selection({1}, Nodes{{1, 0, 0}, {1, 0, 2}}));
+        QTableView& table = shown.panel.table();
+        const QPoint cell = table.visualRect(shown.at(2, NodesModel::X)).center();
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, cell);
+        QCOMPARE(shown.document.selection().nodes(), (Nodes{{1, 0, 2}}));
+        QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, cell);
+        QCOMPARE(shown.document.selection().nodes(), (Nodes{{1, 0, 0}, {1, 0, 2}}));
+        auto* field = table.findChild<NumberField*>();
+        QVERIFY(field != nullptr);
+        QVERIFY(field->isMixed());
+        QTest::keyClicks(field, "4");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(shown.node(0), Vec2(4, 0.5));
+    }
+    void itsKeysAreNotTheWindowsAndTypingOpensACell() {
+        Shown shown({1});
+        QTableView& table = shown.panel.table();
+        table.setCurrentIndex(shown.at(0, NodesModel::X));
+        const std::initializer_list<std::pair<int, const char*>> keys{
+            {Qt::Key_Home, ""}, {Qt::Key_End, ""}, {Qt::Key_PageUp, ""}, {Qt::Key_PageDown, ""},
+            {Qt::Key_F2, ""},   {Qt::Key_7, "7"},  {Qt::Key_Plus, "+"}};
+        for (const auto& [key, text] : keys) {
+            QKeyEvent asked(QEvent::ShortcutOverride, key, Qt::NoModifier, text);
+            asked.ignore();
+            QApplication::sendEvent(&table, &asked);
+            QVERIFY2(asked.isAccepted(), qPrintable(QKeySequence(key).toString()));
+        }
+        QTest::keyClick(&table, Qt::Key_7);
+        auto* field = table.findChild<NumberField*>();
+        QVERIFY(field != nullptr);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(shown.node(0), Vec2(7, 0.5));
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QTest::keyClick(&table, Qt::Key_F2);
+        QVERIFY(table.findChild<NumberField*>() != nullptr);
+    }
     void selectedRowsAreTheSelectedNodesBothWays() {
         Shown shown({1});
         shown.panel.table().selectRow(1);

@@ -101,6 +101,27 @@ class ProblemsPanelTest : public QObject {
         QCOMPARE(wanted.back(), Key{6});
     }
 
+    void keysThatMoveInTheListAreNotTheWindows() {
+        Document document;
+        ProblemsPanel panel(document, code);
+        Level level;
+        level.objects.append(crossed(5));
+        level.objects.append(crossed(6));
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(level), Selection()});
+        panel.check();
+        panel.show();
+        auto& list = *panel.findChild<QListView*>();
+        for (const int key : {Qt::Key_Home, Qt::Key_End, Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Up}) {
+            QKeyEvent asked(QEvent::ShortcutOverride, key, Qt::NoModifier);
+            asked.ignore();
+            QApplication::sendEvent(&list, &asked);
+            QVERIFY(asked.isAccepted());
+        }
+        list.setCurrentIndex(list.model()->index(0, 0));
+        QTest::keyClick(&list, Qt::Key_End);
+        QCOMPARE(list.currentIndex().row(), list.model()->rowCount() - 1);
+    }
+
     void fiftyThousandProblemsTakeUpNoTimeUntilTheyAreLookedAt() {
         Document document;
         int sentences = 0;
