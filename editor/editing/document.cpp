@@ -2,6 +2,7 @@
 
 #include "core/base/contract.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace spacetow {
@@ -163,8 +164,20 @@ bool Document::isModified() const {
 
 void Document::markSaved() {
     m_saved = m_current.level;
+    m_wasSaved = true;
     m_mergeable = false;
     historyChanged.emit();
+}
+
+std::optional<int> Document::savedPosition() const {
+    if (!m_wasSaved) {
+        return {};
+    }
+    if (m_entries.empty() || m_entries.front().before.level == m_saved) {
+        return m_entries.empty() && m_saved != m_current.level ? std::nullopt : std::optional(0);
+    }
+    const auto found = std::ranges::find(m_entries, m_saved, [](const Entry& entry) { return entry.after.level; });
+    return found == m_entries.end() ? std::nullopt : std::optional(static_cast<int>(found - m_entries.begin()) + 1);
 }
 
 void Document::reset(Level level) {
@@ -174,6 +187,7 @@ void Document::reset(Level level) {
     m_mergeable = false;
     Edit edit{std::make_shared<const Level>(std::move(level)), {}};
     m_saved = edit.level;
+    m_wasSaved = false;
     becomeCurrent(std::move(edit), shown());
     historyChanged.emit();
 }

@@ -88,6 +88,9 @@ class Document {
     /// Whether the level differs in value from the one last saved or opened.
     bool isModified() const;
     void markSaved();
+    /// After how many entries the level was what was saved last; nothing before anything was saved, or when that state
+    /// is not in the history any more.
+    std::optional<int> savedPosition() const;
     /// Starts over with another level and an empty history.
     void reset(Level level);
 
@@ -114,6 +117,7 @@ class Document {
     std::uint64_t m_lastNumber = 0; // given to an entry
     int m_forgotten = 0;
     std::shared_ptr<const Level> m_saved;
+    bool m_wasSaved = false;  // since the level came
     bool m_mergeable = false; // nothing happened since the last commit that the user would see as a break
 };
 

@@ -1,5 +1,7 @@
 #include "editor/panels/history_model.h"
 
+#include "editor/canvas/icons.h"
+
 #include <QFont>
 #include <QGuiApplication>
 #include <QPalette>
@@ -10,7 +12,9 @@
 namespace spacetow {
 
 HistoryModel::HistoryModel(const Document& document, Words words, QObject* parent)
-    : QAbstractListModel(parent), m_document(document), m_words(std::move(words)) {
+    : QAbstractListModel(parent), m_document(document), m_words(std::move(words)),
+      m_mark(livingIcon(QStringLiteral("save"))), m_noMark(16, 16) {
+    m_noMark.fill(Qt::transparent);
     refresh();
 }
 
@@ -48,6 +52,11 @@ void HistoryModel::refresh() {
     }
     // An edit that was merged with the one before has given it its name.
     announce(std::min({before, m_position, size}), std::min(std::max(before, m_position), size));
+    const int saved = std::exchange(m_saved, m_document.savedPosition().value_or(-1));
+    if (saved != m_saved) {
+        announce(saved, saved);
+        announce(m_saved, m_saved);
+    }
 }
 
 void HistoryModel::setOrigin(const QString& text) {
@@ -56,7 +65,9 @@ void HistoryModel::setOrigin(const QString& text) {
 }
 
 void HistoryModel::announce(int first, int last) {
-    Q_EMIT dataChanged(index(first), index(last));
+    if (first >= 0 && last < rowCount()) {
+        Q_EMIT dataChanged(index(first), index(last));
+    }
 }
 
 int HistoryModel::rowCount(const QModelIndex& parent) const {
@@ -69,6 +80,17 @@ QString HistoryModel::textOf(int row) const {
     }
     const int forgotten = m_document.forgotten();
     return forgotten == 0 ? m_origin : tr("%n older changes that can no longer be undone", nullptr, forgotten);
+}
+
+QString HistoryModel::stateOf(int row) const {
+    QStringList states;
+    if (row >= m_position) {
+        states << (row == m_position ? tr("present state") : tr("undone"));
+    }
+    if (row == m_saved) {
+        states << tr("saved");
+    }
+    return states.join(QStringLiteral(", "));
 }
 
 QVariant HistoryModel::data(const QModelIndex& index, int role) const {
@@ -86,8 +108,12 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const {
     case Qt::ForegroundRole:
         return index.row() > m_position ? QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text))
                                         : QVariant();
+    case Qt::DecorationRole:
+        return index.row() == m_saved ? QVariant(m_mark) : QVariant(m_noMark);
+    case Qt::ToolTipRole:
+        return index.row() == m_saved ? QVariant(tr("Saved: the file holds this state")) : QVariant();
     case Qt::AccessibleDescriptionRole:
-        return index.row() == m_position ? tr("present state") : index.row() > m_position ? tr("undone") : QString();
+        return stateOf(index.row());
     default:
         return {};
     }

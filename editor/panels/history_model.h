@@ -1,10 +1,12 @@
 #pragma once
 // The history as a list: what was opened, then each edit by its name; the present state stands out, what redo would
-// make again is grey.
+// make again is grey, and the state that is in the file bears a mark.
 
 #include "editor/editing/document.h"
 
 #include <QAbstractListModel>
+#include <QIcon>
+#include <QPixmap>
 
 #include <deque>
 #include <functional>
@@ -32,12 +34,16 @@ class HistoryModel : public QAbstractListModel {
   private:
     QString textOf(int row) const;
     void announce(int first, int last);
+    QString stateOf(int row) const;
 
     const Document& m_document;
     Words m_words;
     QString m_origin;
     std::deque<std::uint64_t> m_numbers; // of the entries in the list
     int m_position = 0;
+    int m_saved = -1; // row of the state that is in the file; −1: none
+    QIcon m_mark;
+    QPixmap m_noMark; // keeps the texts in line
 };
 
 } // namespace spacetow

@@ -185,6 +185,9 @@ void Files::adopt(const LevelFile& file, const QString& path) {
     m_path = path;
     m_untitled.clear();
     m_document.reset(*file.level);
+    if (!path.isEmpty()) {
+        m_document.markSaved();
+    }
     // What lint says of the level stands in the panel of problems as long as it is true.
     const std::vector<Problem>& problems = file.problems;
     if (!problems.empty()) {

@@ -146,6 +146,48 @@ class HistoryPanelTest : public QObject {
         QVERIFY(shown.isBold(1));
     }
 
+    void theStateThatWasSavedIsMarked() {
+        HistoryShown shown;
+        const auto marked = [&shown] {
+            std::vector<int> rows;
+            for (int i = 0; i < shown.panel.model().rowCount(); ++i) {
+                if (!shown.row(i).data(Qt::ToolTipRole).toString().isEmpty()) {
+                    rows.push_back(i);
+                }
+            }
+            return rows;
+        };
+        shown.edit("move");
+        QCOMPARE(marked(), std::vector<int>());
+        shown.document.markSaved();
+        shown.edit("rotate");
+        shown.edit("scale");
+        QCOMPARE(marked(), std::vector<int>{1});
+        QVERIFY(shown.row(1).data(Qt::AccessibleDescriptionRole).toString().contains("saved"));
+        QVERIFY(!shown.row(1).data(Qt::DecorationRole).value<QIcon>().isNull());
+        QVERIFY(shown.row(2).data(Qt::DecorationRole).value<QIcon>().isNull());
+        shown.document.goTo(0);
+        shown.document.markSaved();
+        QCOMPARE(marked(), std::vector<int>{0});
+        shown.document.goTo(2);
+        shown.document.markSaved();
+        shown.document.undo();
+        shown.edit("flip"); // what was saved cannot be come back to
+        QCOMPARE(marked(), std::vector<int>());
+        shown.document.reset({});
+        QCOMPARE(marked(), std::vector<int>());
+    }
+
+    void theFirstStateIsMarkedWhenItCameFromAFile() {
+        TestWindow test;
+        test.window->openExample();
+        QVERIFY(!test.document().savedPosition());
+        test.toSave = test.file("cave.json");
+        test.trigger(Act::SaveAs);
+        QVERIFY(test.window->open(test.file("cave.json")));
+        QCOMPARE(test.document().savedPosition(), std::optional(0));
+    }
+
     void theWindowSaysWhatWasOpened() {
         TestWindow test;
         test.window->openExample();
