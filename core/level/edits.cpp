@@ -187,9 +187,9 @@ Level reversed(Level level, std::span<const Key> keys) {
 Level duplicated(Level level, std::span<const Key> keys, const CopyPlace& place, std::vector<Key>& copies) {
     const std::vector<Key> wanted = withMembers(level, keys);
     std::vector<Object> originals;
-    for (const int place : level.objects.indicesOf(wanted)) {
-        if (singleKind(level.objects[place].data) < 0) {
-            originals.push_back(level.objects[place]);
+    for (const int index : level.objects.indicesOf(wanted)) {
+        if (singleKind(level.objects[index].data) < 0) {
+            originals.push_back(level.objects[index]);
         }
     }
     CopyPlace beside = place;
@@ -224,7 +224,10 @@ Level pasted(Level level, const std::vector<Object>& objects, const CopyPlace& p
         const auto planned = copyOf.find(object.key);
         copy.key = planned != copyOf.end() ? planned->second : source.next();
         const auto parent = copyOf.find(object.parent);
-        if (parent != copyOf.end()) {
+        if (isLayer(copy)) {
+            copy.parent = 0;
+            copies.push_back(copy.key);
+        } else if (parent != copyOf.end()) {
             copy.parent = parent->second;
         } else {
             copy.parent = place.keepParents ? object.parent : place.parent;

@@ -36,7 +36,8 @@ struct CopyPlace {
 /// The keys of the copies come out in `copies`, without those of members of groups that are copied themselves.
 Level duplicated(Level level, std::span<const Key> keys, const CopyPlace& place, std::vector<Key>& copies);
 /// Objects from elsewhere (the clipboard), treated likewise, but a ship, payload or finish only when
-/// the level has none. Connectors follow their ends, and are left out when an end is not among the objects.
+/// the level has none. Connectors follow their ends, and are left out when an end is not among the objects. A layer
+/// comes to be at the top, wherever the rest does.
 Level pasted(Level level, const std::vector<Object>& objects, const CopyPlace& place, std::vector<Key>& copies);
 /// The object with the same key is replaced; the key must exist.
 Level withObject(Level level, Object object);

@@ -18,11 +18,6 @@ bool isAmong(const std::vector<Key>& keys, Key key) {
     return std::ranges::binary_search(keys, key);
 }
 
-bool isLayer(const Object& object) {
-    const auto* group = std::get_if<GroupObject>(&object.data);
-    return group != nullptr && group->layer;
-}
-
 /// `change(object)` is applied to a copy of each object named by `keys`.
 template <class Change>
 Level changedObjects(Level level, std::span<const Key> keys, Change change) {
@@ -87,6 +82,11 @@ int placeInOrder(const Level& level, const ObjectPlace& place) {
 }
 
 } // namespace
+
+bool isLayer(const Object& object) {
+    const auto* group = std::get_if<GroupObject>(&object.data);
+    return group != nullptr && group->layer;
+}
 
 GroupTree::GroupTree(const Level& level) {
     for (const int place : levelIndex(level).groups()) {

@@ -33,6 +33,7 @@ class GroupTree {
     std::vector<std::pair<Key, const Object*>> m_groups; // ascending by key, those in a circle left out
 };
 
+bool isLayer(const Object& object);
 /// The keys and those of all that is in the groups among them, ascending.
 std::vector<Key> withMembers(const Level& level, std::span<const Key> keys);
 /// What clicks could select after `entered` has been entered (0: the top): its members, at the top also those of

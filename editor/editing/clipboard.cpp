@@ -5,6 +5,7 @@
 #include "core/level/file.h"
 #include "editor/editing/verbs.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace spacetow {
@@ -25,11 +26,13 @@ std::optional<FinishedEdit> pasted(const ToolContext& context, std::string_view 
     std::vector<Problem> problems;
     AdoptedObjects adopted = withTagsAdopted(*context.edit.level, parseObjects(text, problems));
     std::vector<Key> copies;
-    Level level = pasted(std::move(adopted.level), adopted.objects, {{0, 0}, context.seed}, copies);
+    const Key entered = context.edit.selection.entered();
+    Level level = pasted(std::move(adopted.level), adopted.objects, {{0, 0}, context.seed, entered}, copies);
     if (copies.empty()) {
         return {};
     }
-    const Selection selection(std::move(copies));
+    const bool stays = std::ranges::all_of(copies, [&](Key key) { return level.objects.find(key)->parent == entered; });
+    const Selection selection = Selection(std::move(copies)).entering(stays ? entered : 0);
     const Aabb box = boundsOf(level, selection.keys());
     if (at && !box.isEmpty()) {
         Vec2 delta = *at - box.center();

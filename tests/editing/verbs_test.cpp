@@ -1,5 +1,6 @@
 #include "editor/editing/verbs.h"
 
+#include "editor/editing/arrange_verbs.h"
 #include "editor/editing/clipboard.h"
 #include "tests/support/drive.h"
 #include "tests/support/test_main.h"
@@ -52,6 +53,8 @@ class VerbsTest : public QObject {
     void allAndInverseComplementEachOther();
     void cutAndPasteBringBackTheSame();
     void pasteInPlaceGivesFreshKeys();
+    void whatIsPastedIntoAnEnteredGroupBecomesItsMember();
+    void aLayerIsPastedAtTheTopWhateverGroupIsEntered();
     void pasteCentresOnThePointByGridSteps_data();
     void pasteCentresOnThePointByGridSteps();
     void aSecondShipIsNotPasted();
@@ -191,6 +194,39 @@ void VerbsTest::pasteInPlaceGivesFreshKeys() {
     QCOMPARE(editor.level().objects.size(), 10);
     QCOMPARE(selectAll(editor.document.current()).size(), 10); // no key twice
     QVERIFY(editor.body(editor.newest().key) == editor.body(4));
+}
+
+void VerbsTest::whatIsPastedIntoAnEnteredGroupBecomesItsMember() {
+    Editor editor({4});
+    const std::string text = copied(editor.document.current());
+    editor.document.select(Selection({1, 2}));
+    QVERIFY(editor.run(groupSelected(editor.toolbox.context())));
+    const Key group = editor.document.selection().keys().front();
+    editor.document.select(Selection({1}).entering(group));
+    QVERIFY(editor.run(pasted(editor.toolbox.context(), text, std::nullopt)));
+    QCOMPARE(editor.newest().parent, group);
+    QCOMPARE(editor.document.selection().entered(), group);
+    QCOMPARE(editor.document.selection().keys(), std::vector<Key>{editor.newest().key});
+}
+
+void VerbsTest::aLayerIsPastedAtTheTopWhateverGroupIsEntered() {
+    Editor editor({4});
+    QVERIFY(editor.run(newLayer(editor.toolbox.context())));
+    const Key layer = editor.level().objects.find(4)->parent;
+    QVERIFY(layer != 0);
+    editor.document.select(Selection({layer}));
+    const std::string text = copied(editor.document.current());
+    editor.document.select(Selection({1, 2}));
+    QVERIFY(editor.run(groupSelected(editor.toolbox.context())));
+    const Key group = editor.document.selection().keys().front();
+    editor.document.select(Selection({1}).entering(group));
+    QVERIFY(editor.run(pasted(editor.toolbox.context(), text, std::nullopt)));
+    QCOMPARE(editor.document.selection().size(), 1);
+    const Object* pastedLayer = editor.level().objects.find(editor.document.selection().keys().front());
+    QVERIFY(std::get<GroupObject>(pastedLayer->data).layer);
+    QCOMPARE(pastedLayer->parent, Key{0});
+    QCOMPARE(editor.newest().parent, pastedLayer->key);
+    QCOMPARE(editor.document.selection().entered(), Key{0});
 }
 
 void VerbsTest::pasteCentresOnThePointByGridSteps_data() {

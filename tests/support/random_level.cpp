@@ -1,7 +1,10 @@
 #include "tests/support/random_level.h"
 
+#include "core/level/nodes.h"
+
 #include <bit>
 #include <cmath>
+#include <set>
 
 namespace spacetow::test {
 
@@ -181,6 +184,53 @@ class Maker {
     Random m_random;
 };
 
+void tame(double& number) {
+    number = std::fmod(number, 100);
+}
+
+void tame(Vec2& point) {
+    tame(point.x());
+    tame(point.y());
+}
+
+void tame(LevelShape& shape) {
+    if (std::vector<Vec2>* vertices = verticesOf(shape)) {
+        for (Vec2& vertex : *vertices) {
+            tame(vertex);
+        }
+    } else {
+        auto& circle = std::get<Circle>(shape);
+        tame(circle.center);
+        circle.radius = std::fmod(circle.radius, 10) + 0.01;
+    }
+}
+
+void tame(ObjectData& data) {
+    if (auto* body = std::get_if<BodyObject>(&data)) {
+        tame(body->position);
+        tame(body->angle);
+        for (LevelShape& shape : body->shapes) {
+            tame(shape);
+        }
+    } else if (auto* ship = std::get_if<ShipObject>(&data)) {
+        tame(ship->position);
+        tame(ship->angle);
+    } else if (auto* payload = std::get_if<PayloadObject>(&data)) {
+        tame(payload->position);
+    } else if (auto* finish = std::get_if<FinishObject>(&data)) {
+        tame(finish->a);
+        tame(finish->b);
+    } else if (auto* connector = std::get_if<ConnectorObject>(&data)) {
+        tame(connector->anchorA);
+        tame(connector->anchorB);
+    }
+}
+
+bool isBodyIn(const Level& level, Key key) {
+    const Object* object = level.objects.find(key);
+    return object != nullptr && std::holds_alternative<BodyObject>(object->data);
+}
+
 BodyObject populatedBody() {
     BodyObject body;
     body.kind = BodyKind::Dynamic;
@@ -206,6 +256,31 @@ BodyObject populatedBody() {
 
 Level randomLevel(std::uint64_t seed, int objects) {
     return Maker(seed).level(objects);
+}
+
+Level soundLevel(std::uint64_t seed, int objects) {
+    const Level wild = randomLevel(seed, objects);
+    Level level = wild;
+    level.objects = {};
+    std::set<std::size_t> singles;
+    for (const Object& wanted : wild.objects) {
+        Object object = wanted;
+        const auto* connector = std::get_if<ConnectorObject>(&object.data);
+        const bool isMany = std::holds_alternative<BodyObject>(object.data) ||
+                            std::holds_alternative<GroupObject>(object.data) || connector != nullptr;
+        const bool holds = connector == nullptr || (connector->a != connector->b && isBodyIn(level, connector->a) &&
+                                                    isBodyIn(level, connector->b));
+        if (!holds || (!isMany && !singles.insert(object.data.index()).second)) {
+            continue;
+        }
+        tame(object.data);
+        level.objects.append(std::move(object));
+    }
+    for (const Vec2& place : {Vec2(50, 50), Vec2(51, 50.5)}) {
+        BodyObject box{.shapes = {Polygon{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}}, .position = place};
+        level.objects.append({freshKey(level, seed), "box", std::move(box), {}});
+    }
+    return level;
 }
 
 Level populatedLevel() {
