@@ -34,6 +34,10 @@ QPainterPath snapMarker(SnapKind kind) {
         addRing(path, size);
         addRing(path, 1.2);
         break;
+    case SnapKind::Anchor:
+        addTurned(path, size);
+        addRing(path, 1.2);
+        break;
     case SnapKind::Intersection:
         addStroke(path, {-size, -size}, {size, size});
         addStroke(path, {-size, size}, {size, -size});

@@ -70,7 +70,7 @@ std::optional<ConnectorEnd> anchorNear(const Level& level, Key wanted, const Vec
         const Vec2 at = Transform{body.position, Rot::fromAngle(body.angle)}.toWorld(anchor);
         if ((at - p).norm() <= least) {
             least = (at - p).norm();
-            nearest = ConnectorEnd{key, tidied(at)};
+            nearest = ConnectorEnd{key, tidied(at), SnapKind::Anchor};
         }
     };
     levelIndex(level).visitObjects(Aabb{p, p}.grown(reach), [&](int object) {
@@ -83,31 +83,31 @@ std::optional<ConnectorEnd> anchorNear(const Level& level, Key wanted, const Vec
 }
 
 /// The nearest node, anchor, middle of a circle, position or middle of the body within reach.
-std::optional<Vec2> markedPoint(const Level& level, Key key, const Vec2& p, double reach) {
+std::optional<ConnectorEnd> markedPoint(const Level& level, Key key, const Vec2& p, double reach) {
     const BodyObject& body = bodyOf(level, key);
     const Transform pose{body.position, Rot::fromAngle(body.angle)};
     const int index = level.objects.indexOf(key);
-    std::optional<Vec2> nearest;
+    std::optional<ConnectorEnd> nearest;
     double least = reach;
-    const auto offer = [&](const Vec2& at) {
+    const auto offer = [&](const Vec2& at, SnapKind kind) {
         if ((at - p).norm() <= least) {
             least = (at - p).norm();
-            nearest = tidied(at);
+            nearest = ConnectorEnd{key, tidied(at), kind};
         }
     };
     levelIndex(level).visitVerticesOf(index, Aabb{p, p}.grown(reach),
-                                      [&](const VertexRef&, const Vec2& at) { offer(at); });
+                                      [&](const VertexRef&, const Vec2& at) { offer(at, SnapKind::Vertex); });
     for (const LevelShape& shape : body.shapes) {
         if (const auto* circle = std::get_if<Circle>(&shape)) {
-            offer(pose.toWorld(circle->center));
+            offer(pose.toWorld(circle->center), SnapKind::Center);
         }
     }
     if (const std::optional<ConnectorEnd> anchor = anchorNear(level, key, p, reach)) {
-        offer(anchor->at);
+        offer(anchor->at, SnapKind::Anchor);
     }
     if (body.kind != BodyKind::Static) {
-        offer(body.position);
-        offer(levelIndex(level).boundsOf(index).center());
+        offer(body.position, SnapKind::Center);
+        offer(levelIndex(level).boundsOf(index).center(), SnapKind::Center);
     }
     return nearest;
 }
@@ -135,15 +135,21 @@ std::optional<ConnectorEnd> connectorEndAt(const ToolContext& context, const Poi
     }
     const double reach = anchorPixels * pointer.pixel;
     if (snaps(context.snap, pointer.modifiers)) {
-        if (const std::optional<Vec2> marked = markedPoint(level, *body, pointer.world, reach)) {
-            return ConnectorEnd{*body, *marked};
+        if (const std::optional<ConnectorEnd> marked = markedPoint(level, *body, pointer.world, reach)) {
+            return marked;
         }
         const Vec2 onGrid = snapped(context.snap, pointer);
         if ((nearestOn(level, *body, onGrid, reach) - onGrid).norm() <= 1e-9) {
-            return ConnectorEnd{*body, onGrid};
+            return ConnectorEnd{*body, onGrid, SnapKind::Grid};
         }
     }
-    return ConnectorEnd{*body, tidied(nearestOn(level, *body, pointer.world, reach))};
+    const Vec2 nearest = nearestOn(level, *body, pointer.world, reach);
+    return ConnectorEnd{*body, tidied(nearest), nearest == pointer.world ? SnapKind::None : SnapKind::Edge};
+}
+
+std::optional<SnapAnswer> snapAnswerOf(const std::optional<ConnectorEnd>& end) {
+    return end ? std::optional(SnapAnswer{.point = end->at, .kind = end->kind, .mark = end->at, .key = end->body})
+               : std::nullopt;
 }
 
 bool isOnOtherThing(const ToolContext& context, const Pointer& pointer) {

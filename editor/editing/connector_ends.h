@@ -11,12 +11,15 @@ namespace spacetow {
 struct ConnectorEnd {
     Key body = 0;
     Vec2 at{0, 0};
+    SnapKind kind = SnapKind::None; // what of the body it has snapped to, or the grid
 };
 
 /// The end that a connector would have at the pointer: on the topmost body there, at its nearest node, middle or anchor
 /// when one is near, else on the grid where that lies on the body. Where no body is, at the anchor of one that is
 /// there; else nothing.
 std::optional<ConnectorEnd> connectorEndAt(const ToolContext& context, const Pointer& pointer);
+/// For the marker.
+std::optional<SnapAnswer> snapAnswerOf(const std::optional<ConnectorEnd>& end);
 /// Whether something that is no body lies under the pointer: a ship, a payload, a finish.
 bool isOnOtherThing(const ToolContext& context, const Pointer& pointer);
 

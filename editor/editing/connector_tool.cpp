@@ -89,6 +89,9 @@ class ConnectorGesture : public Gesture {
     Label label() const override { return {"draw-connector", 1}; }
     Overlay overlay(const Pointer& pointer) const override { return connectorDraft(m_context, m_from, pointer); }
     Hint hint(const Pointer& pointer) const override { return toHint(m_context, m_from, pointer); }
+    std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override {
+        return snapAnswerOf(connectorEndAt(m_context, pointer));
+    }
 
   private:
     ToolContext m_context;
@@ -186,6 +189,10 @@ Hint ConnectorTool::hint(const ToolContext& context, const Pointer& pointer) con
 
 CursorShape ConnectorTool::cursor(const ToolContext& context, const Pointer& pointer) const {
     return connectorEndAt(context, pointer) ? CursorShape::Pointing : CursorShape::Cross;
+}
+
+std::optional<SnapAnswer> ConnectorTool::snapAt(const ToolContext& context, const Pointer& pointer) const {
+    return snapAnswerOf(connectorEndAt(context, pointer));
 }
 
 } // namespace spacetow

@@ -24,6 +24,7 @@ class ConnectorTool : public Tool {
     Overlay overlay(const ToolContext& context, const Pointer& pointer) const override;
     Hint hint(const ToolContext& context, const Pointer& pointer) const override;
     CursorShape cursor(const ToolContext& context, const Pointer& pointer) const override;
+    std::optional<SnapAnswer> snapAt(const ToolContext& context, const Pointer& pointer) const override;
 
   private:
     /// The first end, while its body is there.

@@ -14,6 +14,7 @@ enum class SnapKind : std::uint8_t {
     None,
     Vertex,
     Center, // of a circle, of the ship
+    Anchor, // of a connector
     Intersection,
     Midpoint,      // of a segment
     Perpendicular, // the foot of one from the point before

@@ -354,6 +354,7 @@ double snapHandicap(SnapKind kind) {
     case SnapKind::None:
     case SnapKind::Vertex:
     case SnapKind::Center:
+    case SnapKind::Anchor:
     case SnapKind::Intersection:
         break;
     case SnapKind::Midpoint:

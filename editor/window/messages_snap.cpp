@@ -23,6 +23,8 @@ SnapText textOf(SnapKind kind) {
         return {QT_TRANSLATE_NOOP("messages", "vertex"), QT_TRANSLATE_NOOP("messages", "vertex of %1")};
     case SnapKind::Center:
         return {QT_TRANSLATE_NOOP("messages", "center"), QT_TRANSLATE_NOOP("messages", "center of %1")};
+    case SnapKind::Anchor:
+        return {QT_TRANSLATE_NOOP("messages", "anchor"), QT_TRANSLATE_NOOP("messages", "anchor on %1")};
     case SnapKind::Intersection:
         return {QT_TRANSLATE_NOOP("messages", "intersection"), QT_TRANSLATE_NOOP("messages", "intersection with %1")};
     case SnapKind::Midpoint:

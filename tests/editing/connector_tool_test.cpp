@@ -123,6 +123,49 @@ class ConnectorToolTest : public QObject {
         QVERIFY((connector.anchorB - Vec2(2, 0.13)).norm() < 1e-9);
     }
 
+    void whatAnEndHasSnappedToIsMarked_data() {
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<Key>("key");
+        const auto row = [](const char* name, const Vec2& at, SnapKind kind, Key key) {
+            QTest::newRow(name) << at.x() << at.y() << static_cast<int>(kind) << key;
+        };
+        row("a corner", {0.93, 4.94}, SnapKind::Vertex, boxKey);
+        row("a middle", {3.05, 0.05}, SnapKind::Center, ballKey);
+        row("another connector", {0.4, 4.4}, SnapKind::Anchor, boxKey);
+        row("the grid", {-0.3, 3.7}, SnapKind::Grid, boxKey);
+        row("a slope", {-6.6, -3.55}, SnapKind::Edge, 5);
+        row("nothing", {8, 8}, SnapKind::None, 0);
+    }
+    void whatAnEndHasSnappedToIsMarked() {
+        QFETCH(double, x);
+        QFETCH(double, y);
+        QFETCH(int, kind);
+        QFETCH(Key, key);
+        Level level = twoBodies();
+        Object rope;
+        rope.key = 9;
+        rope.data = ConnectorObject{.a = boxKey, .b = ballKey, .anchorA = {0.37, 0.37}, .anchorB = {2, 0.13}};
+        level = added(level, bodyWith(5, LineChain{{{-8, -4}, {-5, -3.1}}}));
+        Drive drive(added(level, rope));
+        drive.toolbox.choose(ToolId::Connector);
+        const auto look = [&] {
+            const std::optional<SnapAnswer> snap = drive.toolbox.overlay().snap;
+            QCOMPARE(snap ? static_cast<int>(snap->kind) : 0, kind);
+            QCOMPARE(snap ? snap->key : Key{0}, key);
+        };
+        drive.move({x, y});
+        look();
+        drive.click({-4.5, 0}); // the second end, too
+        drive.move({x, y});
+        look();
+        drive.toolbox.cancel();
+        drive.press({3.3, 0.2});
+        drive.move({x, y});
+        look();
+    }
+
     void theHintSaysWhatIsUnderThePointer() {
         Connecting drive;
         drive.move({8, 8});

@@ -37,7 +37,7 @@ constexpr std::array kindSwitches{
 
 constexpr std::array allKinds{SnapKind::Vertex,        SnapKind::Center, SnapKind::Intersection, SnapKind::Midpoint,
                               SnapKind::Perpendicular, SnapKind::Edge,   SnapKind::Guide,        SnapKind::Alignment,
-                              SnapKind::Angle,         SnapKind::Grid};
+                              SnapKind::Angle,         SnapKind::Grid,   SnapKind::Anchor};
 
 /// Key 1, "Ramp", a line off the grid.
 Level ramp() {
