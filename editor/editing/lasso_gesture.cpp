@@ -13,8 +13,6 @@ namespace spacetow {
 
 namespace {
 
-constexpr double pointPixels = 3; // the line gets a new point after so many
-
 /// Calls `visit(a, b)` for each segment until it answers true; whether it did.
 template <class Visit>
 bool anySegment(std::span<const Vec2> points, bool closed, Visit visit) {
@@ -82,28 +80,11 @@ std::vector<Key> pickedInLasso(const Level& level, std::span<const Vec2> line, b
     return keys;
 }
 
-void LassoGesture::follow(const Pointer& pointer) {
-    if ((pointer.world - m_line.back()).norm() > pointPixels * pointer.pixel) {
-        m_line.push_back(pointer.world);
-    }
-}
-
-std::vector<Vec2> LassoGesture::lineAt(const Pointer& pointer) const {
-    std::vector<Vec2> line = m_line;
-    line.push_back(pointer.world);
-    return line;
-}
-
 Edit LassoGesture::at(const Pointer& pointer) const {
-    std::vector<Key> keys = membersOf(m_edit, pickedInLasso(*m_edit.level, lineAt(pointer), pointer.modifiers.ctrl));
-    keys.insert(keys.end(), m_edit.selection.keys().begin(), m_edit.selection.keys().end());
-    return {m_edit.level, Selection(std::move(keys)).entering(m_edit.selection.entered())};
-}
-
-Overlay LassoGesture::overlay(const Pointer& pointer) const {
-    Overlay overlay;
-    overlay.lines.push_back({OverlayStyle::Band, lineAt(pointer), true});
-    return overlay;
+    const Selection& before = edit().selection;
+    std::vector<Key> keys = membersOf(edit(), pickedInLasso(*edit().level, lineAt(pointer), pointer.modifiers.ctrl));
+    keys.insert(keys.end(), before.keys().begin(), before.keys().end());
+    return {edit().level, Selection(std::move(keys)).entering(before.entered())};
 }
 
 Hint LassoGesture::hint(const Pointer& pointer) const {

@@ -57,55 +57,32 @@ Hint MoveNodesGesture::hint(const Pointer& pointer) const {
     return {company ? "nodes.moving-together" : "nodes.moving", {lengthText(delta.x()), lengthText(delta.y())}};
 }
 
-NodeBandGesture::NodeBandGesture(const Edit& edit, const Pointer& start, NodeBand band, bool extends)
-    : m_edit(edit), m_keys(keysInEdit(edit)), m_path{start.world}, m_band(band), m_extends(extends) {}
-
-void NodeBandGesture::follow(const Pointer& pointer) {
-    constexpr double apart = 2; // px
-    if (m_band == NodeBand::Lasso && (pointer.world - m_path.back()).norm() >= apart * pointer.pixel) {
-        m_path.push_back(pointer.world);
-    }
-}
-
-std::vector<Vec2> NodeBandGesture::lineAt(const Pointer& pointer) const {
-    if (m_band == NodeBand::Lasso) {
-        std::vector<Vec2> line = m_path;
-        line.push_back(pointer.world);
-        return line;
-    }
-    const Vec2& from = m_path.front();
-    return {from, {pointer.world.x(), from.y()}, pointer.world, {from.x(), pointer.world.y()}};
-}
+NodeBandGesture::NodeBandGesture(const Edit& edit, const Vec2& start, MarqueeShape shape, bool extends)
+    : MarqueeGesture(edit, start, shape), m_keys(keysInEdit(edit)), m_extends(extends) {}
 
 Edit NodeBandGesture::at(const Pointer& pointer) const {
     const std::vector<Vec2> line = lineAt(pointer);
-    Aabb box;
-    for (const Vec2& point : line) {
-        box.include(point);
-    }
-    std::vector<NodeRef> nodes = nodesIn(*m_edit.level, m_keys, box);
-    if (m_band == NodeBand::Lasso) {
+    const Selection& before = edit().selection;
+    std::vector<NodeRef> nodes = nodesIn(*edit().level, m_keys, boxAt(pointer));
+    if (isLasso()) {
         std::erase_if(nodes, [&](const NodeRef& node) {
-            return !contains(line, nodePosition(*m_edit.level, node).value_or(line.front()));
+            return !contains(line, nodePosition(*edit().level, node).value_or(line.front()));
         });
     }
     if (m_extends) {
-        const std::vector<NodeRef>& before = m_edit.selection.nodes();
-        nodes.insert(nodes.end(), before.begin(), before.end());
+        nodes.insert(nodes.end(), before.nodes().begin(), before.nodes().end());
     }
-    return {m_edit.level, Selection(m_edit.selection.keys(), std::move(nodes)).entering(m_edit.selection.entered())};
+    return {edit().level, Selection(before.keys(), std::move(nodes)).entering(before.entered())};
 }
 
 Overlay NodeBandGesture::overlay(const Pointer& pointer) const {
-    Overlay overlay;
+    Overlay overlay = MarqueeGesture::overlay(pointer);
     overlay.nodes = OverlayNodes{m_keys, {}, {}};
-    overlay.lines.push_back({OverlayStyle::Band, lineAt(pointer), true});
     return overlay;
 }
 
 Hint NodeBandGesture::hint(const Pointer& pointer) const {
-    return {m_band == NodeBand::Lasso ? "nodes.lasso" : "nodes.band",
-            {std::to_string(at(pointer).selection.nodes().size())}};
+    return {isLasso() ? "nodes.lasso" : "nodes.band", {std::to_string(at(pointer).selection.nodes().size())}};
 }
 
 } // namespace spacetow

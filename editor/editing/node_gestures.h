@@ -1,6 +1,7 @@
 #pragma once
 // The drags of the node tool: moving nodes, and choosing them with a band or a lasso.
 
+#include "editor/editing/marquee_gesture.h"
 #include "editor/editing/snap_point.h"
 
 #include <vector>
@@ -36,28 +37,17 @@ class MoveNodesGesture : public Gesture {
     DraggedSnap m_snap;
 };
 
-enum class NodeBand : std::uint8_t { Box, Lasso };
-
 /// Selects the nodes of the objects in edit that lie inside; `extends` adds to those that are selected.
-class NodeBandGesture : public Gesture {
+class NodeBandGesture : public MarqueeGesture {
   public:
-    NodeBandGesture(const Edit& edit, const Pointer& start, NodeBand band, bool extends);
+    NodeBandGesture(const Edit& edit, const Vec2& start, MarqueeShape shape, bool extends);
 
-    void follow(const Pointer& pointer) override;
     Edit at(const Pointer& pointer) const override;
-    Label label() const override { return {}; }
     Overlay overlay(const Pointer& pointer) const override;
     Hint hint(const Pointer& pointer) const override;
-    bool edits() const override { return false; }
 
   private:
-    /// The closed line around what is to be selected.
-    std::vector<Vec2> lineAt(const Pointer& pointer) const;
-
-    Edit m_edit;
     std::vector<Key> m_keys;
-    std::vector<Vec2> m_path; // of a lasso, from the start on
-    NodeBand m_band;
     bool m_extends;
 };
 

@@ -80,11 +80,13 @@ std::unique_ptr<Gesture> NodeTool::press(const ToolContext& context, const Point
         return dragOfNodeHandle(context, *handle, m_turns, pointer);
     }
     if (held.shift) {
-        return std::make_unique<NodeBandGesture>(edit, pointer, held.alt ? NodeBand::Lasso : NodeBand::Box, true);
+        return std::make_unique<NodeBandGesture>(edit, pointer.world,
+                                                 held.alt ? MarqueeShape::Lasso : MarqueeShape::Box, true);
     }
     const std::optional<Hit> hit = hitUnder(context, pointer);
     if (!hit) {
-        return std::make_unique<NodeBandGesture>(edit, pointer, held.alt ? NodeBand::Lasso : NodeBand::Box, held.ctrl);
+        return std::make_unique<NodeBandGesture>(edit, pointer.world,
+                                                 held.alt ? MarqueeShape::Lasso : MarqueeShape::Box, held.ctrl);
     }
     std::vector<NodeRef> grabbed = nodesOfHit(*edit.level, *hit);
     ToolContext with = context;

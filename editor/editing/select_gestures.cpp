@@ -47,20 +47,11 @@ Hint MoveGesture::hint(const Pointer& pointer) const {
     return {"select.moving", {lengthText(delta.x()), lengthText(delta.y())}};
 }
 
-BandGesture::BandGesture(const Edit& edit, const Vec2& start, bool extends)
-    : m_edit(edit), m_start(start), m_extends(extends) {}
-
-Aabb BandGesture::boxAt(const Pointer& pointer) const {
-    Aabb box{m_start, m_start};
-    box.include(pointer.world);
-    return box;
-}
-
 Edit BandGesture::at(const Pointer& pointer) const {
-    const Level& level = *m_edit.level;
+    const Level& level = *edit().level;
     const Aabb box = boxAt(pointer);
     const bool wholly = pointer.modifiers.alt;
-    std::vector<Key> keys = membersOf(m_edit, pickedIn(level, box, wholly));
+    std::vector<Key> keys = membersOf(edit(), pickedIn(level, box, wholly));
     if (wholly) { // a group is inside when all that is in it is
         std::erase_if(keys, [&](Key key) {
             return std::holds_alternative<GroupObject>(level.objects.find(key)->data) &&
@@ -68,17 +59,9 @@ Edit BandGesture::at(const Pointer& pointer) const {
         });
     }
     if (m_extends) {
-        keys.insert(keys.end(), m_edit.selection.keys().begin(), m_edit.selection.keys().end());
+        keys.insert(keys.end(), edit().selection.keys().begin(), edit().selection.keys().end());
     }
-    return {m_edit.level, Selection(std::move(keys)).entering(m_edit.selection.entered())};
-}
-
-Overlay BandGesture::overlay(const Pointer& pointer) const {
-    const Aabb box = boxAt(pointer);
-    Overlay overlay;
-    overlay.lines.push_back(
-        {OverlayStyle::Band, {box.min, Vec2(box.max.x(), box.min.y()), box.max, Vec2(box.min.x(), box.max.y())}, true});
-    return overlay;
+    return {edit().level, Selection(std::move(keys)).entering(edit().selection.entered())};
 }
 
 Hint BandGesture::hint(const Pointer& pointer) const {

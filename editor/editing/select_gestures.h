@@ -1,6 +1,7 @@
 #pragma once
 // The two drags of the select tool: moving objects, and the rubber band.
 
+#include "editor/editing/marquee_gesture.h"
 #include "editor/editing/snap_point.h"
 
 namespace spacetow {
@@ -31,21 +32,15 @@ class MoveGesture : public Gesture {
 };
 
 /// Selects what the band touches, with Alt what lies wholly inside; `extends` adds to what was selected.
-class BandGesture : public Gesture {
+class BandGesture : public MarqueeGesture {
   public:
-    BandGesture(const Edit& edit, const Vec2& start, bool extends);
+    BandGesture(const Edit& edit, const Vec2& start, bool extends)
+        : MarqueeGesture(edit, start, MarqueeShape::Box), m_extends(extends) {}
 
     Edit at(const Pointer& pointer) const override;
-    Label label() const override { return {}; }
-    Overlay overlay(const Pointer& pointer) const override;
     Hint hint(const Pointer& pointer) const override;
-    bool edits() const override { return false; }
 
   private:
-    Aabb boxAt(const Pointer& pointer) const;
-
-    Edit m_edit;
-    Vec2 m_start;
     bool m_extends;
 };
 
