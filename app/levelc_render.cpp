@@ -59,7 +59,8 @@ void paint(QPainter& painter, const Picture& picture) {
         return;
     }
     paintLevel(stage, picture.level, Selection());
-    paintLevelOverlays(stage, picture.level, picture.overlays);
+    const auto cells = picture.overlays.quadtree ? levelCells(picture.level) : std::vector<QuadtreeCell>();
+    paintLevelOverlays(stage, picture.level, picture.overlays, cells);
 }
 
 void paintSvg(QIODevice& out, const Picture& picture) {

@@ -168,4 +168,22 @@ std::vector<Aabb> quadtreeCells(const World& world) {
     return cells;
 }
 
+std::vector<QuadtreeCell> occupiedCells(const World& world) {
+    const WorldData& data = world.data();
+    std::vector<QuadtreeCell> cells;
+    std::vector<std::uint32_t> found;
+    const auto append = [&](const auto& tree) {
+        for (const Aabb& cell : tree.cells()) {
+            found.clear();
+            tree.query(cell, found);
+            cells.push_back({cell, static_cast<int>(found.size())});
+        }
+    };
+    if (data.statics) {
+        append(data.statics->tree);
+    }
+    append(data.tree);
+    return cells;
+}
+
 } // namespace spacetow

@@ -45,4 +45,14 @@ std::optional<NearestPoint> closestBody(const World& world, const Vec2& point, c
 /// The cells of both quadtrees, for the debug overlay: the leaves, clipped to the bounds of what they hold.
 std::vector<Aabb> quadtreeCells(const World& world);
 
+struct QuadtreeCell {
+    Aabb box;
+    int held = 0; // boxes of shapes that overlap it
+
+    bool operator==(const QuadtreeCell&) const = default;
+};
+
+/// Likewise with what they hold: linear in the cells, and not for every frame.
+std::vector<QuadtreeCell> occupiedCells(const World& world);
+
 } // namespace spacetow

@@ -3,6 +3,7 @@
 #include "core/level/groups.h"
 #include "core/level/level_index.h"
 #include "editor/canvas/board_changes.h"
+#include "editor/canvas/highlight_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/scene_painter.h"
 #include "editor/canvas/wall_painter.h"
@@ -28,8 +29,19 @@ std::vector<int> symmetricDifference(const std::vector<int>& a, const std::vecto
     return places;
 }
 
-std::vector<int> placesOf(const Level& level, const Selection& selection) {
-    return level.objects.indicesOf(withMembers(level, selection.keys()));
+bool isHighlighting(const BoardRequest& request) {
+    return request.highlighted && !request.highlighted->empty();
+}
+
+/// What is selected or highlighted.
+std::vector<int> placesMarked(const Level& level, const BoardRequest& request) {
+    std::vector<int> places = level.objects.indicesOf(withMembers(level, request.selection.keys()));
+    if (isHighlighting(request)) {
+        std::vector<int> all;
+        std::ranges::set_union(places, level.objects.indicesOf(*request.highlighted), std::back_inserter(all));
+        return all;
+    }
+    return places;
 }
 
 } // namespace
@@ -84,7 +96,7 @@ class BoardPicture::Planner {
         case BoardLayer::Marks:
             break;
         }
-        return !m_request.selection.empty();
+        return !m_request.selection.empty() || isHighlighting(m_request);
     }
     const std::shared_ptr<const Level>& levelFor(BoardLayer layer) const {
         return layer == BoardLayer::Objects ? m_request.base : m_request.level;
@@ -115,11 +127,11 @@ class BoardPicture::Planner {
     /// Where in the frame the layer has anything to show.
     QRect contents(BoardLayer layer, const Step& step) const {
         constexpr std::size_t many = 1000;
-        if (layer != BoardLayer::Moving && (layer != BoardLayer::Marks || m_request.selection.keys().size() > many)) {
+        const bool areFewMarks = m_request.selection.keys().size() <= many && !isHighlighting(m_request);
+        if (layer != BoardLayer::Moving && (layer != BoardLayer::Marks || !areFewMarks)) {
             return step.frame.all();
         }
-        const std::vector<int> places =
-            layer == BoardLayer::Moving ? *m_moving : placesOf(*step.level, m_request.selection);
+        const std::vector<int> places = layer == BoardLayer::Moving ? *m_moving : placesMarked(*step.level, m_request);
         if (places.size() > many) {
             return step.frame.all();
         }
@@ -168,10 +180,14 @@ class BoardPicture::Planner {
         if (layer == BoardLayer::Objects && m_picture.m_moving != *m_moving) {
             addObjects(areas, after, symmetricDifference(m_picture.m_moving, *m_moving));
         }
-        if (layer == BoardLayer::Marks && !(m_picture.m_shown.selection == m_request.selection)) {
+        if (layer == BoardLayer::Marks && !hasSameMarks()) {
             areas.everything = true;
         }
         return areas;
+    }
+    bool hasSameMarks() const {
+        return m_picture.m_shown.selection == m_request.selection &&
+               m_picture.m_shown.highlighted == m_request.highlighted;
     }
     static void addObjects(ChangedAreas& areas, const Level& level, const std::vector<int>& places) {
         constexpr std::size_t many = 1000;
@@ -192,8 +208,13 @@ class BoardPicture::Planner {
         }
         const LevelIndex& index = levelIndex(*step.level);
         const std::vector<int> only = layer == BoardLayer::Moving  ? *m_moving
-                                      : layer == BoardLayer::Marks ? placesOf(*step.level, m_request.selection)
+                                      : layer == BoardLayer::Marks ? placesMarked(*step.level, m_request)
                                                                    : std::vector<int>();
+        if (layer == BoardLayer::Overlays && m_request.overlays.quadtree && !m_picture.hasCellsOf(step.level)) {
+            index.visitObjects(index.bounds(), [&](int place) {
+                work += work < enough ? index.segmentsNear(place, index.bounds()) : 0;
+            });
+        }
         for (const QRect& rect : step.region) {
             const Aabb box = step.frame.worldIn(rect).grown(fadeDepth);
             const auto count = [&](int place) {
@@ -215,7 +236,7 @@ class BoardPicture::Planner {
         const Part& part = m_picture.part(layer);
         const bool same = layer == BoardLayer::Rock ||
                           (layer == BoardLayer::Moving && m_picture.m_moving == *m_moving) ||
-                          (layer == BoardLayer::Marks && m_picture.m_shown.selection == m_request.selection);
+                          (layer == BoardLayer::Marks && hasSameMarks());
         if (!same || part.level == step.level) {
             return;
         }
@@ -236,7 +257,7 @@ class BoardPicture::Planner {
         if (layer == BoardLayer::Moving) {
             return *m_moving;
         }
-        return layer == BoardLayer::Marks ? placesOf(level, m_request.selection) : rockMakers(level);
+        return layer == BoardLayer::Marks ? placesMarked(level, m_request) : rockMakers(level);
     }
 
     const BoardPicture& m_picture;
@@ -260,8 +281,18 @@ bool BoardPicture::follow(const Plan& plan) {
     return still;
 }
 
+void BoardPicture::workOutCells(const Plan& plan) {
+    const Step& step = plan.steps[static_cast<std::size_t>(BoardLayer::Overlays)];
+    if (!plan.request.overlays.quadtree) {
+        m_cells.reset();
+    } else if (!step.region.isEmpty() && !hasCellsOf(step.level)) {
+        m_cells = std::make_shared<const Cells>(Cells{step.level, levelCells(*step.level)});
+    }
+}
+
 void BoardPicture::bring(const Plan& plan) {
-    const auto painter = [&plan](BoardLayer layer, const Step& step) -> PictureLayer::Paint {
+    workOutCells(plan);
+    const auto painter = [&](BoardLayer layer, const Step& step) -> PictureLayer::Paint {
         switch (layer) {
         case BoardLayer::Rock:
             return [&step](const Stage& stage) { paintRock(stage, *step.level, {}); };
@@ -270,11 +301,19 @@ void BoardPicture::bring(const Plan& plan) {
         case BoardLayer::Moving:
             return [&](const Stage& stage) { paintObjects(stage, *step.level, {.only = &plan.moving}); };
         case BoardLayer::Overlays:
-            return [&](const Stage& stage) { paintLevelOverlays(stage, *step.level, plan.request.overlays); };
+            return [&](const Stage& stage) {
+                const std::span<const QuadtreeCell> cells = m_cells ? m_cells->cells : std::span<const QuadtreeCell>();
+                paintLevelOverlays(stage, *step.level, plan.request.overlays, cells);
+            };
         case BoardLayer::Marks:
             break;
         }
-        return [&](const Stage& stage) { paintSelection(stage, *step.level, plan.request.selection); };
+        return [&](const Stage& stage) {
+            if (plan.request.highlighted) {
+                paintHighlight(stage, *step.level, *plan.request.highlighted);
+            }
+            paintSelection(stage, *step.level, plan.request.selection);
+        };
     };
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
         const Step& step = plan.steps[i];

@@ -1,8 +1,10 @@
 #pragma once
 // The picture of a level on the drawing board, in layers that change at different times: rock; the objects that stay
-// where they are; those that a gesture moves; marks of what is selected; debug overlays. Each is painted anew only
-// where it must be, and what has merely moved is drawn elsewhere. A value: it may be brought up to date by any thread.
+// where they are; those that a gesture moves; marks of what is selected or highlighted; debug overlays. Each is painted
+// anew only where it must be, and what has merely moved is drawn elsewhere. A value: it may be brought up to date by
+// any thread.
 
+#include "editor/canvas/level_cells.h"
 #include "editor/canvas/overlay_flags.h"
 #include "editor/canvas/picture_layer.h"
 #include "editor/editing/selection.h"
@@ -20,6 +22,7 @@ struct BoardRequest {
     std::shared_ptr<const Level> base;  // from which a gesture in progress started; else the same
     bool live = false;                  // a gesture is in progress
     Selection selection;
+    std::shared_ptr<const std::vector<Key>> highlighted; // ascending; null for none
     OverlayFlags overlays;
 
     bool operator==(const BoardRequest&) const = default;
@@ -72,10 +75,18 @@ class BoardPicture {
         Vec2 moved{0, 0};
     };
     class Planner;
+    /// Of the level that the overlays were painted from last.
+    struct Cells {
+        std::shared_ptr<const Level> level;
+        std::vector<QuadtreeCell> cells;
+    };
 
+    void workOutCells(const Plan& plan);
+    bool hasCellsOf(const std::shared_ptr<const Level>& level) const { return m_cells && m_cells->level == level; }
     const Part& part(BoardLayer layer) const { return m_parts[static_cast<std::size_t>(layer)]; }
 
     std::array<Part, 5> m_parts;
+    std::shared_ptr<const Cells> m_cells;
     BoardRequest m_shown;
     std::vector<int> m_moving; // places in the level, ascending
 };

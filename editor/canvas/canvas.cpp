@@ -3,7 +3,6 @@
 #include "core/level/bounds.h"
 #include "editor/canvas/grid_painter.h"
 #include "editor/canvas/guide_painter.h"
-#include "editor/canvas/highlight_painter.h"
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/palette.h"
@@ -104,8 +103,8 @@ void Canvas::setOverlays(const OverlayFlags& overlays) {
 }
 
 void Canvas::setHighlighted(std::vector<Key> keys) {
-    if (keys != m_highlighted) {
-        m_highlighted = std::move(keys);
+    if (keys != *m_highlighted) {
+        m_highlighted = std::make_shared<const std::vector<Key>>(std::move(keys));
         update();
     }
 }
@@ -177,6 +176,7 @@ void Canvas::paintEvent(QPaintEvent*) {
     request.base = m_document.current().level;
     request.live = m_document.hasPreview();
     request.selection = shown.selection;
+    request.highlighted = m_highlighted;
     request.overlays = m_overlays;
     m_board.prepare(request);
     composeStill({request.frame, request.theme, m_grid ? m_toolbox.snap.fineStep() : 0, m_board.stillRevision()});
@@ -188,7 +188,6 @@ void Canvas::paintEvent(QPaintEvent*) {
         paintGuides(stage, *shown.level, m_toolbox.guideInReach());
     }
     m_board.drawRest(painter);
-    paintHighlight(stage, *shown.level, m_highlighted);
     if (m_difference) {
         paintDifference(stage, *shown.level, *m_difference);
     }

@@ -15,6 +15,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,7 +39,7 @@ class Canvas : public QWidget {
     void setOverlays(const OverlayFlags& overlays);
     /// Objects that are marked without being selected; the keys are ascending.
     void setHighlighted(std::vector<Key> keys);
-    const std::vector<Key>& highlighted() const { return m_highlighted; }
+    const std::vector<Key>& highlighted() const { return *m_highlighted; }
     /// Over the level, until null is given.
     void setDifference(std::shared_ptr<const ShownDifference> difference);
     bool areGuidesVisible() const { return m_toolbox.guidesVisible; }
@@ -127,8 +128,8 @@ class Canvas : public QWidget {
     Still m_composed;
     Overlay m_overlay; // shown
     OverlayFlags m_overlays;
-    std::vector<Key> m_highlighted;
     std::shared_ptr<const ShownDifference> m_difference;
+    std::shared_ptr<const std::vector<Key>> m_highlighted = std::make_shared<const std::vector<Key>>();
     std::function<QString(const SnapAnswer&)> m_snapName;
     bool m_grid = true;
     bool m_fitted = false; // since the last fitLevel() nobody has moved the view

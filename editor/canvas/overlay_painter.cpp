@@ -3,10 +3,11 @@
 #include "core/game/ship.h"
 #include "core/geometry/bounds.h"
 #include "core/geometry/mass.h"
-#include "core/geometry/static_quadtree.h"
 #include "core/level/build.h"
 #include "core/level/edits.h"
 #include "editor/canvas/painter_draw.h"
+
+#include <algorithm>
 
 namespace spacetow {
 
@@ -53,20 +54,28 @@ void paintCells(const Stage& stage, const std::vector<Aabb>& cells) {
     }
 }
 
-/// The boxes that the broad phase keeps for static shapes.
-std::vector<Aabb> staticBoxes(const Level& level) {
-    std::vector<Aabb> boxes;
-    for (const Object& object : level.objects) {
-        const auto* body = std::get_if<BodyObject>(&object.data);
-        if (body == nullptr || body->kind != BodyKind::Static) {
-            continue;
-        }
-        const Transform pose{body->position, Rot::fromAngle(body->angle)};
-        for (const Shape& shape : physicsShapes(*body)) {
-            boxes.push_back(boundsOf(shape, pose));
-        }
+/// The more a cell holds, the darker it is; a number where there is room for one.
+void paintOccupied(const Stage& stage, const QuadtreeCell& cell) {
+    constexpr int lightest = 10;
+    constexpr int each = 12;
+    constexpr int darkest = 110;
+    constexpr double roomy = 40; // px; a number is no wider
+    constexpr double beyond = 8; // px out of view, where nobody sees that it ends
+    const QRectF whole(stage.at(Vec2(cell.box.min.x(), cell.box.max.y())),
+                       stage.at(Vec2(cell.box.max.x(), cell.box.min.y())));
+    const QRectF view(0, 0, stage.view.size.x(), stage.view.size.y());
+    const QRectF box = whole & view.adjusted(-beyond, -beyond, beyond, beyond);
+    const bool isRoomy = std::min(whole.width(), whole.height()) >= roomy;
+    QColor fill = stage.theme.overlayCell;
+    fill.setAlpha(std::min(lightest + each * cell.held, darkest));
+    if (cell.held > 0) {
+        stage.painter.fillRect(box, fill);
     }
-    return boxes;
+    stage.painter.setPen(stroke(stage.theme.overlayCell, 1));
+    stage.painter.drawRect(box);
+    if (cell.held > 0 && isRoomy && view.adjusted(-roomy, -roomy, roomy, roomy).contains(whole.topLeft())) {
+        stage.painter.drawText(whole.adjusted(4, 2, 0, 0), Qt::AlignLeft | Qt::AlignTop, QString::number(cell.held));
+    }
 }
 
 void paintObjectOverlays(const Level& level, const Object& object, const DebugView& view, DebugDraw& draw) {
@@ -101,10 +110,13 @@ void begin(const Stage& stage) {
 
 } // namespace
 
-void paintLevelOverlays(const Stage& stage, const Level& level, const OverlayFlags& overlays) {
+void paintLevelOverlays(const Stage& stage, const Level& level, const OverlayFlags& overlays,
+                        std::span<const QuadtreeCell> cells) {
     begin(stage);
-    if (overlays.quadtree) {
-        paintCells(stage, StaticQuadtree(staticBoxes(level)).cells());
+    for (const QuadtreeCell& cell : cells) {
+        if (overlays.quadtree && !cell.box.isEmpty() && stage.sees(cell.box)) {
+            paintOccupied(stage, cell);
+        }
     }
     if (OverlayFlags others = overlays; others.quadtree = false, others.any()) {
         const DebugView view = debugView(stage, overlays);

@@ -4,15 +4,18 @@
 #include "core/game/snapshot.h"
 #include "core/level/level.h"
 #include "editor/canvas/label_painter.h"
+#include "editor/canvas/level_cells.h"
 #include "editor/canvas/overlay_flags.h"
 #include "editor/canvas/stage.h"
 #include "editor/editing/overlay.h"
 
+#include <span>
+
 namespace spacetow {
 
-/// What the physics would make of the level at its start. The quadtree is built anew at every call: milliseconds
-/// for thousands of walls.
-void paintLevelOverlays(const Stage& stage, const Level& level, const OverlayFlags& overlays);
+/// What the physics would make of the level at its start. The cells are those of `levelCells`, for the quadtree.
+void paintLevelOverlays(const Stage& stage, const Level& level, const OverlayFlags& overlays,
+                        std::span<const QuadtreeCell> cells);
 /// Called by paintSnapshot.
 void paintSnapshotOverlays(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);
 

@@ -2,6 +2,8 @@
 
 #include "core/level/groups.h"
 #include "core/level/level_index.h"
+#include "core/level/nodes.h"
+#include "core/level/object_geometry.h"
 #include "core/level/outline.h"
 #include "editor/canvas/tag_text.h"
 #include "editor/editing/collisions.h"
@@ -18,8 +20,29 @@ constexpr int mostLabels = 400;
 constexpr int dotSide = 8; // px
 constexpr int padding = 4;
 
+/// The first corner that can be seen of an outline so long that it has a tree.
+std::optional<Vec2> cornerInView(const Level& level, int place, const Aabb& visible) {
+    const auto& body = std::get<BodyObject>(level.objects[place].data);
+    std::optional<Vec2> first;
+    if (const std::vector<Vec2>* points = verticesOf(body.shapes[0]); points != nullptr && !points->empty()) {
+        first = poseOf(level.objects[place])->toWorld(points->front());
+    }
+    if (first && visible.contains(*first)) {
+        return first;
+    }
+    first.reset();
+    levelIndex(level).visitVerticesOf(place, visible,
+                                      [&](const VertexRef&, const Vec2& at) { first = first ? first : at; });
+    return first;
+}
+
 /// Inside of what is filled, else a corner that can be seen: the middle of a cave is nowhere near its walls.
-std::optional<Vec2> labelPlace(const Outline& outline, const Aabb& visible) {
+std::optional<Vec2> labelPlace(const Level& level, int place, const Aabb& visible) {
+    const Object& object = level.objects[place];
+    if (std::holds_alternative<BodyObject>(object.data) && levelIndex(level).treeOf(place, 0) != nullptr) {
+        return cornerInView(level, place, visible);
+    }
+    const Outline outline = Outlines{Level()}.of(object); // connectors, which need the ends, have no tags
     if (!outline.discs.empty()) {
         return outline.discs.front().center;
     }
@@ -71,25 +94,24 @@ void paintLabel(const Stage& stage, const TagTable& table, TagMask tags, const Q
 } // namespace
 
 void paintTags(const Stage& stage, const Level& level) {
-    const Outlines outlines{Level()}; // connectors, which need the ends, have no tags
     const GroupTree groups(level);
     const Aabb visible = stage.view.visible();
     QPainter& painter = stage.painter;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     int labels = 0;
-    levelIndex(level).visitObjects(visible, [&](int place) {
+    const LevelIndex& index = levelIndex(level);
+    index.visitObjects(visible, [&](int place) {
+        // What is far off is many, and is passed over by its size alone.
+        if (labels == mostLabels || stage.pixels(index.boundsOf(place).size().maxCoeff()) < smallest) {
+            return;
+        }
         const Object& object = level.objects[place];
-        const std::optional<Filter> filter =
-            labels < mostLabels && groups.isVisible(object) ? filterOf(object) : std::nullopt;
+        const std::optional<Filter> filter = groups.isVisible(object) ? filterOf(object) : std::nullopt;
         if (!filter || filter->tags.bits == 0) {
             return;
         }
-        const Aabb box = levelIndex(level).boundsOf(place);
-        if (stage.pixels(box.size().maxCoeff()) < smallest) {
-            return;
-        }
-        if (const std::optional<Vec2> at = labelPlace(outlines.of(object), visible)) {
+        if (const std::optional<Vec2> at = labelPlace(level, place, visible)) {
             paintLabel(stage, level.tags, filter->tags, stage.at(*at));
             ++labels;
         }

@@ -149,6 +149,26 @@ class QueriesTest : public QObject {
         QVERIFY(!closestBody(World(), {0, 0}).has_value());
     }
 
+    void theQuadtreeCellsKnowHowManyBoxesTheyHold() {
+        World world;
+        QVERIFY(std::ranges::all_of(occupiedCells(world), [](const QuadtreeCell& cell) { return cell.held == 0; }));
+        BodyDef post = ball({0, 0}, 0.5);
+        post.kind = BodyKind::Static;
+        for (int i = 0; i < 40; ++i) {
+            post.position = Vec2(3.0 * i, 0);
+            add(world, post);
+        }
+        world.update();
+        int most = 0;
+        int sum = 0;
+        for (const QuadtreeCell& cell : occupiedCells(world)) {
+            most = std::max(most, cell.held);
+            sum += cell.held;
+        }
+        QVERIFY(sum >= 40 && most >= 1 && most < 40); // each somewhere, and not all in one
+        QCOMPARE(occupiedCells(world).size(), quadtreeCells(world).size());
+    }
+
     void theQuadtreeCellsCoverEveryBody() {
         World world = [] {
             Random random(5);

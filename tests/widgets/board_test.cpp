@@ -113,7 +113,7 @@ void change(BoardRequest& request, Random& random) {
         request.live = true;
     };
     const Vec2 delta(random.uniform(-1, 1), random.uniform(-1, 1));
-    switch (random.below(11)) {
+    switch (random.below(13)) {
     case 0:
         request.frame.view = request.frame.view.panned(Vec2(random.below(40) - 20.0, random.below(40) - 20.0));
         break;
@@ -147,7 +147,13 @@ void change(BoardRequest& request, Random& random) {
         request.live = random.below(2) == 0;
         break;
     case 9:
-        commit(reversed(level, someKeys(random, level, 1 + random.below(6))));
+        commit(reversed(level, someKeys(random, level, 3 + random.below(9))));
+        break;
+    case 10:
+        request.highlighted = std::make_shared<const std::vector<Key>>(someKeys(random, level, 3 + random.below(9)));
+        break;
+    case 11:
+        request.overlays.quadtree = random.below(3) == 0;
         break;
     default:
         preview(random.below(2) == 0 ? moved(level, someKeys(random, level, 1 + random.below(20)), delta)

@@ -143,7 +143,7 @@ class PainterDrawTest : public QObject {
         level.objects.append({1, {}, off, {}});
         const Viewport view = viewOf(100, 100);
         const QRect box = inked(painted(
-            view, [&](const Stage& stage) { paintLevelOverlays(stage, level, OverlayFlags{.velocity = true}); }));
+            view, [&](const Stage& stage) { paintLevelOverlays(stage, level, OverlayFlags{.velocity = true}, {}); }));
         QVERIFY(QRect(65, 25, 11, 30).contains(box));
         QVERIFY(box.bottom() >= 49 && box.top() <= 31);
     }
