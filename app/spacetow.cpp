@@ -1,6 +1,8 @@
-// The program: reads its arguments, chooses language and style, opens one window.
+// The program: reads its arguments, chooses language and style, opens the windows.
 #include "editor/canvas/icons.h"
+#include "editor/window/application.h"
 #include "editor/window/main_window.h"
+#include "editor/window/quit_signals.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -34,9 +36,21 @@ void describe(QCommandLineParser& parser) {
         QCoreApplication::translate("main", "Draw levels and fly them: a level editor and physics sandbox."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("level"),
-                                 QCoreApplication::translate("main", "Level file to open; without it, an example."),
-                                 QStringLiteral("[LEVEL]"));
+    parser.addPositionalArgument(
+        QStringLiteral("level"),
+        QCoreApplication::translate("main", "Level files to open; without any, what was open last."),
+        QStringLiteral("[LEVEL…]"));
+}
+
+/// Whoever ends the session gets no questions; the next start offers what was not saved.
+void keepWorkAtEnd(const QApplication& application, const spacetow::QuitSignals& ending) {
+    QObject::connect(&ending, &spacetow::QuitSignals::received, &application, [] {
+        spacetow::MainWindow::keepForNextTime();
+        QCoreApplication::exit(); // quit() would ask the windows
+    });
+    QObject::connect(
+        &application, &QGuiApplication::commitDataRequest, &application,
+        [] { spacetow::MainWindow::keepForNextTime(); }, Qt::DirectConnection);
 }
 
 bool asksForWordsOnly(int argc, char** argv) {
@@ -80,13 +94,11 @@ int main(int argc, char** argv) {
     describe(parser);
     parser.process(application);
 
-    spacetow::MainWindow window;
-    window.show();
-    const QStringList files = parser.positionalArguments();
-    if (files.isEmpty()) {
-        window.openExample();
-    } else {
-        window.open(files.front());
-    }
+    const spacetow::QuitSignals ending;
+    keepWorkAtEnd(application, ending);
+
+    spacetow::Application windows;
+    windows.start(parser.positionalArguments());
+    windows.windows().front()->offerRecovery();
     return QApplication::exec();
 }

@@ -55,14 +55,25 @@ void Runner::stepOnce() {
 }
 
 void Runner::restart() {
-    command([this] {
-        m_session = m_start;
-        m_recording.runs.clear();
-        m_latched.store(0);
-        m_pacer.restart(seconds(Clock::now()));
-        m_last = m_session.snapshot(m_quadtree);
-        post(m_last);
+    command([this] { beginAnew(); });
+}
+
+void Runner::follow(std::vector<Replay::Run> recorded) {
+    command([this, runs = std::move(recorded)] {
+        m_followed = runs;
+        beginAnew();
     });
+}
+
+void Runner::beginAnew() {
+    m_session = m_start;
+    m_recording.runs.clear();
+    m_followedRun = 0;
+    m_followedTime = 0;
+    m_latched.store(0);
+    m_pacer.restart(seconds(Clock::now()));
+    m_last = m_session.snapshot(m_quadtree);
+    post(m_last);
 }
 
 void Runner::wantQuadtree(bool wanted) {
@@ -128,8 +139,21 @@ void Runner::run(const std::stop_token& stop) {
     }
 }
 
+Controls Runner::nextControls() {
+    const Controls held = controlsFromBits(m_held.load() | m_latched.exchange(0));
+    if (m_followedRun == m_followed.size()) {
+        return held;
+    }
+    const Replay::Run& run = m_followed[m_followedRun];
+    if (++m_followedTime == run.count) {
+        ++m_followedRun;
+        m_followedTime = 0;
+    }
+    return run.controls;
+}
+
 void Runner::update() {
-    const Controls controls = controlsFromBits(m_held.load() | m_latched.exchange(0));
+    const Controls controls = nextControls();
     m_session.step(controls);
     if (m_session.updates() <= maxReplayUpdates) {
         m_recording.append(controls);

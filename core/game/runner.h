@@ -45,6 +45,9 @@ class Runner {
     void stepOnce();
     /// Back to the first update with the same seed; the recording starts again as well.
     void restart();
+    /// Begins anew and holds what the recording held, instead of what is held down, until the recording ends. Its seed
+    /// is that of the runner.
+    void follow(std::vector<Replay::Run> recorded);
     void wantQuadtree(bool wanted);
 
     std::shared_ptr<const Frame> frame() const { return m_frames.latest(); }
@@ -62,6 +65,8 @@ class Runner {
     void command(Command command);
     void obeyCommands();
     void run(const std::stop_token& stop);
+    void beginAnew();
+    Controls nextControls();
     void update();
     void post(std::shared_ptr<const Snapshot> before);
 
@@ -72,6 +77,9 @@ class Runner {
     Session m_session;
     std::shared_ptr<const Snapshot> m_last;
     Replay m_recording;
+    std::vector<Replay::Run> m_followed;
+    std::size_t m_followedRun = 0;   // the one that is held now
+    std::int64_t m_followedTime = 0; // updates it has been held
     Pacer m_pacer;
     bool m_paused = false;
     bool m_quadtree = false;

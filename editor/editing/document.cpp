@@ -159,12 +159,13 @@ void Document::goTo(int position) {
 }
 
 bool Document::isModified() const {
-    return m_saved != m_current.level && !(*m_saved == *m_current.level);
+    return m_savedGone || (m_saved != m_current.level && !(*m_saved == *m_current.level));
 }
 
 void Document::markSaved() {
     m_saved = m_current.level;
     m_wasSaved = true;
+    m_savedGone = false;
     m_mergeable = false;
     historyChanged.emit();
 }
@@ -180,7 +181,15 @@ std::optional<int> Document::savedPosition() const {
     return found == m_entries.end() ? std::nullopt : std::optional(static_cast<int>(found - m_entries.begin()) + 1);
 }
 
+void Document::setSavedGone(bool gone) {
+    if (m_savedGone != gone) {
+        m_savedGone = gone;
+        historyChanged.emit();
+    }
+}
+
 void Document::reset(Level level) {
+    m_savedGone = false;
     m_entries.clear();
     m_position = 0;
     m_forgotten = 0;

@@ -91,6 +91,8 @@ class Document {
     /// After how many entries the level was what was saved last; nothing before anything was saved, or when that state
     /// is not in the history any more.
     std::optional<int> savedPosition() const;
+    /// What was saved or opened is no longer what the file holds: the document counts as modified, until it is saved.
+    void setSavedGone(bool gone);
     /// Starts over with another level and an empty history.
     void reset(Level level);
 
@@ -118,6 +120,7 @@ class Document {
     int m_forgotten = 0;
     std::shared_ptr<const Level> m_saved;
     bool m_wasSaved = false;  // since the level came
+    bool m_savedGone = false;
     bool m_mergeable = false; // nothing happened since the last commit that the user would see as a break
 };
 

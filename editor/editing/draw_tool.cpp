@@ -181,6 +181,20 @@ std::optional<FinishedEdit> DrawTool::end(const ToolContext& context) {
     return finish(context, isPolygon());
 }
 
+std::optional<Edit> DrawTool::unfinished(const ToolContext& context) const {
+    if (m_points.empty()) {
+        return {};
+    }
+    DrawTool ended = *this;
+    std::optional<FinishedEdit> finished = ended.end(context);
+    if (!finished && isPolygon()) {
+        ended = *this; // what is no polygon yet, or crosses itself, is kept as a line
+        ended.m_kind = DrawKind::Line;
+        finished = ended.end(context);
+    }
+    return finished ? std::optional(finished->edit) : std::nullopt;
+}
+
 std::optional<FinishedEdit> DrawTool::doubleClick(const ToolContext& context, const Pointer&) {
     return end(context);
 }

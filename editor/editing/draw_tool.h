@@ -30,6 +30,7 @@ class DrawTool : public Tool {
     void hover(const ToolContext& context, const Pointer& pointer) override;
     std::optional<TypedMeasures> measures(const ToolContext& context, const Pointer& pointer) const override;
     bool isBusy() const override { return !m_points.empty(); }
+    std::optional<Edit> unfinished(const ToolContext& context) const override;
     void cancel() override;
 
     Overlay overlay(const ToolContext& context, const Pointer& pointer) const override;

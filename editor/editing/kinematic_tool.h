@@ -22,6 +22,7 @@ class KinematicTool : public Tool {
     void hover(const ToolContext& context, const Pointer& pointer) override;
     std::optional<TypedMeasures> measures(const ToolContext& context, const Pointer& pointer) const override;
     bool isBusy() const override { return m_outline.isBusy() || m_body != 0; }
+    std::optional<Edit> unfinished(const ToolContext& context) const override { return m_outline.unfinished(context); }
     void cancel() override;
 
     Overlay overlay(const ToolContext& context, const Pointer& pointer) const override;

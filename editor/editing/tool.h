@@ -116,6 +116,8 @@ class Tool {
     virtual std::optional<TypedMeasures> measures(const ToolContext&, const Pointer&) const { return {}; }
     /// Whether a shape is half drawn; Escape then cancels it before anything else.
     virtual bool isBusy() const { return false; }
+    /// What is half drawn, as an edit that loses none of its points, for the journal; asked beside the work.
+    virtual std::optional<Edit> unfinished(const ToolContext&) const { return {}; }
     /// Forgets what is half done.
     virtual void cancel() {}
 

@@ -267,6 +267,10 @@ bool Toolbox::isBusy() const {
     return isDragging() || m_state->tool().isBusy();
 }
 
+std::optional<Edit> Toolbox::unfinished() const {
+    return m_state->tool().unfinished(m_state->context(snap, guidesVisible));
+}
+
 Overlay Toolbox::overlay() const {
     State& state = *m_state;
     if (!state.gestureShows() && !state.inside && !state.tool().isBusy()) {
@@ -297,22 +301,19 @@ std::string Toolbox::numbers() const {
 
 Hint Toolbox::hint() const {
     State& state = *m_state;
-    if (state.gestureShows()) {
-        return state.gesture->hint(state.last);
-    }
-    return state.typing ? typingHint(*state.typing) : state.tool().hint(state.context(snap, guidesVisible), state.last);
+    return state.gestureShows() ? state.gesture->hint(state.last)
+           : state.typing       ? typingHint(*state.typing)
+                                : state.tool().hint(state.context(snap, guidesVisible), state.last);
 }
 
 CursorShape Toolbox::cursor() const {
-    State& state = *m_state;
-    return state.gestureShows() ? state.gesture->cursor(state.last)
-                                : state.tool().cursor(state.context(snap, guidesVisible), state.last);
+    return m_state->gestureShows() ? m_state->gesture->cursor(m_state->last)
+                                   : m_state->tool().cursor(m_state->context(snap, guidesVisible), m_state->last);
 }
 
 std::optional<std::size_t> Toolbox::guideInReach() const {
-    const State& state = *m_state;
-    const bool takes = state.current == ToolId::Select && state.inside && !state.pressed;
-    return takes ? spacetow::guideInReach(state.context(snap, guidesVisible), state.last) : std::nullopt;
+    const bool takes = m_state->current == ToolId::Select && m_state->inside && !m_state->pressed;
+    return takes ? spacetow::guideInReach(m_state->context(snap, guidesVisible), m_state->last) : std::nullopt;
 }
 
 } // namespace spacetow

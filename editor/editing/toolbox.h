@@ -53,6 +53,8 @@ class Toolbox {
     /// The button is down: nothing but the pointer, its modifiers and Escape acts until the drag has ended.
     bool isDragging() const;
     bool isBusy() const; // drag or half-drawn shape
+    /// The edit that what is half drawn would be, as far as it goes; nothing when nothing is.
+    std::optional<Edit> unfinished() const;
     /// What can be typed now, in place of being pointed at, and what the pointer and the typing so far say of it.
     std::optional<TypedMeasures> measures() const;
     const std::optional<TypedEntry>& typing() const;

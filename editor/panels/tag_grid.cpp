@@ -127,6 +127,21 @@ void TagGrid::rebuild(TagMask shown) {
         button->show();
         m_entries.push_back({i, std::move(chip)});
     }
+    // New buttons come last of all in the window, far from the others.
+    QWidget* before = &m_add;
+    const auto follow = [&before](QWidget* next) {
+        setTabOrder(before, next);
+        before = next;
+    };
+    if (m_everything) {
+        follow(m_everything.get());
+    }
+    for (const Entry& entry : m_entries) {
+        follow(entry.chip.get());
+    }
+    if (before != &m_add) {
+        follow(&m_add);
+    }
 }
 
 int TagGrid::arrange(int width, bool move) const {

@@ -56,7 +56,7 @@ PlayView::PlayView(QWidget* parent, Runner::Mode mode) : QWidget(parent), m_mode
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     m_frames.setTimerType(Qt::PreciseTimer);
-    connect(&m_frames, &QTimer::timeout, this, [this] { update(); });
+    connect(&m_frames, &QTimer::timeout, this, &PlayView::showFrame);
     connect(m_menu, &PauseMenu::resumed, this, &PlayView::closeMenu);
     connect(m_menu, &PauseMenu::restarted, this, &PlayView::restart);
     connect(m_menu, &PauseMenu::left, this, [this] {
@@ -68,8 +68,17 @@ PlayView::PlayView(QWidget* parent, Runner::Mode mode) : QWidget(parent), m_mode
 PlayView::~PlayView() = default;
 
 void PlayView::start(const Level& level) {
+    begin(level, 1);
+}
+
+void PlayView::start(const Level& level, const Replay& recorded) {
+    begin(level, recorded.seed);
+    m_runner->follow(recorded.runs);
+}
+
+void PlayView::begin(const Level& level, std::uint64_t seed) {
     stop();
-    m_runner = std::make_unique<Runner>(level, m_mode);
+    m_runner = std::make_unique<Runner>(level, m_mode, seed);
     m_background = QString::fromStdString(level.rules.background);
     m_towRange = level.rules.towRange;
     m_extent = classicView;
@@ -82,6 +91,7 @@ void PlayView::start(const Level& level) {
         m_bounds = {};
     }
     m_runner->wantQuadtree(m_overlays.quadtree);
+    m_shownPhase = phase();
     follow();
     const double rate = screen() != nullptr ? std::clamp(screen()->refreshRate(), 30.0, 240.0) : 60.0;
     m_frames.start(static_cast<int>(1000 / rate));
@@ -171,6 +181,14 @@ Vec2 PlayView::framed(const Snapshot& snapshot, double scale) const {
     const Vec2& camera = snapshot.camera;
     return {framedAxis(camera.x(), {all.min.x(), all.max.x(), width() / scale / 2, lead.x()}),
             framedAxis(camera.y(), {all.min.y(), all.max.y(), height() / scale / 2, lead.y()})};
+}
+
+void PlayView::showFrame() {
+    update();
+    if (phase() != m_shownPhase) {
+        m_shownPhase = phase();
+        Q_EMIT phaseChanged();
+    }
 }
 
 Phase PlayView::phase() const {

@@ -29,6 +29,8 @@ class PlayView : public QWidget {
 
     /// Plays the level from its beginning; what was playing before is stopped.
     void start(const Level& level);
+    /// The same as it was flown once; what is held down counts when the recording has ended.
+    void start(const Level& level, const Replay& recorded);
     /// Ends the game, if there is one. `finished` is not emitted.
     void stop();
     bool isRunning() const { return m_runner != nullptr; }
@@ -41,6 +43,8 @@ class PlayView : public QWidget {
     void restart();
     void setOverlays(const OverlayFlags& overlays);
 
+    /// Sandbox while nothing is played.
+    Phase phase() const;
     /// Null while nothing is played.
     Runner* runner() { return m_runner.get(); }
     /// What the view would show of the world now.
@@ -53,6 +57,8 @@ class PlayView : public QWidget {
     /// The player wants to go back to the editor; the game has been stopped.
     void finished();
     void pausedChanged(bool paused);
+    /// Seen at the display's rate.
+    void phaseChanged();
 
   protected:
     bool event(QEvent* event) override;
@@ -69,8 +75,9 @@ class PlayView : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
 
   private:
+    void begin(const Level& level, std::uint64_t seed);
     Snapshot picture() const;
-    Phase phase() const;
+    void showFrame();
     void paintScene(QPainter& painter, const Snapshot& snapshot);
     void tapIfOver();
     void openMenu();
@@ -91,6 +98,7 @@ class PlayView : public QWidget {
     QString m_background;
     double m_towRange = 0;        // m
     Vec2 m_extent{13.333333, 10}; // m, seen at least
+    Phase m_shownPhase = Phase::Sandbox;
     bool m_paused = false;
     Aabb m_bounds; // of the level; empty where nothing is to be followed
     double m_zoom = 1;

@@ -12,8 +12,12 @@ enum class Act : std::uint8_t {
     // actions_file.cpp
     New,
     Open,
+    ReopenClosed,
     Save,
     SaveAs,
+    Reload,
+    Recover,
+    Close,
     Quit,
 
     // actions_edit.cpp
@@ -150,6 +154,13 @@ enum class Act : std::uint8_t {
     Pause,
     Step,
     Restart,
+
+    // actions_window.cpp
+    NewWindow,
+    NewView,
+    NextWindow,
+    Welcome,
+    RestoreWindows,
 
     // actions_help.cpp
     Keys,

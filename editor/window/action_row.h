@@ -28,6 +28,7 @@ enum ActionFlag : unsigned {
     InContextMenu = 1u << 9,
     KeyOfCanvas = 1u << 10,    // its key does something else in panels, as Tab does
     InOutlinerMenu = 1u << 11, // beside those of the context menu
+    WithoutLevel = 1u << 12,   // also while the welcome page is shown; all others rest then
 };
 
 struct ActionRow {
@@ -62,6 +63,7 @@ std::span<const ActionRow> combineActions();
 std::span<const ActionRow> levelActions();
 std::span<const ActionRow> panelActions();
 std::span<const ActionRow> playActions();
+std::span<const ActionRow> windowActions();
 std::span<const ActionRow> helpActions();
 
 } // namespace spacetow

@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto topics = {fileActions,  editActions,   viewActions, snapActions,    overlayActions,
                          toolActions,  objectActions, nodeActions, arrangeActions, combineActions,
-                         levelActions, panelActions,  playActions, helpActions};
+                         levelActions, panelActions,  playActions, windowActions,  helpActions};
 
 QString translated(const char* words) {
     return QCoreApplication::translate("Actions", words);
@@ -116,12 +116,14 @@ void Actions::connectRow(const ActionRow& row) {
 
 QAction* Actions::withKey(QKeyCombination key) const {
     const QKeySequence wanted(key);
+    QAction* found = nullptr;
     for (const auto& [id, action] : m_actions) {
-        if (action->shortcuts().contains(wanted)) {
-            return action.get();
+        // The same key may mean one thing to the editor and another to a running game.
+        if (action->shortcuts().contains(wanted) && (found == nullptr || action->isEnabled())) {
+            found = action.get();
         }
     }
-    return nullptr;
+    return found;
 }
 
 std::optional<QKeyCombination> Actions::keyByPlace(const QKeyEvent& stroke) const {
@@ -143,7 +145,9 @@ void Actions::tint(const QPalette& palette) const {
 }
 
 bool Actions::isPossible(const ActionRow& row) const {
-    const bool inThisMode = m_window.isPlaying() ? (row.flags & WhilePlaying) != 0 : (row.flags & OnlyPlaying) == 0;
+    const bool inThisMode = m_window.isPlaying()     ? (row.flags & WhilePlaying) != 0
+                            : m_window.isWelcoming() ? (row.flags & WithoutLevel) != 0
+                                                     : (row.flags & OnlyPlaying) == 0;
     const Selection& selection = m_window.document().selection();
     const int selected = selection.size();
     return inThisMode && (selected >= 1 || (row.flags & NeedsSelection) == 0) &&

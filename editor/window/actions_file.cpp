@@ -1,22 +1,37 @@
-// New, open, save, quit.
+// New, open, save, close, quit.
+#include "editor/window/application.h"
 #include "editor/window/main_window.h"
 
 namespace spacetow {
 
 namespace {
 
-void startNew(MainWindow& window) {
-    window.enterTyping();
-    window.finishDrawing();
-    window.messageBar().dismiss();
-    window.files().startNew();
-}
-
 void openFile(MainWindow& window) {
     window.enterTyping();
+    window.openFiles(window.files().chosen());
+}
+
+void reopenClosed(MainWindow& window) {
+    window.enterTyping();
     window.finishDrawing();
     window.messageBar().dismiss();
-    window.files().chooseAndOpen();
+    window.application()->reopenClosed(window);
+}
+
+void closeLevel(MainWindow& window) {
+    if (window.application() != nullptr) {
+        window.application()->close(window);
+    } else {
+        window.close();
+    }
+}
+
+void quit(MainWindow& window) {
+    if (window.application() != nullptr) {
+        window.application()->quit();
+    } else {
+        window.close();
+    }
 }
 
 template <bool (Files::*save)()>
@@ -28,6 +43,16 @@ void saveWith(MainWindow& window) {
     }
 }
 
+void reload(MainWindow& window) {
+    window.enterTyping();
+    window.finishDrawing();
+    window.messageBar().dismiss();
+    if (window.files().reload()) {
+        window.diskChanges().dismiss();
+        window.statusLine().showMessage(MainWindow::tr("Read %1 again").arg(window.files().path()), 4000);
+    }
+}
+
 constexpr ActionRow fileRows[] = {
     {.id = Act::New,
      .menu = MenuId::File,
@@ -35,16 +60,26 @@ constexpr ActionRow fileRows[] = {
      .icon = "new",
      .keys = "Ctrl+N",
      .tip = QT_TRANSLATE_NOOP("Actions", "Start an empty level"),
-     .flags = OnMainBar,
-     .run = startNew},
+     .flags = WithoutLevel | OnMainBar,
+     .run = [](MainWindow& window) { window.startNew(); }},
     {.id = Act::Open,
      .menu = MenuId::File,
      .text = QT_TRANSLATE_NOOP("Actions", "&Open…"),
      .icon = "open",
      .keys = "Ctrl+O",
      .tip = QT_TRANSLATE_NOOP("Actions", "Open a level file"),
-     .flags = OnMainBar,
+     .flags = WithoutLevel | OnMainBar,
      .run = openFile},
+    {.id = Act::ReopenClosed,
+     .menu = MenuId::File,
+     .text = QT_TRANSLATE_NOOP("Actions", "Reopen Closed &Level"),
+     .icon = "restart",
+     .keys = "Ctrl+Shift+T",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Open again the level that was closed last"),
+     .flags = WithoutLevel,
+     .run = reopenClosed,
+     .isPossible =
+         [](const MainWindow& window) { return window.application() != nullptr && window.application()->canReopen(); }},
     {.id = Act::Save,
      .menu = MenuId::File,
      .text = QT_TRANSLATE_NOOP("Actions", "&Save"),
@@ -60,14 +95,39 @@ constexpr ActionRow fileRows[] = {
      .keys = "Ctrl+Shift+S",
      .tip = QT_TRANSLATE_NOOP("Actions", "Write the level to another file"),
      .run = saveWith<&Files::saveAs>},
+    {.id = Act::Reload,
+     .menu = MenuId::File,
+     .text = QT_TRANSLATE_NOOP("Actions", "Reloa&d"),
+     .icon = "reload",
+     .keys = "Ctrl+R",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Read the level from its file again; Undo brings back what it is now"),
+     .flags = SeparatorBefore,
+     .run = reload,
+     .isPossible = [](const MainWindow& window) { return !window.files().path().isEmpty(); }},
+    {.id = Act::Recover,
+     .menu = MenuId::File,
+     .text = QT_TRANSLATE_NOOP("Actions", "Reco&ver Unsaved Work…"),
+     .icon = "recover",
+     .keys = "Ctrl+Alt+J",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Show what was left unsaved when the program ended all of a sudden"),
+     .flags = WithoutLevel,
+     .run = [](MainWindow& window) { window.offerRecovery(true); }},
+    {.id = Act::Close,
+     .menu = MenuId::File,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Close"),
+     .icon = "close",
+     .keys = "Ctrl+W",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Close this level and its window"),
+     .flags = WithoutLevel | WhilePlaying | SeparatorBefore,
+     .run = closeLevel},
     {.id = Act::Quit,
      .menu = MenuId::File,
      .text = QT_TRANSLATE_NOOP("Actions", "&Quit"),
      .icon = "quit",
      .keys = "Ctrl+Q",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Leave the program"),
-     .flags = WhilePlaying | SeparatorBefore,
-     .run = [](MainWindow& window) { window.close(); }},
+     .tip = QT_TRANSLATE_NOOP("Actions", "Close all windows and leave the program"),
+     .flags = WithoutLevel | WhilePlaying,
+     .run = quit},
 };
 
 } // namespace

@@ -29,7 +29,7 @@ constexpr ActionRow helpRows[] = {
      .icon = "keyboard",
      .keys = "F1",
      .tip = QT_TRANSLATE_NOOP("Actions", "Show what the keys do"),
-     .flags = WhilePlaying,
+     .flags = WithoutLevel | WhilePlaying,
      .run = [](MainWindow& window) { KeysDialog(&window).exec(); }},
     {.id = Act::About,
      .menu = MenuId::Help,
@@ -37,7 +37,7 @@ constexpr ActionRow helpRows[] = {
      .icon = "info",
      .keys = "Ctrl+F1",
      .tip = QT_TRANSLATE_NOOP("Actions", "Show version and license"),
-     .flags = WhilePlaying,
+     .flags = WithoutLevel | WhilePlaying,
      .run = showAbout},
 };
 

@@ -1,5 +1,6 @@
 #include "editor/window/appearance.h"
 
+#include "editor/window/preferences.h"
 #include "editor/window/style.h"
 
 #include <QApplication>
@@ -66,6 +67,16 @@ void Wardrobe::dress() const {
         QApplication::setPalette(palette);
         QToolTip::setPalette(palette);
     }
+}
+
+std::shared_ptr<Wardrobe> wardrobe() {
+    static std::weak_ptr<Wardrobe> shared;
+    std::shared_ptr<Wardrobe> one = shared.lock();
+    if (!one) {
+        one = std::make_shared<Wardrobe>(Preferences().appearance());
+        shared = one;
+    }
+    return one;
 }
 
 #ifdef SPACETOW_DBUS

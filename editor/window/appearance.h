@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 class QDBusVariant;
@@ -41,5 +42,8 @@ class Wardrobe : public QObject {
     Appearance m_appearance;
     std::optional<Shade> m_desktop; // by the desktop's own word
 };
+
+/// The one of all windows, as the preferences have it when the first of them opens.
+std::shared_ptr<Wardrobe> wardrobe();
 
 } // namespace spacetow

@@ -20,10 +20,6 @@ struct FileWords {
     Q_DECLARE_TR_FUNCTIONS(Files)
 };
 
-std::filesystem::path toPath(const QString& path) {
-    return {path.toStdU16String()};
-}
-
 QString filter() {
     return FileWords::tr("SpaceTow levels (*.json);;All files (*)");
 }
@@ -68,18 +64,18 @@ QString listed(const std::vector<Problem>& problems) {
 
 } // namespace
 
-FileQuestions dialogQuestions(QWidget* parent) {
+FileQuestions dialogQuestions(const std::function<QWidget*()>& parent) {
     return {[parent](const QString& folder) {
-                return QFileDialog::getOpenFileName(parent, FileWords::tr("Open level"), folder, filter());
+                return QFileDialog::getOpenFileNames(parent(), FileWords::tr("Open level"), folder, filter());
             },
             [parent](const QString& suggestion) {
-                QFileDialog dialog(parent, FileWords::tr("Save level as"), suggestion, filter());
+                QFileDialog dialog(parent(), FileWords::tr("Save level as"), suggestion, filter());
                 dialog.setAcceptMode(QFileDialog::AcceptSave);
                 dialog.setDefaultSuffix(QStringLiteral("json"));
                 dialog.selectFile(suggestion);
                 return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
             },
-            [parent](const QString& name) { return askAboutChanges(parent, name); }};
+            [parent](const QString& name) { return askAboutChanges(parent(), name); }};
 }
 
 Files::Files(Document& document, FileQuestions questionsToAsk, Tell tell)
@@ -105,17 +101,21 @@ bool Files::startNew() {
     if (!mayLeave()) {
         return false;
     }
+    startOver();
+    return true;
+}
+
+void Files::startOver() {
     m_path.clear();
+    m_disk = {};
     m_untitled.clear();
     m_document.reset(Level());
     opened.emit();
     changed.emit();
-    return true;
 }
 
-bool Files::chooseAndOpen() {
-    const QString path = questions.whichToOpen(QFileInfo(suggestion()).path());
-    return !path.isEmpty() && open(path);
+QStringList Files::chosen() const {
+    return questions.whichToOpen(QFileInfo(suggestion()).path());
 }
 
 bool Files::open(const QString& path) {
@@ -137,7 +137,7 @@ bool Files::open(const QString& path) {
 }
 
 std::shared_ptr<const Level> Files::chooseToCompare(QString& shownName) {
-    const QString path = questions.whichToOpen(QFileInfo(suggestion()).path());
+    const QString path = chosen().value(0);
     const std::optional<LevelFile> file = path.isEmpty() ? std::nullopt : readable(path);
     if (!file) {
         return nullptr;
@@ -151,6 +151,7 @@ bool Files::openExample(const QString& resource) {
     if (!file.open(QIODevice::ReadOnly)) {
         return false;
     }
+    m_readPath.clear();
     const LevelFile example = parseLevel(file.readAll().toStdString(), Checks::FileOnly);
     if (!holdsLevel(example, exampleName()) || !mayLeave()) {
         return false;
@@ -162,10 +163,13 @@ bool Files::openExample(const QString& resource) {
 }
 
 std::optional<LevelFile> Files::readable(const QString& path) {
-    Result<LevelFile> file = readLevel(toPath(path), Checks::FileOnly);
+    // First, so that what is written meanwhile counts as another's change.
+    m_read = fileState(path.toStdString());
+    m_readPath = path;
+    Result<LevelFile> file = readLevel(path.toStdString(), Checks::FileOnly);
     if (!file) {
         preferences.removeRecent(path);
-        m_tell(MessageBar::Tone::Error, sentence(file.error()));
+        m_tell(MessageBar::Tone::Error, sentence(file.error()), {});
         return {};
     }
     if (!holdsLevel(file.value(), QFileInfo(path).fileName())) {
@@ -176,13 +180,15 @@ std::optional<LevelFile> Files::readable(const QString& path) {
 
 bool Files::holdsLevel(const LevelFile& file, const QString& shownName) {
     if (!file.level) {
-        m_tell(MessageBar::Tone::Error, FileWords::tr("%1 cannot be opened.").arg(shownName) + listed(file.problems));
+        m_tell(MessageBar::Tone::Error, FileWords::tr("%1 cannot be opened.").arg(shownName) + listed(file.problems),
+               backupChoices());
     }
     return file.level.has_value();
 }
 
 void Files::adopt(const LevelFile& file, const QString& path) {
     m_path = path;
+    m_disk = path.isEmpty() ? FileState() : m_read;
     m_untitled.clear();
     m_document.reset(*file.level);
     if (!path.isEmpty()) {
@@ -192,30 +198,10 @@ void Files::adopt(const LevelFile& file, const QString& path) {
     const std::vector<Problem>& problems = file.problems;
     if (!problems.empty()) {
         const QString shownName = path.isEmpty() ? exampleName() : QFileInfo(path).fileName();
-        m_tell(MessageBar::Tone::Warning, FileWords::tr("%1 was opened, but:").arg(shownName) + listed(problems));
+        m_tell(MessageBar::Tone::Warning, FileWords::tr("%1 was opened, but:").arg(shownName) + listed(problems), {});
     }
     opened.emit();
     changed.emit();
-}
-
-bool Files::writeTo(const QString& path) {
-    const std::optional<Error> error = writeLevel(toPath(path), *m_document.current().level);
-    if (error) {
-        m_tell(MessageBar::Tone::Error,
-               sentence(*error) + QLatin1Char('\n') +
-                   FileWords::tr("Nothing is lost: your work is still here. Save it elsewhere?"));
-        return false;
-    }
-    m_path = path;
-    m_untitled.clear();
-    preferences.addRecent(path);
-    m_document.markSaved();
-    changed.emit();
-    return true;
-}
-
-bool Files::save() {
-    return m_path.isEmpty() ? saveAs() : writeTo(m_path);
 }
 
 bool Files::saveAs() {

@@ -3,12 +3,15 @@
 // through functions, so that tests can answer them.
 
 #include "core/level/file.h"
+#include "core/level/file_state.h"
 #include "editor/editing/document.h"
+#include "editor/editing/journal.h"
 #include "editor/window/message_bar.h"
 #include "editor/window/preferences.h"
 
-#include <QString>
+#include <QStringList>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 
@@ -17,17 +20,17 @@ namespace spacetow {
 enum class Unsaved : std::uint8_t { Save, Discard, Cancel };
 
 struct FileQuestions {
-    std::function<QString(const QString& folder)> whichToOpen;     // empty: none
+    std::function<QStringList(const QString& folder)> whichToOpen; // empty: none
     std::function<QString(const QString& suggestion)> whereToSave; // empty: nowhere
     std::function<Unsaved(const QString& name)> whatAboutChanges;
 };
 
-/// Asks with the dialogs of the desktop.
-FileQuestions dialogQuestions(QWidget* parent);
+/// Asks with the dialogs of the desktop, in front of the widget that is the parent then.
+FileQuestions dialogQuestions(const std::function<QWidget*()>& parent);
 
 class Files {
   public:
-    using Tell = std::function<void(MessageBar::Tone, const QString&)>;
+    using Tell = std::function<void(MessageBar::Tone, const QString&, const std::vector<MessageBar::Choice>& choices)>;
 
     /// The document must outlive this.
     Files(Document& document, FileQuestions questions, Tell tell);
@@ -36,13 +39,29 @@ class Files {
 
     /// Each returns whether it was done; when not, document and file are as they were.
     bool startNew();
-    bool chooseAndOpen();
+    /// The same without a question: nothing of the level is wanted any more.
+    void startOver();
     bool open(const QString& path);
     bool openExample(const QString& resource);
     /// A level that the user chooses, and what to call it; null when there was none.
     std::shared_ptr<const Level> chooseToCompare(QString& shownName);
+    /// Not when somebody else has changed the file meanwhile; then `conflict` asks what to do.
     bool save();
+    /// Whatever the file holds.
+    bool overwrite();
     bool saveAs();
+    /// The files that the user would like to open.
+    QStringList chosen() const;
+    /// Takes over what the file holds now, as one edit, so that the view stays and undo takes it back.
+    bool reload();
+    /// The same with what has been read already.
+    void takeFromDisk(Level level, const FileState& disk);
+    /// Saving may replace what the file holds then.
+    void setDisk(const FileState& disk) { m_disk = disk; }
+    /// What a journal holds, not saved, of the file it was of.
+    bool restore(const JournalEntry& entry);
+    /// A former version of the file, as one edit.
+    bool openBackup(const std::filesystem::path& backup);
     /// Offers to save what is modified; false when the user would rather stay.
     bool mayLeave();
 
@@ -50,9 +69,13 @@ class Files {
     const QString& path() const { return m_path; }
     /// For the title: the file's name, or that of the level.
     QString name() const;
+    /// What the file held when it was last read or written here.
+    const FileState& disk() const { return m_disk; }
 
-    Signal<> changed; // path or name
-    Signal<> opened;  // the document holds another level
+    Signal<> conflict; // saving would replace what somebody else has written
+    Signal<> changed;  // path or name
+    Signal<> saved;
+    Signal<> opened; // the document holds another level
     Preferences preferences;
 
   private:
@@ -61,12 +84,19 @@ class Files {
     bool holdsLevel(const LevelFile& file, const QString& shownName);
     /// The file must hold a level. The path is empty for an example.
     void adopt(const LevelFile& file, const QString& path);
-    bool writeTo(const QString& path);
+    /// With `known`, only while the file is still that one.
+    bool writeTo(const QString& path, const std::optional<FileStamp>& known = {});
+    void sayNotSaved(const Error& error);
+    /// A former version of the file that was read last, where there is one.
+    std::vector<MessageBar::Choice> backupChoices();
     QString suggestion() const;
 
     Document& m_document;
     Tell m_tell;
     QString m_path;
+    FileState m_disk;
+    QString m_readPath;
+    FileState m_read;   // of the file that was read last
     QString m_untitled; // suggested file name while there is no path
 };
 

@@ -2,29 +2,31 @@
 
 #include "core/level/bounds.h"
 #include "editor/window/messages.h"
+#include "editor/window/state_folder.h"
+#include "editor/window/welcome_page.h"
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDir>
 #include <QKeyEvent>
-#include <QMimeData>
 #include <QPointer>
 #include <QScreen>
 
 namespace spacetow {
 
-MainWindow::MainWindow(QWidget* parent)
-    : QMainWindow(parent), m_wardrobe(Preferences().appearance()), m_toolbox(m_document), m_actions(*this),
-      m_column(&m_center), m_frame(m_document, m_toolbox), m_canvas(m_frame.canvas()),
+MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* application)
+    : m_wardrobe(wardrobe()), m_application(application),
+      m_open(level ? std::move(level) : std::make_shared<OpenLevel>()), m_document(m_open->document),
+      m_files(m_open->files), m_toolbox(m_document), m_actions(*this), m_column(&m_center),
+      m_frame(m_document, m_toolbox), m_canvas(m_frame.canvas()),
       m_inspector(m_document, [](const Error& error) { return sentence(error); }), m_tagMatrix(m_document),
       m_collisions(m_document, m_canvas),
       m_problems(m_document, [](const Problem& problem) { return sentence(problem); }), m_nodes(m_document),
       m_outliner(m_document, m_toolbox),
       m_history(m_document, m_toolbox, [](const Label& label) { return sentence(label); }),
       m_levelPanel(m_document, [](const Error& error) { return sentence(error); }), m_differences(m_document, m_canvas),
-      m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
-      m_files(m_document, dialogQuestions(this),
-              [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }) {
+      m_minimap(m_document, m_canvas),
+      m_recoveryBar(journalFolder(), [this](const JournalEntry& entry) { return restoreWork(entry); }),
+      m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document) {
     setAcceptDrops(true);
     layOut();
     makeMenus();
@@ -32,6 +34,9 @@ MainWindow::MainWindow(QWidget* parent)
     restore();
     listen();
     listenToPanels();
+    listenToDisk();
+    m_view = m_open->add(*this);
+    setWindowModified(m_document.isModified());
     updateTitle();
     updateOrigin();
     updateSelection();
@@ -42,6 +47,12 @@ MainWindow::MainWindow(QWidget* parent)
 MainWindow::~MainWindow() {
     m_play.stop();
     hide(); // what is being typed is entered while all that listens still lives
+    m_document.changed.disconnect(m_documentListener);
+    m_document.historyChanged.disconnect(m_historyListener);
+    m_files.changed.disconnect(m_fileListener);
+    m_files.opened.disconnect(m_openedListener);
+    m_open->disk.noticed.disconnect(m_noticeListener);
+    m_open->remove(*this);
     for (QWidget* widget : std::initializer_list<QWidget*>{&m_canvas, &m_play, &m_problems, &m_status}) {
         widget->blockSignals(true);
     }
@@ -50,6 +61,8 @@ MainWindow::~MainWindow() {
 void MainWindow::layOut() {
     m_column.setContentsMargins(0, 0, 0, 0);
     m_column.setSpacing(0);
+    m_column.addWidget(&m_recoveryBar);
+    m_column.addWidget(&m_diskBar);
     m_column.addWidget(&m_message);
     m_column.addWidget(&m_arrays);
     m_column.addWidget(&m_transform);
@@ -79,26 +92,19 @@ QSize MainWindow::firstSize(const QSize& available) {
     return wanted.boundedTo(available - frame);
 }
 
-bool MainWindow::open(const QString& path) {
-    stopPlaying();
-    enterTyping();
-    finishDrawing();
-    m_message.dismiss();
-    return m_files.open(path);
-}
-
-void MainWindow::openExample() {
-    const QStringList levels =
-        QDir(QStringLiteral(":/levels")).entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name);
-    if (!levels.isEmpty()) {
-        m_files.openExample(QStringLiteral(":/levels/") + levels.front());
-    }
-}
-
 void MainWindow::play() {
-    if (isPlaying()) {
-        return;
+    if (!isPlaying()) {
+        enterGame(nullptr);
     }
+}
+
+void MainWindow::playReplay(const Replay& recorded) {
+    stopPlaying();
+    enterGame(&recorded);
+}
+
+void MainWindow::enterGame(const Replay* recorded) {
+    leaveWelcome();
     enterTyping();
     m_arrays.cancel();
     m_transform.hide();
@@ -110,10 +116,16 @@ void MainWindow::play() {
             MessageBar::Tone::Warning,
             tr("The level has %n errors and may not play as it should; see Problems.", nullptr, m_problems.errors()));
     }
-    m_play.start(*m_document.current().level);
+    m_recorded = recorded != nullptr;
+    if (m_recorded) {
+        m_play.start(*m_document.current().level, *recorded);
+    } else {
+        m_play.start(*m_document.current().level);
+    }
     m_panels->setAway(true);
     m_stack.setCurrentWidget(&m_play);
     m_play.setFocus();
+    updateTitle();
     updateMode();
 }
 
@@ -125,6 +137,7 @@ void MainWindow::stopPlaying() {
     m_stack.setCurrentWidget(&m_frame);
     m_panels->setAway(m_panelsHidden);
     m_canvas.setFocus();
+    updateTitle();
     updateMode();
 }
 
@@ -159,7 +172,7 @@ void MainWindow::openGuide(std::size_t index) {
 
 void MainWindow::setAppearance(Appearance appearance) {
     m_files.preferences.setAppearance(appearance);
-    m_wardrobe.setAppearance(appearance);
+    m_wardrobe->setAppearance(appearance);
     m_actions.refresh();
 }
 
@@ -178,7 +191,7 @@ void MainWindow::setSnap(const SnapSettings& snap) {
 
 void MainWindow::setPanelsHidden(bool hidden) {
     m_panelsHidden = hidden;
-    m_panels->setAway(hidden || isPlaying());
+    m_panels->setAway(hidden || isPlaying() || isWelcoming());
 }
 
 void MainWindow::setOverlays(const OverlayFlags& overlays) {
@@ -216,32 +229,17 @@ void MainWindow::showObject(Key key) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    enterTyping();
-    m_arrays.cancel();
-    m_canvas.loseMouse();
-    finishDrawing();
-    if (!m_files.mayLeave()) {
+    if (!m_mayClose && !mayClose()) {
         event->ignore();
         return;
     }
     m_play.stop();
+    if (m_open->views().size() <= 1) {
+        m_open->recovery.close();
+    }
     m_files.preferences.setWindow(saveGeometry(), m_panels->arrangement());
     event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    const QList<QUrl> urls = event->mimeData()->urls();
-    if (urls.size() == 1 && urls.front().isLocalFile()) {
-        event->acceptProposedAction();
-    }
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-    const QList<QUrl> urls = event->mimeData()->urls();
-    if (!urls.isEmpty() && urls.front().isLocalFile()) {
-        event->acceptProposedAction();
-        open(urls.front().toLocalFile());
-    }
+    Q_EMIT closing();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -249,6 +247,10 @@ void MainWindow::changeEvent(QEvent* event) {
         m_actions.tint(palette());
         m_problems.tint();
         m_differences.tint();
+        m_actions.refresh();
+    } else if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
+        m_open->bringToFront(*this);
+        m_actions.refresh(); // of what is possible, some depends on other windows
     }
     QMainWindow::changeEvent(event);
 }
@@ -261,7 +263,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && !isPlaying()) {
+    if (event->key() == Qt::Key_Escape && !isPlaying() && !isWelcoming()) {
         m_canvas.setFocus(); // out of the panels
     } else if (!actByPlace(*event)) {
         QMainWindow::keyPressEvent(event);
@@ -286,11 +288,33 @@ bool MainWindow::actByPlace(const QKeyEvent& stroke) {
     return true;
 }
 
+QString MainWindow::name() const {
+    const QString name = isWelcoming() ? tr("Welcome") : m_files.name();
+    return m_open->views().size() > 1 ? QStringLiteral("%1: %2").arg(name).arg(m_view) : name;
+}
+
+/// How the game stands, for the task bar and for who does not see the picture.
+QString MainWindow::playedPhase() const {
+    switch (m_play.phase()) {
+    case Phase::Won:
+        return tr("won");
+    case Phase::Crashed:
+        return tr("crashed");
+    case Phase::GameOver:
+        return tr("game over");
+    case Phase::AwaitingInput:
+        return tr("ready");
+    default:
+        return tr("playing");
+    }
+}
+
 void MainWindow::updateTitle() {
     setWindowFilePath(m_files.path());
-    QString name = m_files.name();
-    name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]")); // once, it would be the mark of a changed file
-    setWindowTitle(tr("%1[*] - SpaceTow Studio").arg(name));
+    QString shownName = name();
+    shownName.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]")); // once, it would be the mark of a changed file
+    setWindowTitle(isPlaying() ? tr("%1[*] (%2) - SpaceTow Studio").arg(shownName, playedPhase())
+                               : tr("%1[*] - SpaceTow Studio").arg(shownName));
     fillRecent();
 }
 
@@ -300,8 +324,11 @@ void MainWindow::updateOrigin() {
 }
 
 void MainWindow::updateTool() {
-    m_status.setHint(isPlaying() ? tr("Playing a copy of the level · F8: back to the editor · Esc: menu")
-                                 : sentence(m_toolbox.hint()) + snapHint());
+    m_status.setHint(isPlaying() && m_recorded
+                         ? tr("Playing a recorded flight · keys count when it has ended · F8: back to the editor")
+                     : isPlaying()   ? tr("Playing a copy of the level · F8: back to the editor · Esc: menu")
+                     : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")
+                                     : sentence(m_toolbox.hint()) + snapHint());
     if (m_toolbox.current() != m_shownTool || m_toolbox.isBusy() != m_shownBusy) {
         m_shownTool = m_toolbox.current();
         m_shownBusy = m_toolbox.isBusy();
@@ -325,16 +352,13 @@ void MainWindow::updateSelection() {
 }
 
 void MainWindow::updateMode() {
-    const bool playing = isPlaying();
-    m_inspector.setEnabled(!playing);
-    m_tagMatrix.setEnabled(!playing);
-    m_problems.setEnabled(!playing);
-    m_nodes.setEnabled(!playing);
-    m_outliner.setEnabled(!playing);
-    m_history.setEnabled(!playing);
-    m_levelPanel.setEnabled(!playing);
-    m_differences.setEnabled(!playing);
-    m_menus.at(MenuId::Recent)->setEnabled(!playing);
+    const bool editing = !isPlaying() && !isWelcoming();
+    for (QWidget* panel : std::initializer_list<QWidget*>{&m_inspector, &m_tagMatrix, &m_problems, &m_nodes,
+                                                          &m_outliner, &m_history, &m_levelPanel, &m_differences}) {
+        panel->setEnabled(editing);
+    }
+    m_menus.at(MenuId::Recent)->setEnabled(!isPlaying());
+    m_menus.at(MenuId::Backups)->setEnabled(editing);
     m_actions.refresh();
     updateTool();
 }

@@ -8,6 +8,7 @@
 #include "editor/panels/guide_bar.h"
 #include "editor/panels/history_panel.h"
 #include "editor/panels/inspector.h"
+#include "editor/panels/minimap.h"
 #include "editor/panels/nodes_panel.h"
 #include "editor/panels/outliner_panel.h"
 #include "editor/panels/problems_panel.h"
@@ -18,10 +19,11 @@
 #include "editor/window/appearance.h"
 #include "editor/window/collision_view.h"
 #include "editor/window/difference_panel.h"
-#include "editor/window/files.h"
 #include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
+#include "editor/window/open_level.h"
 #include "editor/window/panels.h"
+#include "editor/window/recovery_bar.h"
 #include "editor/window/status_line.h"
 
 #include <QMainWindow>
@@ -30,25 +32,59 @@
 #include <QVBoxLayout>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 
 namespace spacetow {
 
+class Application;
+class WelcomePage;
+
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
   public:
-    explicit MainWindow(QWidget* parent = nullptr);
+    /// Shows a level that is open, or an empty one. Without an application it is the only window.
+    explicit MainWindow(std::shared_ptr<OpenLevel> level = nullptr, Application* application = nullptr);
     ~MainWindow() override;
 
+    /// In place of the level that it shows.
     bool open(const QString& path);
+    /// The files that were chosen, each in a window of its own.
+    void openFiles(const QStringList& paths);
+    /// The same with one file or resource; the window that shows it, or null after saying why there is none.
+    MainWindow* openAside(const QString& path);
+    /// An empty level, here where nothing is lost by it, else in a window of its own.
+    void startNew();
     /// The first level that comes with the program, as a copy without a file.
     void openExample();
+    /// Shows what former runs have left in the journal, if there is anything; `asked`: says so if there is not.
+    void offerRecovery(bool asked = false);
+    /// The session ends, and there is no time for questions: the journals of all windows hold everything.
+    static void keepForNextTime();
+
+    /// In place of an empty level, until there is one.
+    void showWelcome();
+    void leaveWelcome();
+    bool isWelcoming() const;
+    WelcomePage& welcome();
 
     void play();
+    /// The flight as it was recorded.
+    void playReplay(const Replay& recorded);
     void stopPlaying();
     bool isPlaying() const { return m_stack.currentWidget() == &m_play; }
+
+    /// Enters and ends whatever is half done in this window.
+    void finishWork();
+    /// Offers to save what is modified and shown nowhere else; false when the user would rather stay.
+    bool mayClose();
+    void closeUnasked();
+    /// That of the level, with a number where several windows show it.
+    QString name() const;
+    /// Before all other windows, and into use.
+    void comeForward();
 
     /// Enters what is still being typed in a panel, so that no save, question or game misses it.
     void enterTyping();
@@ -67,11 +103,14 @@ class MainWindow : public QMainWindow {
     /// By the user; while a game is running they are away in any case.
     void setPanelsHidden(bool hidden);
     bool arePanelsHidden() const { return m_panelsHidden; }
-    Appearance appearance() const { return m_wardrobe.appearance(); }
+    Appearance appearance() const { return m_wardrobe->appearance(); }
     void setAppearance(Appearance appearance);
     const OverlayFlags& overlays() const { return m_overlays; }
     void setOverlays(const OverlayFlags& overlays);
 
+    Application* application() const { return m_application; }
+    /// What other windows show too, when they are views of the same level.
+    const std::shared_ptr<OpenLevel>& openLevel() const { return m_open; }
     Document& document() { return m_document; }
     const Document& document() const { return m_document; }
     Toolbox& toolbox() { return m_toolbox; }
@@ -90,19 +129,31 @@ class MainWindow : public QMainWindow {
     NodesPanel& nodes() { return m_nodes; }
     OutlinerPanel& outliner() { return m_outliner; }
     HistoryPanel& history() { return m_history; }
+    Minimap& minimap() { return m_minimap; }
     LevelPanel& levelPanel() { return m_levelPanel; }
     DifferencePanel& differences() { return m_differences; }
     ArrayBar& arrayBar() { return m_arrays; }
     TransformBar& transformBar() { return m_transform; }
     Actions& actions() { return m_actions; }
     Panels& panels() { return *m_panels; }
+    const Panels& panels() const { return *m_panels; }
     Files& files() { return m_files; }
+    const Files& files() const { return m_files; }
     MessageBar& messageBar() { return m_message; }
+    Recovery& recovery() { return m_open->recovery; }
+    RecoveryBar& recoveryBar() { return m_recoveryBar; }
+    DiskChanges& diskChanges() { return m_open->disk; }
+    MessageBar& diskBar() { return m_diskBar; }
     GuideBar& guideBar() { return m_guideBar; }
     StatusLine& statusLine() { return m_status; }
 
     /// Of a window that has no remembered size, frame excluded, on a screen with so much room; logical pixels.
     static QSize firstSize(const QSize& available);
+
+  Q_SIGNALS:
+    /// It has been agreed to; all of the window is still there.
+    void closing();
+    void fileChanged();
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -117,17 +168,24 @@ class MainWindow : public QMainWindow {
     void makeMenus();
     void makeToolBars();
     void fillRecent();
+    void fillWindows();
+    void fillBackups();
     QMenu* makeMenu(const MenuRow& row);
     void openMenuAt(const QPoint& global);
     void openOutlinerMenuAt(const QPoint& global);
 
     void listen();
     void listenToPanels();
+    void listenToDisk();
+    void showNotice();
+    bool restoreWork(const JournalEntry& entry);
     void restore();
     void showObject(Key key);
     /// A stroke that is nobody's key may be one by its place.
     bool actByPlace(const QKeyEvent& stroke);
 
+    void enterGame(const Replay* recorded);
+    QString playedPhase() const;
     void updateTitle();
     void updateOrigin();
     void updateTool();
@@ -135,8 +193,11 @@ class MainWindow : public QMainWindow {
     void updateSelection();
     void updateMode();
 
-    Wardrobe m_wardrobe; // before anything that has colours
-    Document m_document;
+    std::shared_ptr<Wardrobe> m_wardrobe; // before anything that has colours
+    Application* m_application;
+    std::shared_ptr<OpenLevel> m_open;
+    Document& m_document;
+    Files& m_files;
     Toolbox m_toolbox;
     Actions m_actions;
 
@@ -144,7 +205,8 @@ class MainWindow : public QMainWindow {
     QWidget m_center;
     QVBoxLayout m_column;
     QStackedWidget m_stack;
-    std::map<MenuId, QMenu*> m_menus; // owned by the menu bar
+    std::map<MenuId, QMenu*> m_menus;       // owned by the menu bar
+    std::unique_ptr<WelcomePage> m_welcome; // once it has been wanted
 
     CanvasFrame m_frame;
     Canvas& m_canvas;
@@ -158,17 +220,27 @@ class MainWindow : public QMainWindow {
     HistoryPanel m_history;
     LevelPanel m_levelPanel;
     DifferencePanel m_differences;
+    Minimap m_minimap;
+    RecoveryBar m_recoveryBar;
+    MessageBar m_diskBar; // what others do to the file
     MessageBar m_message;
     ArrayBar m_arrays;
     TransformBar m_transform;
     GuideBar m_guideBar;
     StatusLine m_status;
-    Files m_files;
     std::optional<Panels> m_panels; // once there is a window to add them to
     OverlayFlags m_overlays;
     bool m_panelsHidden = false;
     ToolId m_shownTool = ToolId::Select;
     bool m_shownBusy = false; // a shape was half drawn
+    bool m_recorded = false;  // what is played
+    int m_view = 0;           // its number among the views of the level
+    bool m_mayClose = false;  // without another question
+    int m_documentListener = 0;
+    int m_historyListener = 0;
+    int m_fileListener = 0;
+    int m_openedListener = 0;
+    int m_noticeListener = 0;
 };
 
 } // namespace spacetow

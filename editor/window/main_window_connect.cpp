@@ -5,7 +5,10 @@
 namespace spacetow {
 
 void MainWindow::listen() {
-    m_document.changed.connect([this](const Change& change) {
+    m_documentListener = m_document.changed.connect([this](const Change& change) {
+        if (change.before.level != change.after.level) {
+            leaveWelcome();
+        }
         updateSelection();
         updateTool();
         const Selection& before = change.before.selection;
@@ -14,13 +17,17 @@ void MainWindow::listen() {
             m_actions.refresh();
         }
     });
-    m_document.historyChanged.connect([this] {
+    m_historyListener = m_document.historyChanged.connect([this] {
         setWindowModified(m_document.isModified());
         m_actions.refresh();
     });
     m_toolbox.changed.connect([this] { updateTool(); });
-    m_files.changed.connect([this] { updateTitle(); });
-    m_files.opened.connect([this] {
+    m_fileListener = m_files.changed.connect([this] {
+        updateTitle();
+        Q_EMIT fileChanged();
+    });
+    m_openedListener = m_files.opened.connect([this] {
+        leaveWelcome();
         updateOrigin();
         m_toolbox.cancel();
         m_guideBar.dismiss();
@@ -68,6 +75,7 @@ void MainWindow::listenToPanels() {
         setSnap(snap);
     });
     connect(&m_play, &PlayView::pausedChanged, this, [this] { m_actions.refresh(); });
+    connect(&m_play, &PlayView::phaseChanged, this, &MainWindow::updateTitle);
     connect(&m_play, &PlayView::finished, this, &MainWindow::stopPlaying);
 }
 

@@ -1,10 +1,15 @@
 // The menus and tool bars of the window, made from the table of actions.
 #include "editor/window/main_window.h"
 
+#include "editor/editing/backups.h"
 #include "editor/editing/group_picking.h"
 #include "editor/panels/names.h"
+#include "editor/window/application.h"
+#include "editor/window/state_folder.h"
 
+#include <QDateTime>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
@@ -89,6 +94,11 @@ void MainWindow::makeMenus() {
     m_menus.at(MenuId::Panels)->addActions(m_panels->actions());
     m_status.setSnapMenu(*m_menus.at(MenuId::Snapping));
     fillRecent();
+    fillWindows();
+    connect(m_menus.at(MenuId::Recent), &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+    connect(m_menus.at(MenuId::Window), &QMenu::aboutToShow, this, &MainWindow::fillWindows);
+    fillBackups();
+    connect(m_menus.at(MenuId::Backups), &QMenu::aboutToShow, this, &MainWindow::fillBackups);
     for (const auto& [id, menu] : m_menus) {
         menu->menuAction()->setVisible(!menu->isEmpty());
     }
@@ -124,7 +134,7 @@ void MainWindow::fillRecent() {
         QAction* const action = recent.addAction(menuSafe(QFileInfo(path).fileName()));
         action->setStatusTip(path);
         action->setToolTip(plainToolTip(path));
-        connect(action, &QAction::triggered, this, [this, path] { open(path); });
+        connect(action, &QAction::triggered, this, [this, path] { openFiles({path}); });
     }
     if (files.isEmpty()) {
         recent.addAction(tr("No files yet"))->setEnabled(false);
@@ -135,6 +145,52 @@ void MainWindow::fillRecent() {
         m_files.preferences.clearRecent();
         fillRecent();
     });
+}
+
+/// The windows that are open, below the actions of the menu.
+void MainWindow::fillWindows() {
+    QMenu& menu = *m_menus.at(MenuId::Window);
+    constexpr auto listed = "window";
+    for (QAction* const action : menu.actions()) {
+        if (action->property(listed).toBool()) {
+            menu.removeAction(action);
+            action->deleteLater();
+        }
+    }
+    const auto list = [&](QAction* action) { action->setProperty(listed, true); };
+    list(menu.addSeparator());
+    const std::vector<MainWindow*> windows =
+        m_application != nullptr ? m_application->windows() : std::vector<MainWindow*>{this};
+    for (MainWindow* const window : windows) {
+        const QString mark = window->isWindowModified() ? QStringLiteral("*") : QString();
+        QAction* const action = menu.addAction(menuSafe(window->name() + mark));
+        action->setToolTip(plainToolTip(window->files().path()));
+        action->setStatusTip(window->files().path());
+        action->setCheckable(true);
+        action->setChecked(window == this);
+        list(action);
+        connect(action, &QAction::triggered, window, &MainWindow::comeForward);
+    }
+}
+
+void MainWindow::fillBackups() {
+    QMenu& menu = *m_menus.at(MenuId::Backups);
+    menu.clear();
+    const QString path = m_files.path();
+    const auto backups = path.isEmpty() ? std::vector<Backup>() : backupsOf(backupFolder(), path.toStdString());
+    for (const Backup& backup : backups) {
+        const QDateTime time = QDateTime::fromMSecsSinceEpoch(backup.time);
+        QAction* const action = menu.addAction(QLocale().toString(time, QLocale::ShortFormat) + time.toString(":ss"));
+        action->setStatusTip(tr("Take back the level as it was saved then, as one edit; its file stays as it is"));
+        connect(action, &QAction::triggered, this, [this, file = backup.file] {
+            enterTyping();
+            finishDrawing();
+            m_files.openBackup(file);
+        });
+    }
+    if (backups.empty()) {
+        menu.addAction(tr("No former versions yet"))->setEnabled(false);
+    }
 }
 
 void MainWindow::openMenuAt(const QPoint& global) {

@@ -11,6 +11,7 @@ namespace {
 constexpr MenuRow menuTable[] = {
     {MenuId::File, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&File")},
     {MenuId::Recent, MenuId::File, QT_TRANSLATE_NOOP("spacetow::MainWindow", "Open &Recent"), Act::Open},
+    {MenuId::Backups, MenuId::File, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Backups"), Act::Reload},
     {MenuId::Edit, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Edit")},
     {MenuId::View, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&View")},
     {MenuId::Overlays, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "O&verlays"), Act::Grid},
@@ -27,6 +28,7 @@ constexpr MenuRow menuTable[] = {
     {MenuId::Path, MenuId::Object, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Path")},
     {MenuId::Level, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Level")},
     {MenuId::Play, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Play")},
+    {MenuId::Window, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Window")},
     {MenuId::Help, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Help")},
 };
 

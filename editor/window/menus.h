@@ -13,6 +13,7 @@ namespace spacetow {
 enum class MenuId : std::uint8_t {
     File,
     Recent,
+    Backups,
     Edit,
     View,
     Overlays,
@@ -29,6 +30,7 @@ enum class MenuId : std::uint8_t {
     Path,
     Level,
     Play,
+    Window,
     Help,
 };
 

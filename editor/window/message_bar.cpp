@@ -1,59 +1,72 @@
 #include "editor/window/message_bar.h"
 
 #include "editor/canvas/icons.h"
-#include "editor/canvas/palette.h"
 
 #include <QEvent>
 #include <QPainter>
 
 namespace spacetow {
 
-namespace {
-
-struct Dress {
-    QColor plate;
-    QColor ink;
-    const char* icon;
-};
-
-Dress dressFor(MessageBar::Tone tone, Shade shade) {
+BarDress barDress(MessageBar::Tone tone, Shade shade) {
     const bool dark = shade == Shade::Dark;
     switch (tone) {
     case MessageBar::Tone::Info:
-        return dark ? Dress{QColor(30, 58, 92), QColor(206, 228, 255), "info"}
-                    : Dress{QColor(221, 235, 251), QColor(20, 50, 84), "info"};
+        return dark ? BarDress{QColor(30, 58, 92), QColor(206, 228, 255), "info"}
+                    : BarDress{QColor(221, 235, 251), QColor(20, 50, 84), "info"};
     case MessageBar::Tone::Warning:
-        return dark ? Dress{QColor(82, 62, 18), QColor(255, 226, 160), "warning"}
-                    : Dress{QColor(255, 239, 200), QColor(84, 54, 0), "warning"};
+        return dark ? BarDress{QColor(82, 62, 18), QColor(255, 226, 160), "warning"}
+                    : BarDress{QColor(255, 239, 200), QColor(84, 54, 0), "warning"};
     case MessageBar::Tone::Error:
         break;
     }
-    return dark ? Dress{QColor(96, 34, 30), QColor(255, 218, 212), "error"}
-                : Dress{QColor(253, 224, 220), QColor(106, 18, 12), "error"};
+    return dark ? BarDress{QColor(96, 34, 30), QColor(255, 218, 212), "error"}
+                : BarDress{QColor(253, 224, 220), QColor(106, 18, 12), "error"};
 }
 
-} // namespace
-
-MessageBar::MessageBar(QWidget* parent) : QWidget(parent), m_row(this) {
+MessageBar::MessageBar(QWidget* parent) : QWidget(parent), m_row(this), m_content(QBoxLayout::LeftToRight) {
     m_text.setWordWrap(true);
     m_text.setTextFormat(Qt::PlainText);
     m_text.setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_close.setAutoRaise(true);
     m_close.setToolTip(tr("Close this message"));
     m_close.setAccessibleName(tr("Close"));
-    connect(&m_close, &QToolButton::clicked, this, &MessageBar::dismiss);
+    connect(&m_close, &QToolButton::clicked, this, [this] {
+        dismiss();
+        Q_EMIT dismissed();
+    });
+    m_content.setSpacing(8);
+    m_content.addWidget(&m_text, 1);
+    m_content.addLayout(&m_choices);
+    m_choices.setSpacing(6);
+    m_choices.addStretch(1);
     m_row.setContentsMargins(10, 6, 6, 6);
     m_row.setSpacing(8);
     m_row.addWidget(&m_icon, 0, Qt::AlignTop);
-    m_row.addWidget(&m_text, 1);
+    m_row.addLayout(&m_content, 1);
     m_row.addWidget(&m_close, 0, Qt::AlignTop);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     hide();
 }
 
-void MessageBar::say(Tone tone, const QString& text) {
+void MessageBar::say(Tone tone, const QString& text, const std::vector<Choice>& choices) {
     m_tone = tone;
     m_text.setText(text);
+    for (QToolButton* button : m_buttons) {
+        button->hide();
+        button->deleteLater(); // it may be the one that was clicked
+    }
+    m_buttons.clear();
+    for (const Choice& choice : choices) {
+        auto* const button = new QToolButton(this);
+        button->setText(choice.text);
+        button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        button->setFocusPolicy(Qt::StrongFocus);
+        connect(button, &QToolButton::clicked, this, [run = choice.run] { run(); });
+        m_choices.addWidget(button);
+        button->show();
+        m_buttons.push_back(button);
+    }
+    arrange();
     dress();
     show();
 }
@@ -63,8 +76,20 @@ void MessageBar::dismiss() {
     m_text.clear();
 }
 
+/// Buttons stand below a text that they would leave no room for.
+void MessageBar::arrange() {
+    constexpr int textWidth = 320; // px
+    const bool beside = m_buttons.empty() || m_choices.sizeHint().width() + textWidth < width();
+    m_content.setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+}
+
+void MessageBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
 void MessageBar::dress() {
-    const Dress dress = dressFor(m_tone, shadeOf(palette()));
+    const BarDress dress = barDress(m_tone, shadeOf(palette()));
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, dress.ink);
     m_text.setPalette(colors);
@@ -75,7 +100,7 @@ void MessageBar::dress() {
 
 void MessageBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), dressFor(m_tone, shadeOf(palette())).plate);
+    painter.fillRect(rect(), barDress(m_tone, shadeOf(palette())).plate);
 }
 
 void MessageBar::changeEvent(QEvent* event) {

@@ -84,6 +84,22 @@ void Preferences::clearRecent() {
     QSettings().remove(recentKey);
 }
 
+bool Preferences::restoresWindows() const {
+    return QSettings().value("windows/restore", true).toBool();
+}
+
+void Preferences::setRestoresWindows(bool restores) {
+    QSettings().setValue("windows/restore", restores);
+}
+
+bool Preferences::welcomes() const {
+    return QSettings().value("windows/welcome", true).toBool();
+}
+
+void Preferences::setWelcomes(bool welcomes) {
+    QSettings().setValue("windows/welcome", welcomes);
+}
+
 SnapSettings Preferences::snap() const {
     const QSettings settings;
     SnapSettings snap;

@@ -25,6 +25,14 @@ class Preferences {
     void removeRecent(const QString& path);
     void clearRecent();
 
+    /// Whether the windows of the last run are opened again.
+    bool restoresWindows() const;
+    void setRestoresWindows(bool restores);
+
+    /// Whether the welcome page is shown while no level is open.
+    bool welcomes() const;
+    void setWelcomes(bool welcomes);
+
     SnapSettings snap() const;
     void setSnap(const SnapSettings& snap);
     bool grid() const;

@@ -1,7 +1,9 @@
 #include "tests/support/folders.h"
 #include "tests/support/test_main.h"
 
+#include <QDir>
 #include <QProcess>
+#include <QTemporaryDir>
 
 using namespace spacetow::test;
 
@@ -15,7 +17,7 @@ class SpacetowTest : public QObject {
         QTest::newRow("--help") << "--help"
                                 << "Usage: ";
         QTest::newRow("-h") << "-h"
-                            << "[LEVEL]";
+                            << "[LEVEL";
         QTest::newRow("--version") << "--version"
                                    << "spacetow-studio ";
         QTest::newRow("-v") << "-v"
@@ -38,6 +40,27 @@ class SpacetowTest : public QObject {
         QCOMPARE(process.exitCode(), 0);
         const QString out = QString::fromUtf8(process.readAllStandardOutput());
         QVERIFY2(out.contains(words), qPrintable(out));
+    }
+
+    void itEndsOrderlyWhenItIsTold() {
+        const QTemporaryDir home;
+        QProcess process;
+        process.setProcessChannelMode(QProcess::ForwardedChannels);
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("QT_QPA_PLATFORM", "offscreen");
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_CONFIG_HOME"}) {
+            environment.insert(name, home.path());
+        }
+        process.setProcessEnvironment(environment);
+        process.start(binaryFolder() + "/bin/spacetow", QStringList());
+        const QDir journal(home.filePath("spacetow-studio/recovery"));
+        const auto isUp = [&journal] { return !journal.entryList({"*.lock"}, QDir::Files).isEmpty(); };
+        QTRY_VERIFY_WITH_TIMEOUT(isUp(), 60000);
+        process.terminate(); // SIGTERM
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 0);
+        QVERIFY(!isUp());
     }
 };
 

@@ -29,6 +29,7 @@ constexpr std::array cases{
     Case{"chains-10k", LargeLevel::Chains, 10'000},   Case{"bodies-10k", LargeLevel::Bodies, 10'000},
     Case{"wall-10k", LargeLevel::Wall, 10'000},       Case{"chains-100k", LargeLevel::Chains, 100'000},
     Case{"bodies-100k", LargeLevel::Bodies, 100'000}, Case{"wall-100k", LargeLevel::Wall, 100'000},
+    Case{"windows-10k", LargeLevel::Chains, 10'000},
 };
 
 struct Request {
@@ -81,7 +82,12 @@ int timeOne(const Request& asked) {
         std::printf("%s\n", row.dump().c_str());
         std::fflush(stdout);
     };
-    timeEditor({found->level, found->edges, asked.cpu}, print);
+    const Subject subject{found->level, found->edges, asked.cpu};
+    if (asked.only == "windows-10k") {
+        measureWindows(subject, print);
+    } else {
+        timeEditor(subject, print);
+    }
     return 0;
 }
 

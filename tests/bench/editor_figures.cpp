@@ -62,6 +62,7 @@ class Timing {
         hover();
         dragOne();
         dragNode();
+        autosave();
         changeAll();
     }
 
@@ -221,6 +222,26 @@ class Timing {
         rest();
     }
 
+    /// How long the journal holds up the window; the edit is one that leaves nothing to paint.
+    void autosave() {
+        std::vector<double> times;
+        for (int i = 0; i < 8; ++i) {
+            Document& document = m_window.document();
+            Level level = *document.current().level;
+            level.description = std::to_string(i);
+            document.commit({"change-level", 1}, {std::make_shared<const Level>(std::move(level)), {}});
+            double longest = 0;
+            while (m_window.recovery().isBehind()) {
+                longest = std::max(longest, time([] { QCoreApplication::processEvents(); }));
+            }
+            times.push_back(longest);
+            rest();
+        }
+        say("autosave.blocked", quantile(times, 0.99), 16, 0);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        rest();
+    }
+
     void changeAll() {
         canvas().setFocus();
         rest();
@@ -245,6 +266,7 @@ class Timing {
     std::function<void(const Figure&)> m_report;
     bool m_large;
     QTemporaryDir m_folder;
+    bool m_ownJournal = qputenv("XDG_STATE_HOME", m_folder.path().toUtf8()); // before the window is made
     MainWindow m_window;
 };
 

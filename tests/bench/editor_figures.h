@@ -24,4 +24,7 @@ struct Subject {
 /// Needs a QApplication. `report` is called as figures come about.
 void timeEditor(const Subject& subject, const std::function<void(const Figure&)>& report);
 
+/// The memory of a window for each of two such levels.
+void measureWindows(const Subject& subject, const std::function<void(const Figure&)>& report);
+
 } // namespace spacetow::bench

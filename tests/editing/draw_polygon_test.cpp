@@ -31,6 +31,7 @@ class DrawPolygonTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void whatIsHalfDrawnIsKnownToTheJournal();
     void polygonsAreAnticlockwise();
     void aPolygonThatCrossesItselfIsRefused();
     void aSideThroughAnotherIsMarkedWhileItIsDrawn();
@@ -133,6 +134,24 @@ void DrawPolygonTest::aPolygonOfAThousandCornersIsDrawn() {
     drive.points(corners);
     drive.click(corners.front());
     QCOMPARE(worldPoints(drive.newest()).size(), std::size_t{1000});
+}
+
+void DrawPolygonTest::whatIsHalfDrawnIsKnownToTheJournal() {
+    Drive drive;
+    drive.toolbox.choose(ToolId::Polygon);
+    QVERIFY(!drive.toolbox.unfinished());
+    drive.click({{0, 0}, {2, 0}});
+    for (const bool enough : {false, true}) {
+        if (enough) {
+            drive.click({2, 2});
+        }
+        const std::optional<Edit> edit = drive.toolbox.unfinished();
+        QVERIFY(edit.has_value());
+        QCOMPARE(edit->level->objects.size(), 1);
+        const LevelShape& shape = std::get<BodyObject>(edit->level->objects[0].data).shapes.front();
+        QCOMPARE(std::holds_alternative<Polygon>(shape), enough); // else a line through what there is
+    }
+    QVERIFY(drive.toolbox.isBusy() && drive.level().objects.empty()); // and goes on
 }
 
 SPACETOW_TEST(DrawPolygonTest)

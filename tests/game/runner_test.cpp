@@ -78,6 +78,29 @@ class RunnerTest : public QObject {
             QVERIFY(again->bodies[i].pose.position == frame->now->bodies[i].pose.position);
         }
     }
+    void aRecordingThatIsFollowedIsFlownAgainAndThenThePlayerIsAtTheHelm() {
+        Runner recorded(openSpace(), Runner::Mode::Manual, 21);
+        for (int i = 0; i < 100; ++i) {
+            recorded.hold({.left = i % 50 < 4, .thrust = i % 3 != 0});
+            recorded.advance();
+        }
+        Runner again(openSpace(), Runner::Mode::Manual, 21);
+        again.advance(7);
+        again.follow(recorded.recording().runs);
+        QCOMPARE(again.frame()->now->update, std::int64_t(0));
+        again.hold(right); // counts for nothing yet
+        again.advance(100);
+        QVERIFY(again.recording() == recorded.recording());
+        const auto bodies = [](Runner& runner) { return runner.frame()->now->bodies; };
+        for (std::size_t i = 0; i < bodies(recorded).size(); ++i) {
+            QVERIFY(bodies(again)[i].pose.position == bodies(recorded)[i].pose.position);
+        }
+        again.advance(1);
+        QVERIFY(again.frame()->now->controls == right);
+        again.restart();
+        again.advance(100);
+        QVERIFY(again.recording() == recorded.recording());
+    }
     void restartingBeginsAgainWithAnEmptyRecording() {
         Runner runner(openSpace(), Runner::Mode::Manual);
         runner.hold(thrust);

@@ -22,6 +22,7 @@ class TestWindow {
         QSettings::setDefaultFormat(QSettings::IniFormat);
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.filePath(QStringLiteral("settings")));
         QCoreApplication::setOrganizationName(QStringLiteral("spacetow-test"));
+        qputenv("XDG_STATE_HOME", m_folder.filePath(QStringLiteral("state")).toUtf8());
         makeWindow();
         window->resize(1280, 800);
         show();
@@ -91,12 +92,13 @@ class TestWindow {
   private:
     void makeWindow() {
         window = std::make_unique<MainWindow>();
-        window->files().questions = {[this](const QString&) { return toOpen; },
-                                     [this](const QString&) { return toSave; },
-                                     [this](const QString&) {
-                                         ++asked;
-                                         return unsaved;
-                                     }};
+        window->files().questions = {
+            [this](const QString&) { return toOpen.isEmpty() ? QStringList() : QStringList{toOpen}; },
+            [this](const QString&) { return toSave; },
+            [this](const QString&) {
+                ++asked;
+                return unsaved;
+            }};
     }
     void show() {
         window->show();

@@ -36,7 +36,7 @@ struct ComparedWindow : TestWindow {
             qFatal("cannot write the level");
         }
         document().reset(level);
-        window->files().questions.whichToOpen = [path](const QString&) { return path; };
+        window->files().questions.whichToOpen = [path](const QString&) { return QStringList{path}; };
         trigger(Act::Compare);
         panel().finish();
     }

@@ -68,7 +68,7 @@ class NamesTest : public QObject {
             format = box->textFormat();
             box->close();
         });
-        const Unsaved answer = dialogQuestions(test.window.get()).whatAboutChanges(oddName);
+        const Unsaved answer = dialogQuestions([&] { return test.window.get(); }).whatAboutChanges(oddName);
         QCOMPARE(answer, Unsaved::Cancel);
         QVERIFY(shown.contains(oddName));
         QCOMPARE(format, Qt::PlainText);

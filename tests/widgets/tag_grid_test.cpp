@@ -62,6 +62,19 @@ class TagGridTest : public QObject {
         QVERIFY(test.grid("tags").everythingChip() == nullptr);
     }
 
+    void tabGoesThroughTheTagsInTheOrderInWhichTheyStand() {
+        TagGridFixture test({body(1, TagMask::bit(wallTag))});
+        const QWidget* at = test.grid("touches").everythingChip();
+        for (int i = 0; i < TagTable::size; ++i) {
+            if (const TagChip* chip = test.grid("touches").chip(i)) {
+                do {
+                    at = at->nextInFocusChain();
+                } while (!at->isVisible());
+                QCOMPARE(at, chip);
+            }
+        }
+    }
+
     void aClickOnAMixedTagSetsItForAll() {
         TagGridFixture test({body(1, TagMask::bit(wallTag)), body(2, TagMask{3})});
         TagChip* ship = test.grid("tags").chip(shipTag);

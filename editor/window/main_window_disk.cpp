@@ -1,0 +1,58 @@
+// What the window does about files that others change, and about work that was left unsaved.
+#include "editor/window/application.h"
+#include "editor/window/main_window.h"
+
+#include <QApplication>
+
+namespace spacetow {
+
+void MainWindow::listenToDisk() {
+    m_noticeListener = m_open->disk.noticed.connect([this] { showNotice(); });
+    connect(&m_diskBar, &MessageBar::dismissed, this, [this] { m_open->disk.dismiss(); });
+    connect(&m_recoveryBar, &RecoveryBar::closed, this, [this] { m_canvas.setFocus(); });
+    showNotice();
+}
+
+void MainWindow::showNotice() {
+    const std::optional<DiskChanges::Notice>& notice = m_open->disk.notice();
+    if (notice) {
+        m_diskBar.say(notice->tone, notice->text, notice->choices);
+    } else {
+        m_diskBar.dismiss();
+    }
+}
+
+void MainWindow::offerRecovery(bool asked) {
+    if (asked) {
+        connect(
+            &m_recoveryBar, &RecoveryBar::nothingFound, this,
+            [this] { m_message.say(MessageBar::Tone::Info, tr("Nothing was left unsaved.")); },
+            static_cast<Qt::ConnectionType>(Qt::SingleShotConnection));
+    }
+    m_recoveryBar.look(asked);
+}
+
+void MainWindow::keepForNextTime() {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        if (auto* const window = qobject_cast<MainWindow*>(widget)) {
+            window->enterTyping();
+            window->finishDrawing();
+            window->m_open->recovery.flush();
+            window->m_files.preferences.setWindow(window->saveGeometry(), window->m_panels->arrangement());
+        }
+    }
+}
+
+bool MainWindow::restoreWork(const JournalEntry& entry) {
+    MainWindow& room =
+        m_application != nullptr ? m_application->roomToRestore(QString::fromStdString(entry.path), *this) : *this;
+    room.stopPlaying();
+    room.enterTyping();
+    room.finishDrawing();
+    room.m_message.dismiss();
+    const bool restored = room.m_files.mayLeave() && room.m_files.restore(entry) && room.m_open->recovery.flush();
+    room.comeForward();
+    return restored;
+}
+
+} // namespace spacetow

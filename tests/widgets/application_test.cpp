@@ -1,0 +1,354 @@
+// Several windows in one program: what opens where, two views of one level, and what is remembered.
+
+#include "core/game/replay.h"
+#include "editor/window/dropped_files.h"
+#include "tests/support/folders.h"
+#include "tests/support/test_main.h"
+#include "tests/support/windows.h"
+
+#include <QDragEnterEvent>
+#include <QFile>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+
+using namespace spacetow;
+using spacetow::test::TestApplication;
+
+namespace {
+
+QStringList windowNames(MainWindow& window) {
+    for (QMenu* menu : window.menuBar()->findChildren<QMenu*>()) {
+        if (menu->actions().contains(&window.actions()[Act::NewView])) {
+            Q_EMIT menu->aboutToShow();
+            QStringList names;
+            for (const QAction* action : menu->actions()) {
+                if (action->property("window").toBool() && !action->isSeparator()) {
+                    names << action->text();
+                }
+            }
+            return names;
+        }
+    }
+    return {};
+}
+
+void drop(MainWindow& window, const QStringList& paths) {
+    QList<QUrl> urls;
+    for (const QString& path : paths) {
+        urls << QUrl::fromLocalFile(path);
+    }
+    QMimeData data;
+    data.setUrls(urls);
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &event);
+}
+
+} // namespace
+
+class ApplicationTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void allFilesThatAreNamedAreOpenedEachInItsWindow() {
+        TestApplication test;
+        const QString a = test.writtenLevel("a.json");
+        const QString b = test.writtenLevel("b.json");
+        test.start({a, b, a});
+        QCOMPARE(test.count(), 2u);
+        QCOMPARE(test.window(0).files().path(), a);
+        QCOMPARE(test.window(1).files().path(), b);
+        QVERIFY(test.window(0).isVisible() && test.window(1).isVisible());
+    }
+
+    void aFileThatCannotBeOpenedIsToldAndTheOthersAreOpened() {
+        TestApplication test;
+        const QString a = test.writtenLevel("a.json");
+        test.start({test.file("gone.json"), a, test.file("lost.json")});
+        QCOMPARE(test.count(), 1u);
+        QCOMPARE(test.window(0).files().path(), a);
+        const QString said = test.window(0).messageBar().text();
+        QVERIFY2(said.contains("gone.json") && said.contains("lost.json"), qPrintable(said));
+    }
+
+    void openReusesAWindowInWhichNothingWasDone() {
+        TestApplication test;
+        test.start();
+        test.toOpen = {test.writtenLevel("a.json")};
+        test.trigger(0, Act::Open);
+        QCOMPARE(test.count(), 1u);
+        test.toOpen = {test.writtenLevel("b.json"), test.writtenLevel("c.json")};
+        test.trigger(0, Act::Open);
+        QCOMPARE(test.count(), 3u);
+        QCOMPARE(test.window(2).files().path(), test.toOpen[1]);
+        QCOMPARE(test.asked, QStringList());
+    }
+
+    void newLeavesAnEditedLevelWhereItIs() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json")});
+        TestApplication::edit(test.window(0));
+        test.trigger(0, Act::New);
+        QCOMPARE(test.count(), 2u);
+        QVERIFY(test.window(0).document().isModified());
+        QCOMPARE(test.window(1).document().level().objects.size(), 0);
+        test.trigger(1, Act::New); // where nothing has been done yet
+        QCOMPARE(test.count(), 2u);
+        test.trigger(1, Act::NewWindow); // but if one asks for it
+        QCOMPARE(test.count(), 3u);
+        QCOMPARE(test.asked, QStringList());
+    }
+
+    void twoViewsShowOneLevelEachItsOwnPart() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json")});
+        test.trigger(0, Act::NewView);
+        QCOMPARE(test.count(), 2u);
+        MainWindow& one = test.window(0);
+        MainWindow& two = test.window(1);
+        QCOMPARE(two.canvas().view().scale, one.canvas().view().scale);
+        two.canvas().zoom(3);
+        QVERIFY(two.canvas().view().scale > 2 * one.canvas().view().scale);
+
+        TestApplication::edit(two);
+        QVERIFY(one.document().level() == two.document().level());
+        QVERIFY(one.isWindowModified() && two.isWindowModified());
+        test.trigger(0, Act::Undo);
+        QCOMPARE(two.document().level().objects.size(), 1);
+        QVERIFY(one.windowTitle().startsWith("a.json: 1") && two.windowTitle().startsWith("a.json: 2"));
+    }
+
+    void closingOneOfTwoViewsAsksNothingTheLastOneDoes() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json")});
+        test.trigger(0, Act::NewView);
+        TestApplication::edit(test.window(0));
+        test.trigger(0, Act::Close);
+        QCOMPARE(test.count(), 1u);
+        QCOMPARE(test.asked, QStringList());
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        TestApplication::edit(test.window(0)); // nobody listens who is gone
+        QVERIFY(test.window(0).windowTitle().startsWith("a.json["));
+        test.trigger(0, Act::Close);
+        QCOMPARE(test.count(), 1u);
+        QCOMPARE(test.asked, QStringList{"a.json"});
+        test.unsaved = Unsaved::Discard;
+        test.trigger(0, Act::Close);
+        QCOMPARE(test.count(), 1u);
+        QVERIFY(test.window(0).isWelcoming());
+        test.trigger(0, Act::Close);
+        QCOMPARE(test.count(), 0u);
+    }
+
+    void aShapeHalfDrawnInOneViewIsFinishedWhenTheOtherComesForward() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json")});
+        test.trigger(0, Act::NewView);
+        MainWindow& one = test.window(0);
+        one.openLevel()->bringToFront(one);
+        one.takeTool(ToolId::Edge);
+        const int objects = one.document().level().objects.size();
+        const QPoint middle = one.canvas().rect().center();
+        for (const QPoint& offset : {QPoint(-90, 90), QPoint(90, 90), QPoint(90, -90)}) {
+            QTest::mouseMove(&one.canvas(), middle + offset);
+            QTest::mouseClick(&one.canvas(), Qt::LeftButton, {}, middle + offset);
+        }
+        QVERIFY(one.toolbox().isBusy());
+        one.openLevel()->bringToFront(test.window(1));
+        QVERIFY(!one.toolbox().isBusy());
+        QCOMPARE(test.window(1).document().level().objects.size(), objects + 1);
+    }
+
+    void quitAsksOnceForEachLevelBeforeItClosesAny() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json"), test.writtenLevel("b.json")});
+        test.trigger(0, Act::NewView);
+        TestApplication::edit(test.window(0));
+        TestApplication::edit(test.window(1));
+        test.unsaved = Unsaved::Cancel;
+        test.trigger(0, Act::Quit);
+        QCOMPARE(test.count(), 3u);
+        QCOMPARE(test.asked, QStringList{"a.json"});
+        test.asked.clear();
+        test.unsaved = Unsaved::Save;
+        QVERIFY(test.application->quit());
+        QCOMPARE(test.count(), 0u);
+        QCOMPARE(test.asked, (QStringList{"a.json", "b.json"}));
+        const Result<LevelFile> saved = readLevel(test.file("b.json").toStdString());
+        QCOMPARE(saved.value().level->objects.size(), 2);
+    }
+
+    void theWindowsAreListedAndNextGoesThroughThem() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json"), test.writtenLevel("b & c.json")});
+        TestApplication::edit(test.window(0));
+        QCOMPARE(windowNames(test.window(1)), (QStringList{"a.json*", "b && c.json"}));
+        test.window(0).showMinimized();
+        test.trigger(1, Act::NextWindow);
+        QVERIFY(!test.window(0).isMinimized());
+    }
+
+    void theNextRunBeginsWithWhatWasOpen() {
+        TestApplication test;
+        const QString b = test.writtenLevel("b.json");
+        test.start({test.writtenLevel("a.json"), b});
+        test.trigger(1, Act::NewView);
+        Viewport view = test.window(2).canvas().view();
+        view.center = Vec2(3, 4);
+        view.scale = 120;
+        test.window(2).canvas().setView(view);
+        test.startAgain();
+        QCOMPARE(test.count(), 3u);
+        QCOMPARE(test.window(1).files().path(), b);
+        QCOMPARE(test.window(1).openLevel(), test.window(2).openLevel());
+        QVERIFY(test.window(2).canvas().view().center == Vec2(3, 4));
+        QCOMPARE(test.window(2).canvas().view().scale, 120.0);
+
+        test.startAgain({b}); // what is named wins
+        QCOMPARE(test.count(), 1u);
+        test.trigger(0, Act::RestoreWindows); // off
+        test.startAgain();
+        QCOMPARE(test.count(), 1u);
+        QCOMPARE(test.window(0).files().path(), QString());
+    }
+
+    void theLastWindowThatIsClosedIsThereAgain() {
+        TestApplication test;
+        const QString b = test.writtenLevel("b.json");
+        test.start({test.writtenLevel("a.json"), b});
+        test.trigger(0, Act::Close);
+        QVERIFY(test.window(0).close());
+        QCOMPARE(test.count(), 0u);
+        test.startAgain();
+        QCOMPARE(test.count(), 1u);
+        QCOMPARE(test.window(0).files().path(), b);
+    }
+
+    void whatIsGoneIsToldAndTheRestIsOpened() {
+        TestApplication test;
+        const QString a = test.writtenLevel("a.json");
+        test.start({a, test.writtenLevel("b.json")});
+        QVERIFY(test.application->quit());
+        QVERIFY(QFile::remove(a));
+        test.startAgain();
+        QCOMPARE(test.count(), 1u);
+        QVERIFY(test.window(0).messageBar().text().contains("a.json"));
+    }
+
+    void aClosedLevelIsReopenedWhereItWasLookedAt() {
+        TestApplication test;
+        const QString b = test.writtenLevel("b.json");
+        test.start({test.writtenLevel("a.json"), b});
+        QVERIFY(!test.window(0).actions()[Act::ReopenClosed].isEnabled());
+        Viewport view = test.window(1).canvas().view();
+        view.center = Vec2(3, 4);
+        test.window(1).canvas().setView(view);
+        test.trigger(1, Act::Close);
+        test.trigger(0, Act::ReopenClosed);
+        QCOMPARE(test.count(), 2u);
+        QCOMPARE(test.window(1).files().path(), b);
+        QVERIFY(test.window(1).canvas().view().center == Vec2(3, 4));
+        QVERIFY(!test.application->canReopen());
+    }
+
+    void aLevelWithoutAFileComesBackAsItWasAndUnsaved() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json")});
+        test.trigger(0, Act::New);
+        TestApplication::edit(test.window(1));
+        const Level level = test.window(1).document().level();
+        test.unsaved = Unsaved::Discard;
+        test.trigger(1, Act::Close);
+        test.trigger(0, Act::ReopenClosed);
+        QCOMPARE(test.count(), 2u);
+        QVERIFY(test.window(1).document().level() == level);
+        QVERIFY(test.window(1).document().isModified() && test.window(1).files().path().isEmpty());
+    }
+
+    void lightAndDarkAreThatOfAllWindows() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json"), test.writtenLevel("b.json")});
+        test.trigger(0, Act::AppearanceDark);
+        QVERIFY(test.window(1).appearance() == Appearance::Dark);
+        test.trigger(1, Act::AppearanceLight);
+        QVERIFY(test.window(0).appearance() == Appearance::Light);
+    }
+
+    void aDroppedFlightIsFlownInTheLevelThatIsOpen() {
+        TestApplication test;
+        const QString level = spacetow::test::sourceFolder() + "/levels/01_first_haul.json";
+        test.start({test.writtenLevel("a.json"), level});
+        drop(test.window(0), {spacetow::test::sourceFolder() + "/tests/replays/01_first_haul.replay.json"});
+        QCOMPARE(test.count(), 2u);
+        QVERIFY(test.window(1).isPlaying() && !test.window(0).isPlaying());
+        QCOMPARE(test.window(1).messageBar().text(), QString());
+    }
+
+    void aFlightFindsItsLevelBesideItOrAmongTheShippedOnes() {
+        TestApplication test;
+        test.start();
+        const QString copy = test.file("flight.json"); // whatever it is called
+        QVERIFY(QFile::copy(spacetow::test::sourceFolder() + "/tests/replays/01_first_haul.replay.json", copy));
+        QCOMPARE(kindOfFile(copy), FileKind::Replay);
+        drop(test.window(0), {copy});
+        QVERIFY(test.window(0).isPlaying());
+        QCOMPARE(test.window(0).messageBar().text(), QString());
+    }
+
+    void aFlightInAChangedLevelIsFlownWithAWarning() {
+        TestApplication test;
+        test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
+        TestApplication::edit(test.window(0));
+        drop(test.window(0), {spacetow::test::sourceFolder() + "/tests/replays/01_first_haul.replay.json"});
+        QVERIFY(test.window(0).isPlaying());
+        QVERIFY(test.window(0).messageBar().text().contains(QStringLiteral("changed")));
+        test.unsaved = Unsaved::Discard;
+    }
+
+    void aFlightWhoseLevelIsNowhereSaysSo() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json")});
+        Replay replay;
+        replay.level = "nowhere.json";
+        const QString path = test.file("x.replay.json");
+        QVERIFY(!writeReplay(path.toStdString(), replay));
+        drop(test.window(0), {path});
+        QVERIFY(!test.window(0).isPlaying());
+        QVERIFY(test.window(0).messageBar().text().contains("nowhere.json"));
+    }
+
+    void whatIsNoFlightAndNoLevelSaysWhy() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json")});
+        const QString path = test.file("broken.replay.json");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{\"replay\": 1, ") > 0);
+        file.close();
+        drop(test.window(0), {path});
+        QVERIFY(!test.window(0).messageBar().text().isEmpty());
+    }
+
+    void whileAGameIsPlayedTheTitleSaysHowItStands() {
+        TestApplication test;
+        test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
+        test.trigger(0, Act::Play);
+        QVERIFY(test.window(0).windowTitle().startsWith("01_first_haul.json[*] (ready)"));
+        QTest::keyPress(&test.window(0).playView(), Qt::Key_Up);
+        QVERIFY(QTest::qWaitFor([&] { return test.window(0).windowTitle().contains("(playing)"); }));
+        test.trigger(0, Act::Stop);
+        QVERIFY(test.window(0).windowTitle().startsWith("01_first_haul.json[*] - "));
+    }
+
+    void severalLevelsAreDroppedAtOnce() {
+        TestApplication test;
+        test.start();
+        drop(test.window(0), {test.writtenLevel("a.json"), test.writtenLevel("b.json")});
+        QCOMPARE(test.count(), 2u);
+    }
+};
+
+SPACETOW_TEST(ApplicationTest)
+#include "application_test.moc"

@@ -1,0 +1,261 @@
+#include "core/level/edits.h"
+#include "core/level/file.h"
+#include "tests/support/test_main.h"
+#include "tests/support/window.h"
+
+#include <QDir>
+#include <QFile>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace spacetow;
+using spacetow::test::TestWindow;
+
+namespace {
+
+Level ballAt(double x) {
+    Level level = TestWindow::twoBallsAtOneSpot();
+    level.objects.erase(1);
+    return moved(std::move(level), std::vector<Key>{1}, Vec2(x, 0));
+}
+
+/// The file is opened, and then another program writes to it.
+struct OpenFile {
+    OpenFile() : path(test.file("level.json")) {
+        write(0);
+        test.window->open(path);
+        test.window->resize(1280, 800);
+    }
+    void write(double x) const { writeLevel(path.toStdString(), ballAt(x)); }
+    std::optional<Level> onDisk() const { return readLevel(path.toStdString()).value().level; }
+    MessageBar& bar() { return test.window->diskBar(); }
+    void press(int button) { bar().buttons().at(static_cast<std::size_t>(button))->click(); }
+
+    TestWindow test;
+    QString path;
+};
+
+} // namespace
+
+class DiskChangesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aCleanLevelFollowsItsFileAndUndoTakesThatBack() {
+        OpenFile file;
+        file.test.trigger(Act::ZoomIn);
+        const double scale = file.test.canvas().view().scale;
+        file.write(3);
+        QTRY_VERIFY(file.test.level() == ballAt(3));
+        QVERIFY(!file.test.window->isWindowModified());
+        QCOMPARE(file.test.canvas().view().scale, scale);
+        QVERIFY(file.bar().isVisible() && file.bar().buttons().empty());
+        file.test.trigger(Act::Undo);
+        QVERIFY(file.test.level() == ballAt(0));
+        QVERIFY(file.test.window->isWindowModified());
+        file.test.trigger(Act::Redo);
+        QVERIFY(!file.test.window->isWindowModified());
+    }
+
+    void aFileThatIsWrittenInPlaceIsFollowedToo() {
+        OpenFile file;
+        QFile out(file.path);
+        QVERIFY(out.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        out.write(levelText(ballAt(4)).c_str());
+        out.close();
+        QTRY_VERIFY(file.test.level() == ballAt(4));
+    }
+
+    void savingHereIsNoChangeOfOthers() {
+        OpenFile file;
+        file.test.drawWalls();
+        file.test.trigger(Act::Save);
+        const int position = file.test.document().position();
+        file.test.window->diskChanges().look();
+        QTRY_VERIFY(!file.test.window->diskChanges().isLooking());
+        QVERIFY(!file.bar().isVisible());
+        QCOMPARE(file.test.document().position(), position);
+    }
+
+    void changesOnBothSidesAreAskedAbout_data() {
+        QTest::addColumn<int>("button");
+        QTest::newRow("reload") << 0;
+        QTest::newRow("keep mine") << 1;
+        QTest::newRow("compare, then reload") << 2;
+    }
+    void changesOnBothSidesAreAskedAbout() {
+        QFETCH(int, button);
+        OpenFile file;
+        file.test.drawWalls();
+        const Level mine = file.test.level();
+        file.write(3);
+        QTRY_VERIFY(file.bar().isVisible());
+        QVERIFY(file.test.level() == mine);
+        file.press(button);
+        if (button == 1) {
+            QVERIFY(!file.bar().isVisible() && file.test.window->isWindowModified());
+            file.test.trigger(Act::Save);
+            QVERIFY(file.onDisk() == mine);
+            return;
+        }
+        if (button == 2) {
+            QVERIFY2(file.bar().text().contains("One-way wall"), qPrintable(file.bar().text()));
+            QVERIFY2(file.bar().text().contains("Circle"), qPrintable(file.bar().text()));
+            QCOMPARE(file.test.document().selection().size(), 2);
+            file.press(0);
+        }
+        QVERIFY(file.test.level() == ballAt(3) && !file.test.window->isWindowModified());
+        QVERIFY(!file.bar().isVisible());
+        file.test.trigger(Act::Undo);
+        QVERIFY(file.test.level() == mine);
+    }
+
+    void savingAsksBeforeItOverwritesAnothersChange() {
+        OpenFile file;
+        file.test.drawWalls();
+        const Level mine = file.test.level();
+        file.write(3);
+        file.test.trigger(Act::Save); // before the watcher has said anything
+        QVERIFY(file.onDisk() == ballAt(3));
+        QVERIFY(file.bar().isVisible() && file.bar().text().contains("Not saved"));
+        QVERIFY(file.test.window->isWindowModified());
+        file.press(0);
+        QVERIFY(file.onDisk() == mine);
+        QVERIFY(!file.bar().isVisible() && !file.test.window->isWindowModified());
+    }
+
+    void closingWithSaveStaysWhenThatWouldOverwriteAnothersChange() {
+        OpenFile file;
+        file.test.drawWalls();
+        file.write(3);
+        file.test.unsaved = Unsaved::Save;
+        QVERIFY(!file.test.window->close());
+        QVERIFY(file.onDisk() == ballAt(3) && file.bar().isVisible());
+    }
+
+    void aFileThatIsTouchedButTheSameIsNoChange() {
+        OpenFile file;
+        file.test.drawWalls();
+        const Level mine = file.test.level();
+        file.write(0);
+        file.test.trigger(Act::Save);
+        QVERIFY(file.onDisk() == mine && !file.bar().isVisible());
+    }
+
+    void aDeletedFileMakesTheLevelCountAsModified() {
+        OpenFile file;
+        QFile::remove(file.path);
+        QTRY_VERIFY(file.bar().isVisible());
+        QVERIFY(file.bar().text().contains("no longer there"));
+        QVERIFY(file.test.window->isWindowModified());
+        QTRY_VERIFY(!file.test.window->recovery().isBehind());
+        file.press(0);
+        QVERIFY(file.onDisk() == ballAt(0));
+        QVERIFY(!file.bar().isVisible() && !file.test.window->isWindowModified());
+    }
+
+    void aFileThatComesBackIsFollowedAgain() {
+        OpenFile file;
+        QFile::rename(file.path, file.path + ".moved");
+        QTRY_VERIFY(file.bar().isVisible());
+        QFile::rename(file.path + ".moved", file.path);
+        QTRY_VERIFY(!file.bar().isVisible());
+        QVERIFY(!file.test.window->isWindowModified());
+        QFile::remove(file.path);
+        QTRY_VERIFY(file.bar().isVisible());
+        file.write(5);
+        QTRY_VERIFY(file.test.level() == ballAt(5));
+        QVERIFY(!file.test.window->isWindowModified());
+    }
+
+    void aFileThatCannotBeReadAnyMoreLeavesTheLevelAlone() {
+        OpenFile file;
+        QFile out(file.path);
+        QVERIFY(out.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        out.write("{ nonsense");
+        out.close();
+        QTRY_VERIFY(file.bar().isVisible());
+        QVERIFY(file.test.level() == ballAt(0) && file.test.window->isWindowModified());
+        file.press(0);
+        file.test.trigger(Act::Save);
+        QVERIFY(file.onDisk() == ballAt(0));
+    }
+
+    void nothingIsSwappedDuringADrag() {
+        OpenFile file;
+        const QPoint from = file.test.at(0.5, 0);
+        QTest::mousePress(&file.test.canvas(), Qt::LeftButton, {}, from);
+        QTest::mouseMove(&file.test.canvas(), from + QPoint(40, 0));
+        QVERIFY(file.test.document().hasPreview());
+        file.write(3);
+        file.test.window->diskChanges().look();
+        QTRY_VERIFY(!file.test.window->diskChanges().isLooking());
+        QVERIFY(file.test.document().hasPreview());
+        QTest::keyClick(&file.test.canvas(), Qt::Key_Escape);
+        QTest::mouseRelease(&file.test.canvas(), Qt::LeftButton, {}, from);
+        QTRY_VERIFY(file.test.level() == ballAt(3));
+    }
+
+    void ctrlRReadsTheFileAgain() {
+        OpenFile file;
+        file.test.drawWalls();
+        const Level mine = file.test.level();
+        QCOMPARE(file.test.window->actions()[Act::Reload].shortcut(), QKeySequence(QStringLiteral("Ctrl+R")));
+        file.test.trigger(Act::Reload);
+        QVERIFY(file.test.level() == ballAt(0) && !file.test.window->isWindowModified());
+        file.test.trigger(Act::Undo);
+        QVERIFY(file.test.level() == mine);
+    }
+
+    void aFolderThatIsGoneOrReadOnlyIsToldOfWithAWayOut_data() {
+        QTest::addColumn<bool>("gone");
+        QTest::newRow("gone") << true;
+        QTest::newRow("read-only") << false;
+    }
+    void aFolderThatIsGoneOrReadOnlyIsToldOfWithAWayOut() {
+        QFETCH(bool, gone);
+        OpenFile file;
+        const QString folder = file.test.file("folder");
+        QDir().mkpath(folder);
+        file.test.toSave = folder + "/level.json";
+        file.test.trigger(Act::SaveAs);
+        file.test.drawWalls();
+        const Level mine = file.test.level();
+        if (gone) {
+            QVERIFY(QDir(folder).removeRecursively());
+        } else {
+            QVERIFY(QFile::remove(folder + "/level.json"));
+            QVERIFY(::chmod(qPrintable(folder), 0555) == 0);
+            if (::geteuid() == 0) {
+                QSKIP("root may write anywhere");
+            }
+        }
+        file.test.trigger(Act::Save);
+        MessageBar& bar = file.test.window->messageBar();
+        QVERIFY(bar.isVisible() && bar.text().contains("Nothing is lost"));
+        QVERIFY(file.test.level() == mine && file.test.window->isWindowModified());
+        QVERIFY(file.test.window->recovery().flush());
+        file.test.toSave = file.test.file("elsewhere.json");
+        bar.buttons().at(0)->click();
+        QCOMPARE(file.test.window->files().path(), file.test.toSave);
+        QVERIFY(!file.test.window->isWindowModified());
+        ::chmod(qPrintable(folder), 0755);
+    }
+
+    void buttonsOfABarAreNotCutOffInANarrowWindow() {
+        OpenFile file;
+        file.test.drawWalls();
+        file.write(3);
+        QTRY_VERIFY(file.bar().isVisible());
+        file.press(2);
+        for (const QSize size : {QSize(1024, 640), QSize(800, 600)}) {
+            file.test.window->resize(size);
+            QApplication::processEvents();
+            QCOMPARE(spacetow::test::cutOffTexts(file.bar()), QStringList());
+        }
+    }
+};
+
+SPACETOW_TEST(DiskChangesTest)
+#include "disk_changes_test.moc"

@@ -1,0 +1,289 @@
+#include "core/level/edits.h"
+#include "core/level/file.h"
+#include "editor/editing/backups.h"
+#include "editor/window/quit_signals.h"
+#include "editor/window/state_folder.h"
+#include "tests/support/test_main.h"
+#include "tests/support/window.h"
+#include "tests/support/windows.h"
+
+#include <QFile>
+#include <QMenu>
+#include <QSignalSpy>
+
+#include <csignal>
+#include <filesystem>
+
+using namespace spacetow;
+using spacetow::test::cutOffTexts;
+using spacetow::test::TestWindow;
+
+namespace {
+
+/// A window whose program has gone without a word, and another that was started then.
+void killAndRestart(TestWindow& test) {
+    QVERIFY(test.window->recovery().flush());
+    test.unsaved = Unsaved::Discard;
+    test.reopen();
+    test.window->offerRecovery();
+    QTRY_VERIFY(!test.window->recoveryBar().isLooking());
+    QApplication::processEvents();
+}
+
+std::size_t entriesLeft() {
+    return orphans(journalFolder()).size();
+}
+
+/// A level file with one ball, opened.
+QString openBall(TestWindow& test) {
+    const QString path = test.file("ball.json");
+    Level level = TestWindow::twoBallsAtOneSpot();
+    level.objects.erase(1);
+    writeLevel(path.toStdString(), level);
+    test.window->open(path);
+    return path;
+}
+
+} // namespace
+
+class RecoveryTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aLevelThatWasNeverSavedComesBack() {
+        TestWindow test;
+        test.drawWalls();
+        const Level drawn = test.level();
+        killAndRestart(test);
+        RecoveryBar& bar = test.window->recoveryBar();
+        QVERIFY(bar.isVisible());
+        QCOMPARE(bar.rows().size(), std::size_t{1});
+        RecoveryRow& row = *bar.rows().front();
+        QVERIFY(row.details().contains("never saved") && row.details().contains("1 objects"));
+        QVERIFY(!row.found().picture.isNull());
+        QCOMPARE(test.level().objects.size(), 0);
+        row.restore.click();
+        QVERIFY(test.level() == drawn);
+        QVERIFY(test.window->isWindowModified());
+        QVERIFY(test.window->files().path().isEmpty());
+        QTRY_VERIFY(!bar.isVisible());
+        QCOMPARE(entriesLeft(), std::size_t{0}); // it is this window's own now
+        killAndRestart(test);
+        QCOMPARE(test.window->recoveryBar().rows().size(), std::size_t{1});
+    }
+
+    void aLevelThatHasAFileStillKnowsIt() {
+        TestWindow test;
+        const QString path = openBall(test);
+        const Level saved = test.level();
+        test.drawWalls();
+        const Level drawn = test.level();
+        killAndRestart(test);
+        RecoveryRow& row = *test.window->recoveryBar().rows().at(0);
+        row.compare.click();
+        QVERIFY2(row.explanation().contains("One-way wall"), qPrintable(row.explanation()));
+        QCOMPARE(cutOffTexts(*test.window), QStringList());
+        row.restore.click();
+        QVERIFY(test.level() == drawn && test.window->isWindowModified());
+        QCOMPARE(test.window->files().path(), path);
+        test.trigger(Act::Undo);
+        QVERIFY(test.level() == saved && !test.window->isWindowModified());
+        test.trigger(Act::Redo);
+        test.trigger(Act::Save);
+        QVERIFY(readLevel(path.toStdString()).value().level == drawn);
+    }
+
+    void aFileThatWasChangedSinceIsNotOverwrittenUnasked() {
+        TestWindow test;
+        const QString path = openBall(test);
+        test.drawWalls();
+        QVERIFY(test.window->recovery().flush());
+        Level theirs;
+        theirs.name = "theirs";
+        QVERIFY(!writeLevel(path.toStdString(), theirs));
+        killAndRestart(test);
+        test.window->recoveryBar().rows().at(0)->restore.click();
+        QVERIFY(test.window->isWindowModified());
+        test.trigger(Act::Save);
+        QVERIFY(test.window->diskBar().isVisible());
+        QVERIFY(readLevel(path.toStdString()).value().level == theirs);
+    }
+
+    void discardedWorkIsOfferedNoMoreButCanBeBroughtBack() {
+        TestWindow test;
+        test.drawWalls();
+        killAndRestart(test);
+        RecoveryRow& row = *test.window->recoveryBar().rows().at(0);
+        row.discard.click();
+        QCOMPARE(entriesLeft(), std::size_t{0});
+        QVERIFY(row.undo.isVisible() && !row.restore.isVisible());
+        row.undo.click();
+        QCOMPARE(entriesLeft(), std::size_t{1});
+        row.discard.click();
+        killAndRestart(test);
+        QVERIFY(!test.window->recoveryBar().isVisible());
+    }
+
+    void aCleanCloseLeavesNothing() {
+        TestWindow test;
+        test.drawWalls();
+        QVERIFY(test.window->recovery().flush());
+        test.unsaved = Unsaved::Discard;
+        QVERIFY(test.window->close());
+        test.window.reset();
+        QCOMPARE(entriesLeft(), std::size_t{0});
+        QVERIFY(std::filesystem::is_empty(journalFolder()));
+    }
+
+    void whatIsSavedOrUndoneIsNotKept() {
+        TestWindow test;
+        openBall(test);
+        const auto written = [] {
+            for (const auto& entry : std::filesystem::directory_iterator(journalFolder())) {
+                if (entry.path().extension() == ".journal") {
+                    return true;
+                }
+            }
+            return false;
+        };
+        test.drawWalls();
+        QTRY_VERIFY(!test.window->recovery().isBehind());
+        QVERIFY(written());
+        test.trigger(Act::Undo);
+        QTRY_VERIFY(!test.window->recovery().isBehind());
+        QVERIFY(!written());
+        test.trigger(Act::Redo);
+        test.trigger(Act::Save);
+        QTRY_VERIFY(!test.window->recovery().isBehind());
+        QVERIFY(!written());
+    }
+
+    void theEndOfTheSessionAsksNothingAndLosesNothing() {
+        TestWindow test;
+        test.drawWalls();
+        test.trigger(ToolId::Edge);
+        test.click(-1, 1);
+        test.click(1, 1); // half drawn
+        MainWindow::keepForNextTime();
+        QCOMPARE(test.asked, 0);
+        const Level kept = test.level();
+        QCOMPARE(kept.objects.size(), 2);
+        test.reopen();
+        test.window->offerRecovery();
+        QTRY_VERIFY(test.window->recoveryBar().isVisible());
+        test.window->recoveryBar().rows().at(0)->restore.click();
+        QVERIFY(test.level() == kept);
+    }
+
+    void signalsBecomeEvents() {
+        const QuitSignals ending;
+        QSignalSpy spy(&ending, &QuitSignals::received);
+        std::raise(SIGTERM);
+        QTRY_COMPARE(spy.size(), 1);
+        std::raise(SIGHUP);
+        QTRY_COMPARE(spy.size(), 2);
+    }
+
+    void aJournalThatCannotBeWrittenIsToldOf() {
+        TestWindow test;
+        std::filesystem::remove_all(journalFolder());
+        test.drawWalls();
+        QVERIFY(!test.window->recovery().flush());
+        QVERIFY(test.window->messageBar().isVisible());
+        QVERIFY(test.window->messageBar().text().contains("lost"));
+    }
+
+    void askingWhenThereIsNothingSaysSo() {
+        TestWindow test;
+        test.trigger(Act::Recover);
+        QTRY_VERIFY(test.window->messageBar().isVisible());
+        QVERIFY(!test.window->recoveryBar().isVisible());
+    }
+
+    void aSecondWindowOfAFileIsTold() {
+        TestWindow test;
+        const QString path = openBall(test);
+        QVERIFY(!test.window->messageBar().isVisible());
+        MainWindow second;
+        QVERIFY(second.open(path));
+        QVERIFY(second.messageBar().text().contains("open in another window"));
+        second.recovery().close();
+    }
+
+    void workIsRestoredBesideWorkThatIsNotSaved() {
+        test::TestApplication test;
+        test.start();
+        Level mine;
+        mine.name = "mine";
+        test.window(0).startNew();
+        test.window(0).document().commit({"change-level", 1}, {std::make_shared<const Level>(mine), {}});
+        {
+            const Result<JournalSlot> slot = JournalSlot::made(journalFolder());
+            QVERIFY(!slot.value().write({"", "found", {}, 1, levelText(TestWindow::twoBallsAtOneSpot())}));
+        }
+        test.window(0).offerRecovery();
+        QTRY_COMPARE(test.window(0).recoveryBar().rows().size(), std::size_t{1});
+        test.window(0).recoveryBar().rows().front()->restore.click();
+        QCOMPARE(test.count(), std::size_t{2});
+        QVERIFY(test.window(0).document().level() == mine);
+        QVERIFY(test.window(1).document().level() == TestWindow::twoBallsAtOneSpot());
+        QVERIFY(test.window(1).isWindowModified());
+    }
+
+    void aFormerVersionIsOpenedAsOneEdit() {
+        TestWindow test;
+        openBall(test);
+        const Level first = test.level();
+        test.drawWalls();
+        test.trigger(Act::Save);
+        const Level second = test.level();
+        test.key(Qt::Key_Escape);
+        QMenu* backups = nullptr;
+        for (QMenu* menu : test.window->findChildren<QMenu*>()) {
+            backups = menu->title() == "&Backups" ? menu : backups;
+        }
+        QVERIFY(backups != nullptr);
+        Q_EMIT backups->aboutToShow();
+        QCOMPARE(backups->actions().size(), 1);
+        backups->actions().front()->trigger();
+        QVERIFY(test.level() == first && test.window->isWindowModified());
+        test.trigger(Act::Undo);
+        QVERIFY(test.level() == second && !test.window->isWindowModified());
+    }
+
+    void aFileThatIsBrokenOffersItsNewestBackup() {
+        TestWindow test;
+        const QString path = openBall(test);
+        const Level first = test.level();
+        test.drawWalls();
+        test.trigger(Act::Save);
+        test.trigger(Act::New);
+        QFile out(path);
+        QVERIFY(out.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        out.write("{ nonsense");
+        out.close();
+        QVERIFY(!test.window->open(path));
+        QCOMPARE(test.window->messageBar().buttons().size(), std::size_t{1});
+        test.window->messageBar().buttons().front()->click();
+        QVERIFY(test.level() == first && test.window->isWindowModified());
+        QCOMPARE(test.window->files().path(), path);
+        test.trigger(Act::Save);
+        QVERIFY(readLevel(path.toStdString()).value().level == first);
+    }
+
+    void nothingOfTheBarIsCutOffInASmallWindow() {
+        TestWindow test;
+        openBall(test);
+        test.drawWalls();
+        killAndRestart(test);
+        test.window->recoveryBar().rows().at(0)->compare.click();
+        for (const QSize size : {QSize(1024, 640), QSize(800, 600)}) {
+            test.window->resize(size);
+            QApplication::processEvents();
+            QCOMPARE(cutOffTexts(test.window->recoveryBar()), QStringList());
+        }
+    }
+};
+
+SPACETOW_TEST(RecoveryTest)
+#include "recovery_test.moc"
