@@ -19,7 +19,8 @@ struct Command {
 };
 
 constexpr Command commands[] = {
-    {"check", checkCommand, "check FILE… [--json]"},
+    {"check", checkCommand, "check FILE… [--all] [--json]"},
+    {"fix", fixCommand, "fix FILE [-o OUT] [--json]"},
     {"info", infoCommand, "info FILE"},
     {"render", renderCommand, "render FILE -o OUT.png|OUT.svg [--size WxH] [--overlays LIST] [--replay REPLAY]"},
     {"simulate", simulateCommand, "simulate FILE --updates N [--game] [--dump OUT.json] [--hash]"},

@@ -13,6 +13,8 @@ constexpr int unusable = 2; // bad usage, or a file that cannot be read or writt
 } // namespace exit_status
 
 int checkCommand(const QStringList& arguments);
+/// Carries out the safe fixes.
+int fixCommand(const QStringList& arguments);
 int infoCommand(const QStringList& arguments);
 int renderCommand(const QStringList& arguments);
 int simulateCommand(const QStringList& arguments);

@@ -1,6 +1,6 @@
 #include "app/levelc_support.h"
 
-#include "core/level/json_text.h"
+#include "core/level/fixes.h"
 #include "core/level/key_text.h"
 #include "editor/window/messages.h"
 
@@ -134,11 +134,33 @@ void complain(const Error& error) {
 }
 
 QString problemLine(const QString& file, const Problem& problem) {
-    const char* severity = problem.severity == Severity::Error ? "error" : "warning";
+    const char* severity = severityName(problem.severity);
     // Put together, as a file name may hold what looks like a place for an argument.
     return file + ':' + QString::number(problem.line) + ": " + QLatin1String(severity) + ": " +
            QString::fromStdString(problem.code) + ": " + sentence(problem) + " (" +
            QString::fromStdString(problem.pointer) + ')';
+}
+
+JsonText problemJson(const QString& file, const Problem& problem) {
+    JsonText json = JsonText::object();
+    json.append("file", JsonText::text(toPath(file).string()));
+    json.append("line", JsonText::integer(problem.line));
+    json.append("severity", JsonText::text(severityName(problem.severity)));
+    json.append("code", JsonText::text(problem.code));
+    json.append("message", JsonText::text(sentence(problem).toStdString()));
+    json.append("pointer", JsonText::text(problem.pointer));
+    json.append("object", problem.object == 0 ? JsonText::null() : JsonText::text(keyText(problem.object)));
+    JsonText place = JsonText::array();
+    for (const Vec2& point : problem.place) {
+        JsonText pair = JsonText::array();
+        pair.append(JsonText::number(point.x()));
+        pair.append(JsonText::number(point.y()));
+        place.append(std::move(pair));
+    }
+    json.append("place", std::move(place));
+    const Fix* const fix = fixFor(problem);
+    json.append("fix", JsonText::text(fix == nullptr ? "none" : fix->isSafe ? "safe" : "by hand"));
+    return json;
 }
 
 std::optional<Level> loadedLevel(const QString& file) {

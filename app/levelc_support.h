@@ -3,6 +3,7 @@
 // output, complaints to standard error.
 
 #include "core/level/file.h"
+#include "core/level/json_text.h"
 #include "core/physics/world.h"
 
 #include <QCommandLineParser>
@@ -44,6 +45,8 @@ void complain(const Error& error);
 
 /// "FILE:LINE: error: code: message (/pointer)"
 QString problemLine(const QString& file, const Problem& problem);
+/// The same for programs, with the place in the world and whether there is a fix.
+JsonText problemJson(const QString& file, const Problem& problem);
 
 /// The level of a file; none after complaining about what keeps it from being one.
 std::optional<Level> loadedLevel(const QString& file);

@@ -3,19 +3,15 @@
 
 #include "core/game/controls.h"
 #include "core/geometry/shape.h"
+#include "core/level/ship_figures.h"
 #include "core/physics/body.h"
 #include "core/physics/world.h"
 
 namespace spacetow {
 
 namespace ship {
-constexpr double mass = 1;                                         // kg
-constexpr double thrustToWeight = 2.5;                             // at the standard gravity of the game
-constexpr double standardGravity = 0.95;                           // m/s²
-constexpr double thrust = mass * standardGravity * thrustToWeight; // N
-constexpr double steering = 6.0;                                   // rad/s², while a direction is held
-constexpr double linearDamping = 0.15;                             // 1/s
-constexpr double angularDamping = 2.5;                             // 1/s
+constexpr double steering = 6.0;       // rad/s², while a direction is held
+constexpr double angularDamping = 2.5; // 1/s
 constexpr double restitution = 0.3;
 } // namespace ship
 

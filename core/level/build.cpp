@@ -113,7 +113,7 @@ std::vector<Shape> physicsShapes(const BodyObject& body) {
 }
 
 std::vector<Problem> problemsLeftOut(const Level& level) {
-    std::vector<Problem> problems = lint(level);
+    std::vector<Problem> problems = buildingProblems(level);
     std::erase_if(problems,
                   [](const Problem& problem) { return problem.severity != Severity::Error || problem.object == 0; });
     // Those of an object stand together.

@@ -208,6 +208,7 @@ LevelDifference differenceBetween(const Level& before, const Level& after) {
     result.guidesRemoved = missingIn(after.guides, before.guides);
     result.objects = differingObjects(before.objects, after.objects);
     result.unknownFields = before.unknownFields != after.unknownFields;
+    result.hiddenProblems = before.hiddenProblems != after.hiddenProblems;
     return result;
 }
 

@@ -55,10 +55,11 @@ struct LevelDifference {
     std::vector<Guide> guidesAdded, guidesRemoved;
     std::vector<ObjectDifference> objects; // removed ones in the order before, then the others in the order after
     bool unknownFields = false;
+    bool hiddenProblems = false; // others are hidden
 
     bool empty() const {
         return fields.empty() && tags.empty() && guidesAdded.empty() && guidesRemoved.empty() && objects.empty() &&
-               !unknownFields;
+               !unknownFields && !hiddenProblems;
     }
 };
 

@@ -265,6 +265,8 @@ std::vector<Row> levelRows() {
         {"tags", "Names and colours of the 32 tags.", "list", "those of a new level", std::move(tags), true});
     rows.push_back({"guides", "Lines that points snap to in the editor; not part of the game.", "list", "none",
                     listOf(definition(rowsOf<Guide>(), "", "")), false});
+    rows.push_back({"hiddenProblems", "What lint finds here and is not to be shown.", "list", "none",
+                    listOf(definition(rowsOf<HiddenProblem>(), "", "")), false});
     JsonText kinds = JsonText::array();
     for (const std::string_view name : objectTypeNames) {
         kinds.append(reference(name));
@@ -286,6 +288,7 @@ constexpr DescribedPart parts[] = {
     {"rules", "", rowsOf<Rules>},
     {"tag", "", tagRows},
     {"guide", "", rowsOf<Guide>},
+    {"hidden-problem", "", rowsOf<HiddenProblem>},
     {"object", "", objectRows},
     {"body", "A rigid body.", rowsOf<BodyObject>},
     {"ship", "Where the ship starts.", rowsOf<ShipObject>},

@@ -218,6 +218,15 @@ void visitFields(Visitor& v, T& guide, const Guide& defaults) {
 }
 
 template <class Visitor, class T>
+void visitFields(Visitor& v, T& hidden, const HiddenProblem& defaults) {
+    using namespace fields;
+    v.text(about("Code of the problem, as `levelc check` prints it.", required(plain("rule"))), hidden.rule,
+           defaults.rule);
+    v.optionalKey(about("Key of the object that has it; without it, the level itself.", plain("object")),
+                  hidden.object);
+}
+
+template <class Visitor, class T>
 void visitFields(Visitor& v, T& shape, const EdgeChain& defaults) {
     using namespace fields;
     v.flag(about("Whether the last vertex joins the first.", plain("closed")), shape.closed, defaults.closed);
@@ -267,8 +276,8 @@ void visitFields(Visitor& v, T& rules, const Rules& defaults) {
     v.text(about("Name of a shipped background.", written(plain("background"))), rules.background, defaults.background);
 }
 
-/// The simple fields of the level itself; "schema", "rules", "tags", "guides" and "objects" are structures of their
-/// own.
+/// The simple fields of the level itself; "schema", "rules", "tags", "guides", "hiddenProblems" and "objects" are
+/// structures of their own.
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& level, const Level& defaults) {
     using namespace fields;

@@ -70,15 +70,17 @@ void readTags(ReadState& state, FieldReader& level, const Place& parent) {
     level.eachObjectIn(*json, place, [&state](JsonView entry, const Place& here) { readTag(state, entry, here); });
 }
 
-void readGuides(ReadState& state, FieldReader& level, std::vector<Guide>& guides) {
-    const Place place{&documentPlace, "guides"};
-    const auto json = level.list("guides", false, place);
+/// The entries of a list that an old file may not have.
+template <class T>
+void readEntries(ReadState& state, FieldReader& level, const char* name, std::vector<T>& entries) {
+    const Place place{&documentPlace, name};
+    const auto json = level.list(name, false, place);
     if (!json) {
         return;
     }
-    level.eachObjectIn(*json, place, [&state, &guides](JsonView item, const Place& here) {
+    level.eachObjectIn(*json, place, [&state, &entries](JsonView item, const Place& here) {
         FieldReader reader(state, item, here);
-        visitFields(reader, guides.emplace_back());
+        visitFields(reader, entries.emplace_back());
         state.owner = &here;
         state.ownerPointer = here.pointer();
         reader.finish();
@@ -184,7 +186,8 @@ LevelReading readTree(const JsonTree& tree) {
         reader.reject("not-an-object", rulesPlace, *rules);
     }
     readTags(state, reader, documentPlace);
-    readGuides(state, reader, level.guides);
+    readEntries(state, reader, "guides", level.guides);
+    readEntries(state, reader, "hiddenProblems", level.hiddenProblems);
     const auto objects = reader.list("objects", true, {&documentPlace, "objects"});
     state.owner = &documentPlace;
     state.ownerPointer.clear();

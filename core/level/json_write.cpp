@@ -148,6 +148,21 @@ std::string placeOfTag(const std::string& place, const std::vector<int>& rows) {
                                                    : std::string();
 }
 
+template <class T>
+void writeEntries(JsonText& json, const char* name, const std::vector<T>& entries, const TagTable& tags) {
+    if (entries.empty()) {
+        return;
+    }
+    JsonText list = JsonText::array();
+    for (const T& entry : entries) {
+        JsonText line = JsonText::object();
+        FieldWriter writer(line, tags);
+        visitFields(writer, entry);
+        list.append(std::move(line));
+    }
+    json.append(name, std::move(list).broken());
+}
+
 } // namespace
 
 JsonText writtenTags(const TagTable& tags, TagMask which, TagMask always) {
@@ -194,16 +209,8 @@ JsonText writtenLevel(const Level& level) {
     }
     json.append("tags", writtenTags(level.tags, TagMask::all(), kept));
 
-    if (!level.guides.empty()) {
-        JsonText guides = JsonText::array();
-        for (const Guide& guide : level.guides) {
-            JsonText line = JsonText::object();
-            FieldWriter guideWriter(line, level.tags);
-            visitFields(guideWriter, guide);
-            guides.append(std::move(line));
-        }
-        json.append("guides", std::move(guides).broken());
-    }
+    writeEntries(json, "guides", level.guides, level.tags);
+    writeEntries(json, "hiddenProblems", level.hiddenProblems, level.tags);
 
     JsonText objects = JsonText::array();
     for (const Object& object : level.objects) {

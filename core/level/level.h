@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -117,6 +118,17 @@ struct Guide {
     bool operator==(const Guide&) const = default;
 };
 
+/// What lint finds and the author has seen and wants to see no more: the code of the problem, of one object.
+struct HiddenProblem {
+    std::string rule;
+    Key object = 0; // 0 for the level itself
+
+    bool operator==(const HiddenProblem&) const = default;
+};
+
+/// Whatever else a level names is shown as a plain one.
+inline constexpr std::array<std::string_view, 2> shippedBackgrounds{"stars", "plain"};
+
 /// The rules of a game of SpaceTow in this level.
 struct Rules {
     int lives = 3;         // attempts, ≥ 1
@@ -138,6 +150,7 @@ struct Level {
     Rules rules;
     TagTable tags;
     std::vector<Guide> guides;
+    std::vector<HiddenProblem> hiddenProblems;
     ObjectList objects;
     std::string unknownFields; // as in Object, of the level itself; tags are counted by their index
 

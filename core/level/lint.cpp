@@ -4,9 +4,16 @@
 #include "core/level/lint_findings.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <span>
 
 namespace spacetow {
+
+const char* severityName(Severity severity) {
+    constexpr std::array names{"note", "warning", "error"};
+    return names[static_cast<std::size_t>(severity)];
+}
 
 bool hasErrors(const std::vector<Problem>& problems) {
     return std::ranges::any_of(problems, [](const Problem& p) { return p.severity == Severity::Error; });
@@ -14,7 +21,8 @@ bool hasErrors(const std::vector<Problem>& problems) {
 
 void Findings::add(Severity severity, const char* code, std::vector<std::string> arguments, const FindingPlace& place) {
     const std::string start = place.index < 0 ? std::string() : "/objects/" + std::to_string(place.index);
-    m_found.emplace_back(place.index, Problem{severity, code, std::move(arguments), start + place.path, 0, place.key});
+    m_found.emplace_back(place.index,
+                         Problem{severity, code, std::move(arguments), start + place.path, 0, place.key, place.place});
     if (severity == Severity::Error) {
         m_bad.insert(place.index);
     }
@@ -88,16 +96,60 @@ void checkFilters(const Level& level, Findings& findings) {
     }
 }
 
-std::vector<Problem> lint(const Level& level, const std::stop_token& stop) {
-    Findings findings;
-    for (const auto check : {checkTags, checkKeys, checkRanges, checkShapes, checkMasses, checkFilters, checkGroups,
-                             checkConnectors, checkStart}) {
-        if (stop.stop_requested()) {
-            break;
+namespace {
+
+using Check = void (*)(const Level&, Findings&);
+
+// What keeps an object from being built, and what is wrong with those that can be.
+constexpr std::array buildingChecks{checkTags, checkKeys, checkRanges, checkShapes, checkMasses, checkGroups,
+                                    checkConnectors};
+constexpr std::array playingChecks{checkFilters, checkStart, checkGame, checkWalls, checkTwins};
+
+void run(std::span<const Check> checks, const Level& level, Findings& findings) {
+    for (const Check check : checks) {
+        if (findings.isStopped()) {
+            return;
         }
         check(level, findings);
     }
+}
+
+} // namespace
+
+std::vector<Problem> lint(const Level& level, const std::stop_token& stop) {
+    Findings findings(stop);
+    run(buildingChecks, level, findings);
+    run(playingChecks, level, findings);
     return std::move(findings).sorted();
+}
+
+std::vector<Problem> buildingProblems(const Level& level) {
+    Findings findings;
+    run(buildingChecks, level, findings);
+    return std::move(findings).sorted();
+}
+
+std::vector<bool> hiddenAmong(const Level& level, const std::vector<Problem>& problems) {
+    std::vector<std::pair<Key, std::string>> wanted;
+    for (const HiddenProblem& hidden : level.hiddenProblems) {
+        wanted.emplace_back(hidden.object, hidden.rule);
+    }
+    std::ranges::sort(wanted);
+    std::vector<bool> result;
+    result.reserve(problems.size());
+    for (const Problem& problem : problems) {
+        result.push_back(!wanted.empty() &&
+                         std::ranges::binary_search(wanted, std::pair(problem.object, problem.code)));
+    }
+    return result;
+}
+
+Level withProblemHidden(Level level, const Problem& problem, bool hidden) {
+    std::erase(level.hiddenProblems, HiddenProblem{problem.code, problem.object});
+    if (hidden) {
+        level.hiddenProblems.push_back({problem.code, problem.object});
+    }
+    return level;
 }
 
 } // namespace spacetow

@@ -4,6 +4,7 @@
 #include "core/level/problem.h"
 
 #include <set>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,11 +15,16 @@ namespace spacetow {
 struct FindingPlace {
     int index = -1;
     Key key = 0;
-    std::string path; // continues the pointer
+    std::string path;             // continues the pointer
+    std::vector<Vec2> place = {}; // as in Problem
 };
 
 class Findings {
   public:
+    explicit Findings(std::stop_token stop = {}) : m_stop(std::move(stop)) {}
+
+    /// What takes long asks now and then.
+    bool isStopped() const { return m_stop.stop_requested(); }
     void add(Severity severity, const char* code, std::vector<std::string> arguments, const FindingPlace& place = {});
     /// Whether an error was found in this object so far: its numbers and shapes are then not to be trusted.
     bool isBad(int index) const { return m_bad.contains(index); }
@@ -26,6 +32,7 @@ class Findings {
     std::vector<Problem> sorted() &&;
 
   private:
+    std::stop_token m_stop;
     std::vector<std::pair<int, Problem>> m_found;
     std::set<int> m_bad;
 };
@@ -50,5 +57,21 @@ void checkGroups(const Level& level, Findings& findings);
 void checkConnectors(const Level& level, Findings& findings);
 /// Ship, payload and finish: one each, or none at all in a sandbox; ship and payload free of the walls.
 void checkStart(const Level& level, Findings& findings);
+/// Whether the game can be won at all: the finish itself, the pull of gravity, what flies through what.
+void checkGame(const Level& level, Findings& findings);
+/// What is wrong with walls as a whole; see lint_walls.h.
+void checkWalls(const Level& level, Findings& findings);
+/// Objects that are there twice.
+void checkTwins(const Level& level, Findings& findings);
+
+/// How a sentence names an object: its name, and for those without one what it is and where its middle is.
+std::vector<std::string> whichObject(const Level& level, const Object& object, const BodyObject& body);
+/// Whether the object, ship or payload, touches nothing that it would be stopped by. Bodies that cannot be built are
+/// `unsound`.
+bool startsFree(const Level& level, const Object& object, const std::set<Key>& unsound);
+/// Vertices of an outline that lie exactly on the straight way from the one before to the one after.
+std::vector<int> idlePoints(const std::vector<Vec2>& vertices, bool closed);
+/// Rounded to centimetres.
+std::string metres(double value);
 
 } // namespace spacetow

@@ -79,12 +79,23 @@ class ShapeChecker {
             add(Severity::Error, "polygon-flat", {});
         } else if (signedArea(v) < 0) {
             add(Severity::Warning, "polygon-clockwise", {});
+            noteIdle(given, true);
+        } else {
+            noteIdle(given, true);
         }
     }
 
   private:
     void add(Severity severity, const char* code, std::vector<std::string> arguments, const std::string& path = {}) {
         m_findings.add(severity, code, std::move(arguments), {m_object, m_key, m_path + path});
+    }
+    /// Points on straight sides do nothing. They are told of once a shape, and only when nothing worse is wrong.
+    void noteIdle(const std::vector<Vec2>& vertices, bool closed) {
+        const std::vector<int> idle = idlePoints(vertices, closed);
+        if (!idle.empty()) {
+            add(Severity::Note, "idle-points", {std::to_string(idle.size())},
+                "/vertices/" + std::to_string(idle.front()));
+        }
     }
     void checkChain(const std::vector<Vec2>& vertices, bool closed) {
         if (vertices.size() < 2) {
@@ -93,6 +104,7 @@ class ShapeChecker {
             add(Severity::Error, "chain-without-length", {});
         } else {
             reportRepeats(vertices, closed, "zero-length-wall");
+            noteIdle(vertices, closed);
         }
     }
     void reportRepeats(const std::vector<Vec2>& v, bool closed, const char* code) {
@@ -123,6 +135,20 @@ class ShapeChecker {
 };
 
 } // namespace
+
+std::vector<int> idlePoints(const std::vector<Vec2>& vertices, bool closed) {
+    std::vector<int> idle;
+    const auto count = static_cast<int>(vertices.size());
+    const auto at = [&](int i) -> const Vec2& { return vertices[static_cast<std::size_t>((i + count) % count)]; };
+    for (int i = closed ? 0 : 1; i < count - (closed ? 0 : 1); ++i) {
+        const Vec2 arriving = at(i) - at(i - 1);
+        const Vec2 leaving = at(i + 1) - at(i);
+        if (cross(arriving, leaving) == 0 && arriving.dot(leaving) > 0) {
+            idle.push_back(i);
+        }
+    }
+    return idle;
+}
 
 void checkShapes(const Level& level, Findings& findings) {
     int searches = 0;

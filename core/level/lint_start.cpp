@@ -4,6 +4,7 @@
 #include "core/level/bounds.h"
 #include "core/level/build.h"
 #include "core/level/json_text.h"
+#include "core/level/level_index.h"
 #include "core/level/lint_findings.h"
 
 #include <array>
@@ -45,8 +46,23 @@ Found counted(const Level& level, Findings& findings, const char* codeOfMore) {
     return found;
 }
 
-Starter starterOf(const Shape& shape, const Transform& pose, const Filter& filter) {
-    return {"", 0, 0, pose, partsOf(shape), boundsOf(shape, pose), filter};
+/// Of the ship or the payload; of other objects nothing.
+std::optional<Starter> starterOf(const Object& object, int index) {
+    const TagMask wall = TagMask::bit(wallTag);
+    const auto made = [&](const char* code, const Shape& shape, const Transform& pose, const Filter& filter) {
+        return Starter{code, index, object.key, pose, partsOf(shape), boundsOf(shape, pose), filter};
+    };
+    if (const auto* ship = std::get_if<ShipObject>(&object.data)) {
+        const auto outline = shipOutline();
+        return made("ship-in-wall", Polygon{{outline.begin(), outline.end()}},
+                    {ship->position, Rot::fromAngle(ship->angle)},
+                    {TagMask::bit(shipTag), wall | TagMask::bit(payloadTag)});
+    }
+    if (const auto* payload = std::get_if<PayloadObject>(&object.data)) {
+        return made("payload-in-wall", Circle{{0, 0}, payload->radius}, {payload->position, {}},
+                    {TagMask::bit(payloadTag), wall | TagMask::bit(shipTag)});
+    }
+    return {};
 }
 
 /// The parts of the body near the box, with the joints between its walls.
@@ -83,6 +99,30 @@ bool touches(const Starter& starter, const BodyObject& body) {
     return false;
 }
 
+/// `take(object, body)` for each body that touches it, of those that `isSound(object)`: others cannot be asked.
+template <class IsSound, class Take>
+void visitTouching(const Level& level, const Starter& starter, IsSound isSound, Take take) {
+    levelIndex(level).visitReaching(starter.bounds, [&](int i) {
+        const Object& object = level.objects[i];
+        const auto* body = std::get_if<BodyObject>(&object.data);
+        if (body != nullptr && body->tangible && isSound(i) && mayTouch(starter.filter, body->filter) &&
+            touches(starter, *body)) {
+            take(i, *body);
+        }
+    });
+}
+
+void checkFree(const Level& level, const Starter& starter, Findings& findings) {
+    std::vector<std::pair<int, const BodyObject*>> touched;
+    visitTouching(
+        level, starter, [&findings](int i) { return !findings.isBad(i); },
+        [&touched](int i, const BodyObject& body) { touched.emplace_back(i, &body); });
+    for (const auto& [i, body] : touched) {
+        findings.add(Severity::Error, starter.code, whichObject(level, level.objects[i], *body),
+                     {starter.index, starter.key, "/position", {starter.pose.position}});
+    }
+}
+
 const char* kindOf(const BodyObject& body) {
     if (body.shapes.size() != 1) {
         return "kind-body";
@@ -91,30 +131,26 @@ const char* kindOf(const BodyObject& body) {
     return kinds[body.shapes.front().index()];
 }
 
-/// The name, and for objects without one what they are and where their middle is.
+} // namespace
+
+std::string metres(double value) {
+    return spelledNumber(std::round(100 * value) / 100 + 0.0);
+}
+
 std::vector<std::string> whichObject(const Level& level, const Object& object, const BodyObject& body) {
     const Vec2 middle = boundsOf(level, object).center();
-    const auto metres = [](double value) { return spelledNumber(std::round(100 * value) / 100 + 0.0); };
     return {object.name, kindOf(body), metres(middle.x()), metres(middle.y())};
 }
 
-void checkFree(const Level& level, const std::vector<Starter>& starters, Findings& findings) {
-    for (int i = 0; i < level.objects.size(); ++i) {
-        const Object& object = level.objects[i];
-        const auto* body = std::get_if<BodyObject>(&object.data);
-        if (body == nullptr || !body->tangible || findings.isBad(i)) {
-            continue;
-        }
-        for (const Starter& starter : starters) {
-            if (mayTouch(starter.filter, body->filter) && touches(starter, *body)) {
-                findings.add(Severity::Error, starter.code, whichObject(level, object, *body),
-                             {starter.index, starter.key, "/position"});
-            }
-        }
+bool startsFree(const Level& level, const Object& object, const std::set<Key>& unsound) {
+    bool isFree = true;
+    if (const auto starter = starterOf(object, 0)) {
+        visitTouching(
+            level, *starter, [&](int i) { return !unsound.contains(level.objects[i].key); },
+            [&isFree](int, const BodyObject&) { isFree = false; });
     }
+    return isFree;
 }
-
-} // namespace
 
 void checkStart(const Level& level, Findings& findings) {
     const Found ship = counted<ShipObject>(level, findings, "several-ships");
@@ -130,31 +166,11 @@ void checkStart(const Level& level, Findings& findings) {
             findings.add(Severity::Error, code, {});
         }
     }
-    const TagMask wall = TagMask::bit(wallTag);
-    std::vector<Starter> starters;
-    if (ship.count > 0 && !findings.isBad(ship.first)) {
-        const Object& object = level.objects[ship.first];
-        const auto& data = std::get<ShipObject>(object.data);
-        const auto outline = shipOutline();
-        Starter starter =
-            starterOf(Polygon{{outline.begin(), outline.end()}}, {data.position, Rot::fromAngle(data.angle)},
-                      {TagMask::bit(shipTag), wall | TagMask::bit(payloadTag)});
-        starter.code = "ship-in-wall";
-        starter.index = ship.first;
-        starter.key = object.key;
-        starters.push_back(std::move(starter));
+    for (const Found& found : {ship, payload}) {
+        if (found.count > 0 && !findings.isBad(found.first)) {
+            checkFree(level, *starterOf(level.objects[found.first], found.first), findings);
+        }
     }
-    if (payload.count > 0 && !findings.isBad(payload.first)) {
-        const Object& object = level.objects[payload.first];
-        const auto& data = std::get<PayloadObject>(object.data);
-        Starter starter = starterOf(Circle{{0, 0}, data.radius}, {data.position, {}},
-                                    {TagMask::bit(payloadTag), wall | TagMask::bit(shipTag)});
-        starter.code = "payload-in-wall";
-        starter.index = payload.first;
-        starter.key = object.key;
-        starters.push_back(std::move(starter));
-    }
-    checkFree(level, starters, findings);
 }
 
 } // namespace spacetow

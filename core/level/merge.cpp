@@ -68,6 +68,8 @@ class Merge {
         fields.mergeSimpleFields(m_result.level, m_base, m_theirs);
         mergeTags(fields);
         m_result.level.guides = mergedSet(m_base.guides, m_ours.guides, m_theirs.guides);
+        m_result.level.hiddenProblems =
+            mergedSet(m_base.hiddenProblems, m_ours.hiddenProblems, m_theirs.hiddenProblems);
         mergeObjects();
         return std::move(m_result);
     }

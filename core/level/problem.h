@@ -9,7 +9,10 @@
 
 namespace spacetow {
 
-enum class Severity : std::uint8_t { Warning, Error };
+enum class Severity : std::uint8_t { Note, Warning, Error };
+
+/// As programs are told: "note", "warning", "error".
+const char* severityName(Severity severity);
 
 struct Problem {
     Severity severity = Severity::Error;
@@ -18,11 +21,12 @@ struct Problem {
     std::string pointer;                // JSON pointer into the file, "" for the whole document
     int line = 1;                       // of the file, from 1; 0 when there is no file
     Key object = 0;                     // 0: the level itself
+    std::vector<Vec2> place = {};       // world, m: a point or a line along it; empty for where the pointer leads
 
     bool operator==(const Problem&) const = default;
 };
 
-/// Errors keep a level from being played as meant; warnings are worth a look.
+/// Errors keep a level from being played as meant; warnings are worth a look; notes could be tidied.
 bool hasErrors(const std::vector<Problem>& problems);
 
 } // namespace spacetow

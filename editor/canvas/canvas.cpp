@@ -6,6 +6,7 @@
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/palette.h"
+#include "editor/canvas/problem_painter.h"
 #include "editor/canvas/scene_painter.h"
 #include "editor/canvas/snap_painter.h"
 #include "editor/canvas/tag_painter.h"
@@ -114,6 +115,28 @@ void Canvas::setDifference(std::shared_ptr<const ShownDifference> difference) {
     update();
 }
 
+void Canvas::setProblems(std::shared_ptr<const std::vector<ProblemMark>> marks, int current) {
+    m_problems = std::move(marks);
+    m_problem = current;
+    update();
+}
+
+void Canvas::showPlace(std::span<const Vec2> place) {
+    constexpr double room = 1;         // m round the place
+    constexpr double leastPixels = 12; // of a place that has an extent
+    Aabb box;
+    for (const Vec2& point : place) {
+        box.include(point);
+    }
+    if (box.isEmpty()) {
+        return;
+    }
+    const double extent = box.size().maxCoeff();
+    if (!m_view.visible().contains(box.grown(0.1 * room)) || (extent > 0 && extent < leastPixels * m_view.pixel())) {
+        setView(m_view.showing(box.grown(room)));
+    }
+}
+
 void Canvas::zoom(double factor) {
     setView(m_view.zoomedAt(0.5 * m_view.size, factor));
 }
@@ -193,6 +216,9 @@ void Canvas::paintEvent(QPaintEvent*) {
     }
     if (m_overlays.tags) {
         paintTags(stage, *shown.level);
+    }
+    if (m_overlays.problems && m_problems != nullptr) {
+        paintProblems(stage, *m_problems, m_problem, markColors(shadeOf(palette())));
     }
     m_overlay = m_toolbox.overlay();
     if (m_overlay.hovered != 0) {

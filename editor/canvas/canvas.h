@@ -2,6 +2,7 @@
 // The drawing board: shows the document, hands mouse and keys to the toolbox, and moves the view. Positions of the
 // mouse are logical pixels; the world is in metres.
 
+#include "core/level/problem_place.h"
 #include "editor/canvas/board.h"
 #include "editor/canvas/difference_painter.h"
 #include "editor/canvas/entry_box.h"
@@ -42,6 +43,8 @@ class Canvas : public QWidget {
     const std::vector<Key>& highlighted() const { return *m_highlighted; }
     /// Over the level, until null is given.
     void setDifference(std::shared_ptr<const ShownDifference> difference);
+    /// Places of problems, drawn while the overlay is on, and which problem somebody looks at (−1: none).
+    void setProblems(std::shared_ptr<const std::vector<ProblemMark>> marks, int current);
     bool areGuidesVisible() const { return m_toolbox.guidesVisible; }
     void setGuidesVisible(bool visible);
 
@@ -63,6 +66,8 @@ class Canvas : public QWidget {
     void finishPainting();
     void centerSelection();
     void frameSelection();
+    /// Moves the view so that all of the place can be seen, and not only as a dot.
+    void showPlace(std::span<const Vec2> place);
 
     /// A button is down that moves something or the view. Nothing else acts until it is up, or the mouse is lost.
     bool isDragging() const { return m_drag != Drag::None; }
@@ -130,6 +135,8 @@ class Canvas : public QWidget {
     OverlayFlags m_overlays;
     std::shared_ptr<const ShownDifference> m_difference;
     std::shared_ptr<const std::vector<Key>> m_highlighted = std::make_shared<const std::vector<Key>>();
+    std::shared_ptr<const std::vector<ProblemMark>> m_problems;
+    int m_problem = -1;
     std::function<QString(const SnapAnswer&)> m_snapName;
     bool m_grid = true;
     bool m_fitted = false; // since the last fitLevel() nobody has moved the view

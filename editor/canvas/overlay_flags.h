@@ -12,6 +12,7 @@ struct OverlayFlags {
     bool normals = false;     // free side of walls, one metre
     bool quadtree = false;    // leaf cells of the static broad phase
     bool tags = false;        // what each object is; while editing
+    bool problems = true;     // where something is wrong; while editing
 
     /// Whether anything is drawn that the physics has worked out.
     bool any() const { return aabb || incircle || velocity || orientation || normals || quadtree; }

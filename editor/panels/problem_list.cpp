@@ -1,6 +1,12 @@
 #include "editor/panels/problem_list.h"
 
+#include "core/level/fixes.h"
+#include "core/level/lint.h"
 #include "editor/panels/names.h"
+
+#include <QFont>
+
+#include <algorithm>
 
 namespace spacetow {
 
@@ -8,39 +14,106 @@ void ProblemList::setProblems(std::shared_ptr<const Level> level, std::vector<Pr
     beginResetModel();
     m_level = std::move(level);
     m_problems = std::move(problems);
+    fill();
     endResetModel();
 }
 
 void ProblemList::setLevel(std::shared_ptr<const Level> level) {
+    if (m_level != nullptr && level->hiddenProblems != m_level->hiddenProblems) {
+        beginResetModel();
+        m_level = std::move(level);
+        fill();
+        endResetModel();
+        return;
+    }
     m_level = std::move(level);
-    if (!m_problems.empty()) {
+    if (!m_rows.empty()) {
         Q_EMIT dataChanged(index(0), index(rowCount() - 1), {Qt::DisplayRole, Qt::ToolTipRole});
     }
 }
 
-void ProblemList::setMarks(const QIcon& error, const QIcon& warning) {
-    m_error = error;
-    m_warning = warning;
-    if (!m_problems.empty()) {
-        Q_EMIT dataChanged(index(0), index(rowCount() - 1), {Qt::DecorationRole});
+void ProblemList::setFilter(const ProblemFilter& filter) {
+    if (!(filter == m_filter)) {
+        beginResetModel();
+        m_filter = filter;
+        fill();
+        endResetModel();
+    }
+}
+
+void ProblemList::fill() {
+    m_hidden = m_level == nullptr ? std::vector<bool>(m_problems.size()) : hiddenAmong(*m_level, m_problems);
+    m_rows.clear();
+    for (std::size_t i = 0; i < m_problems.size(); ++i) {
+        const auto severity = static_cast<std::size_t>(m_problems[i].severity);
+        if (m_filter.severities[severity] && (m_filter.hidden || !m_hidden[i])) {
+            m_rows.push_back(static_cast<int>(i));
+        }
+    }
+}
+
+int ProblemList::problemAt(int row) const {
+    return row >= 0 && row < rowCount() ? m_rows[static_cast<std::size_t>(row)] : -1;
+}
+
+int ProblemList::count(Severity severity) const {
+    int count = 0;
+    for (std::size_t i = 0; i < m_problems.size(); ++i) {
+        count += !m_hidden[i] && m_problems[i].severity == severity ? 1 : 0;
+    }
+    return count;
+}
+
+int ProblemList::hiddenCount() const {
+    return static_cast<int>(std::ranges::count(m_hidden, true));
+}
+
+QString ProblemList::fixText(const Problem& problem) const {
+    const Fix* const fix = fixFor(problem);
+    if (fix == nullptr) {
+        return {};
+    }
+    const Label label{std::string(fix->label), 1};
+    return m_words ? m_words(label) : QString::fromStdString(label.code);
+}
+
+void ProblemList::setMarks(const std::array<QIcon, 3>& bySeverity, const QColor& faded) {
+    m_marks = bySeverity;
+    m_faded = faded;
+    if (!m_rows.empty()) {
+        Q_EMIT dataChanged(index(0), index(rowCount() - 1), {Qt::DecorationRole, Qt::ForegroundRole});
     }
 }
 
 int ProblemList::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_problems.size());
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }
 
 QVariant ProblemList::data(const QModelIndex& index, int role) const {
-    if (!index.isValid() || index.row() >= rowCount()) {
+    const int place = index.isValid() ? problemAt(index.row()) : -1;
+    if (place < 0) {
         return {};
     }
-    const Problem& problem = m_problems[static_cast<std::size_t>(index.row())];
+    const Problem& problem = m_problems[static_cast<std::size_t>(place)];
+    const bool isHidden = m_hidden[static_cast<std::size_t>(place)];
     switch (role) {
     case Qt::DisplayRole:
-    case Qt::ToolTipRole:
         return text(problem);
+    case Qt::ToolTipRole:
+        return plainToolTip(text(problem));
     case Qt::DecorationRole:
-        return problem.severity == Severity::Error ? m_error : m_warning;
+        return m_marks[static_cast<std::size_t>(problem.severity)];
+    case Qt::FontRole:
+        if (isHidden) {
+            QFont font;
+            font.setStrikeOut(true);
+            return font;
+        }
+        return {};
+    case Qt::ForegroundRole:
+        return isHidden ? QVariant(m_faded) : QVariant();
+    case fixRole:
+        return isHidden ? QString() : fixText(problem);
     default:
         return {};
     }

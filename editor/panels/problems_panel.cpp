@@ -1,5 +1,6 @@
 #include "editor/panels/problems_panel.h"
 
+#include "core/level/fixes.h"
 #include "core/level/lint.h"
 #include "editor/canvas/icons.h"
 #include "editor/canvas/palette.h"
@@ -11,22 +12,61 @@ namespace spacetow {
 
 namespace {
 
-constexpr int soon = 120;       // ms after an edit
-constexpr int slow = 250;       // ms after which people want to know that something is going on
-constexpr int rowsAtOnce = 100; // laid out before the window goes on with something else
+constexpr int soon = 120;                  // ms after an edit
+constexpr int slow = 250;                  // ms after which people want to know that something is going on
+constexpr int rowsAtOnce = 100;            // laid out before the window goes on with something else
+constexpr int waitedFor = 2'000;           // objects of a level whose check one may wait for
+constexpr int severityOrder[] = {2, 1, 0}; // errors first
 
 } // namespace
 
-ProblemsPanel::ProblemsPanel(Document& document, ProblemList::Sentence sentence, QWidget* parent)
-    : QWidget(parent), m_document(document), m_problems(std::move(sentence)), m_column(this) {
+ProblemsPanel::ProblemsPanel(Document& document, ProblemList::Sentence sentence, ProblemList::Words words,
+                             QWidget* parent)
+    : QWidget(parent), m_document(document), m_problems(std::move(sentence), std::move(words)), m_column(this) {
+    layOut();
+    listen();
+    tint();
+    check();
+}
+
+ProblemsPanel::~ProblemsPanel() {
+    m_document.changed.disconnect(m_listener);
+}
+
+void ProblemsPanel::layOut() {
     m_column.setContentsMargins(0, 0, 0, 0);
     m_column.setSpacing(0);
+    m_column.addLayout(&m_row);
+    m_row.setContentsMargins(2, 2, 2, 2);
+    m_row.setSpacing(2);
+    const std::array tips{tr("Show notes: what could be tidied"), tr("Show warnings"), tr("Show errors")};
+    for (const int severity : severityOrder) {
+        QToolButton& button = m_severities[static_cast<std::size_t>(severity)];
+        button.setToolTip(tips[static_cast<std::size_t>(severity)]);
+        button.setAccessibleName(tips[static_cast<std::size_t>(severity)]);
+        button.setCheckable(true);
+        button.setChecked(true);
+        m_row.addWidget(&button);
+    }
+    m_row.addStretch(1);
+    m_row.addWidget(&m_hidden);
+    m_hidden.setCheckable(true);
+    m_hidden.setToolTip(tr("Show the problems that are hidden in this level, too"));
+    m_hidden.setAccessibleName(m_hidden.toolTip());
+    for (QToolButton* button : {&m_severities[0], &m_severities[1], &m_severities[2], &m_hidden}) {
+        button->setAutoRaise(true);
+        button->setIconSize(QSize(16, 16));
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    }
     m_column.addWidget(&m_note);
     m_column.addWidget(&m_list, 1);
+    m_column.addWidget(&m_fixAll);
+    m_fixAll.setToolTip(tr("Cure all problems whose fix changes nothing that was meant"));
     m_note.setContentsMargins(8, 6, 8, 6);
     m_note.setWordWrap(true);
     m_note.setTextFormat(Qt::PlainText);
     m_list.setModel(&m_problems);
+    m_list.setItemDelegate(&m_delegate);
     m_list.setFrameShape(QFrame::NoFrame);
     m_list.setWordWrap(true);
     m_list.setTextElideMode(Qt::ElideNone);
@@ -35,12 +75,37 @@ ProblemsPanel::ProblemsPanel(Document& document, ProblemList::Sentence sentence,
     m_list.setLayoutMode(QListView::Batched);
     m_list.setBatchSize(rowsAtOnce);
     m_list.setResizeMode(QListView::Adjust);
+    m_list.setMouseTracking(true);
     m_list.setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list.setContextMenuPolicy(Qt::CustomContextMenu);
     m_list.setAccessibleName(tr("Problems of the level"));
     m_list.installEventFilter(this);
+}
+
+void ProblemsPanel::listen() {
+    for (const int severity : severityOrder) {
+        connect(&m_severities[static_cast<std::size_t>(severity)], &QToolButton::toggled, this,
+                [this, severity](bool on) {
+                    ProblemFilter changed = filter();
+                    changed.severities[static_cast<std::size_t>(severity)] = on;
+                    setFilter(changed);
+                });
+    }
+    connect(&m_hidden, &QToolButton::toggled, this, [this](bool on) {
+        ProblemFilter changed = filter();
+        changed.hidden = on;
+        setFilter(changed);
+    });
     connect(&m_list, &QListView::clicked, this, &ProblemsPanel::choose);
     connect(&m_list, &QListView::activated, this, &ProblemsPanel::choose);
+    connect(&m_list, &QListView::customContextMenuRequested, this, &ProblemsPanel::showMenu);
+    connect(m_list.selectionModel(), &QItemSelectionModel::currentChanged, this, &ProblemsPanel::marksChanged);
+    connect(&m_delegate, &ProblemDelegate::fixClicked, this, [this](const QModelIndex& row) {
+        m_list.setCurrentIndex(row);
+        fixCurrent();
+    });
+    connect(&m_fixAll, &QPushButton::clicked, this, &ProblemsPanel::fixAll);
     m_soon.setSingleShot(true);
     m_soon.setInterval(soon);
     connect(&m_soon, &QTimer::timeout, this, &ProblemsPanel::checkBeside);
@@ -52,12 +117,6 @@ ProblemsPanel::ProblemsPanel(Document& document, ProblemList::Sentence sentence,
             m_soon.start();
         }
     });
-    tint();
-    check();
-}
-
-ProblemsPanel::~ProblemsPanel() {
-    m_document.changed.disconnect(m_listener);
 }
 
 bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
@@ -78,60 +137,116 @@ void ProblemsPanel::checkBeside() {
     } else if (level != m_checked) {
         m_slow.start();
         m_task.start([this, level](const std::stop_token& stop) -> BackgroundTask::Then {
-            const auto found = std::make_shared<std::vector<Problem>>(lint(*level, stop));
+            const auto found = std::make_shared<Found>();
+            found->problems = lint(*level, stop);
+            found->marks =
+                std::make_shared<Marks>(marksOf(*level, found->problems, hiddenAmong(*level, found->problems)));
             return [this, level, found] { take(level, std::move(*found)); };
         });
     }
 }
 
-void ProblemsPanel::take(const std::shared_ptr<const Level>& level, std::vector<Problem> problems) {
+void ProblemsPanel::take(const std::shared_ptr<const Level>& level, Found found) {
     m_slow.stop();
+    const bool same = found.problems == m_problems.problems() &&
+                      (m_checked == nullptr || level->hiddenProblems == m_checked->hiddenProblems);
+    const int row = m_list.currentIndex().row();
     m_checked = level;
-    const bool same = problems == m_problems.problems();
     if (same) {
         m_problems.setLevel(level);
     } else {
-        m_problems.setProblems(level, std::move(problems));
+        m_problems.setProblems(level, std::move(found.problems));
+        m_list.setCurrentIndex(m_problems.index(std::min(row, m_problems.rowCount() - 1)));
     }
+    m_marks = std::move(found.marks);
+    countAll();
     note();
+    Q_EMIT marksChanged();
     if (!same) {
         Q_EMIT problemsChanged();
     }
+    if (const int steps = std::exchange(m_steps, 0); steps != 0) {
+        go(steps);
+    }
+}
+
+void ProblemsPanel::countAll() {
+    for (const int severity : severityOrder) {
+        m_severities[static_cast<std::size_t>(severity)].setText(
+            QString::number(m_problems.count(static_cast<Severity>(severity))));
+    }
+    const int hidden = m_problems.hiddenCount();
+    m_hidden.setText(tr("Hidden: %1").arg(hidden));
+    m_hidden.setVisible(hidden > 0);
+    m_safe = 0;
+    for (std::size_t i = 0; i < problems().size(); ++i) {
+        const Fix* const fix = m_problems.hidden()[i] ? nullptr : fixFor(problems()[i]);
+        m_safe += fix != nullptr && fix->isSafe ? 1 : 0;
+    }
+    m_fixAll.setText(tr("Fix all that is safe: %1").arg(m_safe));
+    m_fixAll.setVisible(m_safe > 1);
 }
 
 void ProblemsPanel::note() {
     const bool checking = m_task.isRunning();
-    m_note.setText(checking ? tr("Checking…") : tr("Nothing to complain about."));
-    m_note.setVisible(checking || m_problems.problems().empty());
+    m_note.setText(checking             ? tr("Checking…")
+                   : problems().empty() ? tr("Nothing to complain about.")
+                                        : tr("Nothing else: the rest is filtered out or hidden."));
+    m_note.setVisible(checking || m_problems.rowCount() == 0);
 }
 
 void ProblemsPanel::tint() {
     const MarkColors colors = markColors(shadeOf(palette()));
-    m_problems.setMarks(icon(QStringLiteral("error"), colors.error), icon(QStringLiteral("warning"), colors.warning));
+    const QColor text = palette().color(QPalette::WindowText);
+    const std::array icons{icon(QStringLiteral("info"), text), icon(QStringLiteral("warning"), colors.warning),
+                           icon(QStringLiteral("error"), colors.error)};
+    m_problems.setMarks(icons, palette().color(QPalette::Disabled, QPalette::Text));
+    for (std::size_t i = 0; i < icons.size(); ++i) {
+        m_severities[i].setIcon(icons[i]);
+    }
+    m_hidden.setIcon(icon(QStringLiteral("eye-off"), text));
 }
 
-int ProblemsPanel::errors() const {
-    return static_cast<int>(std::ranges::count(problems(), Severity::Error, &Problem::severity));
+void ProblemsPanel::setFilter(const ProblemFilter& filter) {
+    m_problems.setFilter(filter);
+    for (std::size_t i = 0; i < filter.severities.size(); ++i) {
+        m_severities[i].setChecked(filter.severities[i]);
+    }
+    m_hidden.setChecked(filter.hidden);
+    note();
+    Q_EMIT marksChanged();
 }
 
-int ProblemsPanel::warnings() const {
-    return static_cast<int>(std::ranges::count(problems(), Severity::Warning, &Problem::severity));
+const Problem* ProblemsPanel::currentProblem() const {
+    const int place = current();
+    return place < 0 ? nullptr : &problems()[static_cast<std::size_t>(place)];
 }
 
 void ProblemsPanel::choose(const QModelIndex& row) {
-    if (row.isValid() && row.row() < std::ssize(problems())) {
-        Q_EMIT objectWanted(problems()[static_cast<std::size_t>(row.row())].object);
+    const int place = row.isValid() ? m_problems.problemAt(row.row()) : -1;
+    if (place >= 0) {
+        const Problem problem = problems()[static_cast<std::size_t>(place)];
+        Q_EMIT objectWanted(problem.object);
+        Q_EMIT placeWanted(placeOf(*m_checked, problem));
+        Q_EMIT marksChanged();
     }
 }
 
 void ProblemsPanel::go(int by) {
-    check();
-    const int count = static_cast<int>(problems().size());
+    if (m_document.current().level != m_checked && !m_document.hasPreview()) {
+        if (m_document.current().level->objects.size() > waitedFor) {
+            m_steps += by;
+            m_soon.start(0);
+            return;
+        }
+        check();
+    }
+    const int count = m_problems.rowCount();
     if (count > 0) {
-        const int current = m_list.currentIndex().row();
-        const QModelIndex row = m_problems.index(current < 0 && by < 0 ? count - 1 : (current + by + count) % count);
-        m_list.setCurrentIndex(row);
-        choose(row);
+        const int row = m_list.currentIndex().row();
+        const QModelIndex next = m_problems.index(row < 0 && by < 0 ? count - 1 : ((row + by) % count + count) % count);
+        m_list.setCurrentIndex(next);
+        choose(next);
     }
 }
 

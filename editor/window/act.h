@@ -76,6 +76,7 @@ enum class Act : std::uint8_t {
     OverlayQuadtree,
     OverlaysOff,
     OverlayTags,
+    OverlayProblems,
     ShowCollisions,
 
     // actions_tools.cpp; each tool is an action too, under its ToolId
@@ -141,6 +142,9 @@ enum class Act : std::uint8_t {
     // actions_level.cpp
     NextProblem,
     PreviousProblem,
+    FixProblem,
+    FixAllProblems,
+    HideProblem,
 
     // actions_panels.cpp
     Find,

@@ -19,9 +19,10 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
       m_files(m_open->files), m_toolbox(m_document), m_actions(*this), m_column(&m_center),
       m_frame(m_document, m_toolbox), m_canvas(m_frame.canvas()),
       m_inspector(m_document, [](const Error& error) { return sentence(error); }), m_tagMatrix(m_document),
-      m_collisions(m_document, m_canvas),
-      m_problems(m_document, [](const Problem& problem) { return sentence(problem); }), m_nodes(m_document),
-      m_outliner(m_document, m_toolbox),
+      m_collisions(m_document, m_canvas), m_problems(
+                                              m_document, [](const Problem& problem) { return sentence(problem); },
+                                              [](const Label& label) { return sentence(label); }),
+      m_nodes(m_document), m_outliner(m_document, m_toolbox),
       m_history(m_document, m_toolbox, [](const Label& label) { return sentence(label); }),
       m_levelPanel(m_document, [](const Error& error) { return sentence(error); }), m_differences(m_document, m_canvas),
       m_minimap(m_document, m_canvas),

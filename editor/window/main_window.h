@@ -126,6 +126,7 @@ class MainWindow : public QMainWindow {
     CollisionView& collisions() { return m_collisions; }
     const CollisionView& collisions() const { return m_collisions; }
     ProblemsPanel& problems() { return m_problems; }
+    const ProblemsPanel& problems() const { return m_problems; }
     NodesPanel& nodes() { return m_nodes; }
     OutlinerPanel& outliner() { return m_outliner; }
     HistoryPanel& history() { return m_history; }
@@ -192,6 +193,7 @@ class MainWindow : public QMainWindow {
     QString snapHint() const;
     void updateSelection();
     void updateMode();
+    void updateProblems();
 
     std::shared_ptr<Wardrobe> m_wardrobe; // before anything that has colours
     Application* m_application;

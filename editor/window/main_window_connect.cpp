@@ -2,6 +2,8 @@
 #include "editor/window/main_window.h"
 #include "editor/window/messages.h"
 
+#include <QDockWidget>
+
 namespace spacetow {
 
 void MainWindow::listen() {
@@ -57,10 +59,19 @@ void MainWindow::listenToPanels() {
                            &m_actions[Act::Forward], &m_actions[Act::Backward], &m_actions[Act::Delete]});
     connect(&m_differences, &DifferencePanel::levelWanted, &m_actions[Act::Compare], &QAction::trigger);
     connect(&m_problems, &ProblemsPanel::objectWanted, this, &MainWindow::showObject);
+    connect(&m_problems, &ProblemsPanel::placeWanted, this,
+            [this](const std::vector<Vec2>& place) { m_canvas.showPlace(place); });
     connect(&m_problems, &ProblemsPanel::problemsChanged, this,
             [this] { m_status.setProblems(m_problems.errors(), m_problems.warnings()); });
+    connect(&m_problems, &ProblemsPanel::marksChanged, this, &MainWindow::updateProblems);
+    updateProblems();
     m_status.setProblems(m_problems.errors(), m_problems.warnings());
-    connect(&m_status, &StatusLine::problemsClicked, &m_actions[Act::NextProblem], &QAction::trigger);
+    connect(&m_status, &StatusLine::problemsClicked, this, [this] {
+        QDockWidget& dock = m_panels->dock(QStringLiteral("problems"));
+        dock.show();
+        dock.raise();
+        m_actions[Act::NextProblem].trigger();
+    });
     connect(&m_status, &StatusLine::zoomChosen, this,
             [this](double zoom) { m_canvas.zoomTo(zoom * Viewport().scale); });
     connect(&m_status, &StatusLine::left, this, [this] { m_canvas.setFocus(); });
@@ -77,6 +88,11 @@ void MainWindow::listenToPanels() {
     connect(&m_play, &PlayView::pausedChanged, this, [this] { m_actions.refresh(); });
     connect(&m_play, &PlayView::phaseChanged, this, &MainWindow::updateTitle);
     connect(&m_play, &PlayView::finished, this, &MainWindow::stopPlaying);
+}
+
+void MainWindow::updateProblems() {
+    m_canvas.setProblems(m_problems.marks(), m_problems.current());
+    m_actions.refresh();
 }
 
 void MainWindow::restore() {

@@ -112,6 +112,9 @@ class Speaker {
         if (difference.unknownFields) {
             say(Compared::tr("Level: fields that this program does not know"));
         }
+        if (difference.hiddenProblems) {
+            say(Compared::tr("Level: other problems are hidden"));
+        }
         for (const ObjectDifference& object : difference.objects) {
             const bool gone = object.change == ObjectChange::Removed;
             const Level& level = gone ? m_before : m_after;

@@ -43,6 +43,7 @@ constexpr std::array overlayKeys{
     NamedFlag{"overlays/normals", &OverlayFlags::normals},
     NamedFlag{"overlays/quadtree", &OverlayFlags::quadtree},
     NamedFlag{"overlays/tags", &OverlayFlags::tags},
+    NamedFlag{"overlays/problems", &OverlayFlags::problems},
 };
 
 } // namespace
@@ -163,7 +164,7 @@ OverlayFlags Preferences::overlays() const {
     const QSettings settings;
     OverlayFlags overlays;
     for (const NamedFlag& named : overlayKeys) {
-        overlays.*named.flag = settings.value(named.key, false).toBool();
+        overlays.*named.flag = settings.value(named.key, overlays.*named.flag).toBool();
     }
     return overlays;
 }

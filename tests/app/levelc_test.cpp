@@ -82,6 +82,7 @@ class LevelcTest : public QObject {
         QTest::newRow("nothing") << QStringList{};
         QTest::newRow("unknown command") << QStringList{"fly"};
         QTest::newRow("check without a file") << QStringList{"check"};
+        QTest::newRow("fix of two files") << QStringList{"fix", level, level};
         QTest::newRow("unknown option") << QStringList{"check", "--loud", level};
         QTest::newRow("file that is not there") << QStringList{"check", "missing.json"};
         QTest::newRow("folder") << QStringList{"check", "."};
@@ -113,7 +114,7 @@ class LevelcTest : public QObject {
     void helpIsNoMistake_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::newRow("of the program") << QStringList{"--help"};
-        for (const char* command : {"check", "info", "render", "simulate", "replay"}) {
+        for (const char* command : {"check", "fix", "info", "render", "simulate", "replay"}) {
             QTest::newRow(command) << QStringList{command, "--help"};
         }
     }
@@ -165,6 +166,45 @@ class LevelcTest : public QObject {
         const Run none = levelc({"check", "--json", path("good.json")});
         QCOMPARE(none.status, 0);
         QVERIFY(QJsonDocument::fromJson(none.out.toUtf8()).isArray());
+    }
+
+    void fixCuresWhatIsSafeAndSaysWhat() {
+        const std::string faulty =
+            "{\"schema\": 2, \"rules\": {\"background\": \"clouds\"}, \"objects\": [{\"key\": \"00000001\", "
+            "\"type\": \"body\", \"name\": \"floor\", \"shapes\": [{\"type\": \"lines\", \"vertices\": "
+            "[[0, 0], [1, 0], [1, 0], [2, 1]]}]}]}\n";
+        write("faulty.json", faulty);
+        const Run run = levelc({"fix", path("faulty.json"), "-o", path("cured.json")});
+        QCOMPARE(run.status, 0);
+        QVERIFY2(run.out.contains("Merge points: floor: Vertices 1 and 2"), qPrintable(run.out));
+        QVERIFY2(run.out.contains("2 fixed, 0 left"), qPrintable(run.out));
+        QCOMPARE(levelc({"check", path("cured.json")}).out, QString());
+        QVERIFY(levelc({"check", path("faulty.json")}).out.contains("zero-length-wall"));
+
+        const Run json = levelc({"fix", "--json", path("faulty.json")});
+        const QJsonObject said = QJsonDocument::fromJson(json.out.toUtf8()).object();
+        QCOMPARE(said["fixed"].toArray().size(), 2);
+        QCOMPARE(said["left"].toArray().size(), 0);
+        QCOMPARE(levelc({"check", path("faulty.json")}).out, QString());
+    }
+
+    void fixLeavesAFileAloneInWhichThereIsNothingToDo() {
+        const std::string spelled = "{\"schema\":2,\"name\":\"as I spell it\",\"objects\":[]}";
+        write("good.json", spelled);
+        QCOMPARE(levelc({"fix", path("good.json")}).status, 0);
+        QFile file(path("good.json"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll().toStdString(), spelled);
+        write("ship.json", "{\"schema\": 2, \"objects\": [{\"key\": \"00000007\", \"type\": \"ship\"}]}");
+        QCOMPARE(levelc({"fix", path("ship.json")}).status, 1);
+    }
+
+    void checkLeavesOutWhatIsHidden() {
+        write("ship.json", "{\"schema\": 2, \"objects\": [{\"key\": \"00000007\", \"type\": \"ship\"}], "
+                           "\"hiddenProblems\": [{\"rule\": \"payload-missing\"}, {\"rule\": \"finish-missing\"}]}");
+        QCOMPARE(levelc({"check", path("ship.json")}).out, QString());
+        QCOMPARE(levelc({"check", path("ship.json")}).status, 0);
+        QCOMPARE(levelc({"check", "--all", path("ship.json")}).status, 1);
     }
 
     void infoSaysWhatIsInALevel() {

@@ -3,6 +3,7 @@
 #include "core/level/describe.h"
 #include "core/level/field_reader.h"
 #include "core/level/fields.h"
+#include "core/level/fixes.h"
 #include "tests/support/folders.h"
 #include "tests/support/random_level.h"
 #include "tests/support/test_main.h"
@@ -34,7 +35,10 @@ QString folder() {
 std::string problemLines(const std::vector<Problem>& problems) {
     std::string text;
     for (const Problem& problem : problems) {
-        text += std::to_string(problem.line) + (problem.severity == Severity::Error ? ": error: " : ": warning: ") +
+        text += std::to_string(problem.line) +
+                (problem.severity == Severity::Error     ? ": error: "
+                 : problem.severity == Severity::Warning ? ": warning: "
+                                                         : ": note: ") +
                 problem.code + ':';
         for (const std::string& argument : problem.arguments) {
             text += ' ' + argument;
@@ -105,6 +109,7 @@ std::vector<Described> allFields() {
     list<GroupObject>(out, "group");
     list<Object>(out, "object");
     list<Guide>(out, "guide");
+    list<HiddenProblem>(out, "hidden-problem");
     list<EdgeChain>(out, "edges");
     list<LineChain>(out, "lines");
     list<Polygon>(out, "polygon");
@@ -122,6 +127,9 @@ QJsonObject definitionOf(const QJsonObject& schema, const std::string& owner) {
     }
     if (owner == "guide") {
         return schema["properties"]["guides"]["items"].toObject();
+    }
+    if (owner == "hidden-problem") {
+        return schema["properties"]["hiddenProblems"]["items"].toObject();
     }
     // What every object has stands in each of their definitions.
     return schema["$defs"][QString::fromStdString(owner == "object" ? "group" : owner)].toObject();
@@ -180,6 +188,19 @@ class GoldenTest : public QObject {
             QCOMPARE(
                 QByteArray::fromStdString(levelText(*parseLevel(contents(path + "/out.json").toStdString()).level)),
                 contents(path + "/out.json"));
+        }
+    }
+
+    void whatCanBeCuredSafelyIsCuredAsLaidDown_data() { aFileIsReadAndWrittenAsLaidDown_data(); }
+    void whatCanBeCuredSafelyIsCuredAsLaidDown() {
+        QFETCH(QString, path);
+        const LevelFile file = parseLevel(contents(path + "/in.json").toStdString());
+        if (file.level && QFileInfo(path).fileName().startsWith("lint_")) {
+            const FixedLevel cured = withSafeFixes(*file.level);
+            QCOMPARE(QFile::exists(path + "/fixed.json"), !cured.cured.empty());
+            if (!cured.cured.empty()) {
+                QCOMPARE(QByteArray::fromStdString(levelText(cured.level)), contents(path + "/fixed.json"));
+            }
         }
     }
 

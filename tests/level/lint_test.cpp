@@ -69,7 +69,10 @@ std::string summary(const std::vector<Problem>& problems) {
     std::string text;
     for (const Problem& problem : problems) {
         text += text.empty() ? "" : " ";
-        text += (problem.severity == Severity::Error ? "E:" : "W:") + problem.code;
+        text += std::string(problem.severity == Severity::Error     ? "E:"
+                            : problem.severity == Severity::Warning ? "W:"
+                                                                    : "N:") +
+                problem.code;
     }
     return text;
 }

@@ -31,6 +31,9 @@ class Maker {
         for (int i = 0; i < objects; ++i) {
             level.objects.append(object(level));
         }
+        for (int i = below(3); i > 0; --i) {
+            level.hiddenProblems.push_back({text(), chance() ? 0 : static_cast<Key>(1 + below(1000))});
+        }
         return level;
     }
 
@@ -319,6 +322,7 @@ Level populatedLevel() {
     level.objects.append({0x00000008, "group", GroupObject{}, {}, 0x00000007});
     level.objects.append({0x00000009, "hidden", plain, {}, 0x00000008, false, true});
     level.guides = {{{1, 2}, 0.5, "ledge"}, {{3, 4}, 0, ""}};
+    level.hiddenProblems = {{"hidden-in-play", 0x00000009}, {"finish-missing", 0}};
     return level;
 }
 

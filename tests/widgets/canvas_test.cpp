@@ -113,6 +113,45 @@ class CanvasTest : public QObject {
         }
     }
 
+    void placesOfProblemsAreMarkedWhileThatIsSwitchedOn() {
+        TestWindow test;
+        test.trigger(Act::Grid); // off
+        Level level;
+        BodyObject wall;
+        wall.shapes = {LineChain{{Vec2(0, 0), Vec2(1, 0), Vec2(1, 0), Vec2(2, 1)}, false}};
+        level.objects.append({1, "wall", wall, {}});
+        test.document().reset(level);
+        test.window().problems().check();
+        test.canvas().fitLevel();
+        test.canvas().finishPainting();
+        const QImage marked = test.canvas().grab().toImage();
+        test.trigger(Act::OverlayProblems);
+        const QImage plain = test.canvas().grab().toImage();
+        const QPoint at = test.at(1, 0) + QPoint(0, 4);
+        QVERIFY(marked.pixelColor(at) != plain.pixelColor(at));
+        const QPoint elsewhere = test.at(1, 0) + QPoint(0, 60);
+        QCOMPARE(marked.pixelColor(elsewhere), plain.pixelColor(elsewhere));
+    }
+
+    void goingToAProblemBringsItsPlaceIntoView() {
+        TestWindow test;
+        Level level;
+        BodyObject wall;
+        wall.shapes = {LineChain{{Vec2(0, 0), Vec2(500, 0), Vec2(500, 0), Vec2(1000, 1)}, false}};
+        level.objects.append({1, "wall", wall, {}});
+        test.document().reset(level);
+        test.canvas().setView(Viewport());
+        test.trigger(Act::NextProblem);
+        QVERIFY(test.canvas().view().visible().contains(Vec2(500, 0)));
+        QVERIFY(test.document().selection().contains(Key{1}));
+        test.trigger(Act::FixProblem);
+        QCOMPARE(std::get<LineChain>(std::get<BodyObject>(test.document().level().objects[0].data).shapes[0])
+                     .vertices.size(),
+                 std::size_t{3});
+        test.trigger(Act::Undo);
+        QCOMPARE(test.document().level(), level);
+    }
+
     void zoomingStaysWithinItsLimits() {
         TestWindow test;
         for (int i = 0; i < 100; ++i) {

@@ -32,7 +32,7 @@ QString sourcesIn(const QString& folder) {
 std::set<QString> emittedCodes() {
     static const QRegularExpression patterns[] = {
         QRegularExpression(R"(Error\{\s*"([a-z0-9-]+)\")"),
-        QRegularExpression(R"(Severity::(?:Error|Warning),\s*"([a-z0-9-]+)\")"),
+        QRegularExpression(R"(Severity::(?:Error|Warning|Note),\s*"([a-z0-9-]+)\")"),
         QRegularExpression(R"((?:reject|refuse|cannot)\(\s*"([a-z0-9-]+)\")"),
         QRegularExpression(R"(problem(?:At|Of)\([^;]*?"([a-z0-9-]+)\")"),
         QRegularExpression(R"(\bcode = "([a-z0-9-]+)\")"),

@@ -21,6 +21,22 @@ QString code(const Problem& problem) {
     return QString::fromStdString(problem.code);
 }
 
+QString labelCode(const Label& label) {
+    return QString::fromStdString(label.code);
+}
+
+/// A wall with a repeated vertex and a polygon that runs clockwise.
+Level tidyable() {
+    Level level;
+    BodyObject wall;
+    wall.shapes = {LineChain{{Vec2(0, 0), Vec2(1, 0), Vec2(1, 0), Vec2(2, 1)}, false}};
+    level.objects.append({1, "wall", wall, {}});
+    BodyObject rock;
+    rock.shapes = {Polygon{{Vec2(5, 0), Vec2(5, 1), Vec2(6, 0)}}};
+    level.objects.append({2, "rock", rock, {}});
+    return level;
+}
+
 } // namespace
 
 class ProblemsPanelTest : public QObject {
@@ -141,6 +157,110 @@ class ProblemsPanelTest : public QObject {
         QVERIFY(panel.errors() >= 50'000);
         QCoreApplication::processEvents();
         QVERIFY2(sentences < 5000, QByteArray::number(sentences));
+    }
+
+    void aFixIsOneStepThatCanBeUndone() {
+        Document document;
+        ProblemsPanel panel(document, code, labelCode);
+        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        panel.check();
+        QVERIFY(!panel.canFixCurrent());
+        panel.go(1);
+        QVERIFY(panel.canFixCurrent());
+        const int before = document.position();
+        panel.fixCurrent();
+        QCOMPARE(document.position(), before + 1);
+        QCOMPARE(QString::fromStdString(document.undoLabel().code), QString("fix-merge-points"));
+        panel.check();
+        QCOMPARE(panel.warnings(), 1); // the clockwise polygon is left
+        document.undo();
+        QCOMPARE(*document.current().level, tidyable());
+    }
+
+    void theButtonInARowFixesThatRow() {
+        Document document;
+        ProblemsPanel panel(document, code, labelCode);
+        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        panel.check();
+        panel.resize(320, 240);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        auto& list = *panel.findChild<QListView*>();
+        const QModelIndex row = list.model()->index(1, 0);
+        const auto& delegate = static_cast<const ProblemDelegate&>(*list.itemDelegate());
+        const QRect button = delegate.buttonIn(list.visualRect(row), row);
+        QVERIFY(list.viewport()->rect().contains(button));
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, button.center());
+        QCOMPARE(QString::fromStdString(document.undoLabel().code), QString("fix-turn-outline"));
+    }
+
+    void allThatIsSafeIsFixedInOneStep() {
+        Document document;
+        ProblemsPanel panel(document, code, labelCode);
+        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        panel.check();
+        QCOMPARE(panel.safeFixes(), 2);
+        panel.fixAll();
+        QTRY_COMPARE(QString::fromStdString(document.undoLabel().code), QString("fix-all"));
+        QTRY_COMPARE(panel.problems().size(), std::size_t{0});
+        document.undo();
+        QCOMPARE(*document.current().level, tidyable());
+    }
+
+    void aHiddenProblemIsShownOnlyOnDemand() {
+        Document document;
+        ProblemsPanel panel(document, code, labelCode);
+        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        panel.check();
+        auto& list = *panel.findChild<QListView*>();
+        panel.go(1);
+        panel.hideCurrent();
+        QCOMPARE(document.current().level->hiddenProblems, (std::vector<HiddenProblem>{{"zero-length-wall", 1}}));
+        panel.check();
+        QCOMPARE(panel.warnings(), 1);
+        QCOMPARE(panel.marks()->size(), std::size_t{1});
+        QCOMPARE(list.model()->rowCount(), 1);
+        panel.setFilter({.hidden = true});
+        QCOMPARE(list.model()->rowCount(), 2);
+        QVERIFY(list.model()->index(0, 0).data(Qt::FontRole).value<QFont>().strikeOut());
+        panel.go(-1);
+        panel.go(1);
+        list.setCurrentIndex(list.model()->index(0, 0));
+        panel.hideCurrent();
+        panel.check();
+        QCOMPARE(panel.warnings(), 2);
+        QVERIFY(document.current().level->hiddenProblems.empty());
+    }
+
+    void errorsAndWarningsCanBeFilteredOut() {
+        Document document;
+        ProblemsPanel panel(document, code, labelCode);
+        Level level = tidyable();
+        level.objects.append(crossed(9));
+        document.commit({"draw", 1}, {std::make_shared<Level>(level), Selection()});
+        panel.check();
+        const QAbstractItemModel& rows = *panel.findChild<QListView*>()->model();
+        QCOMPARE(rows.rowCount(), 3);
+        panel.setFilter({.severities = {true, false, true}});
+        QCOMPARE(rows.rowCount(), 1);
+        QCOMPARE(rows.index(0, 0).data().toString().right(22), QString("polygon-crosses-itself"));
+        panel.setFilter({.severities = {true, true, false}});
+        QCOMPARE(rows.rowCount(), 2);
+        QCOMPARE(panel.errors(), 1); // they are counted all the same
+    }
+
+    void whereAProblemIsIsMarkedAndGoneTo() {
+        Document document;
+        ProblemsPanel panel(document, code, labelCode);
+        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        panel.check();
+        QCOMPARE(panel.marks()->size(), std::size_t{2});
+        QCOMPARE(panel.marks()->front().at, Vec2(1, 0));
+        QSignalSpy places(&panel, &ProblemsPanel::placeWanted);
+        panel.go(1);
+        QCOMPARE(places.count(), 1);
+        QCOMPARE(places[0][0].value<std::vector<Vec2>>(), std::vector<Vec2>{Vec2(1, 0)});
+        QCOMPARE(panel.current(), 0);
     }
 
     void anEditDuringACheckIsCheckedAfterIt() {
