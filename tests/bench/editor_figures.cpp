@@ -1,6 +1,7 @@
 #include "tests/bench/editor_figures.h"
 
 #include "core/level/file.h"
+#include "core/level/leak.h"
 #include "editor/window/main_window.h"
 #include "tests/bench/stopwatch.h"
 
@@ -64,6 +65,7 @@ class Timing {
         dragNode();
         autosave();
         changeAll();
+        findLeaks();
     }
 
   private:
@@ -260,6 +262,22 @@ class Timing {
         rest();
         say("undo-delete", frame([&] { key(Qt::Key_Z, Qt::ControlModifier); }), 100, 700);
         rest();
+    }
+
+    /// Of the level as it is, and of one that lacks a piece of its longest wall.
+    void findLeaks() {
+        Level level = largeLevel(m_subject.level, m_subject.edges);
+        const auto isBad = [](int) { return false; };
+        say("leaks", time([&] { leaksOf(level, isBad); }), 200, 2000);
+        const int last = level.objects.size() - 1;
+        Object object = level.objects[last];
+        auto& chain = std::get<EdgeChain>(std::get<BodyObject>(object.data).shapes.front());
+        if (chain.closed) {
+            chain.closed = false;
+            chain.vertices.resize(chain.vertices.size() - chain.vertices.size() / 100);
+            level.objects.replace(last, object);
+            say("leaks.found", time([&] { leaksOf(level, isBad); }), 200, 2000);
+        }
     }
 
     Subject m_subject;

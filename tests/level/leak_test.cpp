@@ -1,0 +1,344 @@
+#include "core/level/leak.h"
+
+#include "core/base/random.h"
+#include "core/geometry/intersect.h"
+#include "core/level/file.h"
+#include "core/level/leak_paths.h"
+#include "tests/support/body_with.h"
+#include "tests/support/folders.h"
+#include "tests/support/full_run.h"
+#include "tests/support/random_cave.h"
+#include "tests/support/seed_text.h"
+#include "tests/support/test_main.h"
+
+#include <filesystem>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+bool isFine(int /*object*/) {
+    return false;
+}
+
+std::vector<Leak> leaksIn(const Level& level) {
+    return leaksOf(level, isFine);
+}
+
+Level aroundTheShip(std::vector<LevelShape> shapes) {
+    Level level;
+    level.objects.append({1, "ship", ShipObject{}, {}});
+    Key key = 2;
+    for (LevelShape& shape : shapes) {
+        level.objects.append(bodyWith(key++, std::move(shape)));
+    }
+    return level;
+}
+
+const std::vector<Vec2> room{{-4, -3}, {4, -3}, {4, 3}, {-4, 3}}; // anticlockwise: walls face inward
+
+bool isNear(const Vec2& a, const Vec2& b, double metres) {
+    return (a - b).norm() <= metres;
+}
+
+/// Whether the two places are those, in any order.
+bool areAt(const Leak& leak, const Vec2& a, const Vec2& b, double metres) {
+    return (isNear(leak.from.at, a, metres) && isNear(leak.to.at, b, metres)) ||
+           (isNear(leak.from.at, b, metres) && isNear(leak.to.at, a, metres));
+}
+
+bool passesThroughWall(const std::vector<Vec2>& path, const std::vector<LeakWall>& walls) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        for (const LeakWall& wall : walls) {
+            const Vec2 along = wall.b - wall.a;
+            const double from = cross(along, path[i] - wall.a);
+            const double to = cross(along, path[i + 1] - wall.a);
+            const double slack = 1e-4 * along.norm();
+            const bool crosses = (from > slack && to < -slack) || (!wall.oneWay && from < -slack && to > slack);
+            if (crosses && segmentsMeet(path[i], path[i + 1], wall.a, wall.b)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Whether a leak is there and the piece is said to be to blame for it.
+QByteArray faultOf(const RandomCave& cave, std::size_t piece) {
+    std::vector<int> objects;
+    const Level level = cave.level(&objects);
+    const std::vector<Leak> leaks = leaksIn(level);
+    if (leaks.size() != 1) {
+        return QByteArray::number(static_cast<int>(leaks.size())) + " leaks";
+    }
+    const Leak& leak = leaks.front();
+    if (leak.path.size() < 2 || !isNear(leak.path.front(), cave.ship, 1e-9) ||
+        passesThroughWall(leak.path, leakWalls(level, isFine))) {
+        return "a wrong path";
+    }
+    const CavePiece& spoilt = cave.pieces[piece];
+    if (spoilt.isReversed) {
+        const bool isNamed = leak.kind == Leak::Kind::Reversed && leak.walls == 1 && leak.isWhole &&
+                             leak.from.object == objects[piece] && areAt(leak, spoilt.a, spoilt.b, 1e-6);
+        return isNamed ? "" : "another wall";
+    }
+    if (leak.kind != Leak::Kind::Opening) {
+        return "not an opening";
+    }
+    if (spoilt.kind == CavePiece::Kind::Polygon || spoilt.kind == CavePiece::Kind::Circle) {
+        // Its neighbours may narrow the opening: what matters is that one has to pass there.
+        const Vec2 middle = 0.5 * (spoilt.a + spoilt.b);
+        const Vec2 out = std::max(1.5, (spoilt.b - spoilt.a).norm()) * leftOf(spoilt.a - spoilt.b).normalized();
+        return segmentsMeet(middle - out, middle + out, leak.from.at, leak.to.at) ? "" : "another place";
+    }
+    const std::size_t count = cave.pieces.size();
+    const int before = objects[(piece + count - 1) % count];
+    const int after = objects[(piece + 1) % count];
+    const bool areNamed = (leak.from.object == before && leak.to.object == after) ||
+                          (leak.from.object == after && leak.to.object == before);
+    const double metres = (spoilt.b - spoilt.a).norm();
+    return areNamed && areAt(leak, spoilt.a, spoilt.b, metres) ? "" : "another place";
+}
+
+/// Whether a disc gets out between two-sided walls, on a grid of points.
+bool escapesOnGrid(const std::vector<LeakWall>& walls, double radius) {
+    constexpr int side = 220;
+    constexpr double step = 10.0 / side;
+    const auto placeOf = [](int x, int y) { return Vec2((x - side / 2) * step, (y - side / 2) * step); };
+    std::vector<char> blocked(side * side, 0);
+    for (int i = 0; i < side * side; ++i) {
+        const Vec2 p = placeOf(i % side, i / side);
+        for (const LeakWall& wall : walls) {
+            if ((closestOnSegment(wall.a, wall.b, p) - p).norm() < radius) {
+                blocked[static_cast<std::size_t>(i)] = 1;
+                break;
+            }
+        }
+    }
+    std::vector<int> todo{side * side / 2 + side / 2};
+    blocked[static_cast<std::size_t>(todo.front())] = 1;
+    while (!todo.empty()) {
+        const int at = todo.back();
+        todo.pop_back();
+        if (at % side == 0 || at % side == side - 1 || at < side || at >= side * (side - 1)) {
+            return true;
+        }
+        for (const int next : {at - 1, at + 1, at - side, at + side}) {
+            if (blocked[static_cast<std::size_t>(next)] == 0) {
+                blocked[static_cast<std::size_t>(next)] = 1;
+                todo.push_back(next);
+            }
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+class LeakTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theShipIsAsWideAsItsHullIsThin() { QVERIFY(std::abs(leastShipWidth() - 0.16 / std::hypot(0.2, 0.4)) < 1e-12); }
+
+    void aClosedCaveHasNoLeak() {
+        QVERIFY(leaksIn(aroundTheShip({EdgeChain{room, true, 0.5}})).empty());
+        QVERIFY(leaksIn(aroundTheShip({LineChain{room, true}})).empty());
+        QVERIFY(leaksIn(aroundTheShip({EdgeChain{room, true}})).empty());
+    }
+
+    void withoutAShipOrWallsThereIsNone() {
+        Level level = aroundTheShip({EdgeChain{room, false, 0.5}});
+        QCOMPARE(leaksIn(level).size(), std::size_t{1});
+        level.objects.erase(1);
+        QVERIFY(leaksIn(level).empty());
+        QVERIFY(leaksIn(aroundTheShip({})).empty());
+        QVERIFY(leaksIn(Level()).empty());
+    }
+
+    void aGapIsALeakFromTheWidthOfTheShipOn() {
+        for (const bool oneWay : {true, false}) {
+            for (const double gap : {0.1, leastShipWidth() - 1e-3, leastShipWidth() + 1e-3, 1.0}) {
+                std::vector<Vec2> vertices = room;
+                vertices.push_back(Vec2(-4, -3 + gap));
+                const LevelShape shape =
+                    oneWay ? LevelShape(EdgeChain{vertices, false, 0.5}) : LevelShape(LineChain{vertices, false});
+                const std::vector<Leak> leaks = leaksIn(aroundTheShip({shape}));
+                QCOMPARE(leaks.size(), std::size_t{gap > leastShipWidth() ? 1u : 0u});
+                if (!leaks.empty()) {
+                    QCOMPARE(leaks[0].kind, Leak::Kind::Opening);
+                    QVERIFY(areAt(leaks[0], vertices.front(), vertices.back(), 1e-5));
+                    QVERIFY(leaks[0].from.isEnd && leaks[0].to.isEnd);
+                    QVERIFY(std::abs(leaks[0].width - gap) < 1e-5);
+                    QVERIFY(leaks[0].path.back().x() < -4);
+                }
+            }
+        }
+    }
+
+    void aWallThatIsTooShortIsNamed() {
+        // The last wall ends 1 m before a block.
+        const std::vector<LevelShape> shapes{LineChain{{{-4, 2}, {-4, -3}, {4, -3}, {4, 3}, {-2, 3}}, false},
+                                             Polygon{{{-5, 2}, {-3, 2}, {-3, 4}, {-5, 4}}}};
+        const std::vector<Leak> leaks = leaksIn(aroundTheShip(shapes));
+        QCOMPARE(leaks.size(), std::size_t{1});
+        const LeakPlace& end = leaks[0].from.isEnd ? leaks[0].from : leaks[0].to;
+        const LeakPlace& block = leaks[0].from.isEnd ? leaks[0].to : leaks[0].from;
+        QVERIFY(isNear(end.at, {-2, 3}, 1e-5) && end.object == 1 && end.segment == 3);
+        QVERIFY(isNear(block.at, {-3, 3}, 1e-5) && block.object == 2);
+    }
+
+    void aReversedWallIsNamedAndAWholeReversedChainToo() {
+        std::vector<LevelShape> shapes{EdgeChain{{room[1], room[2], room[3], room[0]}, false, 0.5},
+                                       EdgeChain{{room[1], room[0]}, false, 0.5}};
+        std::vector<Leak> leaks = leaksIn(aroundTheShip(shapes));
+        QCOMPARE(leaks.size(), std::size_t{1});
+        QCOMPARE(leaks[0].kind, Leak::Kind::Reversed);
+        QVERIFY(leaks[0].from.object == 2 && leaks[0].walls == 1 && areAt(leaks[0], room[0], room[1], 1e-9));
+        QVERIFY(leaks[0].path.back().y() < -3);
+
+        leaks = leaksIn(aroundTheShip({EdgeChain{{room[3], room[2], room[1], room[0]}, true, 0.5}}));
+        QCOMPARE(leaks.size(), std::size_t{1});
+        QVERIFY(leaks[0].kind == Leak::Kind::Reversed && leaks[0].walls == 4 && leaks[0].isWhole);
+    }
+
+    void aReversedWallNarrowerThanTheShipIsNone() {
+        const auto leaksWith = [](double width, std::vector<Vec2> between) {
+            const Vec2 corner(-4 + width, -3);
+            between.insert(between.begin(), corner);
+            between.push_back(room[0]);
+            return leaksIn(aroundTheShip(
+                {EdgeChain{{corner, room[1], room[2], room[3], room[0]}, false, 0.5}, EdgeChain{between, false, 0.5}}));
+        };
+        QVERIFY(leaksWith(0.3, {}).empty());
+        QCOMPARE(leaksWith(0.6, {}).size(), std::size_t{1});
+        QCOMPARE(leaksWith(0.6, {{-3.7, -3}}).size(), std::size_t{1});
+        QVERIFY(leaksWith(0.3, {{-3.85, -3}}).empty());
+    }
+
+    void allOpeningsOfACaveAreFound() {
+        const std::vector<Leak> leaks = leaksIn(
+            aroundTheShip({LineChain{{{-20, 2}, {20, 2}}, false}, LineChain{{{-20, -2}, {0, -2.5}, {20, -2}}, false}}));
+        QCOMPARE(leaks.size(), std::size_t{2});
+        for (const Leak& leak : leaks) {
+            QVERIFY(leak.from.isEnd && leak.to.isEnd && std::abs(leak.width - 4) < 1e-5);
+        }
+        QVERIFY(leaks[0].path.back().x() * leaks[1].path.back().x() < 0);
+    }
+
+    void whereThereIsNoCaveThereIsNoLeak() {
+        std::vector<Vec2> hills;
+        for (int x = -50; x <= 50; x += 2) {
+            hills.emplace_back(x, -3 + std::sin(x));
+        }
+        QVERIFY(leaksIn(aroundTheShip({EdgeChain{hills, false, 1}})).empty());
+        QVERIFY(leaksIn(aroundTheShip({EdgeChain{{{-9, 3}, {-8, -3}, {8, -3}, {9, 3}}, false, 1}})).empty());
+        QVERIFY(leaksIn(aroundTheShip({Circle{{0, -5}, 4}, Polygon{{{3, 1}, {5, 1}, {4, 3}}}})).empty());
+        QVERIFY(leaksIn(aroundTheShip({EdgeChain{{{-1, 1}, {1, 1}}, false, 0.1}})).empty());
+    }
+
+    void anOpeningThatLeadsToTheFinishIsTheWay() {
+        Level level = aroundTheShip({LineChain{{{-1, 6}, {-4, 6}, {-4, -3}, {4, -3}, {4, 6}, {1, 6}}, false}});
+        QCOMPARE(leaksIn(level).size(), std::size_t{1});
+        level.objects.append({50, "", FinishObject{{-1, 1}, {1, 1}}, {}});
+        QCOMPARE(leaksIn(level).size(), std::size_t{1});
+        level.objects.erase(level.objects.size() - 1);
+        level.objects.append({50, "", FinishObject{{-1, 8}, {1, 8}}, {}});
+        QVERIFY(leaksIn(level).empty());
+    }
+
+    void whatTheShipDoesNotTouchDoesNotKeepItIn() {
+        Level level = aroundTheShip(
+            {LineChain{{room[0], room[1], room[2], room[3]}, false}, LineChain{{room[3], room[0]}, false}});
+        QVERIFY(leaksIn(level).empty());
+        Object changed = level.objects[2];
+        std::get<BodyObject>(changed.data).filter.tags = TagMask::bit(7);
+        level.objects.replace(2, changed);
+        QCOMPARE(leaksIn(level).size(), std::size_t{1});
+        std::get<BodyObject>(changed.data).filter = {};
+        std::get<BodyObject>(changed.data).kind = BodyKind::Dynamic;
+        level.objects.replace(2, changed);
+        QCOMPARE(leaksIn(level).size(), std::size_t{1});
+    }
+
+    void shippedLevelsAreClean() {
+        const std::filesystem::path folder = (sourceFolder() + "/levels").toStdString();
+        int count = 0;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+            if (entry.path().extension() == ".json") {
+                const auto file = readLevel(entry.path());
+                QVERIFY(file && file.value().level);
+                QVERIFY2(leaksIn(*file.value().level).empty(), entry.path().c_str());
+                ++count;
+            }
+        }
+        QVERIFY(count > 0);
+    }
+
+    void aStopEndsTheSearchWithoutAnAnswer() {
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(leaksOf(aroundTheShip({EdgeChain{room, false, 0.5}}), isFine, stop.get_token()).empty());
+    }
+
+    void closedCavesHaveNoLeakAndSpoiltOnesTheirs() {
+        const int caves = fullOrQuick(500, usualOrThin(60, 10));
+        int named = 0;
+        int spoilt = 0;
+        for (int i = 0; i < caves; ++i) {
+            const auto seed = static_cast<std::uint64_t>(i + 1);
+            RandomCave cave = randomCave(seed);
+            QVERIFY2(leaksIn(cave.level()).empty(), seedText(seed));
+            const int weak = cave.weakPiece(seed);
+            if (weak < 0) {
+                continue;
+            }
+            const auto at = static_cast<std::size_t>(weak);
+            const bool isEdge = cave.pieces[at].kind == CavePiece::Kind::Edge;
+            (isEdge && i % 2 == 0 ? cave.pieces[at].isReversed : cave.pieces[at].isMissing) = true;
+            ++spoilt;
+            const QByteArray fault = faultOf(cave, at);
+            if (!fault.isEmpty()) {
+                qInfo("%s: %s", seedText(seed).constData(), fault.constData());
+            }
+            named += fault.isEmpty() ? 1 : 0;
+        }
+        QVERIFY2(spoilt > 0.9 * caves, qPrintable(QString("%1 of %2").arg(spoilt).arg(caves)));
+        QVERIFY2(named >= 0.99 * spoilt, qPrintable(QString("%1 of %2").arg(named).arg(spoilt)));
+    }
+
+    void aDiscGetsOutWhereItDoesOnAGrid() {
+        const int scenes = fullOrQuick(2000, usualOrThin(60, 10));
+        int escapes = 0;
+        int stays = 0;
+        for (int i = 0; i < scenes; ++i) {
+            const auto seed = static_cast<std::uint64_t>(i + 1);
+            Random random(seed);
+            std::vector<LeakWall> walls;
+            for (unsigned k = 12 + random.below(40); k > 0; --k) {
+                const Vec2 at(random.uniform(-4, 4), random.uniform(-4, 4));
+                const Vec2 half = 0.5 * random.uniform(0, 2) * Rot::fromAngle(random.uniform(0, 7)).right();
+                if (closestOnSegment(at - half, at + half, {0, 0}).norm() > 0.4) {
+                    walls.push_back({at - half, at + half});
+                }
+            }
+            constexpr double unsure = 0.035; // m, of the grid
+            const double width = random.uniform(0.3, 0.7);
+            const LeakMesh mesh(walls, {0, 0}, width, {});
+            QVERIFY(mesh.isSound());
+            const bool escaped = reachOf(mesh, {}).isOutside;
+            if (escapesOnGrid(walls, width / 2 + unsure)) {
+                ++escapes;
+                QVERIFY2(escaped, seedText(seed));
+            } else if (!escapesOnGrid(walls, width / 2 - unsure)) {
+                ++stays;
+                QVERIFY2(!escaped, seedText(seed));
+            }
+        }
+        QVERIFY(escapes > scenes / 10 && stays > scenes / 10);
+    }
+};
+
+SPACETOW_TEST(LeakTest)
+#include "leak_test.moc"
