@@ -22,6 +22,8 @@ constexpr Command commands[] = {
     {"check", checkCommand, "check FILE… [--all] [--json]"},
     {"fix", fixCommand, "fix FILE [-o OUT] [--json]"},
     {"info", infoCommand, "info FILE"},
+    {"import", importCommand,
+     "import FILE -o OUT.json [--scale M] [--tolerance M] [--walls one-way|two-way] [--outlines]"},
     {"render", renderCommand, "render FILE -o OUT.png|OUT.svg [--size WxH] [--overlays LIST] [--replay REPLAY]"},
     {"simulate", simulateCommand, "simulate FILE --updates N [--game] [--dump OUT.json] [--hash]"},
     {"replay", replayCommand, "replay FILE REPLAY [--dump OUT.json]"},

@@ -16,6 +16,8 @@ int checkCommand(const QStringList& arguments);
 /// Carries out the safe fixes.
 int fixCommand(const QStringList& arguments);
 int infoCommand(const QStringList& arguments);
+/// Makes a level of an SVG drawing, a map of Tiled or a scene of R.U.B.E.
+int importCommand(const QStringList& arguments);
 int renderCommand(const QStringList& arguments);
 int simulateCommand(const QStringList& arguments);
 int replayCommand(const QStringList& arguments);

@@ -2,21 +2,18 @@
 #include "app/levelc_flight.h"
 #include "app/levelc_support.h"
 #include "core/level/bounds.h"
-#include "editor/canvas/overlay_painter.h"
-#include "editor/canvas/scene_painter.h"
+#include "editor/canvas/export_picture.h"
+#include "editor/canvas/stage.h"
 
-#include <QBuffer>
-#include <QFileInfo>
-#include <QImage>
+#include <QPainter>
 #include <QRegularExpression>
-#include <QSvgGenerator>
 
 namespace spacetow {
 
 namespace {
 
 std::optional<QSize> sizeFromText(const QString& text) {
-    constexpr int largest = 16384; // pixels
+    constexpr int largest = largestPicture;
     static const QRegularExpression pattern(QStringLiteral("^(\\d{1,5})x(\\d{1,5})$"));
     const QRegularExpressionMatch match = pattern.match(text);
     const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
@@ -46,42 +43,24 @@ struct Picture {
     std::optional<Flight> flight;
 };
 
-void paint(QPainter& painter, const Picture& picture) {
-    Viewport view;
-    view.size = Vec2(picture.size.width(), picture.size.height());
-    view = view.showing(boundsOf(picture.level));
+PictureSpec specOf(const Picture& picture) {
+    PictureSpec spec;
+    spec.view.size = Vec2(picture.size.width(), picture.size.height());
+    spec.view = spec.view.showing(boundsOf(picture.level));
+    spec.overlays = picture.overlays;
+    spec.title = QString::fromStdString(picture.level.name);
+    return spec;
+}
+
+void paint(QPainter& painter, const Picture& picture, const PictureSpec& spec) {
+    if (!picture.flight) {
+        paintPicture(painter, picture.level, spec);
+        return;
+    }
     const Theme& theme = canvasTheme();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(QRect(QPoint(0, 0), picture.size), theme.background);
-    const Stage stage{painter, view, theme};
-    if (picture.flight) {
-        paintFlight(stage, *picture.flight, picture.overlays);
-        return;
-    }
-    paintLevel(stage, picture.level, Selection());
-    const auto cells = picture.overlays.quadtree ? levelCells(picture.level) : std::vector<QuadtreeCell>();
-    paintLevelOverlays(stage, picture.level, picture.overlays, cells);
-}
-
-void paintSvg(QIODevice& out, const Picture& picture) {
-    QSvgGenerator generator;
-    generator.setOutputDevice(&out);
-    generator.setSize(picture.size);
-    generator.setViewBox(QRect(QPoint(0, 0), picture.size));
-    generator.setTitle(QString::fromStdString(picture.level.name));
-    QPainter painter(&generator);
-    paint(painter, picture);
-}
-
-bool paintPng(QIODevice& out, const Picture& picture) {
-    QImage image(picture.size, QImage::Format_RGB32);
-    if (image.isNull()) {
-        return false;
-    }
-    QPainter painter(&image);
-    paint(painter, picture);
-    painter.end();
-    return image.save(&out, "PNG");
+    paintFlight(Stage{painter, spec.view, theme}, *picture.flight, picture.overlays);
 }
 
 /// Nothing after complaining, or when no replay is named.
@@ -98,24 +77,19 @@ std::optional<Flight> wantedFlight(const Level& level, const QString& file) {
 }
 
 int write(const QString& file, const Picture& picture) {
-    const QString kind = QFileInfo(file).suffix().toLower();
-    if (kind != QLatin1String("png") && kind != QLatin1String("svg")) {
+    const std::optional<PictureFormat> format = pictureFormat(file);
+    if (!format) {
         complain(QStringLiteral("the picture must be named *.png or *.svg"));
         return exit_status::unusable;
     }
-    QBuffer out;
-    bool good = out.open(QIODevice::WriteOnly);
-    if (good && kind == QLatin1String("svg")) {
-        paintSvg(out, picture);
-    } else if (good) {
-        good = paintPng(out, picture);
-    }
-    if (!good) {
+    const PictureSpec spec = specOf(picture);
+    const QByteArray bytes = pictureBytes(*format, spec, [&](QPainter& painter) { paint(painter, picture, spec); });
+    if (bytes.isEmpty()) {
         complain(QStringLiteral("the picture is too large to be drawn"));
+        return exit_status::unusable;
     }
-    const QByteArray& bytes = out.data();
-    return good && writeOut(file, {bytes.data(), static_cast<std::size_t>(bytes.size())}) ? exit_status::good
-                                                                                          : exit_status::unusable;
+    return writeOut(file, {bytes.data(), static_cast<std::size_t>(bytes.size())}) ? exit_status::good
+                                                                                  : exit_status::unusable;
 }
 
 } // namespace

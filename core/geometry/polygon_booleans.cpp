@@ -44,10 +44,16 @@ class Lattice {
             for (const Vec2& point : polygon) {
                 path.push_back(toLattice(point));
             }
+            paths.push_back(std::move(path));
+        }
+        return paths;
+    }
+    Paths anticlockwise(const PolygonSet& polygons) {
+        Paths paths = toLattice(polygons);
+        for (Path& path : paths) {
             if (!ClipperLib::Orientation(path)) {
                 ClipperLib::ReversePath(path);
             }
-            paths.push_back(std::move(path));
         }
         return paths;
     }
@@ -130,14 +136,8 @@ void collect(const PolyNode& node, Paths& result) {
     }
 }
 
-} // namespace
-
-PolygonSet combined(const PolygonSet& a, const PolygonSet& b, PolygonBoolean how) {
-    Lattice lattice;
-    const Paths pathsA = lattice.toLattice(a);
-    const Paths pathsB = lattice.toLattice(b);
-    PolyTree tree;
-    clip(pathsA, pathsB, typeOf(how), tree);
+/// The outlines of all areas in the tree, in metres.
+PolygonSet areasOf(const PolyTree& tree, const Lattice& lattice) {
     Paths outlines;
     collect(tree, outlines);
     PolygonSet result;
@@ -157,6 +157,27 @@ PolygonSet combined(const PolygonSet& a, const PolygonSet& b, PolygonBoolean how
         }
     }
     return result;
+}
+
+} // namespace
+
+PolygonSet combined(const PolygonSet& a, const PolygonSet& b, PolygonBoolean how) {
+    Lattice lattice;
+    const Paths pathsA = lattice.anticlockwise(a);
+    const Paths pathsB = lattice.anticlockwise(b);
+    PolyTree tree;
+    clip(pathsA, pathsB, typeOf(how), tree);
+    return areasOf(tree, lattice);
+}
+
+PolygonSet filledAreas(const PolygonSet& outlines, FillRule rule) {
+    Lattice lattice;
+    const ClipperLib::PolyFillType type = rule == FillRule::EvenOdd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero;
+    ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
+    clipper.AddPaths(lattice.toLattice(outlines), ClipperLib::ptSubject, true);
+    PolyTree tree;
+    clipper.Execute(ClipperLib::ctUnion, tree, type, type);
+    return areasOf(tree, lattice);
 }
 
 } // namespace spacetow

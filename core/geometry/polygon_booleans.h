@@ -16,4 +16,11 @@ enum class PolygonBoolean { Union, Difference, Intersection };
 /// have no holes; an area with a hole is cut through it into several. Coordinates are below 10⁶ m.
 PolygonSet combined(const PolygonSet& a, const PolygonSet& b, PolygonBoolean how);
 
+/// Which points outlines that cross themselves and each other, or lie in one another, fill: those they go round an odd
+/// number of times, or those they go round more often one way than the other.
+enum class FillRule { EvenOdd, NonZero };
+
+/// What outlines, of at least three points and running either way, fill: areas as `combined` gives them.
+PolygonSet filledAreas(const PolygonSet& outlines, FillRule rule);
+
 } // namespace spacetow

@@ -20,6 +20,12 @@ enum class Act : std::uint8_t {
     Close,
     Quit,
 
+    // actions_exchange.cpp
+    Import,
+    ExportAs,
+    ExportAgain,
+    Screenshot,
+
     // actions_edit.cpp
     Undo,
     Redo,

@@ -51,6 +51,7 @@ struct ActionRow {
 };
 
 std::span<const ActionRow> fileActions();
+std::span<const ActionRow> exchangeActions();
 std::span<const ActionRow> editActions();
 std::span<const ActionRow> viewActions();
 std::span<const ActionRow> snapActions();

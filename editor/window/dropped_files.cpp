@@ -108,6 +108,9 @@ void flyDropped(const QString& path, MainWindow& window) {
 } // namespace
 
 FileKind kindOfFile(const QString& path) {
+    if (Exchange::isForeign(path)) {
+        return FileKind::Foreign;
+    }
     constexpr qint64 looked = 4096; // bytes
     static const QRegularExpression beginning(QStringLiteral("^\\x{feff}?\\s*\\{\\s*\"replay\"\\s*:"));
     QFile file(path);
@@ -120,8 +123,13 @@ FileKind kindOfFile(const QString& path) {
 void openDropped(const QStringList& paths, MainWindow& window) {
     QStringList levels;
     QStringList flights;
+    QStringList foreign;
     for (const QString& path : paths) {
-        (kindOfFile(path) == FileKind::Replay ? flights : levels) << path;
+        const FileKind kind = kindOfFile(path);
+        (kind == FileKind::Replay ? flights : kind == FileKind::Foreign ? foreign : levels) << path;
+    }
+    if (!foreign.isEmpty()) {
+        window.open(foreign.front()); // one at a time is looked at before it comes
     }
     if (!levels.isEmpty()) {
         window.openFiles(levels);

@@ -1,6 +1,6 @@
 #pragma once
 // What becomes of files that are dropped on a window or named on the command line: levels are opened, recorded flights
-// are flown in their level. What a file is, its content says, whatever it is called.
+// are flown in their level, drawings are imported. What a file of ours is, its content says, whatever it is called.
 
 #include <QStringList>
 
@@ -10,7 +10,7 @@ namespace spacetow {
 
 class MainWindow;
 
-enum class FileKind : std::uint8_t { Level, Replay };
+enum class FileKind : std::uint8_t { Level, Replay, Foreign };
 
 FileKind kindOfFile(const QString& path);
 

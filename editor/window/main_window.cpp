@@ -27,7 +27,9 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
       m_levelPanel(m_document, [](const Error& error) { return sentence(error); }), m_differences(m_document, m_canvas),
       m_minimap(m_document, m_canvas),
       m_recoveryBar(journalFolder(), [this](const JournalEntry& entry) { return restoreWork(entry); }),
-      m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document) {
+      m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
+      m_exchange(m_document, m_toolbox, m_canvas,
+                 [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }) {
     setAcceptDrops(true);
     layOut();
     makeMenus();
@@ -68,6 +70,8 @@ void MainWindow::layOut() {
     m_column.addWidget(&m_arrays);
     m_column.addWidget(&m_transform);
     m_column.addWidget(&m_guideBar);
+    m_column.addWidget(&m_exchange.importBar());
+    m_column.addWidget(&m_exchange.exportBar());
     m_column.addWidget(&m_stack, 1);
     m_stack.addWidget(&m_frame);
     m_stack.addWidget(&m_play);
@@ -108,6 +112,7 @@ void MainWindow::enterGame(const Replay* recorded) {
     leaveWelcome();
     enterTyping();
     m_arrays.cancel();
+    m_exchange.cancel();
     m_transform.hide();
     m_guideBar.dismiss();
     finishDrawing();

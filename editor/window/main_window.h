@@ -19,6 +19,7 @@
 #include "editor/window/appearance.h"
 #include "editor/window/collision_view.h"
 #include "editor/window/difference_panel.h"
+#include "editor/window/exchange.h"
 #include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
 #include "editor/window/open_level.h"
@@ -49,7 +50,7 @@ class MainWindow : public QMainWindow {
     explicit MainWindow(std::shared_ptr<OpenLevel> level = nullptr, Application* application = nullptr);
     ~MainWindow() override;
 
-    /// In place of the level that it shows.
+    /// In place of the level that it shows; a file of another program is imported into it.
     bool open(const QString& path);
     /// The files that were chosen, each in a window of its own.
     void openFiles(const QStringList& paths);
@@ -140,6 +141,7 @@ class MainWindow : public QMainWindow {
     const Panels& panels() const { return *m_panels; }
     Files& files() { return m_files; }
     const Files& files() const { return m_files; }
+    Exchange& exchange() { return m_exchange; }
     MessageBar& messageBar() { return m_message; }
     Recovery& recovery() { return m_open->recovery; }
     RecoveryBar& recoveryBar() { return m_recoveryBar; }
@@ -230,6 +232,7 @@ class MainWindow : public QMainWindow {
     TransformBar m_transform;
     GuideBar m_guideBar;
     StatusLine m_status;
+    Exchange m_exchange;
     std::optional<Panels> m_panels; // once there is a window to add them to
     OverlayFlags m_overlays;
     bool m_panelsHidden = false;

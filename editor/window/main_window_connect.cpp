@@ -2,7 +2,9 @@
 #include "editor/window/main_window.h"
 #include "editor/window/messages.h"
 
+#include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
 
 namespace spacetow {
 
@@ -32,12 +34,18 @@ void MainWindow::listen() {
         leaveWelcome();
         updateOrigin();
         m_toolbox.cancel();
+        m_exchange.cancel();
         m_guideBar.dismiss();
         m_canvas.showAnew();
     });
 }
 
 void MainWindow::listenToPanels() {
+    m_exchange.questions = exchangeDialogs(this);
+    m_exchange.suggestion = [this] {
+        const QFileInfo file(m_files.path().isEmpty() ? QDir::home().filePath(m_files.name()) : m_files.path());
+        return file.dir().filePath(file.completeBaseName());
+    };
     m_canvas.setSnapNames([this](const SnapAnswer& snap) { return snapName(*m_document.current().level, snap); });
     connect(&m_canvas, &Canvas::pointerMoved, &m_status, &StatusLine::setPointer);
     connect(&m_canvas, &Canvas::pointerLeft, &m_status, &StatusLine::clearPointer);

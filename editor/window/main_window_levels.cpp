@@ -17,6 +17,11 @@ bool MainWindow::open(const QString& path) {
     enterTyping();
     finishDrawing();
     m_message.dismiss();
+    if (Exchange::isForeign(path)) {
+        leaveWelcome();
+        m_exchange.importFile(path);
+        return true;
+    }
     return path.startsWith(QStringLiteral(":/")) ? m_files.openExample(path) : m_files.open(path);
 }
 
@@ -103,6 +108,7 @@ void MainWindow::leaveWelcome() {
 void MainWindow::finishWork() {
     enterTyping();
     m_arrays.cancel();
+    m_exchange.cancel();
     m_canvas.loseMouse();
     finishDrawing();
 }

@@ -63,7 +63,8 @@ QString sentence(const Problem& problem) {
 }
 
 QString sentence(const Error& error) {
-    return sentenceOf(problemTexts(), error.code, error.arguments);
+    const bool isOfExchange = textOf(exchangeTexts(), error.code) != nullptr;
+    return sentenceOf(isOfExchange ? exchangeTexts() : problemTexts(), error.code, error.arguments);
 }
 
 QString sentence(const Hint& hint) {
@@ -82,7 +83,8 @@ QString sentence(const Label& label) {
 }
 
 bool hasSentence(const std::string& code) {
-    return textOf(problemTexts(), code) != nullptr || textOf(hintTexts(), code) != nullptr;
+    return textOf(problemTexts(), code) != nullptr || textOf(exchangeTexts(), code) != nullptr ||
+           textOf(hintTexts(), code) != nullptr;
 }
 
 bool hasLabel(const std::string& code) {

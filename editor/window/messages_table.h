@@ -16,7 +16,8 @@ struct LabelText {
     const char* many; // with %n
 };
 
-std::span<const MessageText> problemTexts(); // and errors
+std::span<const MessageText> problemTexts();  // and errors
+std::span<const MessageText> exchangeTexts(); // what importing and exporting have to say
 std::span<const LabelText> labelTexts();
 /// Of all tools; those of a new one are declared here and listed in messages_hints.cpp.
 std::span<const MessageText> hintTexts();

@@ -34,6 +34,12 @@ Run levelc(const QStringList& arguments) {
             QString::fromUtf8(process.readAllStandardError())};
 }
 
+const char* const drawing = R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="50">
+  <rect id="box" x="10" y="10" width="20" height="20"/>
+  <path id="bend" d="M0 40Q50 0 100 40" fill="none" stroke="black"/>
+  <text>left out</text>
+</svg>)";
+
 /// A box that falls and a ground to fall on.
 Level falling(double groundHalf = 50) {
     Level level;
@@ -99,6 +105,13 @@ class LevelcTest : public QObject {
         QTest::newRow("render too wide") << QStringList{"render", level, "-o", "out.png", "--size", "99999x10"};
         QTest::newRow("render unknown overlay")
             << QStringList{"render", level, "-o", "out.png", "--overlays", "aabb,soul"};
+        QTest::newRow("import of nothing") << QStringList{"import", "-o", "out.json"};
+        QTest::newRow("import to nothing") << QStringList{"import", "drawing.svg"};
+        QTest::newRow("import at no scale") << QStringList{"import", "drawing.svg", "-o", "out.json", "--scale", "0"};
+        QTest::newRow("import of odd walls")
+            << QStringList{"import", "drawing.svg", "-o", "out.json", "--walls", "paper"};
+        QTest::newRow("import too fine") << QStringList{"import", "drawing.svg", "-o", "out.json", "--tolerance", "0"};
+        QTest::newRow("import of a level") << QStringList{"import", level, "-o", "out.json"};
         QTest::newRow("replay of one file") << QStringList{"replay", level};
         QTest::newRow("replay of no replay") << QStringList{"replay", level, level};
     }
@@ -106,6 +119,7 @@ class LevelcTest : public QObject {
         QFETCH(QStringList, arguments);
         write("good.json", levelText(falling()));
         write("bad.json", "{");
+        write("drawing.svg", drawing);
         const Run run = levelc(inFolder(arguments));
         QCOMPARE(run.status, 2);
         QVERIFY(!run.err.isEmpty());
@@ -114,7 +128,7 @@ class LevelcTest : public QObject {
     void helpIsNoMistake_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::newRow("of the program") << QStringList{"--help"};
-        for (const char* command : {"check", "fix", "info", "render", "simulate", "replay"}) {
+        for (const char* command : {"check", "fix", "import", "info", "render", "simulate", "replay"}) {
             QTest::newRow(command) << QStringList{command, "--help"};
         }
     }
@@ -123,6 +137,31 @@ class LevelcTest : public QObject {
         const Run run = levelc(arguments);
         QCOMPARE(run.status, 0);
         QVERIFY(run.out.contains("levelc", Qt::CaseInsensitive));
+    }
+
+    void importMakesALevelAndTellsWhatItLeavesOut() {
+        write("drawing.svg", drawing);
+        const QStringList start{"import", path("drawing.svg"), "-o", path("out.json")};
+        const Run run = levelc(start);
+        QCOMPARE(run.status, 0);
+        QCOMPARE(run.out, QString());
+        QCOMPARE(run.err, QStringLiteral("levelc: %1: Text was left out (1, lines 4). Turn it into paths to have it.\n")
+                              .arg(path("drawing.svg")));
+        const Level level = *parseLevel(contents(path("out.json")).toStdString()).level;
+        QCOMPARE(level.name, std::string("drawing"));
+        QCOMPARE(level.objects.size(), 2);
+        const auto& box = std::get<BodyObject>(level.objects[0].data);
+        QCOMPARE(std::get<Polygon>(box.shapes.front()).vertices.size(), std::size_t{4});
+        QCOMPARE(box.position, Vec2(0.1, 0.4)); // y is up
+        const auto bend = std::get<LineChain>(std::get<BodyObject>(level.objects[1].data).shapes.front());
+
+        QCOMPARE(levelc(start + QStringList{"--scale", "1", "--tolerance", "0.001", "--walls", "one-way"}).status, 0);
+        const Level fine = *parseLevel(contents(path("out.json")).toStdString()).level;
+        QCOMPARE(std::get<BodyObject>(fine.objects[0].data).position, Vec2(10, 40));
+        const auto& walls = std::get<EdgeChain>(std::get<BodyObject>(fine.objects[1].data).shapes.front());
+        QVERIFY(walls.vertices.size() > 3 * bend.vertices.size());
+        QCOMPARE(levelc(start + QStringList{"--outlines"}).status, 0);
+        QVERIFY(contents(path("out.json")).count("\"lines\"") == 2);
     }
 
     void checkPrintsALineAProblem() {

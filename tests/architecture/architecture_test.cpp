@@ -163,6 +163,8 @@ void ArchitectureTest::aForbiddenIncludeIsFound_data() {
                                         << "#include \"editor/play/hud.h\"";
     QTest::newRow("play beside panels") << "editor/play/a.cpp"
                                         << "#include \"editor/panels/field.h\"";
+    QTest::newRow("exchange beside editing") << "editor/exchange/a.cpp"
+                                             << "#include \"editor/editing/document.h\"";
     QTest::newRow("canvas below panels") << "editor/canvas/a.h"
                                          << "#include \"editor/panels/field.h\"";
     QTest::newRow("canvas below play") << "editor/canvas/a.h"

@@ -66,6 +66,7 @@ class Timing {
         autosave();
         changeAll();
         findLeaks();
+        importDrawing();
     }
 
   private:
@@ -278,6 +279,34 @@ class Timing {
             level.objects.replace(last, object);
             say("leaks.found", time([&] { leaksOf(level, isBad); }), 200, 2000);
         }
+    }
+
+    /// An SVG of 10,000 segments, curves and lines in turns, until it is shown as it would come; and the longest time
+    /// for which the window did nothing else.
+    void importDrawing() {
+        const QString path = m_folder.filePath(QStringLiteral("drawing.svg"));
+        std::ofstream out(path.toStdString());
+        out << R"(<svg xmlns="http://www.w3.org/2000/svg" width="2000" height="2000">)";
+        for (int i = 0; i < 100; ++i) {
+            out << "<path fill='none' stroke='black' d='M" << 10 * i << ' ' << 20 * i % 700;
+            for (int j = 0; j < 50; ++j) {
+                out << "c5 " << j % 9 << " 9-6 14 3l6-" << j % 5;
+            }
+            out << "'/>";
+        }
+        out << "</svg>";
+        out.close();
+        double longest = 0;
+        const double taken = milliseconds([&] {
+            longest = milliseconds([&] { m_window.open(path); });
+            while (!m_window.document().hasPreview()) {
+                longest = std::max(longest, milliseconds([] { QCoreApplication::processEvents(); }));
+            }
+        });
+        say("import-drawing", taken, 1000, 1000);
+        say("import-drawing.longest", longest, 0, 0);
+        say("import-drawing.commit", frame([&] { m_window.exchange().importBar().apply(); }), 0, 0);
+        rest();
     }
 
     Subject m_subject;

@@ -39,7 +39,7 @@ std::set<QString> emittedCodes() {
         QRegularExpression(R"(counted<[^>]*>\(level, findings, "([a-z0-9-]+)\")"),
         QRegularExpression(R"(std::pair\([a-z]+\.count, "([a-z0-9-]+)\")"),
     };
-    const QString text = sourcesIn("core");
+    const QString text = sourcesIn("core") + sourcesIn("editor/exchange");
     std::set<QString> codes;
     for (const QRegularExpression& pattern : patterns) {
         auto found = pattern.globalMatch(text);
@@ -75,7 +75,10 @@ class MessagesTest : public QObject {
     }
 
     void everySentenceBelongsToACode() {
-        const QString text = sourcesIn("core");
+        const QString text = sourcesIn("core") + sourcesIn("editor/exchange");
+        for (const MessageText& message : exchangeTexts()) {
+            QVERIFY2(text.contains(QStringLiteral("\"%1\"").arg(message.code)), message.code);
+        }
         for (const MessageText& message : problemTexts()) {
             const QString code = QString(message.code).remove(QStringLiteral("-unnamed"));
             QVERIFY2(text.contains(QStringLiteral("\"%1\"").arg(code)), message.code);
@@ -106,6 +109,9 @@ class MessagesTest : public QObject {
     void noCodeIsListedTwice() {
         std::set<std::string> seen;
         for (const MessageText& message : problemTexts()) {
+            QVERIFY2(seen.insert(message.code).second, message.code);
+        }
+        for (const MessageText& message : exchangeTexts()) {
             QVERIFY2(seen.insert(message.code).second, message.code);
         }
         for (const MessageText& message : hintTexts()) {
