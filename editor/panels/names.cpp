@@ -54,6 +54,16 @@ QString kindName(const Object& object) {
     return kindName(kindOf(object));
 }
 
+QString kindIcon(const Object& object) {
+    if (const auto* body = std::get_if<BodyObject>(&object.data)) {
+        constexpr std::array shapes{"edge", "line", "polygon", "circle"}; // as in LevelShape
+        return QLatin1String(body->shapes.size() == 1 ? shapes[body->shapes.front().index()] : "union");
+    }
+    constexpr std::array others{"", "ship", "payload", "finish", "connector", "group"}; // as in ObjectData
+    const auto* group = std::get_if<GroupObject>(&object.data);
+    return QLatin1String(group != nullptr && group->layer ? "layer" : others[object.data.index()]);
+}
+
 QString placedKind(const Object& object) {
     const std::optional<Vec2> at = placeOf(object.data);
     return at ? Names::tr("%1 at (%2, %3)").arg(kindName(object), shortNumberText(at->x()), shortNumberText(at->y()))

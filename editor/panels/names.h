@@ -13,6 +13,8 @@ int kindCount();
 /// "One-way wall", "Ship", …
 QString kindName(int kind);
 QString kindName(const Object& object);
+/// Of the picture for its kind; see editor/canvas/icons.h.
+QString kindIcon(const Object& object);
 /// Its own name, else what kind of thing it is.
 QString displayName(const Object& object);
 /// "floor (Polygon)", or for an object without a name "Polygon at 3; -2.5", so that it can be told from its like.

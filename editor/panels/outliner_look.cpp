@@ -7,23 +7,11 @@
 #include <QPainter>
 #include <QPixmap>
 
-#include <array>
-
 namespace spacetow {
 
 namespace {
 
 constexpr int swatchSize = 12; // logical pixels
-
-QString kindIcon(const Object& object) {
-    if (const auto* body = std::get_if<BodyObject>(&object.data)) {
-        constexpr std::array shapes{"edge", "line", "polygon", "circle"}; // as in LevelShape
-        return QLatin1String(body->shapes.size() == 1 ? shapes[body->shapes.front().index()] : "union");
-    }
-    constexpr std::array others{"", "ship", "payload", "finish", "connector", "group"}; // as in ObjectData
-    const auto* group = std::get_if<GroupObject>(&object.data);
-    return QLatin1String(group != nullptr && group->layer ? "layer" : others[object.data.index()]);
-}
 
 QIcon swatch(std::uint32_t color, const QPalette& palette) {
     QPixmap pixmap(2 * swatchSize, 2 * swatchSize);

@@ -13,6 +13,7 @@ enum class Act : std::uint8_t {
     New,
     Open,
     ReopenClosed,
+    QuickOpen,
     Save,
     SaveAs,
     Reload,
@@ -173,7 +174,9 @@ enum class Act : std::uint8_t {
     RestoreWindows,
 
     // actions_help.cpp
+    CommandPalette,
     Keys,
+    EditKeys,
     About,
 };
 

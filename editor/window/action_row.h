@@ -46,6 +46,8 @@ struct ActionRow {
     bool (*isOn)(const MainWindow&) = nullptr;
     /// What the flags cannot say of when it is possible.
     bool (*isPossible)(const MainWindow&) = nullptr;
+    /// A sentence that says what is missing while `isPossible` says no; translate in the context "Actions".
+    const char* why = "";
     /// A text that changes with the document, in place of `text`; translated, with mnemonic.
     QString (*name)(const MainWindow&) = nullptr;
 };

@@ -2,6 +2,7 @@
 
 #include "editor/canvas/icons.h"
 #include "editor/canvas/key_place.h"
+#include "editor/window/key_bindings.h"
 #include "editor/window/main_window.h"
 
 #include <QCoreApplication>
@@ -23,12 +24,9 @@ QString translated(const char* words) {
 }
 
 /// "Undo (Ctrl+Z)".
-QString toolTip(const ActionRow& row) {
-    const QList<QKeySequence> keys = keysOf(row);
-    const QString key = !keys.isEmpty()              ? keys.front().toString(QKeySequence::NativeText)
-                        : (row.flags & KeyElsewhere) ? QStringLiteral("I")
-                                                     : QString();
-    return key.isEmpty() ? plainText(row) : QStringLiteral("%1 (%2)").arg(plainText(row), key);
+QString toolTip(const ActionRow& row, const QKeySequence& key) {
+    return key.isEmpty() ? plainText(row)
+                         : QStringLiteral("%1 (%2)").arg(plainText(row), key.toString(QKeySequence::NativeText));
 }
 
 bool isTool(const ActionRow& row) {
@@ -55,6 +53,13 @@ QString plainText(const ActionRow& row) {
     return text;
 }
 
+QString codeOf(const ActionRow& row) {
+    QString code = QString::fromUtf8(menuRow(row.menu).text) + QLatin1Char('/') + QString::fromUtf8(row.text);
+    code.remove(QLatin1Char('&'));
+    code.remove(QChar(0x2026));
+    return code.toLower().replace(QLatin1Char(' '), QLatin1Char('-'));
+}
+
 QList<QKeySequence> keysOf(const ActionRow& row) {
     return keysIn(row.keys);
 }
@@ -70,9 +75,7 @@ QList<QKeySequence> keysIn(const char* keys) {
 Actions::Actions(MainWindow& window) : m_window(window), m_tools(nullptr) {
     for (const ActionRow& row : actionRows()) {
         auto action = std::make_unique<QAction>(translated(row.text));
-        action->setShortcuts(keysOf(row));
         action->setShortcutContext((row.flags & KeyOfCanvas) != 0 ? Qt::WidgetShortcut : Qt::WindowShortcut);
-        action->setToolTip(toolTip(row));
         action->setStatusTip(translated(row.tip));
         action->setCheckable(row.isOn != nullptr || isTool(row));
         if (isTool(row)) {
@@ -82,7 +85,19 @@ Actions::Actions(MainWindow& window) : m_window(window), m_tools(nullptr) {
         m_actions[row.id] = std::move(action);
         connectRow(row);
     }
+    setKeys({});
     tint(window.palette());
+}
+
+void Actions::setKeys(const KeyBindings& bindings) {
+    for (const ActionRow& row : actionRows()) {
+        (*this)[row.id].setShortcuts(bindings.keys(*keyOwner(codeOf(row))));
+    }
+    for (const ActionRow& row : actionRows()) {
+        QAction& action = (*this)[row.id];
+        const bool isElsewhere = action.shortcuts().isEmpty() && (row.flags & KeyElsewhere) != 0;
+        action.setToolTip(toolTip(row, (isElsewhere ? (*this)[Act::PlaceNext] : action).shortcut()));
+    }
 }
 
 template <class Do>
@@ -156,6 +171,25 @@ bool Actions::isPossible(const ActionRow& row) const {
            (row.isPossible == nullptr || row.isPossible(m_window));
 }
 
+QString Actions::whyNot(const ActionRow& row) const {
+    const Selection& selection = m_window.document().selection();
+    const char* why = "";
+    if (m_window.isPlaying() && (row.flags & WhilePlaying) == 0) {
+        why = QT_TRANSLATE_NOOP("Actions", "Not while a game is running.");
+    } else if (!m_window.isPlaying() && (row.flags & OnlyPlaying) != 0) {
+        why = QT_TRANSLATE_NOOP("Actions", "Only while a game is running.");
+    } else if (selection.empty() && (row.flags & NeedsSelection) != 0) {
+        why = QT_TRANSLATE_NOOP("Actions", "Select something first.");
+    } else if (selection.size() < 2 && (row.flags & NeedsSeveral) != 0) {
+        why = QT_TRANSLATE_NOOP("Actions", "Select at least two objects first.");
+    } else if (selection.nodes().empty() && (row.flags & NeedsNodes) != 0) {
+        why = QT_TRANSLATE_NOOP("Actions", "Select nodes first, with the node tool.");
+    } else if (row.isPossible != nullptr && !row.isPossible(m_window)) {
+        why = row.why;
+    }
+    return *why == '\0' ? QString() : translated(why);
+}
+
 bool Actions::isOn(const ActionRow& row) const {
     const ToolId* const tool = std::get_if<ToolId>(&row.id);
     return tool != nullptr ? m_window.toolbox().current() == *tool : row.isOn(m_window);
@@ -165,7 +199,13 @@ void Actions::refresh() {
     const QScopedValueRollback<bool> guard(m_refreshing, true);
     for (const ActionRow& row : actionRows()) {
         QAction& action = (*this)[row.id];
-        action.setEnabled(isPossible(row));
+        const bool possible = isPossible(row);
+        if (!possible || !action.isEnabled()) {
+            const QString why = possible ? QString() : whyNot(row);
+            const QString tip = translated(row.tip);
+            action.setStatusTip(why.isEmpty() ? tip : QStringLiteral("%1 · %2").arg(tip, why));
+        }
+        action.setEnabled(possible);
         if (action.isCheckable()) {
             action.setChecked(isOn(row));
         }

@@ -18,10 +18,15 @@ class QPalette;
 
 namespace spacetow {
 
+class KeyBindings;
+
 /// Of all topics, in the order of the menus.
 std::span<const ActionRow> actionRows();
 /// Translated, without mnemonic and ellipsis.
 QString plainText(const ActionRow& row);
+/// By which the action is remembered, as in "file/save-as": menu and text in English.
+QString codeOf(const ActionRow& row);
+/// The keys it comes with.
 QList<QKeySequence> keysOf(const ActionRow& row);
 /// Of keys in their portable spelling, separated by blanks.
 QList<QKeySequence> keysIn(const char* keys);
@@ -37,8 +42,12 @@ class Actions {
     /// For a stroke that is nobody's key: the key of a US keyboard in its place, where that is an action's. A Latin
     /// letter never stands for another one.
     std::optional<QKeyCombination> keyByPlace(const QKeyEvent& stroke) const;
+    /// Puts these keys on the actions, their tooltips included.
+    void setKeys(const KeyBindings& bindings);
     /// Draws the icons in the colours of the palette.
     void tint(const QPalette& palette) const;
+    /// A sentence that says why it is not possible at this moment; empty while it is.
+    QString whyNot(const ActionRow& row) const;
     /// Shows what is possible, what is on, and what it is called at this moment.
     void refresh();
 

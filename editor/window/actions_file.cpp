@@ -80,6 +80,15 @@ constexpr ActionRow fileRows[] = {
      .run = reopenClosed,
      .isPossible =
          [](const MainWindow& window) { return window.application() != nullptr && window.application()->canReopen(); }},
+    {.id = Act::QuickOpen,
+     .menu = MenuId::File,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Quick Open…"),
+     .icon = "search",
+     .keys = "Ctrl+P",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Find a level by a few letters of its name: recent ones, those beside it, "
+                                         "and those that come with the program"),
+     .flags = WithoutLevel | WhilePlaying,
+     .run = [](MainWindow& window) { window.finder().open(QStringLiteral("/")); }},
     {.id = Act::Save,
      .menu = MenuId::File,
      .text = QT_TRANSLATE_NOOP("Actions", "&Save"),

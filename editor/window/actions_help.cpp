@@ -1,4 +1,5 @@
 // What the keys do, and what program this is.
+#include "editor/window/key_editor.h"
 #include "editor/window/keys_dialog.h"
 #include "editor/window/main_window.h"
 
@@ -23,6 +24,14 @@ void showAbout(MainWindow& window) {
 }
 
 constexpr ActionRow helpRows[] = {
+    {.id = Act::CommandPalette,
+     .menu = MenuId::Help,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Find Action…"),
+     .icon = "commands",
+     .keys = "Ctrl+Shift+P",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Find actions, panels, levels, objects and problems by a few letters"),
+     .flags = WithoutLevel | WhilePlaying,
+     .run = [](MainWindow& window) { window.finder().open(QString()); }},
     {.id = Act::Keys,
      .menu = MenuId::Help,
      .text = QT_TRANSLATE_NOOP("Actions", "&Keys…"),
@@ -30,7 +39,15 @@ constexpr ActionRow helpRows[] = {
      .keys = "F1",
      .tip = QT_TRANSLATE_NOOP("Actions", "Show what the keys do"),
      .flags = WithoutLevel | WhilePlaying,
-     .run = [](MainWindow& window) { KeysDialog(&window).exec(); }},
+     .run = [](MainWindow& window) { KeysDialog(window.files().preferences.keyBindings(), &window).exec(); }},
+    {.id = Act::EditKeys,
+     .menu = MenuId::Help,
+     .text = QT_TRANSLATE_NOOP("Actions", "Keyboard &Shortcuts…"),
+     .icon = "keyboard",
+     .keys = "Ctrl+Alt+K",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Give other keys to actions, or the keys of Tiled, Inkscape or Blender"),
+     .flags = WithoutLevel | WhilePlaying,
+     .run = [](MainWindow& window) { KeyEditor(&window).exec(); }},
     {.id = Act::About,
      .menu = MenuId::Help,
      .text = QT_TRANSLATE_NOOP("Actions", "&About SpaceTow Studio…"),

@@ -1,6 +1,6 @@
 #include "editor/window/keys_dialog.h"
 
-#include "editor/window/actions.h"
+#include "editor/window/play_keys.h"
 
 #include <QCoreApplication>
 
@@ -30,13 +30,6 @@ constexpr std::array canvasLines{
     KeyLine{QT_TRANSLATE_NOOP("Keys", "Wheel · pinch"), QT_TRANSLATE_NOOP("Keys", "Zoom at the pointer")},
     KeyLine{QT_TRANSLATE_NOOP("Keys", "Middle or right drag · Space + drag · two fingers"), QT_TRANSLATE_NOOP("Keys", "Move the view")},
 };
-constexpr std::array gameLines{
-    KeyLine{QT_TRANSLATE_NOOP("Keys", "W or Up"), QT_TRANSLATE_NOOP("Keys", "Thrust")},
-    KeyLine{QT_TRANSLATE_NOOP("Keys", "A or Left · D or Right"), QT_TRANSLATE_NOOP("Keys", "Turn left · turn right")},
-    KeyLine{QT_TRANSLATE_NOOP("Keys", "Space"), QT_TRANSLATE_NOOP("Keys", "Tow the payload when it is near; again: let it go")},
-    KeyLine{QT_TRANSLATE_NOOP("Keys", "Esc"), QT_TRANSLATE_NOOP("Keys", "Hold the game and show the menu")},
-    KeyLine{QT_TRANSLATE_NOOP("Keys", "R · P · O"), QT_TRANSLATE_NOOP("Keys", "Restart · hold · next frame")},
-};
 // clang-format on
 
 QString translatedKeys(const char* words) {
@@ -52,43 +45,40 @@ QString line(const QString& keys, const QString& meaning) {
         .arg(keys.toHtmlEscaped(), meaning.toHtmlEscaped());
 }
 
-QString withoutMnemonic(QString text) {
-    return text.remove(QLatin1Char('&'));
-}
-
 } // namespace
 
-QString KeysDialog::overview() {
+QString KeysDialog::overview(const KeyBindings& bindings) {
     QString html = QStringLiteral("<table cellpadding=\"2\">");
     html += heading(translatedKeys(QT_TRANSLATE_NOOP("Keys", "On the drawing board")));
     for (const KeyLine& each : canvasLines) {
         html += line(translatedKeys(each.keys), translatedKeys(each.meaning));
     }
     html += heading(translatedKeys(QT_TRANSLATE_NOOP("Keys", "In the game")));
-    for (const KeyLine& each : gameLines) {
-        html += line(translatedKeys(each.keys), translatedKeys(each.meaning));
+    for (const PlayKeyLine& each : playKeyLines()) {
+        html += line(each.keys, each.meaning);
     }
-    std::optional<MenuId> last;
-    for (const ActionRow& row : actionRows()) {
+    QString place;
+    for (const KeyOwner& owner : keyOwners()) {
         QStringList keys;
-        for (const QKeySequence& key : keysOf(row)) {
+        for (const QKeySequence& key : bindings.keys(owner)) {
             keys << key.toString(QKeySequence::NativeText);
         }
         if (keys.isEmpty()) {
             continue;
         }
-        if (last != row.menu) {
-            html += heading(withoutMnemonic(menuText(menuRow(row.menu))));
-            last = row.menu;
+        if (place != owner.place) {
+            html += heading(owner.place);
+            place = owner.place;
         }
-        html += line(keys.join(QStringLiteral(" · ")), plainText(row));
+        html += line(keys.join(QStringLiteral(" · ")), owner.name);
     }
     return html + QStringLiteral("</table>");
 }
 
-KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent), m_column(this), m_buttons(QDialogButtonBox::Close) {
+KeysDialog::KeysDialog(const KeyBindings& bindings, QWidget* parent)
+    : QDialog(parent), m_column(this), m_buttons(QDialogButtonBox::Close) {
     setWindowTitle(tr("Keys"));
-    m_text.setHtml(overview());
+    m_text.setHtml(overview(bindings));
     m_text.setFrameShape(QFrame::NoFrame);
     m_column.addWidget(&m_text);
     m_column.addWidget(&m_buttons);

@@ -1,6 +1,8 @@
 #pragma once
 // The overview of keys, made from the table of actions and a few lines about mouse and game.
 
+#include "editor/window/key_bindings.h"
+
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QTextBrowser>
@@ -12,10 +14,10 @@ class KeysDialog : public QDialog {
     Q_OBJECT
 
   public:
-    explicit KeysDialog(QWidget* parent = nullptr);
+    explicit KeysDialog(const KeyBindings& bindings, QWidget* parent = nullptr);
 
-    /// Every action that has a key stands in it.
-    static QString overview();
+    /// Every action and panel that has a key stands in it.
+    static QString overview(const KeyBindings& bindings);
 
   private:
     QVBoxLayout m_column;

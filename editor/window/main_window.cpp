@@ -86,6 +86,7 @@ void MainWindow::layOut() {
     m_guideBar.setWords(words);
     m_tagMatrix.setAction(m_actions[Act::ShowCollisions]);
     m_panels.emplace(*this);
+    m_finder.emplace(*this);
     if (const QScreen* monitor = screen()) {
         resize(firstSize(monitor->availableGeometry().size()));
     }
@@ -195,6 +196,13 @@ void MainWindow::setSnap(const SnapSettings& snap) {
     m_canvas.update();
 }
 
+void MainWindow::updateKeys() {
+    const KeyBindings bindings = m_files.preferences.keyBindings();
+    m_actions.setKeys(bindings);
+    m_panels->setKeys(bindings);
+    updateTool(); // the hint names some of them
+}
+
 void MainWindow::setPanelsHidden(bool hidden) {
     m_panelsHidden = hidden;
     m_panels->setAway(hidden || isPlaying() || isWelcoming());
@@ -229,6 +237,12 @@ void MainWindow::showObject(Key key) {
     if (m_document.level().objects.find(key) != nullptr) {
         m_document.select(Selection({key}));
         m_canvas.centerSelection();
+        const Aabb box = boundsOf(m_document.level(), m_document.selection().keys());
+        const double size = box.isEmpty() ? 0 : box.size().maxCoeff() * m_canvas.view().scale;
+        constexpr double least = 24; // px, of what can be made out
+        if (!box.isEmpty() && (size < least || size > std::min(m_canvas.width(), m_canvas.height()))) {
+            m_canvas.frameSelection();
+        }
     } else {
         m_document.select(Selection());
     }
@@ -330,11 +344,13 @@ void MainWindow::updateOrigin() {
 }
 
 void MainWindow::updateTool() {
-    m_status.setHint(isPlaying() && m_recorded
-                         ? tr("Playing a recorded flight · keys count when it has ended · F8: back to the editor")
-                     : isPlaying()   ? tr("Playing a copy of the level · F8: back to the editor · Esc: menu")
-                     : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")
-                                     : sentence(m_toolbox.hint()) + snapHint());
+    const QString back = m_actions[Act::Stop].shortcut().toString(QKeySequence::NativeText);
+    m_status.setHint(
+        isPlaying() && m_recorded
+            ? tr("Playing a recorded flight · keys count when it has ended · %1: back to the editor").arg(back)
+        : isPlaying()   ? tr("Playing a copy of the level · %1: back to the editor · Esc: menu").arg(back)
+        : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")
+                        : sentence(m_toolbox.hint()) + snapHint());
     if (m_toolbox.current() != m_shownTool || m_toolbox.isBusy() != m_shownBusy) {
         m_shownTool = m_toolbox.current();
         m_shownBusy = m_toolbox.isBusy();

@@ -20,6 +20,7 @@
 #include "editor/window/collision_view.h"
 #include "editor/window/difference_panel.h"
 #include "editor/window/exchange.h"
+#include "editor/window/finder.h"
 #include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
 #include "editor/window/open_level.h"
@@ -91,6 +92,9 @@ class MainWindow : public QMainWindow {
     void enterTyping();
     /// Ends a half-drawn shape as Enter does, before something that would drop it; what cannot be ended is dropped.
     void finishDrawing();
+    /// Selects the object and brings it into the middle of the view, and to a size at which it is seen; selects nothing
+    /// where there is none.
+    void showObject(Key key);
     void takeTool(ToolId tool);
     /// The one of these that was in the hand last or, where one is, the next.
     void takeNextOf(std::span<const ToolId> tools);
@@ -106,6 +110,8 @@ class MainWindow : public QMainWindow {
     bool arePanelsHidden() const { return m_panelsHidden; }
     Appearance appearance() const { return m_wardrobe->appearance(); }
     void setAppearance(Appearance appearance);
+    /// The keys that the preferences remember, on all actions and panels.
+    void updateKeys();
     const OverlayFlags& overlays() const { return m_overlays; }
     void setOverlays(const OverlayFlags& overlays);
 
@@ -148,6 +154,7 @@ class MainWindow : public QMainWindow {
     DiskChanges& diskChanges() { return m_open->disk; }
     MessageBar& diskBar() { return m_diskBar; }
     GuideBar& guideBar() { return m_guideBar; }
+    Finder& finder() { return *m_finder; }
     StatusLine& statusLine() { return m_status; }
 
     /// Of a window that has no remembered size, frame excluded, on a screen with so much room; logical pixels.
@@ -183,7 +190,6 @@ class MainWindow : public QMainWindow {
     void showNotice();
     bool restoreWork(const JournalEntry& entry);
     void restore();
-    void showObject(Key key);
     /// A stroke that is nobody's key may be one by its place.
     bool actByPlace(const QKeyEvent& stroke);
 
@@ -234,6 +240,7 @@ class MainWindow : public QMainWindow {
     StatusLine m_status;
     Exchange m_exchange;
     std::optional<Panels> m_panels; // once there is a window to add them to
+    std::optional<Finder> m_finder; // above all the rest
     OverlayFlags m_overlays;
     bool m_panelsHidden = false;
     ToolId m_shownTool = ToolId::Select;

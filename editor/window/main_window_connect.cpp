@@ -109,6 +109,7 @@ void MainWindow::restore() {
     setRulersVisible(m_files.preferences.rulers());
     setSnap(m_files.preferences.snap());
     setOverlays(m_files.preferences.overlays());
+    updateKeys();
     m_inspector.foldSections(m_files.preferences.foldedSections());
     restoreGeometry(m_files.preferences.geometry());
     restoreState(m_files.preferences.windowState());

@@ -46,4 +46,10 @@ QString menuText(const MenuRow& row) {
     return QCoreApplication::translate("spacetow::MainWindow", row.text);
 }
 
+QString menuPath(MenuId id) {
+    const MenuRow& row = menuRow(id);
+    const QString name = menuText(row).remove(QLatin1Char('&'));
+    return row.parent ? QStringLiteral("%1 ▸ %2").arg(menuPath(*row.parent), name) : name;
+}
+
 } // namespace spacetow

@@ -47,5 +47,7 @@ std::span<const MenuRow> menuRows();
 const MenuRow& menuRow(MenuId id);
 /// Translated, with mnemonic.
 QString menuText(const MenuRow& row);
+/// "View ▸ Overlays".
+QString menuPath(MenuId id);
 
 } // namespace spacetow

@@ -1,5 +1,6 @@
 #include "editor/window/panels.h"
 
+#include "editor/window/key_bindings.h"
 #include "editor/window/main_window.h"
 
 #include <QCoreApplication>
@@ -95,11 +96,22 @@ std::span<const PanelRow> panelRows() {
     return allPanels;
 }
 
+QString codeOf(const PanelRow& row) {
+    return QStringLiteral("panels/") + QLatin1String(row.name);
+}
+
 Panels::Panels(MainWindow& window) : m_window(window) {
     for (const PanelRow& row : allPanels) {
         add(row);
     }
+    setKeys({});
     placeAtFirst();
+}
+
+void Panels::setKeys(const KeyBindings& bindings) {
+    for (const PanelRow& row : allPanels) {
+        dock(QLatin1String(row.name)).toggleViewAction()->setShortcuts(bindings.keys(*keyOwner(codeOf(row))));
+    }
 }
 
 void Panels::add(const PanelRow& row) {
@@ -109,7 +121,6 @@ void Panels::add(const PanelRow& row) {
     m_window.addDockWidget(row.area, dock);
     QAction* const action = dock->toggleViewAction();
     action->setText(translatedTitle(row.title));
-    action->setShortcuts(keysIn(row.keys));
     action->setStatusTip(QCoreApplication::translate("Panels", "Show or hide this panel"));
     followTabs(*dock);
     m_window.addAction(action);

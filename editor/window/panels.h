@@ -16,6 +16,7 @@ class QWidget;
 
 namespace spacetow {
 
+class KeyBindings;
 class MainWindow;
 
 struct PanelRow {
@@ -30,6 +31,8 @@ struct PanelRow {
 };
 
 std::span<const PanelRow> panelRows();
+/// By which its keys are remembered.
+QString codeOf(const PanelRow& row);
 
 /// The docks of a window that hold the panels.
 class Panels {
@@ -40,6 +43,7 @@ class Panels {
     QDockWidget& dock(const QString& name) const { return *m_docks.at(name); }
     /// Of all panels, for the menu.
     QList<QAction*> actions() const;
+    void setKeys(const KeyBindings& bindings);
     /// The panel that holds the widget; null for one outside.
     QDockWidget* holding(const QWidget* widget) const;
 

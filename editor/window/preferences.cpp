@@ -184,4 +184,28 @@ void Preferences::setFoldedSections(const QStringList& titles) {
     QSettings().setValue("inspector/folded", titles);
 }
 
+KeyBindings Preferences::keyBindings() const {
+    const QByteArray kept = QSettings().value("keys").toByteArray();
+    return kept.isEmpty() ? KeyBindings() : readKeys(kept).bindings.value_or(KeyBindings());
+}
+
+void Preferences::setKeyBindings(const KeyBindings& bindings) {
+    if (bindings.areUsual()) {
+        QSettings().remove("keys");
+    } else {
+        QSettings().setValue("keys", keysText(bindings, false));
+    }
+}
+
+QStringList Preferences::recentlyFound() const {
+    return QSettings().value("finder/recent").toStringList();
+}
+
+void Preferences::addRecentlyFound(const QString& code) {
+    QStringList codes = recentlyFound();
+    codes.removeAll(code);
+    codes.prepend(code);
+    QSettings().setValue("finder/recent", QStringList(codes.mid(0, maxRecent)));
+}
+
 } // namespace spacetow

@@ -5,6 +5,7 @@
 #include "editor/canvas/overlay_flags.h"
 #include "editor/editing/snap.h"
 #include "editor/window/appearance.h"
+#include "editor/window/key_bindings.h"
 
 #include <QByteArray>
 #include <QStringList>
@@ -48,6 +49,12 @@ class Preferences {
     /// Sections of the inspector.
     QStringList foldedSections() const;
     void setFoldedSections(const QStringList& titles);
+    /// Codes of what was taken from the command palette, newest first.
+    QStringList recentlyFound() const;
+    void addRecentlyFound(const QString& code);
+    /// The usual ones where what is kept cannot be understood.
+    KeyBindings keyBindings() const;
+    void setKeyBindings(const KeyBindings& bindings);
 };
 
 } // namespace spacetow

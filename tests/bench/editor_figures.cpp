@@ -61,6 +61,7 @@ class Timing {
         pan();
         zoom();
         hover();
+        search();
         dragOne();
         dragNode();
         autosave();
@@ -174,6 +175,22 @@ class Timing {
             times.push_back(frame([&] { mouse(place, Qt::NoButton); }));
         }
         say("hover.median", quantile(times, 0.5), 1, 2);
+    }
+
+    /// From the key that opens the command palette to what it shows first, and from each letter to what is found then.
+    void search() {
+        std::vector<double> times;
+        Finder& finder = m_window.finder();
+        for (int i = 0; i < frames / 20; ++i) {
+            times.push_back(frame([&] { m_window.actions()[Act::CommandPalette].trigger(); }));
+            for (const char letter : {'w', 'a', 'l'}) {
+                times.push_back(frame([&] { QTest::keyClick(&finder.field(), letter); }));
+                finder.model().finish();
+            }
+            finder.close();
+        }
+        say("palette.worst", quantile(times, 1), 50, 50);
+        rest();
     }
 
     /// A point on the outline of a body about the middle of the level.

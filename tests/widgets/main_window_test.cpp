@@ -336,12 +336,16 @@ class MainWindowTest : public QObject {
     }
 
     void theOverviewListsEveryKey() {
-        const QString overview = KeysDialog::overview();
+        const QString overview = KeysDialog::overview({});
         for (const ActionRow& row : actionRows()) {
             for (const QKeySequence& key : keysOf(row)) {
                 QVERIFY2(overview.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()), row.text);
             }
         }
+        KeyBindings bindings;
+        bindings.give(*keyOwner("file/save"), QKeySequence("Ctrl+Alt+F7"));
+        QVERIFY(
+            KeysDialog::overview(bindings).contains(QKeySequence("Ctrl+Alt+F7").toString(QKeySequence::NativeText)));
     }
 
     void theFirstWindowFitsTheScreen_data() {

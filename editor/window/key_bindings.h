@@ -1,0 +1,70 @@
+#pragma once
+// Which keys lead to which action, where somebody wants other ones than the program comes with. A value: the shortcut
+// editor changes a copy and puts it on the windows.
+
+#include "editor/window/act.h"
+
+#include <QKeySequence>
+#include <QList>
+#include <QString>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace spacetow {
+
+/// Who can have keys: an action of the table, or a panel.
+struct KeyOwner {
+    QString code;              // by which it is remembered
+    QString name;              // translated
+    QString place;             // menu, translated
+    QList<QKeySequence> usual; // the keys it comes with, the first is the one that is shown
+    bool whilePlaying = false;
+};
+
+/// Of all actions, in the order of the menus, and of all panels.
+const std::vector<KeyOwner>& keyOwners();
+const KeyOwner* keyOwner(const QString& code);
+
+class KeyBindings {
+  public:
+    QList<QKeySequence> keys(const KeyOwner& owner) const;
+    bool isUsual(const KeyOwner& owner) const { return !m_changed.contains(owner.code); }
+    bool areUsual() const { return m_changed.empty(); }
+    void setKeys(const KeyOwner& owner, const QList<QKeySequence>& keys);
+    /// Gives back the keys it came with; who has one of them now loses it.
+    void reset(const KeyOwner& owner);
+
+    /// Who has this key; null for nobody.
+    const KeyOwner* ownerOf(const QKeySequence& key) const;
+    /// Shown first among those of its owner, and taken from who has it now.
+    void give(const KeyOwner& owner, const QKeySequence& key);
+    void take(const KeyOwner& owner, const QKeySequence& key);
+
+    bool operator==(const KeyBindings&) const = default;
+
+  private:
+    std::map<QString, QList<QKeySequence>> m_changed; // by code
+};
+
+/// A sentence that says why no action, or not this one, may have the key; empty when it may.
+QString objectionTo(const QKeySequence& key, const KeyOwner& owner);
+
+/// The file of a shortcut editor, and what the preferences keep: every owner's keys, or only the changed ones.
+QByteArray keysText(const KeyBindings& bindings, bool all);
+struct ReadKeys {
+    std::optional<KeyBindings> bindings; // none when something is wrong
+    QStringList faults;                  // sentences
+    QStringList unknown;                 // codes of nobody, which are left out
+};
+ReadKeys readKeys(const QByteArray& text);
+
+/// The keys of other programs. What they do not have keeps our keys, unless these are needed for something else.
+struct KeyPreset {
+    const char* name; // of the program; not translated
+    KeyBindings (*make)();
+};
+std::span<const KeyPreset> keyPresets();
+
+} // namespace spacetow
