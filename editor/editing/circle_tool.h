@@ -3,10 +3,19 @@
 
 #include "editor/editing/tool.h"
 
+#include <array>
+#include <string_view>
+
 namespace spacetow {
 
 class CircleTool : public Tool {
   public:
+    static constexpr auto hints = std::to_array<std::string_view>({
+        "draw-circle.start",
+        "draw-circle.radius", // m
+        "draw-circle.too-small",
+    });
+
     std::string code() const override { return "circle"; }
     std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
     std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;

@@ -10,6 +10,24 @@ namespace spacetow {
 
 class ConnectorTool : public Tool {
   public:
+    static constexpr auto hints = std::to_array<std::string_view>({
+        "connector.start",
+        "connector.from-named", // name of the body
+        "connector.from-static",
+        "connector.from-kinematic",
+        "connector.from-dynamic",
+        "connector.to-named",  // m, name of the body
+        "connector.to-static", // m
+        "connector.to-kinematic",
+        "connector.to-dynamic",
+        "connector.nothing-moves", // m
+        "connector.same-body",
+        "connector.no-body",
+        "connector.nothing-here",
+        "connector.began-nowhere",
+        "connector.ended-nowhere",
+    });
+
     std::string code() const override { return "connector"; }
     std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
     void dragEnded(const ToolContext& context, const Pointer& pointer) override;

@@ -7,6 +7,9 @@
 #include "core/level/chain_ends.h"
 #include "editor/editing/tool.h"
 
+#include <array>
+#include <string_view>
+
 namespace spacetow {
 
 enum class DrawKind : std::uint8_t {
@@ -18,6 +21,17 @@ enum class DrawKind : std::uint8_t {
 
 class DrawTool : public Tool {
   public:
+    static constexpr auto hints = std::to_array<std::string_view>({
+        "draw-edge.start",
+        "draw-edge.next",  // number of points, m, degrees
+        "draw-edge.close", // number of points
+        "draw-edge.too-few",     "draw-edge.same-point", "draw-edge.extend",      "draw-edge.close-chain",
+        "draw-line.start",       "draw-line.next",       "draw-line.close",       "draw-line.too-few",
+        "draw-line.same-point",  "draw-line.extend",     "draw-line.close-chain", "draw-polygon.start",
+        "draw-polygon.next",     "draw-polygon.close",   "draw-polygon.too-few",  "draw-polygon.same-point",
+        "draw-polygon.crossing", "draw-polygon.crossed", "draw-polygon.crosses",  "draw-polygon.flat",
+    });
+
     explicit DrawTool(DrawKind kind) : m_kind(kind) {}
 
     std::string code() const override;

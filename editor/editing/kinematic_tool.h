@@ -11,6 +11,10 @@ namespace spacetow {
 
 class KinematicTool : public Tool {
   public:
+    static constexpr auto hints = std::to_array<std::string_view>({
+        "draw-kinematic.start",
+    });
+
     std::string code() const override { return "kinematic"; }
     std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
     void dragEnded(const ToolContext& context, const Pointer& pointer) override;

@@ -3,10 +3,20 @@
 
 #include "editor/editing/tool.h"
 
+#include <array>
+#include <string_view>
+
 namespace spacetow {
 
 class KnifeTool : public Tool {
   public:
+    static constexpr auto hints = std::to_array<std::string_view>({
+        "knife.idle",
+        "knife.selected", // number of objects
+        "knife.cutting",  // number of places
+        "knife.nothing",
+    });
+
     std::string code() const override { return "knife"; }
     std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
 

@@ -4,10 +4,22 @@
 
 #include "editor/editing/tool.h"
 
+#include <array>
+#include <string_view>
+
 namespace spacetow {
 
 class MeasureTool : public Tool {
   public:
+    static constexpr auto hints = std::to_array<std::string_view>({
+        "measure.start",
+        "measure.first", // m, m across, m upwards, degrees
+        "measure.same-point",
+        "measure.done",   // as the first
+        "measure.second", // and degrees between the legs
+        "measure.angle",  // degrees, m, m
+    });
+
     std::string code() const override { return "measure"; }
     std::unique_ptr<Gesture> press(const ToolContext&, const Pointer&) override { return nullptr; }
     std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;

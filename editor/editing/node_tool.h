@@ -4,10 +4,26 @@
 #include "editor/editing/pick.h"
 #include "editor/editing/tool.h"
 
+#include <array>
+#include <string_view>
+
 namespace spacetow {
 
 class NodeTool : public Tool {
   public:
+    static constexpr auto hints = std::to_array<std::string_view>({
+        "nodes.none", "nodes.without", "nodes.idle", "nodes.object",
+        "nodes.selected", // number of nodes
+        "nodes.node", "nodes.segment", "nodes.insert",
+        "nodes.moving",          // m to the right, m upwards
+        "nodes.moving-together", // m to the right, m upwards
+        "nodes.together", "nodes.crosses", "nodes.scale-handle", "nodes.turn-handle",
+        "nodes.scaling", // width, height in m
+        "nodes.turning", // degrees
+        "nodes.band",    // number of nodes
+        "nodes.lasso",   // number of nodes
+    });
+
     std::string code() const override { return "nodes"; }
     /// A drag moves the selected nodes, or both ends of a segment; from empty ground or with Shift it draws a band,
     /// with Shift and Alt a lasso.

@@ -3,6 +3,9 @@
 
 #include "editor/editing/tool.h"
 
+#include <array>
+#include <string_view>
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,6 +18,16 @@ enum class PlaceKind : std::uint8_t { Ship, Payload, Finish };
 
 class PlaceTool : public Tool {
   public:
+    static constexpr auto hints = std::to_array<std::string_view>({
+        "place-ship.start",
+        "place-ship.turning", // degrees
+        "place-payload.start",
+        "place-payload.moving", // x, y in m
+        "place-finish.start",
+        "place-finish.end", // m, degrees
+        "place-finish.too-short",
+    });
+
     explicit PlaceTool(PlaceKind kind) : m_kind(kind) {}
 
     std::string code() const override;

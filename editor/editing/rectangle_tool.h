@@ -4,6 +4,9 @@
 
 #include "editor/editing/tool.h"
 
+#include <array>
+#include <string_view>
+
 #include <memory>
 #include <optional>
 
@@ -11,6 +14,12 @@ namespace spacetow {
 
 class RectangleTool : public Tool {
   public:
+    static constexpr auto hints = std::to_array<std::string_view>({
+        "draw-rectangle.start",
+        "draw-rectangle.size", // width, height in m
+        "draw-rectangle.too-small",
+    });
+
     std::string code() const override { return "rectangle"; }
     std::unique_ptr<Gesture> press(const ToolContext& context, const Pointer& pointer) override;
     std::optional<FinishedEdit> click(const ToolContext& context, const Pointer& pointer) override;

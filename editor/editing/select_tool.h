@@ -9,6 +9,26 @@ namespace spacetow {
 
 class SelectTool : public Tool {
   public:
+    static constexpr auto hints = std::to_array<std::string_view>({
+        "select.idle",
+        "select.object",
+        "select.group",
+        "select.selected-group", // number of objects
+        "select.in-group",       // number of objects
+        "select.in-named-group", // number of objects, name of the group
+        "select.lasso",          // number of objects
+        "select.selected",       // number of objects
+        "select.moving",         // m to the right, m upwards
+        "select.band",           // number of objects
+        "select.scale-handle",
+        "select.scaling", // width, height in m, width, height in %
+        "select.turn-handle",
+        "select.turning", // degrees
+        "select.pivot-handle",
+        "select.pivot", // x, y in m
+        "select.node",
+    });
+
     std::string code() const override { return "select"; }
     /// A drag of a handle scales or turns; else a drag moves, from empty ground or with Shift it draws a band, with Alt
     /// it moves the selection from anywhere, with both it draws a lasso.

@@ -16,26 +16,36 @@ namespace spacetow {
 namespace {
 
 template <class Made, auto... arguments>
-std::unique_ptr<Tool> make() {
-    return std::make_unique<Made>(arguments...);
+constexpr ToolRow row(ToolId id) {
+    return {id, [] { return std::unique_ptr<Tool>(std::make_unique<Made>(arguments...)); }, Made::hints};
 }
 
 constexpr ToolRow rows[] = {
-    {ToolId::Select, make<SelectTool>},
-    {ToolId::Nodes, make<NodeTool>},
-    {ToolId::Edge, make<DrawTool, DrawKind::Edge>},
-    {ToolId::Line, make<DrawTool, DrawKind::Line>},
-    {ToolId::Polygon, make<DrawTool, DrawKind::Polygon>},
-    {ToolId::Rectangle, make<RectangleTool>},
-    {ToolId::Circle, make<CircleTool>},
-    {ToolId::Kinematic, make<KinematicTool>},
-    {ToolId::Connector, make<ConnectorTool>},
-    {ToolId::Ship, make<PlaceTool, PlaceKind::Ship>},
-    {ToolId::Payload, make<PlaceTool, PlaceKind::Payload>},
-    {ToolId::Finish, make<PlaceTool, PlaceKind::Finish>},
-    {ToolId::Knife, make<KnifeTool>},
-    {ToolId::Measure, make<MeasureTool>},
+    row<SelectTool>(ToolId::Select),
+    row<NodeTool>(ToolId::Nodes),
+    row<DrawTool, DrawKind::Edge>(ToolId::Edge),
+    row<DrawTool, DrawKind::Line>(ToolId::Line),
+    row<DrawTool, DrawKind::Polygon>(ToolId::Polygon),
+    row<RectangleTool>(ToolId::Rectangle),
+    row<CircleTool>(ToolId::Circle),
+    row<KinematicTool>(ToolId::Kinematic),
+    row<ConnectorTool>(ToolId::Connector),
+    row<PlaceTool, PlaceKind::Ship>(ToolId::Ship),
+    row<PlaceTool, PlaceKind::Payload>(ToolId::Payload),
+    row<PlaceTool, PlaceKind::Finish>(ToolId::Finish),
+    row<KnifeTool>(ToolId::Knife),
+    row<MeasureTool>(ToolId::Measure),
 };
+
+constexpr bool areInOrder() {
+    for (std::size_t i = 0; i < std::size(rows); ++i) {
+        if (static_cast<std::size_t>(rows[i].id) != i) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(areInOrder(), "a row for each ToolId, in their order");
 
 } // namespace
 

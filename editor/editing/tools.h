@@ -1,6 +1,7 @@
 #pragma once
 // Every tool of the program as one table. The toolbox makes its tools from it; what each is called, and its key, stands
-// in editor/window/actions_tools.cpp. A new tool is a pair of files, an enumerator and a row in either table.
+// in editor/window/actions_tools.cpp. A new tool is a pair of files, an enumerator and a row in either table; nothing
+// else needs to hear of it.
 
 #include "editor/editing/tool.h"
 
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 
 namespace spacetow {
 
@@ -31,6 +33,7 @@ enum class ToolId : std::uint8_t {
 struct ToolRow {
     ToolId id;
     std::unique_ptr<Tool> (*make)();
+    std::span<const std::string_view> hints; // every code of a hint that it, or others of its class, may give
 };
 
 /// In the order of ToolId.

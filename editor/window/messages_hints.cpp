@@ -1,14 +1,20 @@
+#include "editor/window/action_row.h"
 #include "editor/window/messages_table.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace spacetow {
 
 std::span<const MessageText> hintTexts() {
     static const std::vector<MessageText> texts = [] {
-        std::vector<MessageText> all;
-        for (const auto hints : {selectHints(), nodeHints(), drawHints(), placeHints(), guideHints(), measureHints()}) {
-            all.insert(all.end(), hints.begin(), hints.end());
+        std::vector<MessageText> all(guideHints().begin(), guideHints().end());
+        std::vector<std::span<const MessageText> (*)()> taken;
+        for (const ActionRow& row : toolActions()) {
+            if (row.hints != nullptr && std::ranges::find(taken, row.hints) == taken.end()) {
+                taken.push_back(row.hints); // several tools may share theirs
+                all.insert(all.end(), row.hints().begin(), row.hints().end());
+            }
         }
         return all;
     }();

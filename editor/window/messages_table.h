@@ -19,7 +19,7 @@ struct LabelText {
 std::span<const MessageText> problemTexts();  // and errors
 std::span<const MessageText> exchangeTexts(); // what importing and exporting have to say
 std::span<const LabelText> labelTexts();
-/// Of all tools; those of a new one are declared here and listed in messages_hints.cpp.
+/// Of all tools, which have them in their rows, and of guides.
 std::span<const MessageText> hintTexts();
 std::span<const MessageText> selectHints();
 std::span<const MessageText> nodeHints();

@@ -6,9 +6,11 @@
 #include "tests/support/test_main.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -69,6 +71,7 @@ class ArchitectureTest : public QObject {
     void everyFileKeepsItsForm();
     void unnamedNamesOfAFolderDiffer();
     void theRootHoldsOnlyWhatIsExpected();
+    void aToolIsRegisteredOnceInALayer();
 
     void aForbiddenIncludeIsFound_data();
     void aForbiddenIncludeIsFound();
@@ -146,6 +149,36 @@ void ArchitectureTest::theRootHoldsOnlyWhatIsExpected() {
             problems.push_back(name + " does not belong at the top of the tree");
         }
     }
+    expectNone(problems);
+}
+
+/// A row in editor/editing/tools.cpp, and one among the actions: nobody else needs to hear of a tool.
+void ArchitectureTest::aToolIsRegisteredOnceInALayer() {
+    // What the editor comes back to, what shows nodes, and what has numbers to copy.
+    static const std::set<std::string> special{"Select", "Nodes", "Measure"};
+    const std::string table = contentOf(root / "editor/editing/tools.h");
+    const std::size_t start = table.find('{', table.find("enum class ToolId"));
+    std::istringstream names(table.substr(start + 1, table.find('}', start) - start - 1));
+    int tools = 0;
+    std::vector<std::string> problems;
+    for (std::string name; std::getline(names >> std::ws, name, ',');) {
+        ++tools;
+        std::map<std::string, int> mentions;
+        for (const Source& source : sourcesUnder({"editor", "app"})) {
+            const std::string whole = "ToolId::" + name;
+            for (auto at = source.text.find(whole); at != std::string::npos; at = source.text.find(whole, at + 1)) {
+                const char after = source.text[at + whole.size()];
+                const bool isList = source.path == "editor/editing/tools.h"; // of those that share a key
+                mentions[folderOf(source.path)] += std::isalnum(after) == 0 && !isList ? 1 : 0;
+            }
+        }
+        for (const auto& [folder, count] : mentions) {
+            if (count > 1 && !special.contains(name)) {
+                problems.push_back(folder + " names the tool " + name + " in " + std::to_string(count) + " places");
+            }
+        }
+    }
+    QVERIFY(tools >= 14);
     expectNone(problems);
 }
 

@@ -1,6 +1,7 @@
 #include "editor/window/actions.h"
 
 #include "editor/window/menus.h"
+#include "editor/window/messages_table.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
@@ -55,9 +56,15 @@ class ActionsTest : public QObject {
         }
     }
 
-    void theToolsAreListedInTheOrderOfTheirNames() {
-        for (std::size_t i = 0; i < toolRows().size(); ++i) {
-            QCOMPARE(static_cast<std::size_t>(toolRows()[i].id), i);
+    void theRowOfAToolHasItsIconAndItsHints() {
+        for (const ToolRow& tool : toolRows()) {
+            const ActionRow& row = rowOf(tool.id);
+            QVERIFY2(*row.icon != '\0' && row.hints != nullptr, row.text);
+            // Each of them belongs to some tool's class, and the tool's first is among them.
+            const std::span<const MessageText> texts = row.hints();
+            const auto first = std::ranges::find_if(
+                texts, [&tool](const MessageText& text) { return tool.hints.front() == text.code; });
+            QVERIFY2(first != texts.end(), row.text);
         }
     }
 

@@ -1,6 +1,7 @@
 #include "editor/window/messages.h"
 
 #include "editor/editing/codes.h"
+#include "editor/editing/tools.h"
 #include "editor/window/messages_table.h"
 #include "tests/support/folders.h"
 #include "tests/support/test_main.h"
@@ -86,7 +87,12 @@ class MessagesTest : public QObject {
     }
 
     void everyHintAndLabelOfTheToolsHasASentence() {
-        for (const std::string_view code : hintCodes) {
+        for (const ToolRow& tool : toolRows()) {
+            for (const std::string_view code : tool.hints) {
+                QVERIFY2(hasSentence(std::string(code)), std::string(code).c_str());
+            }
+        }
+        for (const std::string_view code : sharedHintCodes) {
             QVERIFY2(hasSentence(std::string(code)), std::string(code).c_str());
         }
         for (const std::string_view code : labelCodes) {
