@@ -66,7 +66,8 @@ int diffCommand(const QStringList& arguments) {
     }
     const LevelDifference difference = differenceBetween(*before, *after);
     for (const DifferenceLine& each : differenceLines(*before, *after, difference)) {
-        printLine(markOf(each) + QStringLiteral(" ") + each.text);
+        // A number may not be parted from its unit in a window; here people search for what they see.
+        printLine(markOf(each) + QStringLiteral(" ") + QString(each.text).replace(QChar::Nbsp, QLatin1Char(' ')));
     }
     return git || difference.empty() ? exit_status::good : exit_status::bad;
 }
