@@ -8,7 +8,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr int gap = 12; // pixels between cards
+constexpr int cardGap = 12; // pixels between cards
 
 } // namespace
 
@@ -29,7 +29,7 @@ void CardGrid::setCards(std::vector<LevelCard*> cards) {
 }
 
 int CardGrid::columns(int width) const {
-    return m_cards.empty() ? 1 : std::max(1, (width + gap) / (m_cards.front()->sizeHint().width() + gap));
+    return m_cards.empty() ? 1 : std::max(1, (width + cardGap) / (m_cards.front()->sizeHint().width() + cardGap));
 }
 
 int CardGrid::heightForWidth(int width) const {
@@ -38,7 +38,7 @@ int CardGrid::heightForWidth(int width) const {
     }
     const int inRow = columns(width);
     const int rows = (static_cast<int>(m_cards.size()) + inRow - 1) / inRow;
-    return rows * (m_cards.front()->sizeHint().height() + gap) - gap;
+    return rows * (m_cards.front()->sizeHint().height() + cardGap) - cardGap;
 }
 
 QSize CardGrid::sizeHint() const {
@@ -55,7 +55,7 @@ void CardGrid::arrange() {
     for (LevelCard* card : m_cards) {
         const QSize size = card->sizeHint();
         card->setGeometry(
-            QRect(QPoint(place % inRow * (size.width() + gap), place / inRow * (size.height() + gap)), size));
+            QRect(QPoint(place % inRow * (size.width() + cardGap), place / inRow * (size.height() + cardGap)), size));
         ++place;
     }
 }

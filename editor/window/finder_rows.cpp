@@ -17,7 +17,7 @@ namespace spacetow {
 namespace {
 
 constexpr int mostFiles = 500; // of a folder
-constexpr auto shippedLevels = ":/levels";
+constexpr auto resourceLevels = ":/levels";
 
 QString withoutMnemonics(const QString& text) {
     QString plain;
@@ -106,7 +106,7 @@ void FinderRows::addLevels() {
             }
         }
     }
-    const QDir shipped{QLatin1String(shippedLevels)};
+    const QDir shipped{QLatin1String(resourceLevels)};
     for (const QString& name : shipped.entryList(spelling, QDir::Files, QDir::Name)) {
         addLevel(shipped.filePath(name), MainWindow::tr("comes with the program"));
     }

@@ -161,7 +161,7 @@ void KeyEditor::addGameKeys() {
     }
 }
 
-void KeyEditor::show(const KeyOwner& owner, QTreeWidgetItem& row) const {
+void KeyEditor::showKeys(const KeyOwner& owner, QTreeWidgetItem& row) const {
     row.setText(1, keysShown(m_bindings.keys(owner)));
     row.setFont(1, boldIf(!m_bindings.isUsual(owner), m_tree.font()));
 }
@@ -280,7 +280,7 @@ void KeyEditor::apply(const KeyBindings& bindings) {
     }
     for (QTreeWidgetItemIterator row(&m_tree); *row != nullptr; ++row) {
         if (const KeyOwner* const owner = keyOwner((*row)->data(0, codeRole).toString())) {
-            show(*owner, **row);
+            showKeys(*owner, **row);
         }
     }
     const auto presets = keyPresets();

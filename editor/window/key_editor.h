@@ -59,7 +59,7 @@ class KeyEditor : public QDialog {
     void layOutKeys();
     void fill();
     void addGameKeys();
-    void show(const KeyOwner& owner, QTreeWidgetItem& row) const;
+    void showKeys(const KeyOwner& owner, QTreeWidgetItem& row) const;
     void showFiltered();
     void showChosen();
     const KeyOwner* chosen() const;

@@ -13,7 +13,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr int margin = 8; // pixels around picture and words
+constexpr int cardMargin = 8; // pixels around picture and words
 constexpr int radius = 6;
 
 QFont placeFont(const QFont& font) {
@@ -53,7 +53,7 @@ void LevelCard::setUnreadable(bool unreadable) {
 
 QSize LevelCard::sizeHint() const {
     const int words = QFontMetrics(nameFont(font())).height() + QFontMetrics(placeFont(font())).height();
-    return {pictureSize.width() + 2 * margin, pictureSize.height() + 3 * margin + words};
+    return {pictureSize.width() + 2 * cardMargin, pictureSize.height() + 3 * cardMargin + words};
 }
 
 void LevelCard::paintEvent(QPaintEvent*) {
@@ -66,7 +66,7 @@ void LevelCard::paintEvent(QPaintEvent*) {
     painter.setBrush(mixed(window, ink, isDown() ? 0.14 : underMouse() ? 0.09 : 0.03));
     painter.drawRoundedRect(plate, radius, radius);
 
-    const QRect frame(QPoint(margin, margin), pictureSize);
+    const QRect frame(QPoint(cardMargin, cardMargin), pictureSize);
     QPainterPath corners;
     corners.addRoundedRect(frame, radius - 2, radius - 2);
     painter.setPen(Qt::NoPen);
@@ -82,7 +82,7 @@ void LevelCard::paintEvent(QPaintEvent*) {
                            spacetow::icon(QStringLiteral("warning"), palette()).pixmap(size, devicePixelRatioF()));
     }
 
-    QRect words(margin, frame.bottom() + margin, pictureSize.width(), 0);
+    QRect words(cardMargin, frame.bottom() + cardMargin, pictureSize.width(), 0);
     const auto write = [&](const QFont& font, const QColor& color, const QString& text, Qt::TextElideMode elide) {
         const QFontMetrics metrics(font);
         words.setHeight(metrics.height());

@@ -13,7 +13,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr int widest = 1120; // pixels; longer lines are hard to look through
+constexpr int widestPage = 1120; // pixels; longer lines are hard to look through
 constexpr int border = 28;
 constexpr int iconExtent = 56;
 
@@ -137,7 +137,7 @@ void WelcomePage::layOut() {
     auto* const sheet = new QWidget(&m_page);
     sheet->setLayout(inner);
     inner->setContentsMargins(0, 0, 0, 0);
-    sheet->setMaximumWidth(widest);
+    sheet->setMaximumWidth(widestPage);
     auto* const across = new QHBoxLayout;
     across->addStretch(1);
     across->addWidget(sheet, 1000);

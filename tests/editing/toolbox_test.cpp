@@ -115,7 +115,7 @@ void ToolboxTest::escapePeelsOneLayerAPress() {
 void ToolboxTest::deleteRemovesTheSelection_data() {
     QTest::addColumn<int>("tool");
     QTest::addColumn<bool>("backspace");
-    for (const auto& [tool, make] : toolRows()) {
+    for (const auto& [tool, make, hints] : toolRows()) {
         for (const bool backspace : {false, true}) {
             QTest::addRow("tool %d %s", static_cast<int>(tool), backspace ? "backspace" : "delete")
                 << static_cast<int>(tool) << backspace;
@@ -161,7 +161,7 @@ void ToolboxTest::aLostReleaseDoesNotStick() {
 }
 
 void ToolboxTest::aReleaseWithoutAPressDoesNothing() {
-    for (const auto& [tool, make] : toolRows()) {
+    for (const auto& [tool, make, hints] : toolRows()) {
         Drive drive(oneBall());
         drive.toolbox.choose(tool);
         drive.release({0, 0});

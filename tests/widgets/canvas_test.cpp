@@ -121,7 +121,7 @@ class CanvasTest : public QObject {
         wall.shapes = {LineChain{{Vec2(0, 0), Vec2(1, 0), Vec2(1, 0), Vec2(2, 1)}, false}};
         level.objects.append({1, "wall", wall, {}});
         test.document().reset(level);
-        test.window().problems().check();
+        test.window->problems().check();
         test.canvas().fitLevel();
         test.canvas().finishPainting();
         const QImage marked = test.canvas().grab().toImage();

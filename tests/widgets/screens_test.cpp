@@ -166,7 +166,7 @@ class ScreensTest : public QObject {
         QFETCH(bool, dark);
         TestWindow test;
         test.window->setAppearance(dark ? Appearance::Dark : Appearance::Light);
-        KeysDialog keys(test.window.get());
+        KeysDialog keys({}, test.window.get());
         keys.show();
         QApplication::processEvents();
         QCOMPARE(cutOffTexts(keys), QStringList());
