@@ -60,6 +60,8 @@ QByteArray pictureBytes(PictureFormat format, const PictureSpec& spec, const std
     if (format == PictureFormat::Svg) {
         QSvgGenerator generator;
         generator.setOutputDevice(&out);
+        constexpr int pixelsPerInch = 96; // those of SVG itself, so that a pixel here is one there
+        generator.setResolution(pixelsPerInch);
         generator.setSize(sizeOf(spec));
         generator.setViewBox(QRect(QPoint(0, 0), sizeOf(spec)));
         generator.setTitle(spec.title);
