@@ -91,7 +91,7 @@ class FixesTest : public QObject {
     void aFixCuresItsProblemAndTouchesNothingElse() {
         for (std::uint64_t seed = 1; seed <= (isFullRun() ? 1000u : 80u); ++seed) {
             Random random(seed);
-            const Level level = spoiled(randomCave(seed), random);
+            const Level level = spoiled(plainCave(seed), random);
             const std::vector<Problem> problems = lint(level);
             QVERIFY2(!problems.empty(), seedText(seed));
             for (const Problem& problem : problems) {
@@ -122,7 +122,7 @@ class FixesTest : public QObject {
         int curedLevels = 0;
         for (std::uint64_t seed = 1; seed <= (isFullRun() ? 1000u : 60u); ++seed) {
             Random random(seed);
-            Level level = randomCave(seed);
+            Level level = plainCave(seed);
             for (int i = 0; i < 4; ++i) {
                 level = spoiled(std::move(level), random);
             }
@@ -139,7 +139,7 @@ class FixesTest : public QObject {
     }
 
     void aFixOfAnotherLevelChangesNothing() {
-        const Level cave = randomCave(1);
+        const Level cave = plainCave(1);
         for (const Fix& fix : fixes()) {
             Problem problem;
             problem.code = fix.problem;

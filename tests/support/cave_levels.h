@@ -80,7 +80,7 @@ inline QString problemsOf(const Level& level, Severity least = Severity::Warning
 }
 
 /// A random cave of one closed chain, cut into bodies at random, with a closed rock in it; all as it should be.
-inline Level randomCave(std::uint64_t seed) {
+inline Level plainCave(std::uint64_t seed) {
     Random random(seed);
     Level level;
     putObject(level, ShipObject{{3, 0}, 0});
