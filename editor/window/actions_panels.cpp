@@ -63,8 +63,7 @@ constexpr ActionRow panelActionRows[] = {
          [](MainWindow& window) {
              QString name;
              if (std::shared_ptr<const Level> other = window.files().chooseToCompare(name)) {
-                 window.differences().compareWith(std::move(other), name);
-                 bringIntoSight(window, QStringLiteral("differences"));
+                 window.compareWith(std::move(other), name);
              }
          }},
 };

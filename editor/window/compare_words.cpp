@@ -17,25 +17,17 @@ struct CompareWords {
 
 } // namespace
 
-ComparedLevels comparedLevels(const Level& before, const Level& after) {
-    const LevelDifference difference = differenceBetween(before, after);
-    ComparedLevels compared;
-    for (const ObjectDifference& object : difference.objects) {
-        if (object.change != ObjectChange::Removed) {
-            compared.keys.push_back(object.key);
-        }
-    }
-    QStringList lines;
-    const std::vector<DifferenceLine> all = differenceLines(before, after, difference);
+QString differencesInWords(const Level& before, const Level& after) {
+    const std::vector<DifferenceLine> all = differenceLines(before, after, differenceBetween(before, after));
     const int count = static_cast<int>(all.size());
+    QStringList lines;
     for (int i = 0; i < std::min(count, listedDifferences); ++i) {
         lines << all[static_cast<std::size_t>(i)].text;
     }
     if (count > listedDifferences) {
         lines << CompareWords::tr("… and %1 more").arg(count - listedDifferences);
     }
-    compared.words = lines.join(QLatin1Char('\n'));
-    return compared;
+    return lines.join(QLatin1Char('\n'));
 }
 
 } // namespace spacetow

@@ -5,14 +5,9 @@
 
 #include <QString>
 
-#include <vector>
-
 namespace spacetow {
 
-struct ComparedLevels {
-    QString words;         // a line for each of the first differences; empty when there is none
-    std::vector<Key> keys; // of what was added or has changed, for the selection
-};
-ComparedLevels comparedLevels(const Level& before, const Level& after);
+/// A line for each of the first differences; empty when there is none.
+QString differencesInWords(const Level& before, const Level& after);
 
 } // namespace spacetow

@@ -1,7 +1,5 @@
 #include "editor/window/disk_changes.h"
 
-#include "editor/window/compare_words.h"
-
 #include <QFileInfo>
 #include <QGuiApplication>
 
@@ -192,18 +190,12 @@ MessageBar::Choice DiskChanges::keepChoice(const FileState& now) {
 MessageBar::Choice DiskChanges::compareChoice() {
     return {tr("Compare"), [this] {
                 const Result<LevelFile> file = readLevel(m_files.path().toStdString(), Checks::FileOnly);
-                if (!file || !file.value().level || !m_notice) {
+                if (file && file.value().level && compare) {
+                    m_comparing = true;
+                    compare(std::make_shared<const Level>(*file.value().level), m_files.name());
+                } else {
                     look();
-                    return;
                 }
-                const Level& mine = *m_document.current().level;
-                const ComparedLevels compared = comparedLevels(*file.value().level, mine);
-                m_document.select(Selection(compared.keys));
-                say(m_notice->tone,
-                    compared.words.isEmpty() ? tr("Your level and %1 are the same.").arg(m_files.name())
-                                             : tr("Your level, beside what %1 holds now:").arg(m_files.name()) +
-                                                   QLatin1Char('\n') + compared.words,
-                    m_notice->choices);
             }};
 }
 
@@ -215,6 +207,9 @@ void DiskChanges::say(MessageBar::Tone tone, const QString& text, std::vector<Me
 
 void DiskChanges::dismiss() {
     m_fading.stop();
+    if (std::exchange(m_comparing, false)) {
+        compare(nullptr, {});
+    }
     if (m_notice) {
         m_notice.reset();
         noticed.emit();

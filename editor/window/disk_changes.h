@@ -31,6 +31,8 @@ class DiskChanges : public QObject {
 
     /// Whether something is half done, in which case the level stays as it is for the moment.
     std::function<bool()> isBusy;
+    /// Shows what is different from this level, which the file holds, or with null nothing any more.
+    std::function<void(std::shared_ptr<const Level> other, const QString& name)> compare;
 
     /// Finds out what the file holds, whether or not the system has told of a change.
     void look();
@@ -50,7 +52,6 @@ class DiskChanges : public QObject {
 
     MessageBar::Choice reloadChoice();
     MessageBar::Choice keepChoice(const FileState& now);
-    /// Says what differs, and then offers the same again.
     MessageBar::Choice compareChoice();
 
     Document& m_document;
@@ -61,6 +62,7 @@ class DiskChanges : public QObject {
     std::optional<Notice> m_notice;
     FileState m_told; // what the notice is of
     bool m_gone = false;
+    bool m_comparing = false;
     bool m_again = false; // look once more when the running one has ended
     std::array<int, 4> m_listeners{};
     BackgroundTask m_task; // last, so that it has ended before the rest goes

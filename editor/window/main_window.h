@@ -63,6 +63,8 @@ class MainWindow : public QMainWindow {
     void openExample();
     /// Shows what former runs have left in the journal, if there is anything; `asked`: says so if there is not.
     void offerRecovery(bool asked = false);
+    /// Marks what is different from this level, and lists it; with null nothing any more.
+    void compareWith(std::shared_ptr<const Level> other, const QString& name);
     /// The session ends, and there is no time for questions: the journals of all windows hold everything.
     static void keepForNextTime();
 

@@ -3,6 +3,7 @@
 #include "editor/window/main_window.h"
 
 #include <QApplication>
+#include <QDockWidget>
 
 namespace spacetow {
 
@@ -30,6 +31,18 @@ void MainWindow::offerRecovery(bool asked) {
             static_cast<Qt::ConnectionType>(Qt::SingleShotConnection));
     }
     m_recoveryBar.look(asked);
+}
+
+void MainWindow::compareWith(std::shared_ptr<const Level> other, const QString& name) {
+    if (other == nullptr) {
+        m_differences.end();
+        return;
+    }
+    m_differences.compareWith(std::move(other), name);
+    if (auto* const dock = findChild<QDockWidget*>(QStringLiteral("differences"))) {
+        dock->show();
+        dock->raise();
+    }
 }
 
 void MainWindow::keepForNextTime() {

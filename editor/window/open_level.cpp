@@ -24,6 +24,11 @@ void OpenLevel::listen() {
         return document.hasPreview() ||
                std::ranges::any_of(m_views, [](MainWindow* view) { return view->toolbox().isBusy(); });
     };
+    disk.compare = [this](std::shared_ptr<const Level> other, const QString& name) {
+        if (front() != nullptr) {
+            front()->compareWith(std::move(other), name);
+        }
+    };
     recovery.unfinished = [this]() -> std::shared_ptr<const Level> {
         const std::optional<Edit> edit = front() != nullptr ? front()->toolbox().unfinished() : std::nullopt;
         return edit ? edit->level : nullptr;

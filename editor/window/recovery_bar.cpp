@@ -142,9 +142,9 @@ void RecoveryBar::compare(RecoveryRow& row) {
     const JournalEntry& entry = row.found().orphan.entry;
     const Result<LevelFile> file = readLevel(entry.path, Checks::FileOnly);
     const bool readable = file && file.value().level;
-    const QString words = comparedLevels(readable ? *file.value().level : Level(), *row.found().level).words;
+    const QString words = differencesInWords(readable ? *file.value().level : Level(), *row.found().level);
     const QString beside = readable ? tr("Beside the file as it is now:") : tr("There is no file to compare it with:");
-    row.explain(words.isEmpty() ? tr("It is the same as the file.") : beside + QLatin1Char('\n') + words);
+    row.explain(readable && words.isEmpty() ? tr("It is the same as the file.") : beside + QLatin1Char('\n') + words);
     fitHeight();
 }
 
