@@ -175,6 +175,7 @@ std::optional<JournalSlot> JournalSlot::takenOver(const fs::path& folder, const 
         return {};
     }
     JournalSlot slot(folder, id, file);
+    slot.setFile({}); // nobody has it open any more
     const bool found = fs::exists(slot.file(journalSuffix)) || fs::exists(slot.file(discardedSuffix));
     return found ? std::optional(std::move(slot)) : std::nullopt;
 }

@@ -150,6 +150,19 @@ class JournalTest : public QObject {
         QVERIFY(!isOpenElsewhere(folder(), "/a/level.json", mine.value().id()));
     }
 
+    void whoTakesOverDoesNotHaveTheFileOpen() {
+        std::string id;
+        {
+            const Result<JournalSlot> slot = JournalSlot::made(folder());
+            slot.value().setFile("/a/level.json");
+            QVERIFY(!slot.value().write(anEntry()));
+            QVERIFY(isOpenElsewhere(folder(), "/a/level.json", ""));
+            id = slot.value().id();
+        }
+        const std::optional<JournalSlot> taken = JournalSlot::takenOver(folder(), id);
+        QVERIFY(taken && !isOpenElsewhere(folder(), "/a/level.json", ""));
+    }
+
     void eachSavePutsTheFormerVersionAside() {
         const fs::path file = fs::path(path()) / "level.json";
         QVERIFY(!backUp(backups(), file)); // there is nothing yet

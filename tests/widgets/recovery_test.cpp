@@ -86,6 +86,7 @@ class RecoveryTest : public QObject {
         row.restore.click();
         QVERIFY(test.level() == drawn && test.window->isWindowModified());
         QCOMPARE(test.window->files().path(), path);
+        QVERIFY(!test.window->messageBar().isVisible()); // it is open nowhere else
         test.trigger(Act::Undo);
         QVERIFY(test.level() == saved && !test.window->isWindowModified());
         test.trigger(Act::Redo);
