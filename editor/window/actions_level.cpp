@@ -39,7 +39,7 @@ constexpr ActionRow levelMenuRows[] = {
      .menu = MenuId::Level,
      .text = QT_TRANSLATE_NOOP("Actions", "&Hide Problem"),
      .icon = "eye-off",
-     .keys = "Ctrl+Alt+H",
+     .keys = "Ctrl+F7",
      .tip =
          QT_TRANSLATE_NOOP("Actions", "Never show the problem that was gone to last in this level, or show it again"),
      .run = [](MainWindow& window) { window.problems().hideCurrent(); },

@@ -17,7 +17,6 @@ struct PresetKeys {
 constexpr PresetKeys tiledKeys[] = {
     {Act::Grid, "Ctrl+G G"},
     {Act::Group, "Ctrl+J"},
-    {Act::Ungroup, "Ctrl+Alt+J"},
     {Act::SmartSnap, "Shift+S"},
     {Act::Snap, "Shift+G"},
     {Act::QuarterRight, "Z Ctrl+]"},
@@ -64,7 +63,10 @@ constexpr PresetKeys inkscapeKeys[] = {
     {Act::Guides, "| Ctrl+Alt+G"},
     {Act::SmartSnap, "% Shift+S"},
     {Act::Rulers, "Ctrl+R"},
-    {Act::Restart, "Ctrl+Alt+R"},
+    {Act::Reload, "Ctrl+Alt+R"},
+    {Act::FixProblem, "F12"},
+    {Act::FixAllProblems, "Shift+F12"},
+    {Act::OverlayProblems, "Ctrl+Alt+P"},
 };
 
 constexpr PresetKeys blenderKeys[] = {
