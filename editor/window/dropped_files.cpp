@@ -128,11 +128,17 @@ void openDropped(const QStringList& paths, MainWindow& window) {
         const FileKind kind = kindOfFile(path);
         (kind == FileKind::Replay ? flights : kind == FileKind::Foreign ? foreign : levels) << path;
     }
-    if (!foreign.isEmpty()) {
-        window.open(foreign.front()); // one at a time is looked at before it comes
-    }
     if (!levels.isEmpty()) {
         window.openFiles(levels);
+    }
+    if (!foreign.isEmpty()) {
+        window.open(foreign.front());
+    }
+    if (foreign.size() > 1) {
+        window.messageBar().say(MessageBar::Tone::Info,
+                                DropWords::tr("Files of other programs are imported one at a time, as each is looked "
+                                              "at first: of these it is %1.")
+                                    .arg(QFileInfo(foreign.front()).fileName()));
     }
     for (const QString& flight : flights) {
         flyDropped(flight, window);

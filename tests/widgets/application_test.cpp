@@ -342,6 +342,25 @@ class ApplicationTest : public QObject {
         QVERIFY(test.window(0).windowTitle().startsWith("01_first_haul.json[*] - "));
     }
 
+    void drawingsAreImportedOneAtATimeIntoTheLevelThatCameWithThem() {
+        TestApplication test;
+        test.start();
+        QStringList drawings;
+        for (const char* name : {"one.svg", "two.svg"}) {
+            QFile file(test.file(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("<svg xmlns='http://www.w3.org/2000/svg'><rect width='9' height='9'/></svg>");
+            drawings << file.fileName();
+        }
+        const QString level = test.writtenLevel("a.json");
+        drop(test.window(0), drawings + QStringList{level});
+        QCOMPARE(test.count(), 1u);
+        QCOMPARE(test.window(0).files().path(), level);
+        QVERIFY(!test.window(0).exchange().importBar().isHidden());
+        const QString said = test.window(0).messageBar().text();
+        QVERIFY2(said.contains("one.svg"), qPrintable(said));
+    }
+
     void severalLevelsAreDroppedAtOnce() {
         TestApplication test;
         test.start();
