@@ -68,7 +68,7 @@ bool leads(const Net& net, int a, int b, const SideLabels& labels) {
     return a == b;
 }
 
-GridPoint randomPoint(Random& random, std::int64_t extent) {
+GridPoint randomGridPoint(Random& random, std::int64_t extent) {
     const std::int64_t middle = Net::size / 2;
     const auto place = [&] {
         return middle + static_cast<std::int64_t>(random.uniform(-1, 1) * static_cast<double>(extent));
@@ -127,7 +127,7 @@ class ConstrainedTriangulationTest : public QObject {
             const std::int64_t extent = extents[random.below(4)];
             std::vector<GridPoint> points;
             for (unsigned k = 2 + random.below(60); k > 0; --k) {
-                points.push_back(randomPoint(random, extent));
+                points.push_back(randomGridPoint(random, extent));
             }
             Net net;
             const std::vector<int> v = net.insertAll(points);

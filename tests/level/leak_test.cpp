@@ -288,7 +288,7 @@ class LeakTest : public QObject {
         int spoilt = 0;
         for (int i = 0; i < caves; ++i) {
             const auto seed = static_cast<std::uint64_t>(i + 1);
-            RandomCave cave = randomCave(seed);
+            RandomCave cave = caveAtRandom(seed);
             QVERIFY2(leaksIn(cave.level()).empty(), seedText(seed));
             const int weak = cave.weakPiece(seed);
             if (weak < 0) {

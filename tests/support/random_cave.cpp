@@ -94,7 +94,7 @@ void addToChain(std::vector<Vec2>& vertices, const CavePiece& piece) {
 
 } // namespace
 
-RandomCave randomCave(std::uint64_t seed) {
+RandomCave caveAtRandom(std::uint64_t seed) {
     Random random(seed);
     RandomCave cave;
     const std::vector<Vec2> corners = caveCorners(random);

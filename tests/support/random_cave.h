@@ -30,6 +30,6 @@ struct RandomCave {
     Level level(std::vector<int>* objectOf = nullptr) const;
 };
 
-RandomCave randomCave(std::uint64_t seed);
+RandomCave caveAtRandom(std::uint64_t seed);
 
 } // namespace spacetow::test
