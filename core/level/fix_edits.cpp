@@ -2,6 +2,7 @@
 
 #include "core/geometry/polygon.h"
 #include "core/geometry/triangulate.h"
+#include "core/level/chain_ends.h"
 #include "core/level/edits.h"
 #include "core/level/level_index.h"
 #include "core/level/lint.h"
@@ -210,6 +211,20 @@ Level withEndMoved(Level level, const ShapeRef& chain, const Vec2& from, const V
         (first ? v->front() : v->back()) = localAt(body, to);
         return true;
     });
+}
+
+Level withWallAdded(Level level, const ShapeRef& chain, const Vec2& from, const Vec2& to) {
+    constexpr double same = 1e-6; // m
+    for (const bool first : {true, false}) {
+        const ChainEnd end{chain.key, chain.shape, first};
+        const std::optional<OpenChain> open = openChain(level, end);
+        if (open && (open->at - from).norm() <= same) {
+            const bool closes = (open->other - to).norm() <= same;
+            const std::vector<Vec2> points = closes ? std::vector<Vec2>() : std::vector{to};
+            return extended(std::move(level), end, points, closes);
+        }
+    }
+    return level;
 }
 
 Level withDepthAtMost(Level level, const ShapeRef& chain, double thickness) {

@@ -23,6 +23,8 @@ Level untangled(Level level, Key key);
 Level reversedShape(Level level, Key key, int shape);
 /// The end of an open chain that is at `from` goes to `to`, another end; a chain that comes to its own end is closed.
 Level withEndMoved(Level level, const ShapeRef& chain, const Vec2& from, const Vec2& to);
+/// The end of an open chain that is at `from` goes on to `to`; a chain that comes to its own end is closed.
+Level withWallAdded(Level level, const ShapeRef& chain, const Vec2& from, const Vec2& to);
 /// One-way walls get a depth of at most `thickness` metres, rounded down to centimetres.
 Level withDepthAtMost(Level level, const ShapeRef& chain, double thickness);
 /// Walls that lie on others go.

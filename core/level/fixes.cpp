@@ -42,6 +42,13 @@ Level closeGap(Level level, const Problem& problem) {
                : withEndMoved(std::move(level), {problem.object, shape}, problem.place[0], problem.place[1]);
 }
 
+Level addWall(Level level, const Problem& problem) {
+    const int shape = numberAfter(problem.pointer, "/shapes/");
+    return shape < 0 || problem.place.size() != 2
+               ? level
+               : withWallAdded(std::move(level), {problem.object, shape}, problem.place[0], problem.place[1]);
+}
+
 Level limitDepth(Level level, const Problem& problem) {
     constexpr double shelf = 0.15; // m, of a wall in the open
     const int shape = numberAfter(problem.pointer, "/shapes/");
@@ -71,6 +78,12 @@ constexpr Fix table[] = {
     {"walls-disagree", "fix-reverse", false, false, shapeOf<reversedShape>},
     {"chain-nearly-closed", "fix-close-gap", true, false, closeGap},
     {"chain-gap", "fix-close-gap", true, false, closeGap},
+    {"leak-wall-reversed", "fix-reverse", false, false, shapeOf<reversedShape>},
+    {"leak-chain-reversed", "fix-reverse", false, false, shapeOf<reversedShape>},
+    {"leak-not-closed", "fix-add-wall", false, false, addWall},
+    {"leak-wall-missing", "fix-add-wall", false, false, addWall},
+    {"leak-gap", "fix-add-wall", false, false, addWall},
+    {"leak-too-short", "fix-add-wall", false, false, addWall},
     {"wall-twice", "fix-remove-twice", true, true, wholeObject<withoutOverlaps>},
     {"walls-overlap", "fix-remove-twice", false, true, wholeObject<withoutOverlaps>},
     {"walls-overlap-themselves", "fix-remove-twice", false, true, wholeObject<withoutOverlaps>},

@@ -21,8 +21,8 @@ bool hasErrors(const std::vector<Problem>& problems) {
 
 void Findings::add(Severity severity, const char* code, std::vector<std::string> arguments, const FindingPlace& place) {
     const std::string start = place.index < 0 ? std::string() : "/objects/" + std::to_string(place.index);
-    m_found.emplace_back(place.index,
-                         Problem{severity, code, std::move(arguments), start + place.path, 0, place.key, place.place});
+    m_found.emplace_back(place.index, Problem{severity, code, std::move(arguments), start + place.path, 0, place.key,
+                                              place.place, place.wayOut});
     if (severity == Severity::Error) {
         m_bad.insert(place.index);
     }
@@ -101,9 +101,9 @@ namespace {
 using Check = void (*)(const Level&, Findings&);
 
 // What keeps an object from being built, and what is wrong with those that can be.
-constexpr std::array buildingChecks{checkTags, checkKeys, checkRanges, checkShapes, checkMasses, checkGroups,
-                                    checkConnectors};
-constexpr std::array playingChecks{checkFilters, checkStart, checkGame, checkWalls, checkTwins};
+constexpr std::array buildingChecks{checkTags,   checkKeys,   checkRanges,    checkShapes,
+                                    checkMasses, checkGroups, checkConnectors};
+constexpr std::array playingChecks{checkFilters, checkStart, checkGame, checkWalls, checkTwins, checkLeaks};
 
 void run(std::span<const Check> checks, const Level& level, Findings& findings) {
     for (const Check check : checks) {

@@ -17,6 +17,7 @@ struct FindingPlace {
     Key key = 0;
     std::string path;             // continues the pointer
     std::vector<Vec2> place = {}; // as in Problem
+    std::vector<Vec2> wayOut = {};
 };
 
 class Findings {
@@ -25,7 +26,18 @@ class Findings {
 
     /// What takes long asks now and then.
     bool isStopped() const { return m_stop.stop_requested(); }
+    const std::stop_token& stop() const { return m_stop; }
     void add(Severity severity, const char* code, std::vector<std::string> arguments, const FindingPlace& place = {});
+    /// The first of the problems found so far for which `isIt(index, problem)`; null when there is none.
+    template <class IsIt>
+    Problem* find(IsIt isIt) {
+        for (auto& [index, problem] : m_found) {
+            if (isIt(index, problem)) {
+                return &problem;
+            }
+        }
+        return nullptr;
+    }
     /// Whether an error was found in this object so far: its numbers and shapes are then not to be trusted.
     bool isBad(int index) const { return m_bad.contains(index); }
     /// In the order of the objects, those of the level first.
@@ -63,6 +75,8 @@ void checkGame(const Level& level, Findings& findings);
 void checkWalls(const Level& level, Findings& findings);
 /// Objects that are there twice.
 void checkTwins(const Level& level, Findings& findings);
+/// Where the ship can get out of its cave; see leak.h.
+void checkLeaks(const Level& level, Findings& findings);
 
 /// How a sentence names an object: its name, and for those without one what it is and where its middle is.
 std::vector<std::string> whichObject(const Level& level, const Object& object, const BodyObject& body);

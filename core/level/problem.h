@@ -22,6 +22,7 @@ struct Problem {
     int line = 1;                       // of the file, from 1; 0 when there is no file
     Key object = 0;                     // 0: the level itself
     std::vector<Vec2> place = {};       // world, m: a point or a line along it; empty for where the pointer leads
+    std::vector<Vec2> wayOut = {};      // world, m: how the ship gets out of its cave, from where it starts
 
     bool operator==(const Problem&) const = default;
 };

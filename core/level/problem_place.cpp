@@ -56,7 +56,8 @@ std::vector<ProblemMark> marksOf(const Level& level, std::span<const Problem> pr
             if (place.size() == 1) {
                 place.clear();
             }
-            marks.push_back({at, std::move(place), problems[i].severity, static_cast<int>(i)});
+            marks.push_back(
+                {at, std::move(place), thinned(problems[i].wayOut), problems[i].severity, static_cast<int>(i)});
         }
     }
     return marks;

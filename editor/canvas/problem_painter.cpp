@@ -1,5 +1,7 @@
 #include "editor/canvas/problem_painter.h"
 
+#include "editor/canvas/way_out_painter.h"
+
 #include <QPainterPath>
 
 #include <map>
@@ -53,6 +55,7 @@ void paintProblems(const Stage& stage, std::span<const ProblemMark> marks, int c
     int lines = 0;
     for (const ProblemMark& mark : marks) {
         chosen = mark.problem == current ? &mark : chosen;
+        paintWayOut(stage, mark.wayOut, colorOf(mark.severity, colors, stage.theme), mark.problem == current);
         Aabb box{mark.at, mark.at};
         for (const Vec2& point : mark.line) {
             box.include(point);

@@ -65,6 +65,8 @@ constexpr LabelText labels[] = {
      QT_TRANSLATE_NOOP("messages", "Turn outline round")},
     {"fix-reverse", QT_TRANSLATE_NOOP("messages", "Reverse wall"), QT_TRANSLATE_NOOP("messages", "Reverse wall")},
     {"fix-close-gap", QT_TRANSLATE_NOOP("messages", "Close gap"), QT_TRANSLATE_NOOP("messages", "Close gap")},
+    {"fix-add-wall", QT_TRANSLATE_NOOP("messages", "Add the missing wall"),
+     QT_TRANSLATE_NOOP("messages", "Add the missing wall")},
     {"fix-remove-twice", QT_TRANSLATE_NOOP("messages", "Remove what is there twice"),
      QT_TRANSLATE_NOOP("messages", "Remove what is there twice")},
     {"fix-limit-depth", QT_TRANSLATE_NOOP("messages", "Limit depth"), QT_TRANSLATE_NOOP("messages", "Limit depth")},

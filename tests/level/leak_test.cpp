@@ -3,7 +3,9 @@
 #include "core/base/random.h"
 #include "core/geometry/intersect.h"
 #include "core/level/file.h"
+#include "core/level/fixes.h"
 #include "core/level/leak_paths.h"
+#include "core/level/lint.h"
 #include "tests/support/body_with.h"
 #include "tests/support/folders.h"
 #include "tests/support/full_run.h"
@@ -260,6 +262,29 @@ class LeakTest : public QObject {
         std::get<BodyObject>(changed.data).kind = BodyKind::Dynamic;
         level.objects.replace(2, changed);
         QCOMPARE(leaksIn(level).size(), std::size_t{1});
+    }
+
+    void whatIsMissingOrReversedIsCuredInOneStep() {
+        const std::vector<Vec2> open{room[0], room[1], room[2], room[3]};
+        const std::vector<Vec2> backwards{room[3], room[2], room[1], room[0]};
+        const std::vector<std::pair<const char*, std::vector<LevelShape>>> spoilt{
+            {"leak-not-closed", {EdgeChain{open, false, 0.5}}},
+            {"leak-not-closed", {LineChain{open, false}}},
+            {"leak-chain-reversed", {EdgeChain{backwards, true, 0.5}}},
+            {"leak-gap",
+             {EdgeChain{{room[0], room[1]}, false, 0.5}, EdgeChain{{room[1], room[2], room[3]}, false, 0.5}}},
+            {"leak-too-short",
+             {LineChain{{{-4, 2}, {-4, -3}, {4, -3}, {4, 3}, {-2, 3}}, false},
+              Polygon{{{-5, 2}, {-3, 2}, {-3, 4}, {-5, 4}}}}},
+        };
+        for (const auto& [code, shapes] : spoilt) {
+            const Level level = aroundTheShip(shapes);
+            const std::vector<Problem> problems = lint(level);
+            const auto found = std::ranges::find(problems, code, &Problem::code);
+            QVERIFY2(found != problems.end() && !found->wayOut.empty(), code);
+            QVERIFY2(fixFor(*found) != nullptr, code);
+            QVERIFY2(leaksIn(fixed(level, *found)).empty(), code);
+        }
     }
 
     void shippedLevelsAreClean() {
