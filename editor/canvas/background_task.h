@@ -24,6 +24,8 @@ class BackgroundTask : public QObject {
     bool isRunning() const { return m_thread.joinable(); }
     /// Nothing else may be running.
     void start(Work work);
+    /// Asks the work to stop, without waiting for it. What it returns is done all the same.
+    void requestStop() { m_thread.request_stop(); }
     /// Waits for the work and does what follows from it at once.
     void finish();
 

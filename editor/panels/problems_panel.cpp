@@ -114,6 +114,7 @@ void ProblemsPanel::listen() {
     connect(&m_slow, &QTimer::timeout, this, &ProblemsPanel::note);
     m_listener = m_document.changed.connect([this](const Change& change) {
         if (change.before.level != change.after.level) {
+            m_task.requestStop(); // what it finds is out of date
             m_soon.start();
         }
     });
@@ -139,6 +140,9 @@ void ProblemsPanel::checkBeside() {
         m_task.start([this, level](const std::stop_token& stop) -> BackgroundTask::Then {
             const auto found = std::make_shared<Found>();
             found->problems = lint(*level, stop);
+            if (stop.stop_requested()) {
+                return [] {}; // another check follows
+            }
             found->marks =
                 std::make_shared<Marks>(marksOf(*level, found->problems, hiddenAmong(*level, found->problems)));
             return [this, level, found] { take(level, std::move(*found)); };

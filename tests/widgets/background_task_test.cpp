@@ -50,6 +50,21 @@ class BackgroundTaskTest : public QObject {
         QTRY_COMPARE(concluded, 2);
     }
 
+    void whatIsOutOfDateCanBeAskedToStop() {
+        BackgroundTask task;
+        task.requestStop(); // nothing is running
+        bool concluded = false;
+        task.start([&](const std::stop_token& stop) -> BackgroundTask::Then {
+            while (!stop.stop_requested()) {
+                std::this_thread::yield();
+            }
+            return [&] { concluded = true; };
+        });
+        task.requestStop();
+        QTRY_VERIFY(concluded);
+        QVERIFY(!task.isRunning());
+    }
+
     void whatNobodyWaitsForIsAskedToStop() {
         std::atomic<bool> stopped = false;
         bool concluded = false;
