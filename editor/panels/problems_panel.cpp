@@ -236,6 +236,28 @@ void ProblemsPanel::choose(const QModelIndex& row) {
     }
 }
 
+std::vector<Problem> ProblemsPanel::shown() const {
+    std::vector<Problem> result;
+    for (std::size_t i = 0; i < problems().size(); ++i) {
+        if (!m_problems.hidden()[i]) {
+            result.push_back(problems()[i]);
+        }
+    }
+    return result;
+}
+
+void ProblemsPanel::goTo(const Problem& problem) {
+    const int rows = m_problems.rowCount();
+    for (int row = 0; row < rows; ++row) {
+        if (problems()[static_cast<std::size_t>(m_problems.problemAt(row))] == problem) {
+            m_list.setCurrentIndex(m_problems.index(row));
+            choose(m_problems.index(row));
+            return;
+        }
+    }
+    Q_EMIT objectWanted(problem.object);
+}
+
 void ProblemsPanel::go(int by) {
     if (m_document.current().level != m_checked && !m_document.hasPreview()) {
         if (m_document.current().level->objects.size() > waitedFor) {

@@ -47,6 +47,10 @@ class ProblemsPanel : public QWidget {
     const ProblemFilter& filter() const { return m_problems.filter(); }
     void setFilter(const ProblemFilter& filter);
 
+    /// Those that are not hidden.
+    std::vector<Problem> shown() const;
+    /// Goes to this problem, which is one of another moment if it is no longer there.
+    void goTo(const Problem& problem);
     /// Goes to the problem before or after the current one, round and round.
     void go(int by);
     /// At once instead of shortly; waits for what is found.

@@ -41,7 +41,7 @@ FinderRows::FinderRows(MainWindow& window) : m_window(window), m_level(window.do
         m_kinds.push_back(kindName(kind));
     }
     if (!window.isPlaying()) {
-        m_problems = window.problems().problems();
+        m_problems = window.problems().shown();
     } else {
         m_level = std::make_shared<const Level>(); // there is nothing to be selected in a game
     }
@@ -163,7 +163,7 @@ FinderRow FinderRows::problemRow(const Problem& problem) const {
             .icon = icon(isError ? QStringLiteral("error") : QStringLiteral("warning"),
                          isError ? markColors(shadeOf(m_window.palette())).error
                                  : markColors(shadeOf(m_window.palette())).warning),
-            .run = [window = &m_window, key = problem.object] { window->showObject(key); }};
+            .run = [window = &m_window, problem] { window->problems().goTo(problem); }};
 }
 
 FinderRow FinderRows::objectRow(const Object& object) const {

@@ -261,6 +261,10 @@ class ProblemsPanelTest : public QObject {
         QCOMPARE(places.count(), 1);
         QCOMPARE(places[0][0].value<std::vector<Vec2>>(), std::vector<Vec2>{Vec2(1, 0)});
         QCOMPARE(panel.current(), 0);
+        panel.goTo(panel.problems()[1]);
+        QCOMPARE(panel.current(), 1);
+        QCOMPARE(places.count(), 2);
+        QCOMPARE(panel.shown().size(), std::size_t{2});
     }
 
     void anEditDuringACheckIsCheckedAfterIt() {
