@@ -34,11 +34,11 @@ Run levelc(const QStringList& arguments) {
             QString::fromUtf8(process.readAllStandardError())};
 }
 
-const char* const drawing = R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="50">
-  <rect id="box" x="10" y="10" width="20" height="20"/>
-  <path id="bend" d="M0 40Q50 0 100 40" fill="none" stroke="black"/>
-  <text>left out</text>
-</svg>)";
+const char* const drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100\" height=\"50\">\n"
+                            "  <rect id=\"box\" x=\"10\" y=\"10\" width=\"20\" height=\"20\"/>\n"
+                            "  <path id=\"bend\" d=\"M0 40Q50 0 100 40\" fill=\"none\" stroke=\"black\"/>\n"
+                            "  <text>left out</text>\n"
+                            "</svg>";
 
 /// A box that falls and a ground to fall on.
 Level falling(double groundHalf = 50) {

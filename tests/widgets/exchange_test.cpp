@@ -18,11 +18,12 @@ using namespace spacetow::test;
 
 namespace {
 
-const char* const foreignPicture = R"(<svg xmlns="http://www.w3.org/2000/svg" width="400" height="200">
-  <g id="Rocks"><rect id="box" x="100" y="50" width="200" height="100"/></g>
-  <path id="bend" d="M0 100Q200 -100 400 100" fill="none" stroke="black"/>
-  <text>left out</text>
-</svg>)";
+const char* const foreignPicture =
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400\" height=\"200\">\n"
+    "  <g id=\"Rocks\"><rect id=\"box\" x=\"100\" y=\"50\" width=\"200\" height=\"100\"/></g>\n"
+    "  <path id=\"bend\" d=\"M0 100Q200 -100 400 100\" fill=\"none\" stroke=\"black\"/>\n"
+    "  <text>left out</text>\n"
+    "</svg>";
 
 struct Importing : TestWindow {
     explicit Importing(const QByteArray& content = foreignPicture, const char* name = "rocks.svg") {
@@ -286,8 +287,7 @@ class ExchangeTest : public QObject {
         test.target = "missing/out.png";
         test.trigger(Act::ExportAs);
         test.write();
-        QVERIFY2(test.window->messageBar().text().contains("missing"),
-                 qPrintable(test.window->messageBar().text()));
+        QVERIFY2(test.window->messageBar().text().contains("missing"), qPrintable(test.window->messageBar().text()));
     }
 
     void anSvgThatWasExportedIsImportedWithTheSameOutlines() {

@@ -1,12 +1,13 @@
 // What is painted of the way by which the ship gets out of its cave.
 
+#include "tests/support/test_main.h"
+
 #include "editor/canvas/way_out_painter.h"
 
 #include "core/level/lint.h"
 #include "core/level/problem_place.h"
 #include "editor/window/messages.h"
 #include "tests/support/body_with.h"
-#include "tests/support/test_main.h"
 
 #include <QImage>
 
