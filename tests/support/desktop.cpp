@@ -102,14 +102,13 @@ void Desktop::type(const QString& text) const {
 }
 
 void Desktop::click(int x, int y) const {
-    xdotool({QStringLiteral("mousemove"), QStringLiteral("--sync"), QString::number(x), QString::number(y),
-             QStringLiteral("click"), QStringLiteral("1")});
+    xdotool({QStringLiteral("mousemove"), QString::number(x), QString::number(y), QStringLiteral("click"),
+             QStringLiteral("1")});
 }
 
 void Desktop::drag(int fromX, int fromY, int toX, int toY) const {
     const auto move = [](int x, int y) {
-        return QStringList{QStringLiteral("mousemove"), QStringLiteral("--sync"), QString::number(x),
-                           QString::number(y)};
+        return QStringList{QStringLiteral("mousemove"), QString::number(x), QString::number(y)};
     };
     xdotool(move(fromX, fromY) + QStringList{QStringLiteral("mousedown"), QStringLiteral("1")} +
             move((fromX + toX) / 2, (fromY + toY) / 2) + move(toX, toY) +
