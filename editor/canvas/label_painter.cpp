@@ -14,11 +14,12 @@ QRectF LabelPainter::placed(const QPointF& at, const QSizeF& size, LabelSide sid
     const double down = side == LabelSide::Above ? -1 : 1;
     const auto plateAt = [&](double right, double below, int row) {
         const double x = right > 0 ? at.x() + away : at.x() - away - size.width();
-        const double y = (below > 0 ? at.y() + away : at.y() - away - size.height()) + below * row * size.height();
-        const QSizeF room(m_stage.view.size.x() - size.width() - apart, m_stage.view.size.y() - size.height() - apart);
-        return QRectF(
-            {std::clamp(x, apart, std::max(apart, room.width())), std::clamp(y, apart, std::max(apart, room.height()))},
-            size);
+        const double y = below > 0 ? at.y() + away : at.y() - away - size.height();
+        const Vec2 room(std::max(apart, m_stage.view.size.x() - size.width() - apart),
+                        std::max(apart, m_stage.view.size.y() - size.height() - apart));
+        // What is out of sight is named at the border, from where rows are counted.
+        const double top = std::clamp(y, apart, room.y()) + below * row * (size.height() + 2 * apart);
+        return QRectF({std::clamp(x, apart, room.x()), std::clamp(top, apart, room.y())}, size);
     };
     const auto isFree = [&](const QRectF& plate) {
         return std::ranges::none_of(m_plates, [&](const QRectF& other) {

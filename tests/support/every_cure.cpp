@@ -33,6 +33,17 @@ Level curedTwins(EditTask& task) {
     return level;
 }
 
+/// One more object, of shapes with faults that no sound level has.
+template <Level (*cure)(Level level, Key key)>
+Level curedFaulty(EditTask& task) {
+    const Vec2 at = task.point();
+    const Object faulty = task.fresh(BodyObject{
+        .shapes = {LineChain{{at, at + Vec2(1, 0), at + Vec2(1, 0), at + Vec2(1, 2)}}, Polygon{{at, at, at}}}});
+    Level level = added(task.level, faulty);
+    level = withoutUnbuildable(cure(std::move(level), faulty.key), faulty.key);
+    return withoutRepeats(std::move(level), faulty.key);
+}
+
 Level shapesReversed(EditTask& task) {
     Level level = task.level;
     for (const Key key : task.keys) {
@@ -50,6 +61,7 @@ Level depthsLimited(EditTask& task) {
 }
 
 /// From one open end to another one.
+template <Level (*join)(Level level, const ShapeRef& chain, const Vec2& from, const Vec2& to)>
 Level endsJoined(EditTask& task) {
     struct End {
         ShapeRef chain;
@@ -68,7 +80,7 @@ Level endsJoined(EditTask& task) {
     }
     const auto any = [&] { return ends[static_cast<std::size_t>(task.below(static_cast<int>(ends.size())))]; };
     const End from = any();
-    return withEndMoved(task.level, from.chain, from.at, any().at);
+    return join(task.level, from.chain, from.at, any().at);
 }
 
 /// The last two objects have one key.
@@ -96,11 +108,11 @@ Level problemHidden(EditTask& task) {
 }
 
 constexpr EditRow cureRows[] = {
-    {"withoutRepeats", curedAll<withoutRepeats>},
+    {"withoutRepeats", curedFaulty<withoutRepeats>},
     {"withoutIdlePoints", curedAll<withoutIdlePoints>},
     {"anticlockwise", curedAll<anticlockwise>},
     {"untangled", curedAll<untangled>},
-    {"withoutUnbuildable", curedAll<withoutUnbuildable>},
+    {"withoutUnbuildable", curedFaulty<withoutUnbuildable>},
     {"withoutParent", curedAll<withoutParent>},
     {"taggedAsWall", curedAll<taggedAsWall>},
     {"movedFree", curedAll<movedFree>},
@@ -108,7 +120,8 @@ constexpr EditRow cureRows[] = {
     {"withoutTwin", curedTwins<withoutTwin>},
     {"reversedShape", shapesReversed},
     {"withDepthAtMost", depthsLimited},
-    {"withEndMoved", endsJoined},
+    {"withEndMoved", endsJoined<withEndMoved>},
+    {"withWallAdded", endsJoined<withWallAdded>},
     {"withFreshKey", twiceNamed},
     {"fixed", problemFixed},
     {"withSafeFixes", [](EditTask& t) { return withSafeFixes(t.level).level; }},

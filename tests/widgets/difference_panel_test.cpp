@@ -81,8 +81,9 @@ class DifferencePanelTest : public QObject {
     void itSaysWhatIsDifferentFromTheChosenFile() {
         ComparedWindow shown(ballsApart());
         QVERIFY(shown.window->panels().dock("differences").isVisible());
-        QCOMPARE(shown.texts(), (QStringList{"gone (Circle): removed", "ball 1 (Circle): Position y 3 m → 0 m",
-                                             "ball 2 (Circle): added"}));
+        QCOMPARE(shown.texts(),
+                 (QStringList{"gone (Circle): removed", "ball 1 (Circle): Position y 3\u00a0m → 0\u00a0m",
+                              "ball 2 (Circle): added"}));
     }
 
     void itFollowsEdits() {
