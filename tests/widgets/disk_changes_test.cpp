@@ -1,13 +1,13 @@
 #include "core/level/edits.h"
 #include "core/level/file.h"
+#include "tests/support/disk_scene.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
 #include <QDir>
 #include <QFile>
 
-#include <sys/stat.h>
-#include <unistd.h>
+#include <cerrno>
 
 using namespace spacetow;
 using spacetow::test::TestWindow;
@@ -35,6 +35,11 @@ struct OpenFile {
     TestWindow test;
     QString path;
 };
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
 
 } // namespace
 
@@ -209,13 +214,17 @@ class DiskChangesTest : public QObject {
         QVERIFY(file.test.level() == mine);
     }
 
-    void aFolderThatIsGoneOrReadOnlyIsToldOfWithAWayOut_data() {
-        QTest::addColumn<bool>("gone");
-        QTest::newRow("gone") << true;
-        QTest::newRow("read-only") << false;
+    void whatKeepsAFileFromBeingSavedIsToldWithAWayOut_data() {
+        QTest::addColumn<int>("fault"); // 0: the folder is gone
+        QTest::addColumn<QByteArray>("call");
+        QTest::newRow("folder gone") << 0 << QByteArray();
+        QTest::newRow("folder protected") << EACCES << QByteArray("create");
+        QTest::newRow("disk read-only") << EROFS << QByteArray("create");
+        QTest::newRow("disk full") << ENOSPC << QByteArray("write");
     }
-    void aFolderThatIsGoneOrReadOnlyIsToldOfWithAWayOut() {
-        QFETCH(bool, gone);
+    void whatKeepsAFileFromBeingSavedIsToldWithAWayOut() {
+        QFETCH(int, fault);
+        QFETCH(QByteArray, call);
         OpenFile file;
         const QString folder = file.test.file("folder");
         QDir().mkpath(folder);
@@ -223,25 +232,26 @@ class DiskChangesTest : public QObject {
         file.test.trigger(Act::SaveAs);
         file.test.drawWalls();
         const Level mine = file.test.level();
-        if (gone) {
-            QVERIFY(QDir(folder).removeRecursively());
-        } else {
-            QVERIFY(QFile::remove(folder + "/level.json"));
-            QVERIFY(::chmod(qPrintable(folder), 0555) == 0);
-            if (::geteuid() == 0) {
-                QSKIP("root may write anywhere");
-            }
+        if (call == "create") {
+            QVERIFY(QFile::remove(file.test.toSave)); // one that is there would be written in place
         }
-        file.test.trigger(Act::Save);
+        const QByteArray before = bytesOf(file.test.toSave);
+        if (fault == 0) {
+            QVERIFY(QDir(folder).removeRecursively());
+            file.test.trigger(Act::Save);
+        } else {
+            const spacetow::test::WithFault failing(0, fault, std::string_view(call.data(), call.size()));
+            file.test.trigger(Act::Save);
+        }
         MessageBar& bar = file.test.window->messageBar();
         QVERIFY(bar.isVisible() && bar.text().contains("Nothing is lost"));
+        QVERIFY(fault == 0 || bytesOf(file.test.toSave) == before);
         QVERIFY(file.test.level() == mine && file.test.window->isWindowModified());
-        QVERIFY(file.test.window->recovery().flush());
+        QVERIFY(file.test.window->recovery().flush()); // the journal goes on
         file.test.toSave = file.test.file("elsewhere.json");
         bar.buttons().at(0)->click();
         QCOMPARE(file.test.window->files().path(), file.test.toSave);
-        QVERIFY(!file.test.window->isWindowModified());
-        ::chmod(qPrintable(folder), 0755);
+        QVERIFY(!file.test.window->isWindowModified() && !bar.isVisible());
     }
 
     void buttonsOfABarAreNotCutOffInANarrowWindow() {
