@@ -176,6 +176,8 @@ QString Actions::whyNot(const ActionRow& row) const {
     const char* why = "";
     if (m_window.isPlaying() && (row.flags & WhilePlaying) == 0) {
         why = QT_TRANSLATE_NOOP("Actions", "Not while a game is running.");
+    } else if (m_window.isWelcoming() && (row.flags & WithoutLevel) == 0) {
+        why = QT_TRANSLATE_NOOP("Actions", "Open a level first.");
     } else if (!m_window.isPlaying() && (row.flags & OnlyPlaying) != 0) {
         why = QT_TRANSLATE_NOOP("Actions", "Only while a game is running.");
     } else if (selection.empty() && (row.flags & NeedsSelection) != 0) {

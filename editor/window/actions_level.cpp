@@ -26,7 +26,8 @@ constexpr ActionRow levelMenuRows[] = {
      .keys = "F7",
      .tip = QT_TRANSLATE_NOOP("Actions", "Cure the problem that was gone to last, where there is a fix for it"),
      .run = [](MainWindow& window) { window.problems().fixCurrent(); },
-     .isPossible = [](const MainWindow& window) { return window.problems().canFixCurrent(); }},
+     .isPossible = [](const MainWindow& window) { return window.problems().canFixCurrent(); },
+     .why = QT_TRANSLATE_NOOP("Actions", "Go to a problem first for which there is a fix.")},
     {.id = Act::FixAllProblems,
      .menu = MenuId::Level,
      .text = QT_TRANSLATE_NOOP("Actions", "Fix &All Safe Problems"),
@@ -34,7 +35,8 @@ constexpr ActionRow levelMenuRows[] = {
      .keys = "Shift+F7",
      .tip = QT_TRANSLATE_NOOP("Actions", "Cure all problems whose fix changes nothing that was meant"),
      .run = [](MainWindow& window) { window.problems().fixAll(); },
-     .isPossible = [](const MainWindow& window) { return window.problems().safeFixes() > 0; }},
+     .isPossible = [](const MainWindow& window) { return window.problems().safeFixes() > 0; },
+     .why = QT_TRANSLATE_NOOP("Actions", "There is no problem that could be cured without asking.")},
     {.id = Act::HideProblem,
      .menu = MenuId::Level,
      .text = QT_TRANSLATE_NOOP("Actions", "&Hide Problem"),
@@ -43,7 +45,8 @@ constexpr ActionRow levelMenuRows[] = {
      .tip =
          QT_TRANSLATE_NOOP("Actions", "Never show the problem that was gone to last in this level, or show it again"),
      .run = [](MainWindow& window) { window.problems().hideCurrent(); },
-     .isPossible = [](const MainWindow& window) { return window.problems().current() >= 0; }},
+     .isPossible = [](const MainWindow& window) { return window.problems().current() >= 0; },
+     .why = QT_TRANSLATE_NOOP("Actions", "Go to a problem first.")},
 };
 
 } // namespace

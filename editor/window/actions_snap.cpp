@@ -45,9 +45,8 @@ constexpr ActionRow snapRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Go on to the next larger step of the grid"),
      .run = [](MainWindow& window) { setStep(window, coarserStep(window.toolbox().snap.step)); },
      .isPossible =
-         [](const MainWindow& window) {
-             return coarserStep(window.toolbox().snap.step) != window.toolbox().snap.step;
-         }},
+         [](const MainWindow& window) { return coarserStep(window.toolbox().snap.step) != window.toolbox().snap.step; },
+     .why = QT_TRANSLATE_NOOP("Actions", "The grid is as coarse as it gets.")},
     {.id = Act::FinerGrid,
      .menu = MenuId::Snapping,
      .text = QT_TRANSLATE_NOOP("Actions", "&Finer Grid"),
@@ -55,7 +54,8 @@ constexpr ActionRow snapRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Go on to the next smaller step of the grid"),
      .run = [](MainWindow& window) { setStep(window, finerStep(window.toolbox().snap.step)); },
      .isPossible =
-         [](const MainWindow& window) { return finerStep(window.toolbox().snap.step) != window.toolbox().snap.step; }},
+         [](const MainWindow& window) { return finerStep(window.toolbox().snap.step) != window.toolbox().snap.step; },
+     .why = QT_TRANSLATE_NOOP("Actions", "The grid is as fine as it gets.")},
     {.id = Act::SmartSnap,
      .menu = MenuId::Snapping,
      .text = QT_TRANSLATE_NOOP("Actions", "Snap to &Objects"),

@@ -19,7 +19,8 @@ constexpr ActionRow windowRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Start an empty level in another window"),
      .flags = WithoutLevel | WhilePlaying,
      .run = [](MainWindow& window) { window.application()->newWindow(&window); },
-     .isPossible = hasApplication},
+     .isPossible = hasApplication,
+     .why = QT_TRANSLATE_NOOP("Actions", "This window stands alone.")},
     {.id = Act::NewView,
      .menu = MenuId::Window,
      .text = QT_TRANSLATE_NOOP("Actions", "New &View"),
@@ -27,7 +28,8 @@ constexpr ActionRow windowRows[] = {
      .keys = "Ctrl+Alt+W",
      .tip = QT_TRANSLATE_NOOP("Actions", "Show this level in a second window, at another place or another size"),
      .run = [](MainWindow& window) { window.application()->newView(window); },
-     .isPossible = hasApplication},
+     .isPossible = hasApplication,
+     .why = QT_TRANSLATE_NOOP("Actions", "This window stands alone.")},
     {.id = Act::NextWindow,
      .menu = MenuId::Window,
      .text = QT_TRANSLATE_NOOP("Actions", "&Next Window"),
@@ -39,7 +41,8 @@ constexpr ActionRow windowRows[] = {
      .isPossible =
          [](const MainWindow& window) {
              return window.application() != nullptr && window.application()->windows().size() > 1;
-         }},
+         },
+     .why = QT_TRANSLATE_NOOP("Actions", "There is no other window.")},
     {.id = Act::Welcome,
      .menu = MenuId::Window,
      .text = QT_TRANSLATE_NOOP("Actions", "Welcome &Page"),

@@ -26,6 +26,7 @@ std::vector<KeyOwner> makeKeyOwners() {
                           .name = plainText(row),
                           .place = menuPath(row.menu),
                           .usual = keysOf(row),
+                          .whileEditing = (row.flags & OnlyPlaying) == 0,
                           .whilePlaying = (row.flags & WhilePlaying) != 0});
     }
     for (const PanelRow& row : panelRows()) {
@@ -83,6 +84,10 @@ const KeyOwner* keyOwner(const QString& code) {
     return found == keyOwners().end() ? nullptr : &*found;
 }
 
+bool meet(const KeyOwner& one, const KeyOwner& other) {
+    return (one.whileEditing && other.whileEditing) || (one.whilePlaying && other.whilePlaying);
+}
+
 QList<QKeySequence> KeyBindings::keys(const KeyOwner& owner) const {
     const auto found = m_changed.find(owner.code);
     return found == m_changed.end() ? owner.usual : found->second;
@@ -99,7 +104,7 @@ void KeyBindings::setKeys(const KeyOwner& owner, const QList<QKeySequence>& keys
 void KeyBindings::reset(const KeyOwner& owner) {
     setKeys(owner, {});
     for (const QKeySequence& key : owner.usual) {
-        while (const KeyOwner* const before = ownerOf(key)) {
+        while (const KeyOwner* const before = ownerBeside(owner, key)) {
             take(*before, key);
         }
     }
@@ -112,8 +117,14 @@ const KeyOwner* KeyBindings::ownerOf(const QKeySequence& key) const {
     return found == keyOwners().end() ? nullptr : &*found;
 }
 
+const KeyOwner* KeyBindings::ownerBeside(const KeyOwner& owner, const QKeySequence& key) const {
+    const auto found = std::ranges::find_if(
+        keyOwners(), [&](const KeyOwner& other) { return meet(owner, other) && keys(other).contains(key); });
+    return found == keyOwners().end() ? nullptr : &*found;
+}
+
 void KeyBindings::give(const KeyOwner& owner, const QKeySequence& key) {
-    while (const KeyOwner* const before = ownerOf(key)) {
+    while (const KeyOwner* const before = ownerBeside(owner, key)) {
         take(*before, key);
     }
     setKeys(owner, QList<QKeySequence>{key} + keys(owner));

@@ -20,8 +20,12 @@ struct KeyOwner {
     QString name;              // translated
     QString place;             // menu, translated
     QList<QKeySequence> usual; // the keys it comes with, the first is the one that is shown
+    bool whileEditing = true;
     bool whilePlaying = false;
 };
+
+/// Whether one key for both would leave open what it means: what rests while the other works is not in its way.
+bool meet(const KeyOwner& one, const KeyOwner& other);
 
 /// Of all actions, in the order of the menus, and of all panels.
 const std::vector<KeyOwner>& keyOwners();
@@ -38,6 +42,8 @@ class KeyBindings {
 
     /// Who has this key; null for nobody.
     const KeyOwner* ownerOf(const QKeySequence& key) const;
+    /// Who has this key and would be in the way of this owner, which may be itself.
+    const KeyOwner* ownerBeside(const KeyOwner& owner, const QKeySequence& key) const;
     /// Shown first among those of its owner, and taken from who has it now.
     void give(const KeyOwner& owner, const QKeySequence& key);
     void take(const KeyOwner& owner, const QKeySequence& key);

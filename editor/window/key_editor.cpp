@@ -240,7 +240,7 @@ void KeyEditor::consider(const QKeySequence& key) {
         say(objection, true);
         return;
     }
-    const KeyOwner* const before = m_bindings.ownerOf(key);
+    const KeyOwner* const before = m_bindings.ownerBeside(*owner, key);
     const QString shown = key.toString(QKeySequence::NativeText);
     if (before != nullptr && before->code != owner->code) {
         say(tr("%1 leads to “%2” (%3).").arg(shown, before->name, before->place), true);
@@ -252,7 +252,7 @@ void KeyEditor::consider(const QKeySequence& key) {
 
 void KeyEditor::give(const QKeySequence& key) {
     const KeyOwner* const owner = chosen();
-    const KeyOwner* const before = m_bindings.ownerOf(key);
+    const KeyOwner* const before = m_bindings.ownerBeside(*owner, key);
     KeyBindings bindings = m_bindings;
     bindings.give(*owner, key);
     change(bindings);

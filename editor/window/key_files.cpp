@@ -48,13 +48,12 @@ std::optional<QList<QKeySequence>> keysOfEntry(const KeyOwner& owner, const QJso
 
 /// Keys that lead to two actions.
 void addKeysGivenTwice(const KeyBindings& bindings, QStringList& faults) {
-    std::map<QString, const KeyOwner*> owners;
     for (const KeyOwner& owner : keyOwners()) {
         for (const QKeySequence& key : bindings.keys(owner)) {
-            const auto [before, isNew] = owners.emplace(key.toString(), &owner);
-            if (!isNew) {
+            const KeyOwner* const first = bindings.ownerBeside(owner, key);
+            if (first->code != owner.code) {
                 faults << KeyFileTexts::tr("%1 is given to “%2” and to “%3”.")
-                              .arg(key.toString(QKeySequence::NativeText), before->second->name, owner.name);
+                              .arg(key.toString(QKeySequence::NativeText), first->name, owner.name);
             }
         }
     }
