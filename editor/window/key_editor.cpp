@@ -61,6 +61,7 @@ KeyEditor::KeyEditor(QWidget* parent)
         apply(before);
     });
     connect(&m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    showChosen();
     m_filter.setFocus();
     resize(editorSize);
 }

@@ -46,6 +46,12 @@ class KeyEditorTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void theKeysOfTheFirstActionAreShownAtOnce() {
+        OpenEditor open;
+        QCOMPARE(open.editor->keyButtons().size(), 1); // Ctrl+N of New
+        QVERIFY(open.editor->recorder().isEnabled());
+    }
+
     void aFreeKeyIsGivenByPressingIt() {
         OpenEditor open;
         open.press("view/grid", Qt::Key_F7);
