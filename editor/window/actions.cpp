@@ -138,6 +138,11 @@ QAction* Actions::withKey(QKeyCombination key) const {
             found = action.get();
         }
     }
+    for (QAction* other : m_others) {
+        if (found == nullptr && other->shortcuts().contains(wanted)) {
+            found = other;
+        }
+    }
     return found;
 }
 

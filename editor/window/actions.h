@@ -39,6 +39,8 @@ class Actions {
     QAction& operator[](ActionId id) const { return *m_actions.at(id); }
     /// The action that has this key; null when none has.
     QAction* withKey(QKeyCombination key) const;
+    /// Actions that were made elsewhere, whose keys are to be found as well; they must outlive this.
+    void know(const QList<QAction*>& others) { m_others = others; }
     /// For a stroke that is nobody's key: the key of a US keyboard in its place, where that is an action's. A Latin
     /// letter never stands for another one.
     std::optional<QKeyCombination> keyByPlace(const QKeyEvent& stroke) const;
@@ -62,6 +64,7 @@ class Actions {
     MainWindow& m_window;
     QActionGroup m_tools;
     std::map<ActionId, std::unique_ptr<QAction>> m_actions;
+    QList<QAction*> m_others;
     bool m_refreshing = false;
 };
 

@@ -86,6 +86,7 @@ void MainWindow::layOut() {
     m_guideBar.setWords(words);
     m_tagMatrix.setAction(m_actions[Act::ShowCollisions]);
     m_panels.emplace(*this);
+    m_actions.know(m_panels->actions());
     m_finder.emplace(*this);
     if (const QScreen* monitor = screen()) {
         resize(firstSize(monitor->availableGeometry().size()));

@@ -54,10 +54,10 @@ class KeyEditorTest : public QObject {
 
     void aFreeKeyIsGivenByPressingIt() {
         OpenEditor open;
-        open.press("view/grid", Qt::Key_F7);
+        open.press("view/grid", Qt::Key_F13);
         QAction& grid = open.action(Act::Grid);
-        const QString shown = QKeySequence("F7").toString(QKeySequence::NativeText);
-        QCOMPARE(grid.shortcut(), QKeySequence("F7"));
+        const QString shown = QKeySequence("F13").toString(QKeySequence::NativeText);
+        QCOMPARE(grid.shortcut(), QKeySequence("F13"));
         QVERIFY(grid.toolTip().contains(shown));
         QVERIFY(open.editor->note().contains("Grid"));
         // Palette and help say the same.
@@ -67,7 +67,7 @@ class KeyEditorTest : public QObject {
         // And so does the program when it starts again.
         open.editor.reset();
         open.test.reopen();
-        QCOMPARE(open.action(Act::Grid).shortcut(), QKeySequence("F7"));
+        QCOMPARE(open.action(Act::Grid).shortcut(), QKeySequence("F13"));
     }
 
     void aKeyThatIsTakenNamesItsOwnerAndCanBeTakenOver() {
@@ -116,7 +116,7 @@ class KeyEditorTest : public QObject {
         presets.setCurrentIndex(2);
         Q_EMIT presets.activated(2);
         QCOMPARE(open.action(ToolId::Circle).shortcut(), QKeySequence("E"));
-        open.press("view/grid", Qt::Key_F12);
+        open.press("view/grid", Qt::Key_F13);
         QCOMPARE(presets.currentIndex(), presets.count() - 1); // one's own
         open.editor->undo().click();
         QCOMPARE(presets.currentIndex(), 2);
@@ -150,13 +150,13 @@ class KeyEditorTest : public QObject {
         OpenEditor open;
         const QString path = open.test.file("keys.json");
         open.editor->questions = {[&] { return path; }, [&] { return path; }};
-        open.press("view/grid", Qt::Key_F7);
+        open.press("view/grid", Qt::Key_F13);
         open.editor->exportKeys();
         QVERIFY(QFile::exists(path));
         open.editor->undo().click();
         QVERIFY(open.editor->bindings().areUsual());
         open.editor->importKeys();
-        QCOMPARE(open.action(Act::Grid).shortcut(), QKeySequence("F7"));
+        QCOMPARE(open.action(Act::Grid).shortcut(), QKeySequence("F13"));
     }
 
     void aBadFileChangesNothingAndSaysWhy() {
