@@ -40,10 +40,6 @@
         <translation>&amp;Beenden</translation>
     </message>
     <message>
-        <source>Leave the program</source>
-        <translation>Das Programm verlassen</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
     </message>
@@ -1051,6 +1047,391 @@
         <source>Dark panels and a drawing board as dark as space</source>
         <translation>Dunkle Bedienfelder und eine Zeichenfläche so dunkel wie das All</translation>
     </message>
+    <message>
+        <source>Not while a game is running.</source>
+        <translation>Nicht, während ein Spiel läuft.</translation>
+    </message>
+    <message>
+        <source>Only while a game is running.</source>
+        <translation>Nur, während ein Spiel läuft.</translation>
+    </message>
+    <message>
+        <source>Select something first.</source>
+        <translation>Zuerst etwas auswählen.</translation>
+    </message>
+    <message>
+        <source>Select at least two objects first.</source>
+        <translation>Zuerst mindestens zwei Objekte auswählen.</translation>
+    </message>
+    <message>
+        <source>Select nodes first, with the node tool.</source>
+        <translation>Zuerst mit dem Knotenwerkzeug Knoten auswählen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Add an SVG drawing, a map of Tiled or a scene of R.U.B.E. to the level</source>
+        <translation>Fügt dem Level eine SVG-Zeichnung, eine Karte von Tiled oder eine Szene von R.U.B.E. hinzu</translation>
+    </message>
+    <message>
+        <source>&amp;Export As…</source>
+        <translation>&amp;Exportieren als…</translation>
+    </message>
+    <message>
+        <source>Write a picture of the level, as PNG or SVG</source>
+        <translation>Schreibt ein Bild des Levels als PNG oder SVG</translation>
+    </message>
+    <message>
+        <source>E&amp;xport Again</source>
+        <translation>Erneut e&amp;xportieren</translation>
+    </message>
+    <message>
+        <source>Write the picture once more, to the same file in the same way</source>
+        <translation>Schreibt das Bild noch einmal auf dieselbe Weise in dieselbe Datei</translation>
+    </message>
+    <message>
+        <source>Sc&amp;reenshot</source>
+        <translation>Bildschirmf&amp;oto</translation>
+    </message>
+    <message>
+        <source>Write what the canvas shows to your pictures</source>
+        <translation>Speichert, was die Zeichenfläche zeigt, bei Ihren Bildern</translation>
+    </message>
+    <message>
+        <source>Reopen Closed &amp;Level</source>
+        <translation>&amp;Geschlossenes Level öffnen</translation>
+    </message>
+    <message>
+        <source>Open again the level that was closed last</source>
+        <translation>Öffnet das zuletzt geschlossene Level wieder</translation>
+    </message>
+    <message>
+        <source>&amp;Quick Open…</source>
+        <translation>Sc&amp;hnell öffnen…</translation>
+    </message>
+    <message>
+        <source>Find a level by a few letters of its name: recent ones, those beside it, and those that come with the program</source>
+        <translation>Findet ein Level nach ein paar Buchstaben seines Namens: zuletzt geöffnete, benachbarte und mitgelieferte</translation>
+    </message>
+    <message>
+        <source>Reloa&amp;d</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the level from its file again; Undo brings back what it is now</source>
+        <translation>Liest das Level neu aus seiner Datei; Rückgängig stellt den jetzigen Stand wieder her</translation>
+    </message>
+    <message>
+        <source>Reco&amp;ver Unsaved Work…</source>
+        <translation>Ungespeichertes re&amp;tten…</translation>
+    </message>
+    <message>
+        <source>Show what was left unsaved when the program ended all of a sudden</source>
+        <translation>Zeigt, was ungespeichert blieb, als das Programm plötzlich endete</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close this level and its window</source>
+        <translation>Schließt dieses Level und sein Fenster</translation>
+    </message>
+    <message>
+        <source>Close all windows and leave the program</source>
+        <translation>Schließt alle Fenster und beendet das Programm</translation>
+    </message>
+    <message>
+        <source>&amp;Find Action…</source>
+        <translation>Aktion &amp;suchen…</translation>
+    </message>
+    <message>
+        <source>Find actions, panels, levels, objects and problems by a few letters</source>
+        <translation>Findet Aktionen, Bedienfelder, Level, Objekte und Probleme nach ein paar Buchstaben</translation>
+    </message>
+    <message>
+        <source>Keyboard &amp;Shortcuts…</source>
+        <translation>Tastatur&amp;kürzel…</translation>
+    </message>
+    <message>
+        <source>Give other keys to actions, or the keys of Tiled, Inkscape or Blender</source>
+        <translation>Gibt Aktionen andere Tasten oder die Tasten von Tiled, Inkscape oder Blender</translation>
+    </message>
+    <message>
+        <source>&amp;Fix Problem</source>
+        <translation>Problem &amp;beheben</translation>
+    </message>
+    <message>
+        <source>Cure the problem that was gone to last, where there is a fix for it</source>
+        <translation>Behebt das zuletzt angesteuerte Problem, wenn es dafür eine Lösung gibt</translation>
+    </message>
+    <message>
+        <source>Fix &amp;All Safe Problems</source>
+        <translation>&amp;Alles sicher Behebbare beheben</translation>
+    </message>
+    <message>
+        <source>Cure all problems whose fix changes nothing that was meant</source>
+        <translation>Behebt alle Probleme, deren Lösung nichts Gewolltes ändert</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Problem</source>
+        <translation>Problem a&amp;usblenden</translation>
+    </message>
+    <message>
+        <source>Never show the problem that was gone to last in this level, or show it again</source>
+        <translation>Zeigt das zuletzt angesteuerte Problem in diesem Level nie mehr oder wieder an</translation>
+    </message>
+    <message>
+        <source>Select two nodes next to each other first, with the node tool.</source>
+        <translation>Zuerst mit dem Knotenwerkzeug zwei benachbarte Knoten auswählen.</translation>
+    </message>
+    <message>
+        <source>Select two ends of walls or lines first, with the node tool.</source>
+        <translation>Zuerst mit dem Knotenwerkzeug zwei Enden von Wänden oder Linien auswählen.</translation>
+    </message>
+    <message>
+        <source>Take the node tool and select an object first.</source>
+        <translation>Zuerst das Knotenwerkzeug nehmen und ein Objekt auswählen.</translation>
+    </message>
+    <message>
+        <source>&amp;Problems</source>
+        <translation>&amp;Probleme</translation>
+    </message>
+    <message>
+        <source>Mark the places of all problems of the level</source>
+        <translation>Markiert die Stellen aller Probleme des Levels</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare With…</source>
+        <translation>Ver&amp;gleichen mit…</translation>
+    </message>
+    <message>
+        <source>Choose a level file and show what is different from it</source>
+        <translation>Zeigt, was sich von einer gewählten Leveldatei unterscheidet</translation>
+    </message>
+    <message>
+        <source>Only while snapping to objects is on.</source>
+        <translation>Nur, wenn das Einrasten an Objekten eingeschaltet ist.</translation>
+    </message>
+    <message>
+        <source>The level has no guides.</source>
+        <translation>Das Level hat keine Hilfslinien.</translation>
+    </message>
+    <message>
+        <source>New &amp;Window</source>
+        <translation>Neues &amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Start an empty level in another window</source>
+        <translation>Beginnt ein leeres Level in einem weiteren Fenster</translation>
+    </message>
+    <message>
+        <source>New &amp;View</source>
+        <translation>Neue &amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Show this level in a second window, at another place or another size</source>
+        <translation>Zeigt dieses Level in einem zweiten Fenster, an anderer Stelle oder in anderer Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Next Window</source>
+        <translation>&amp;Nächstes Fenster</translation>
+    </message>
+    <message>
+        <source>Go on in the next window of the program</source>
+        <translation>Wechselt zum nächsten Fenster des Programms</translation>
+    </message>
+    <message>
+        <source>Welcome &amp;Page</source>
+        <translation>&amp;Willkommensseite</translation>
+    </message>
+    <message>
+        <source>Choose among recent levels and those that come with the program</source>
+        <translation>Wählt aus zuletzt geöffneten und mitgelieferten Leveln</translation>
+    </message>
+    <message>
+        <source>&amp;Reopen Windows at Start</source>
+        <translation>Fenster beim &amp;Start wieder öffnen</translation>
+    </message>
+    <message>
+        <source>Begin with the levels that were open when the program was left</source>
+        <translation>Beginnt mit den Leveln, die beim Beenden offen waren</translation>
+    </message>
+</context>
+<context>
+    <name>Compare</name>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
+    </message>
+</context>
+<context>
+    <name>Compared</name>
+    <message>
+        <source>none</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>all but %1</source>
+        <translation>alle außer %1</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Level: %1</source>
+        <translation>Level: %1</translation>
+    </message>
+    <message>
+        <source>Guide %1: added</source>
+        <translation>Hilfslinie %1: hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Guide %1: removed</source>
+        <translation>Hilfslinie %1: entfernt</translation>
+    </message>
+    <message>
+        <source>Level: fields that this program does not know</source>
+        <translation>Level: Felder, die dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>Level: other problems are hidden</source>
+        <translation>Level: andere Probleme sind ausgeblendet</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 → %3</source>
+        <translation>%1 %2 → %3</translation>
+    </message>
+    <message>
+        <source>Tag “%1”: added</source>
+        <translation>Merkmal „%1“: hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Tag “%1”: removed</source>
+        <translation>Merkmal „%1“: entfernt</translation>
+    </message>
+    <message>
+        <source>Tag “%1”: renamed to “%2”</source>
+        <translation>Merkmal „%1“: umbenannt in „%2“</translation>
+    </message>
+    <message>
+        <source>Tag “%1”: colour %2 → %3</source>
+        <translation>Merkmal „%1“: Farbe %2 → %3</translation>
+    </message>
+    <message>
+        <source>at (%1, %2)</source>
+        <translation>bei (%1, %2)</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>hinzugefügt</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>was %1</source>
+        <translation>war %1</translation>
+    </message>
+    <message>
+        <source>shape moved</source>
+        <translation>Form verschoben</translation>
+    </message>
+    <message>
+        <source>shape changed</source>
+        <translation>Form geändert</translation>
+    </message>
+    <message>
+        <source>shape changed, points %1 → %2</source>
+        <translation>Form geändert, Punkte %1 → %2</translation>
+    </message>
+    <message>
+        <source>drawn in another place</source>
+        <translation>an anderer Stelle gezeichnet</translation>
+    </message>
+    <message>
+        <source>fields that this program does not know</source>
+        <translation>Felder, die dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>The level</source>
+        <translation>Das Level</translation>
+    </message>
+    <message>
+        <source>%1: both sides changed “%2”.</source>
+        <translation>%1: Beide Seiten haben „%2“ geändert.</translation>
+    </message>
+    <message>
+        <source>%1: both sides made something else of it.</source>
+        <translation>%1: Beide Seiten haben etwas anderes daraus gemacht.</translation>
+    </message>
+    <message>
+        <source>%1: both sides added another object under the key %2.</source>
+        <translation>%1: Beide Seiten haben ein anderes Objekt mit dem Schlüssel %2 hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>%1: our side removed it, their side changed or needs it. It stays.</source>
+        <translation>%1: Unsere Seite hat es entfernt, die andere hat es geändert oder braucht es. Es bleibt.</translation>
+    </message>
+    <message>
+        <source>%1: their side removed it, our side changed or needs it. It stays.</source>
+        <translation>%1: Die andere Seite hat es entfernt, unsere hat es geändert oder braucht es. Es bleibt.</translation>
+    </message>
+    <message>
+        <source>%1: groups would be in each other. It stays in the group that our side has put it in.</source>
+        <translation>%1: Gruppen lägen ineinander. Es bleibt in der Gruppe, in die unsere Seite es gelegt hat.</translation>
+    </message>
+    <message>
+        <source>%1: both sides changed the order of drawing.</source>
+        <translation>%1: Beide Seiten haben die Zeichenreihenfolge geändert.</translation>
+    </message>
+    <message>
+        <source>There is no room for the tag “%1” of their side among the 32 tags.</source>
+        <translation>Für das Merkmal „%1“ der anderen Seite ist unter den 32 Merkmalen kein Platz.</translation>
+    </message>
+</context>
+<context>
+    <name>DroppedFiles</name>
+    <message>
+        <source>%1 is a flight in the level “%2”, which is neither open nor beside it. Open the level and drop the flight on it.</source>
+        <translation>%1 ist ein Flug im Level „%2“, das weder offen ist noch daneben liegt. Öffnen Sie das Level und ziehen Sie den Flug darauf.</translation>
+    </message>
+    <message>
+        <source>The level has been changed since the flight was recorded, which may therefore end otherwise.</source>
+        <translation>Das Level wurde seit der Aufzeichnung des Flugs geändert; er kann deshalb anders enden.</translation>
+    </message>
+    <message>
+        <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Files</name>
@@ -1121,6 +1502,26 @@
     <message>
         <source>Nothing is lost: your work is still here. Save it elsewhere?</source>
         <translation>Nichts ist verloren: Ihre Arbeit ist noch da. An anderer Stelle speichern?</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>What was kept of %1 cannot be read.</source>
+        <translation>Was von %1 aufbewahrt wurde, lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Open Newest Backup</source>
+        <translation>Neueste Sicherung öffnen</translation>
+    </message>
+    <message>
+        <source>This is the newest backup of %1. The file stays as it is until you save.</source>
+        <translation>Dies ist die neueste Sicherung von %1. Die Datei bleibt, wie sie ist, bis Sie speichern.</translation>
+    </message>
+    <message>
+        <source>This backup cannot be opened.</source>
+        <translation>Diese Sicherung lässt sich nicht öffnen.</translation>
     </message>
 </context>
 <context>
@@ -1626,6 +2027,52 @@
     </message>
 </context>
 <context>
+    <name>KeyFileTexts</name>
+    <message>
+        <source>“%1” needs a list of keys, as in [&quot;Ctrl+S&quot;].</source>
+        <translation>„%1“ braucht eine Liste von Tasten wie in [&quot;Ctrl+S&quot;].</translation>
+    </message>
+    <message>
+        <source>“%1” of “%2” is no key.</source>
+        <translation>„%1“ bei „%2“ ist keine Taste.</translation>
+    </message>
+    <message>
+        <source>%1 is given to “%2” and to “%3”.</source>
+        <translation>%1 ist „%2“ und „%3“ zugewiesen.</translation>
+    </message>
+    <message>
+        <source>Line %1 is no JSON: %2.</source>
+        <translation>Zeile %1 ist kein JSON: %2.</translation>
+    </message>
+    <message>
+        <source>These keys were written by a newer version of the program.</source>
+        <translation>Diese Tasten stammen aus einer neueren Version des Programms.</translation>
+    </message>
+    <message>
+        <source>There are no keys in it; it should look like {&quot;schema&quot;: 1, &quot;keys&quot;: {…}}.</source>
+        <translation>Es sind keine Tasten darin; es sollte so aussehen: {&quot;schema&quot;: 1, &quot;keys&quot;: {…}}.</translation>
+    </message>
+</context>
+<context>
+    <name>KeyTexts</name>
+    <message>
+        <source>That is no single key.</source>
+        <translation>Das ist keine einzelne Taste.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the drawing board and cannot be given away.</source>
+        <translation>%1 gehört der Zeichenfläche und lässt sich nicht vergeben.</translation>
+    </message>
+    <message>
+        <source>%1 goes from field to field and cannot be given away.</source>
+        <translation>%1 führt von Feld zu Feld und lässt sich nicht vergeben.</translation>
+    </message>
+    <message>
+        <source>“%1” works while a game is running too, when plain keys are the game&apos;s: use Ctrl, Alt or a function key with it.</source>
+        <translation>„%1“ wirkt auch während eines Spiels, wo einfache Tasten dem Spiel gehören: Nehmen Sie Strg, Alt oder eine Funktionstaste hinzu.</translation>
+    </message>
+</context>
+<context>
     <name>Keys</name>
     <message>
         <source>Click · Shift or Ctrl + click</source>
@@ -1767,6 +2214,14 @@
         <source>Tow the payload when it is near; again: let it go</source>
         <translation>Die Fracht schleppen, wenn sie nah ist; erneut: loslassen</translation>
     </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Let the view follow the ship again</source>
+        <translation>Die Ansicht wieder dem Schiff folgen lassen</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -1861,6 +2316,14 @@
         <source>Show or hide this panel</source>
         <translation>Zeigt dieses Bedienfeld oder blendet es aus</translation>
     </message>
+    <message>
+        <source>&amp;Minimap</source>
+        <translation>Mini&amp;karte</translation>
+    </message>
+    <message>
+        <source>&amp;Differences</source>
+        <translation>&amp;Unterschiede</translation>
+    </message>
 </context>
 <context>
     <name>TagNames</name>
@@ -1880,8 +2343,8 @@
         <translation>Level zeichnen und fliegen: ein Leveleditor und Physik-Sandkasten.</translation>
     </message>
     <message>
-        <source>Level file to open; without it, an example.</source>
-        <translation>Die zu öffnende Leveldatei; ohne sie ein Beispiel.</translation>
+        <source>Level files to open; without any, what was open last.</source>
+        <translation>Zu öffnende Leveldateien; ohne Angabe, was zuletzt offen war.</translation>
     </message>
 </context>
 <context>
@@ -3318,6 +3781,560 @@
         <source>%1 and %2</source>
         <translation>%1 und %2</translation>
     </message>
+    <message>
+        <source>The file is not sound XML: line %1, column %2: %3 Nothing was imported.</source>
+        <translation>Die Datei ist kein gültiges XML: Zeile %1, Spalte %2: %3 Es wurde nichts importiert.</translation>
+    </message>
+    <message>
+        <source>The file declares entities of its own (line %1), which are not read because they can be made to grow without end. Save it as plain SVG, for example with Inkscape, and try again.</source>
+        <translation>Die Datei deklariert eigene Entitäten (Zeile %1). Sie werden nicht gelesen, weil sie sich endlos aufblähen lassen. Speichern Sie die Datei als einfaches SVG, etwa mit Inkscape, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Elements of the file lie more than %1 deep in one another.</source>
+        <translation>Elemente der Datei sind mehr als %1-fach ineinander verschachtelt.</translation>
+    </message>
+    <message>
+        <source>The file draws more than %1 pieces, which is more than can be imported.</source>
+        <translation>Die Datei zeichnet mehr als %1 Teile; so viele lassen sich nicht importieren.</translation>
+    </message>
+    <message>
+        <source>The import was stopped; nothing was changed.</source>
+        <translation>Der Import wurde angehalten; es hat sich nichts geändert.</translation>
+    </message>
+    <message>
+        <source>The file is not sound JSON: something is wrong in line %1 or just before it. Nothing was imported.</source>
+        <translation>Die Datei ist kein gültiges JSON: In Zeile %1 oder kurz davor stimmt etwas nicht. Es wurde nichts importiert.</translation>
+    </message>
+    <message>
+        <source>The file is compressed. Unpack it first, or save it as plain SVG instead of SVGZ.</source>
+        <translation>Die Datei ist komprimiert. Entpacken Sie sie zuerst, oder speichern Sie sie als einfaches SVG statt SVGZ.</translation>
+    </message>
+    <message>
+        <source>This is no file that can be imported: SVG drawings, maps of Tiled (.tmx, .tmj) and scenes of R.U.B.E. (.json) can.</source>
+        <translation>Diese Datei lässt sich nicht importieren; es gehen SVG-Zeichnungen, Karten von Tiled (.tmx, .tmj) und Szenen von R.U.B.E. (.json).</translation>
+    </message>
+    <message>
+        <source>This is a level already: open it instead of importing it.</source>
+        <translation>Das ist schon ein Level: öffnen statt importieren.</translation>
+    </message>
+    <message>
+        <source>This is a tileset or a template of Tiled, which draws nothing. Import a map.</source>
+        <translation>Das ist ein Kachelsatz oder eine Vorlage von Tiled und zeichnet nichts. Importieren Sie eine Karte.</translation>
+    </message>
+    <message>
+        <source>At this scale something would lie more than %1 m away. Choose a smaller scale.</source>
+        <translation>In diesem Maßstab läge etwas mehr als %1 m entfernt. Wählen Sie einen kleineren Maßstab.</translation>
+    </message>
+    <message>
+        <source>The result would have more than %1 vertices. Choose a larger tolerance.</source>
+        <translation>Das Ergebnis hätte mehr als %1 Eckpunkte. Wählen Sie eine größere Toleranz.</translation>
+    </message>
+    <message>
+        <source>There is nothing in this file that could become part of a level.</source>
+        <translation>Diese Datei enthält nichts, was Teil eines Levels werden könnte.</translation>
+    </message>
+    <message>
+        <source>Text was left out (%1, lines %2). Turn it into paths to have it.</source>
+        <translation>Text wurde weggelassen (%1, Zeilen %2). In Pfade umgewandelt kommt er mit.</translation>
+    </message>
+    <message>
+        <source>Pictures were left out (%1, lines %2).</source>
+        <translation>Bilder wurden weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Content in another language than SVG was left out (%1, lines %2).</source>
+        <translation>Inhalt in einer anderen Sprache als SVG wurde weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Animations were left out (%1, lines %2).</source>
+        <translation>Animationen wurden weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Scripts were left out (%1, lines %2).</source>
+        <translation>Skripte wurden weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Some selectors of a style sheet are not understood (line %2): what they say of fill and stroke was not taken over.</source>
+        <translation>Einige Selektoren einer Formatvorlage sind unverständlich (Zeile %2): Was sie über Füllung und Kontur sagen, wurde nicht übernommen.</translation>
+    </message>
+    <message>
+        <source>What is not displayed was left out (%1, lines %2).</source>
+        <translation>Was nicht angezeigt wird, wurde weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Shapes without fill and stroke were left out (%1, lines %2).</source>
+        <translation>Formen ohne Füllung und Kontur wurden weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>A transform is not understood and was left out (%1, lines %2).</source>
+        <translation>Eine Umformung ist unverständlich und wurde weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Clips and masks were not applied: shapes are there as a whole (%1, lines %2).</source>
+        <translation>Ausschnitte und Masken wurden nicht angewendet: Die Formen sind ganz da (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Filters were not applied (%1, lines %2).</source>
+        <translation>Filter wurden nicht angewendet (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>References to what is not in the file, or to themselves, were left out (%1, lines %2): %3</source>
+        <translation>Verweise auf sich selbst oder auf etwas, das nicht in der Datei ist, wurden weggelassen (%1, Zeilen %2): %3</translation>
+    </message>
+    <message>
+        <source>The data of shapes has a mistake; they are there up to it (%1, lines %2).</source>
+        <translation>Die Daten von Formen haben einen Fehler; bis dorthin sind sie da (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Shapes without any extent were left out (%1, lines %2).</source>
+        <translation>Formen ohne Ausdehnung wurden weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Areas with holes, or in several parts, were cut into several polygons (%1, lines %2).</source>
+        <translation>Flächen mit Löchern oder aus mehreren Teilen wurden in mehrere Polygone zerlegt (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Polygons of more than 1024 vertices became walls (%1, lines %2). A larger tolerance makes fewer vertices.</source>
+        <translation>Polygone mit mehr als 1024 Eckpunkten wurden zu Wänden (%1, Zeilen %2). Eine größere Toleranz ergibt weniger Eckpunkte.</translation>
+    </message>
+    <message>
+        <source>Areas that cross themselves very often became walls (%1, lines %2).</source>
+        <translation>Flächen, die sich sehr oft selbst kreuzen, wurden zu Wänden (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Layers of tiles were left out, for a level has no tiles: %3 (lines %2). Objects of object layers are taken over.</source>
+        <translation>Kachelebenen wurden weggelassen, denn ein Level hat keine Kacheln: %3 (Zeilen %2). Objekte aus Objektebenen werden übernommen.</translation>
+    </message>
+    <message>
+        <source>Layers of pictures were left out: %3 (lines %2).</source>
+        <translation>Bildebenen wurden weggelassen: %3 (Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Tilesets are not needed and were not read: %3.</source>
+        <translation>Kachelsätze sind nicht nötig und wurden nicht gelesen: %3.</translation>
+    </message>
+    <message>
+        <source>Objects that are tiles were left out (%1, lines %2).</source>
+        <translation>Objekte, die Kacheln sind, wurden weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Objects made of templates were left out, for these are in other files (%1, lines %2). Detach them in Tiled.</source>
+        <translation>Objekte aus Vorlagen wurden weggelassen, denn diese stehen in anderen Dateien (%1, Zeilen %2). Lösen Sie sie in Tiled ab.</translation>
+    </message>
+    <message>
+        <source>Objects of a form that is not known here were left out (%1, lines %2).</source>
+        <translation>Objekte von hier unbekannter Form wurden weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Points were left out (%1, lines %2): only those of the class “ship” or “payload” become something.</source>
+        <translation>Punkte wurden weggelassen (%1, Zeilen %2): Nur aus denen der Klasse „ship“ oder „payload“ wird etwas.</translation>
+    </message>
+    <message>
+        <source>Properties that mean nothing here were left out (%1, lines %2): %3.</source>
+        <translation>Eigenschaften, die hier nichts bedeuten, wurden weggelassen (%1, Zeilen %2): %3.</translation>
+    </message>
+    <message>
+        <source>The opacity of layers was not taken over: %3 (lines %2).</source>
+        <translation>Die Deckkraft von Ebenen wurde nicht übernommen: %3 (Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>The parallax of layers was not taken over: %3 (lines %2).</source>
+        <translation>Die Parallaxe von Ebenen wurde nicht übernommen: %3 (Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Gravity was not taken over (line %2): the level keeps its own.</source>
+        <translation>Die Schwerkraft wurde nicht übernommen (Zeile %2): Das Level behält seine eigene.</translation>
+    </message>
+    <message>
+        <source>Numbers that a level cannot have were brought into its range (%1, lines %2): %3.</source>
+        <translation>Zahlen, die ein Level nicht haben kann, wurden in seinen Bereich gebracht (%1, Zeilen %2): %3.</translation>
+    </message>
+    <message>
+        <source>Fixtures without a sound shape were left out (%1, lines %2).</source>
+        <translation>Fixtures ohne gültige Form wurden weggelassen (%1, Zeilen %2).</translation>
+    </message>
+    <message>
+        <source>Group indices of filters were not taken over (%1, lines %2): %3</source>
+        <translation>Gruppenindizes von Filtern wurden nicht übernommen (%1, Zeilen %2): %3</translation>
+    </message>
+    <message>
+        <source>Fixtures of one body differ in material or filter: those of the first were taken (%1, lines %2): %3</source>
+        <translation>Fixtures eines Körpers haben verschiedene Materialien oder Filter: Übernommen wurden die der ersten (%1, Zeilen %2): %3</translation>
+    </message>
+    <message>
+        <source>Sensors of bodies that also have solid fixtures were left out (%1, lines %2): %3</source>
+        <translation>Sensoren von Körpern, die auch feste Fixtures haben, wurden weggelassen (%1, Zeilen %2): %3</translation>
+    </message>
+    <message>
+        <source>Settings of bodies that mean nothing here were left out (%1, lines %2): %3</source>
+        <translation>Einstellungen von Körpern, die hier nichts bedeuten, wurden weggelassen (%1, Zeilen %2): %3</translation>
+    </message>
+    <message>
+        <source>Bodies without fixtures were left out (%1, lines %2): %3</source>
+        <translation>Körper ohne Fixtures wurden weggelassen (%1, Zeilen %2): %3</translation>
+    </message>
+    <message>
+        <source>Joints that no connector can be were left out (%1, lines %2): %3</source>
+        <translation>Gelenke, aus denen keine Verbindung werden kann, wurden weggelassen (%1, Zeilen %2): %3</translation>
+    </message>
+    <message>
+        <source>Rigid joints became stiff connectors (%1, lines %2): %3</source>
+        <translation>Starre Gelenke wurden zu steifen Verbindungen (%1, Zeilen %2): %3</translation>
+    </message>
+    <message>
+        <source>The level has a ship, a payload or a finish already; those of the file were left out.</source>
+        <translation>Das Level hat schon ein Schiff, eine Fracht oder eine Ziellinie; die der Datei wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>All 32 tags are taken; these were left out: %3</source>
+        <translation>Alle 32 Merkmale sind vergeben; diese wurden weggelassen: %3</translation>
+    </message>
+    <message>
+        <source>Reopen level</source>
+        <translation>Level wieder öffnen</translation>
+    </message>
+    <message>
+        <source>Remove points on straight sides</source>
+        <translation>Punkte auf geraden Seiten entfernen</translation>
+    </message>
+    <message>
+        <source>Merge points</source>
+        <translation>Punkte verschmelzen</translation>
+    </message>
+    <message>
+        <source>Turn outline round</source>
+        <translation>Umriss umkehren</translation>
+    </message>
+    <message>
+        <source>Reverse wall</source>
+        <translation>Wand umkehren</translation>
+    </message>
+    <message>
+        <source>Close gap</source>
+        <translation>Lücke schließen</translation>
+    </message>
+    <message>
+        <source>Add the missing wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove what is there twice</source>
+        <translation>Doppeltes entfernen</translation>
+    </message>
+    <message>
+        <source>Limit depth</source>
+        <translation>Tiefe begrenzen</translation>
+    </message>
+    <message>
+        <source>Choose plain background</source>
+        <translation>Einfarbigen Hintergrund wählen</translation>
+    </message>
+    <message>
+        <source>Move out of group</source>
+        <translation>Aus der Gruppe nehmen</translation>
+    </message>
+    <message>
+        <source>Give a new key</source>
+        <translation>Neuen Schlüssel geben</translation>
+    </message>
+    <message>
+        <source>Tag as wall</source>
+        <translation>Wand-Merkmal geben</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove broken shapes</source>
+        <translation>Defekte Formen entfernen</translation>
+    </message>
+    <message>
+        <source>Untangle outline</source>
+        <translation>Umriss entwirren</translation>
+    </message>
+    <message>
+        <source>Move to a free place</source>
+        <translation>An freien Ort verschieben</translation>
+    </message>
+    <message>
+        <source>Fix all safe problems</source>
+        <translation>Alles sicher Behebbare beheben</translation>
+    </message>
+    <message>
+        <source>Hide problem</source>
+        <translation>Problem ausblenden</translation>
+    </message>
+    <message>
+        <source>Show hidden problem</source>
+        <translation>Problem wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Take over object</source>
+        <translation>Objekt übernehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Take over %n objects</source>
+        <translation>
+            <numerusform>%n Objekt übernehmen</numerusform>
+            <numerusform>%n Objekte übernehmen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reload from disk</source>
+        <translation>Aus Datei neu laden</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Ungespeichertes retten</translation>
+    </message>
+    <message>
+        <source>Open backup</source>
+        <translation>Sicherung öffnen</translation>
+    </message>
+    <message>
+        <source>Import object</source>
+        <translation>Objekt importieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n objects</source>
+        <translation>
+            <numerusform>%n Objekt importieren</numerusform>
+            <numerusform>%n Objekte importieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The disk is full, so the file “%1” cannot be written. What was there before is still there.</source>
+        <translation>Der Datenträger ist voll, deshalb lässt sich die Datei „%1“ nicht schreiben. Was vorher dort war, ist noch da.</translation>
+    </message>
+    <message>
+        <source>You have used up your share of the disk, so the file “%1” cannot be written. What was there before is still there.</source>
+        <translation>Ihr Anteil am Datenträger ist aufgebraucht, deshalb lässt sich die Datei „%1“ nicht schreiben. Was vorher dort war, ist noch da.</translation>
+    </message>
+    <message>
+        <source>The disk with the file “%1” can only be read, so it cannot be written.</source>
+        <translation>Der Datenträger mit der Datei „%1“ lässt sich nur lesen, deshalb kann sie nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The file “%1” cannot be written: there is no folder “%2” any more.</source>
+        <translation>Die Datei „%1“ lässt sich nicht schreiben: Den Ordner „%2“ gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The file “%1” cannot be written: you may not make files in the folder “%2”.</source>
+        <translation>Die Datei „%1“ lässt sich nicht schreiben: Im Ordner „%2“ dürfen Sie keine Dateien anlegen.</translation>
+    </message>
+    <message>
+        <source>The file “%1” is protected: you may read it, but not write it.</source>
+        <translation>Die Datei „%1“ ist geschützt: Sie dürfen sie lesen, aber nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>The file “%1” has been changed by somebody else meanwhile, so it was not overwritten.</source>
+        <translation>Die Datei „%1“ wurde inzwischen von jemand anderem geändert und deshalb nicht überschrieben.</translation>
+    </message>
+    <message>
+        <source>The file “%1” was written in part only: %2. What was there before is lost; save it elsewhere.</source>
+        <translation>Die Datei „%1“ wurde nur zum Teil geschrieben: %2. Was vorher dort war, ist verloren; speichern Sie an anderer Stelle.</translation>
+    </message>
+    <message>
+        <source>The file “%1” was written in part only: %2. All that it was to hold is in the file “%3”.</source>
+        <translation>Die Datei „%1“ wurde nur zum Teil geschrieben: %2. Alles, was sie enthalten sollte, steht in der Datei „%3“.</translation>
+    </message>
+    <message>
+        <source>The mass is too small or too large to be computed with, so the body would be missing from the game.</source>
+        <translation>Die Masse ist zu klein oder zu groß, um damit zu rechnen; der Körper würde im Spiel fehlen.</translation>
+    </message>
+    <message>
+        <source>The body is so small and light, or so large and heavy, that its mass or inertia cannot be computed with. It would be missing from the game.</source>
+        <translation>Der Körper ist so klein und leicht oder so groß und schwer, dass sich mit seiner Masse oder Trägheit nicht rechnen lässt. Er würde im Spiel fehlen.</translation>
+    </message>
+    <message>
+        <source>The level is so large that it could not be saved again, so it is not opened.</source>
+        <translation>Das Level ist so groß, dass es sich nicht wieder speichern ließe; deshalb wird es nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>Points that lie on straight sides and do nothing: %1.</source>
+        <translation>Punkte, die auf geraden Seiten liegen und nichts bewirken: %1.</translation>
+    </message>
+    <message>
+        <source>This wall is solid on the other side than the walls it goes on from: the ship can fly out through it. Reverse it.</source>
+        <translation>Diese Wand ist auf der anderen Seite fest als die Wände, die sie fortsetzt: Das Schiff kann hindurch ins Freie fliegen. Kehren Sie sie um.</translation>
+    </message>
+    <message>
+        <source>This wall and the one it goes on from are solid on different sides. Reverse one of them.</source>
+        <translation>Diese Wand und die, die sie fortsetzt, sind auf verschiedenen Seiten fest. Kehren Sie eine von beiden um.</translation>
+    </message>
+    <message>
+        <source>The two ends of this chain of walls are %1 mm apart, so it is not closed.</source>
+        <translation>Die beiden Enden dieses Wandzugs liegen %1 mm auseinander, er ist also nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>There is a gap of %5 mm to “%1”.</source>
+        <translation>Zu „%1“ klafft eine Lücke von %5 mm.</translation>
+    </message>
+    <message>
+        <source>There is a gap of %5 mm to %2 at %3; %4 m.</source>
+        <translation>Eine Lücke von %5 mm klafft bis hier: %2 bei %3; %4 m.</translation>
+    </message>
+    <message>
+        <source>This wall lies exactly on “%1”, which does the same.</source>
+        <translation>Diese Wand liegt genau auf „%1“ und bewirkt dasselbe.</translation>
+    </message>
+    <message>
+        <source>This wall lies exactly on %2 at %3; %4 m, which does the same.</source>
+        <translation>Diese Wand und %2 bei %3; %4 m liegen genau aufeinander und bewirken dasselbe.</translation>
+    </message>
+    <message>
+        <source>Walls that lie exactly on those of “%1”: %5.</source>
+        <translation>Wände, die genau auf denen von „%1“ liegen: %5.</translation>
+    </message>
+    <message>
+        <source>Walls that lie exactly on those of %2 at %3; %4 m: %5.</source>
+        <translation>Wände, die genau auf anderen liegen (%2 bei %3; %4 m): %5.</translation>
+    </message>
+    <message>
+        <source>Walls that lie exactly on others of the same chain: %1.</source>
+        <translation>Wände, die genau auf anderen desselben Wandzugs liegen: %1.</translation>
+    </message>
+    <message>
+        <source>It lies exactly on “%1”, which is the same.</source>
+        <translation>Es liegt genau auf „%1“, das dasselbe ist.</translation>
+    </message>
+    <message>
+        <source>It lies exactly on %2 at %3; %4 m, which is the same.</source>
+        <translation>Es liegt genau auf einem gleichen Objekt: %2 bei %3; %4 m.</translation>
+    </message>
+    <message>
+        <source>The wall is %1 m deep, but what is fastest here may move %2 m between two looks at what it touches, and may get through. Make it deeper, or raise the iterations.</source>
+        <translation>Die Wand ist %1 m tief, aber das Schnellste hier kann sich zwischen zwei Prüfungen auf Berührung %2 m bewegen und so hindurchgelangen. Machen Sie sie tiefer, oder erhöhen Sie die Iterationen.</translation>
+    </message>
+    <message>
+        <source>The wall has no back, so what is solid behind it reaches into the free space %1 m behind. Give it a depth of no more than that.</source>
+        <translation>Die Wand hat keine Rückseite, deshalb reicht das Feste hinter ihr bis in den freien Raum %1 m dahinter. Geben Sie ihr höchstens diese Tiefe.</translation>
+    </message>
+    <message>
+        <source>The wall is %1 m deep, but %2 m behind it there is free space, into which it reaches. Give it a depth of no more than that.</source>
+        <translation>Die Wand ist %1 m tief, aber %2 m hinter ihr ist freier Raum, in den sie hineinreicht. Geben Sie ihr höchstens diese Tiefe.</translation>
+    </message>
+    <message>
+        <source>The wall has no back, so all the free space behind it counts as solid. Give it a depth.</source>
+        <translation>Die Wand hat keine Rückseite, deshalb gilt aller freie Raum hinter ihr als fest. Geben Sie ihr eine Tiefe.</translation>
+    </message>
+    <message>
+        <source>The ship starts outside of the cave that the payload is in.</source>
+        <translation>Das Schiff startet außerhalb der Höhle, in der die Fracht ist.</translation>
+    </message>
+    <message>
+        <source>The payload is outside of the cave that the ship starts in.</source>
+        <translation>Die Fracht ist außerhalb der Höhle, in der das Schiff startet.</translation>
+    </message>
+    <message>
+        <source>The finish is outside of the cave that the ship starts in.</source>
+        <translation>Die Ziellinie ist außerhalb der Höhle, in der das Schiff startet.</translation>
+    </message>
+    <message>
+        <source>Both ends of the finish lie at the same point, so nothing can cross it.</source>
+        <translation>Beide Enden der Ziellinie liegen am selben Punkt, nichts kann sie also überqueren.</translation>
+    </message>
+    <message>
+        <source>The payload starts on the finish.</source>
+        <translation>Die Fracht startet auf der Ziellinie.</translation>
+    </message>
+    <message>
+        <source>Gravity is too strong: the ship weighs %1 N, and its thrust is %2 N.</source>
+        <translation>Die Schwerkraft ist zu stark: Das Schiff wiegt %1 N, und sein Schub beträgt %2 N.</translation>
+    </message>
+    <message>
+        <source>Ship and payload together weigh %1 N; the ship&apos;s thrust of %2 N cannot lift them.</source>
+        <translation>Schiff und Fracht wiegen zusammen %1 N; der Schub des Schiffs von %2 N kann sie nicht heben.</translation>
+    </message>
+    <message>
+        <source>There is no background named “%1”; it is shown as a plain one.</source>
+        <translation>Es gibt keinen Hintergrund namens „%1“; er wird einfarbig gezeigt.</translation>
+    </message>
+    <message>
+        <source>The ship flies through this wall: it does not have the tag “%1”.</source>
+        <translation>Das Schiff fliegt durch diese Wand hindurch: Sie hat das Merkmal „%1“ nicht.</translation>
+    </message>
+    <message>
+        <source>It is made of walls alone, and walls never meet walls: it falls through “%1”.</source>
+        <translation>Es besteht nur aus Wänden, und Wände treffen nie auf Wände: Es fällt durch „%1“ hindurch.</translation>
+    </message>
+    <message>
+        <source>It is made of walls alone, and walls never meet walls: it falls through %2 at %3; %4 m.</source>
+        <translation>Es besteht nur aus Wänden, und Wände treffen nie auf Wände: Es fällt hindurch (%2 bei %3; %4 m).</translation>
+    </message>
+    <message>
+        <source>The ship can get out through this wall: it is solid on the wrong side. Reverse it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out through this chain: all its %1 walls are solid on the wrong side. Reverse it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out through edge %1 of this chain: it is solid on the wrong side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out: %1 walls, of which this is one, are solid on the wrong side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out: this chain is not closed, its ends are %1 m apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out: a wall of %1 m is missing between two ends of this object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out: there is an opening of %1 m in this object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out: a wall of %5 m is missing between the end of this one and that of “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out: a wall of %5 m is missing between the end of this one and that of %2 at %3; %4 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out: this wall ends %5 m before “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out: this wall ends %5 m before %2 at %3; %4 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out between this and “%1”: they are %5 m apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ship can get out between this and %2 at %3; %4 m: they are %5 m apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field “%1” is none that a replay has.</source>
+        <translation>Das Feld „%1“ kommt in einer Flugaufzeichnung nicht vor.</translation>
+    </message>
+    <message>
+        <source>The field “%1” is given twice in the replay.</source>
+        <translation>Das Feld „%1“ ist in der Flugaufzeichnung zweimal angegeben.</translation>
+    </message>
+    <message>
+        <source>anchor</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>anchor on %1</source>
+        <translation>Anker an %1</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
@@ -3378,6 +4395,10 @@
         <source>That would be %1 objects; an array may have %2. Make fewer copies.</source>
         <translation>Das wären %1 Objekte; eine Anordnung darf %2 haben. Machen Sie weniger Kopien.</translation>
     </message>
+    <message>
+        <source>Select what is to be copied.</source>
+        <translation>Zuerst auswählen, was kopiert werden soll.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::Canvas</name>
@@ -3395,6 +4416,99 @@
     <message>
         <source>none</source>
         <translation>nichts</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::DifferencePanel</name>
+    <message>
+        <source>&amp;Compare With…</source>
+        <translation>&amp;Vergleichen mit…</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke Over</source>
+        <translation>Über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;End</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Makes the selected objects as they are in the other level</source>
+        <translation>Macht die ausgewählten Objekte so, wie sie im anderen Level sind</translation>
+    </message>
+    <message>
+        <source>Ends comparing; the level stays as it is</source>
+        <translation>Beendet den Vergleich; das Level bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>Nothing is compared. Choose a level file to see what is different from it.</source>
+        <translation>Nichts wird verglichen. Wählen Sie eine Leveldatei, um zu sehen, was anders ist.</translation>
+    </message>
+    <message>
+        <source>Comparing with %1…</source>
+        <translation>Vergleich mit %1…</translation>
+    </message>
+    <message>
+        <source>Nothing is different from %1.</source>
+        <translation>Kein Unterschied zu %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n differences from %1</source>
+        <translation>
+            <numerusform>%n Unterschied zu %1</numerusform>
+            <numerusform>%n Unterschiede zu %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::DiskChanges</name>
+    <message>
+        <source>%1 is no longer there: it was deleted, moved or renamed. Your level is still here.</source>
+        <translation>%1 ist nicht mehr da: gelöscht, verschoben oder umbenannt. Ihr Level ist noch hier.</translation>
+    </message>
+    <message>
+        <source>Save Again</source>
+        <translation>Wieder speichern</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program and has been loaded anew. Undo takes that back.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und neu geladen. Rückgängig nimmt das zurück.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and you have changed it here.</source>
+        <translation>%1 wurde von einem anderen Programm geändert, und Sie haben es hier geändert.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program and cannot be read any more. Your level is still here.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und lässt sich nicht mehr lesen. Ihr Level ist noch hier.</translation>
+    </message>
+    <message>
+        <source>Not saved: %1 was changed by another program since you opened it, and saving would overwrite that.</source>
+        <translation>Nicht gespeichert: %1 wurde nach dem Öffnen von einem anderen Programm geändert, und Speichern würde das überschreiben.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Meines behalten</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
     </message>
 </context>
 <context>
@@ -3422,6 +4536,135 @@
     <message>
         <source>Height</source>
         <translation>Höhe</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::Exchange</name>
+    <message>
+        <source>There is not enough memory for a picture of this size.</source>
+        <translation>Für ein Bild dieser Größe reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Drawings and maps (*.svg *.tmx *.tmj *.json);;All files (*)</source>
+        <translation>Zeichnungen und Karten (*.svg *.tmx *.tmj *.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png);;SVG drawings (*.svg)</source>
+        <translation>PNG-Bilder (*.png);;SVG-Zeichnungen (*.svg)</translation>
+    </message>
+    <message>
+        <source>%1 was imported as a whole.</source>
+        <translation>%1 wurde vollständig importiert.</translation>
+    </message>
+    <message>
+        <source>%1 was imported, but:</source>
+        <translation>%1 wurde importiert, aber:</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
+    </message>
+    <message>
+        <source>The picture was written to %1.</source>
+        <translation>Das Bild wurde in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The screenshot was written to %1.</source>
+        <translation>Das Bildschirmfoto wurde in %1 gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ExportBar</name>
+    <message>
+        <source>Export picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Whole level</source>
+        <translation>Ganzes Level</translation>
+    </message>
+    <message>
+        <source>What is in view</source>
+        <translation>Sichtbares</translation>
+    </message>
+    <message>
+        <source>What of the level the picture shows</source>
+        <translation>Was das Bild vom Level zeigt</translation>
+    </message>
+    <message>
+        <source>Pixels of the picture for a metre of the level.</source>
+        <translation>Pixel des Bilds für einen Meter des Levels.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Transparent</translation>
+    </message>
+    <message>
+        <source>Leave the ground of the picture out</source>
+        <translation>Lässt den Grund des Bilds weg</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Draw the grid as well</source>
+        <translation>Zeichnet auch das Raster</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Choose a file, PNG or SVG (Enter)</source>
+        <translation>Wählt eine Datei, PNG oder SVG (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Write no picture (Escape)</source>
+        <translation>Schreibt kein Bild (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen, or the picture would be too large: at most 16,384 pixels a side and 67 million in all. Choose another scale.</source>
+        <translation>Es gibt nichts zu sehen, oder das Bild würde zu groß: höchstens 16.384 Pixel je Seite und 67 Millionen insgesamt. Wählen Sie einen anderen Maßstab.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::Finder</name>
+    <message>
+        <source>Find actions, levels, objects and problems</source>
+        <translation>Aktionen, Level, Objekte und Probleme finden</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>&gt; actions · / levels · @ objects · ! problems · Enter: take · Esc: close</source>
+        <translation>&gt; Aktionen · / Level · @ Objekte · ! Probleme · Eingabe: wählen · Esc: schließen</translation>
+    </message>
+    <message>
+        <source>Nothing is called that.</source>
+        <translation>Nichts heißt so.</translation>
     </message>
 </context>
 <context>
@@ -3511,6 +4754,14 @@
         <source>undone</source>
         <translation>rückgängig gemacht</translation>
     </message>
+    <message>
+        <source>saved</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved: the file holds this state</source>
+        <translation>Gespeichert: Die Datei enthält diesen Stand</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::HistoryPanel</name>
@@ -3521,6 +4772,101 @@
     <message>
         <source>Click to go back, or forward again, to the state after an edit</source>
         <translation>Ein Klick führt zum Stand nach einer Änderung zurück oder wieder vor</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ImportBar</name>
+    <message>
+        <source>Progress of the import</source>
+        <translation>Fortschritt des Imports</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Add what is shown to the level (Enter)</source>
+        <translation>Fügt das Gezeigte dem Level hinzu (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave the level as it was (Escape)</source>
+        <translation>Lässt das Level, wie es war (Esc)</translation>
+    </message>
+    <message>
+        <source>What a unit of the file is: a pixel of a drawing, a pixel of a map.</source>
+        <translation>Was eine Einheit der Datei ist: ein Pixel einer Zeichnung, ein Pixel einer Karte.</translation>
+    </message>
+    <message>
+        <source>How far straight segments may stray from a curve.</source>
+        <translation>Wie weit gerade Segmente von einer Kurve abweichen dürfen.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Two-way walls</source>
+        <translation>Zweiseitige Linien</translation>
+    </message>
+    <message>
+        <source>One-way walls</source>
+        <translation>Einseitige Kanten</translation>
+    </message>
+    <message>
+        <source>What lines without a fill become</source>
+        <translation>Was aus Linien ohne Füllung wird</translation>
+    </message>
+    <message>
+        <source>Fills as polygons</source>
+        <translation>Füllungen als Polygone</translation>
+    </message>
+    <message>
+        <source>Fills as walls</source>
+        <translation>Füllungen als Wände</translation>
+    </message>
+    <message>
+        <source>What filled shapes become</source>
+        <translation>Was aus gefüllten Formen wird</translation>
+    </message>
+    <message>
+        <source>New layer</source>
+        <translation>Neue Ebene</translation>
+    </message>
+    <message>
+        <source>Put all of it into a new layer, named like the file</source>
+        <translation>Legt alles in eine neue Ebene, die wie die Datei heißt</translation>
+    </message>
+    <message>
+        <source>Center in view</source>
+        <translation>In Ansicht zentrieren</translation>
+    </message>
+    <message>
+        <source>Put it into the middle of the view, else where the file has it</source>
+        <translation>Legt es in die Mitte der Ansicht, sonst dorthin, wo die Datei es hat</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Wird gelesen…</translation>
+    </message>
+    <message>
+        <source>%1 objects, %2 vertices, %3 × %4 m</source>
+        <translation>%1 Objekte, %2 Eckpunkte, %3 × %4 m</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
     </message>
 </context>
 <context>
@@ -3583,6 +4929,148 @@
     </message>
 </context>
 <context>
+    <name>spacetow::KeyEditor</name>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>Tastaturkürzel</translation>
+    </message>
+    <message>
+        <source>Find an action or a key</source>
+        <translation>Aktion oder Taste suchen</translation>
+    </message>
+    <message>
+        <source>My own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Keys as in</source>
+        <translation>Tasten wie in</translation>
+    </message>
+    <message>
+        <source>Take all keys from a program that you know</source>
+        <translation>Übernimmt alle Tasten aus einem Programm, das Sie kennen</translation>
+    </message>
+    <message>
+        <source>Keys as &amp;in</source>
+        <translation>&amp;Tasten wie in</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Reset &amp;All</source>
+        <translation>&amp;Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last change of keys</source>
+        <translation>Nimmt die letzte Änderung der Tasten zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Take It Over</source>
+        <translation>Über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Give this action the keys that it came with</source>
+        <translation>Gibt dieser Aktion ihre mitgelieferten Tasten</translation>
+    </message>
+    <message>
+        <source>In the game</source>
+        <translation>Im Spiel</translation>
+    </message>
+    <message>
+        <source>Keys of the game hold while one is running, and cannot be changed.</source>
+        <translation>Tasten des Spiels gelten, während eines läuft, und lassen sich nicht ändern.</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>%1 leads to “%2” (%3).</source>
+        <translation>%1 führt zu „%2“ (%3).</translation>
+    </message>
+    <message>
+        <source>%1 leads to “%2” now, and no longer to “%3”.</source>
+        <translation>%1 führt jetzt zu „%2“ und nicht mehr zu „%3“.</translation>
+    </message>
+    <message>
+        <source>%1 leads to “%2” now.</source>
+        <translation>%1 führt jetzt zu „%2“.</translation>
+    </message>
+    <message>
+        <source>Keys (*.json);;All files (*)</source>
+        <translation>Tasten (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Import Keys</source>
+        <translation>Tasten importieren</translation>
+    </message>
+    <message>
+        <source>Export Keys</source>
+        <translation>Tasten exportieren</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read: %2.</source>
+        <translation>„%1“ lässt sich nicht lesen: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large to be a file of keys.</source>
+        <translation>„%1“ ist zu groß für eine Tastendatei.</translation>
+    </message>
+    <message>
+        <source>Nothing was taken from “%1”.</source>
+        <translation>Aus „%1“ wurde nichts übernommen.</translation>
+    </message>
+    <message>
+        <source>These are the keys of “%1” now.</source>
+        <translation>Jetzt gelten die Tasten von „%1“.</translation>
+    </message>
+    <message>
+        <source>These are the keys of “%1” now. Nothing is called %2 here.</source>
+        <translation>Jetzt gelten die Tasten von „%1“. Nichts heißt hier %2.</translation>
+    </message>
+    <message>
+        <source>Wrote all keys to “%1”.</source>
+        <translation>Alle Tasten in „%1“ gespeichert.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be written: %2.</source>
+        <translation>„%1“ lässt sich nicht schreiben: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::KeyRecorder</name>
+    <message>
+        <source>Press a key</source>
+        <translation>Taste drücken</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Neue Taste</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::KeysDialog</name>
     <message>
         <source>Keys</source>
@@ -3640,10 +5128,6 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>%1[*] - SpaceTow Studio</source>
         <translation>%1[*] - SpaceTow Studio</translation>
-    </message>
-    <message>
-        <source>Playing a copy of the level · F8: back to the editor · Esc: menu</source>
-        <translation>Gespielt wird eine Kopie des Levels · F8: zurück zum Editor · Esc: Menü</translation>
     </message>
     <message>
         <source>Saved %1</source>
@@ -3757,6 +5241,90 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <source>&amp;Appearance</source>
         <translation>&amp;Erscheinungsbild</translation>
     </message>
+    <message>
+        <source>Read %1 again</source>
+        <translation>%1 neu geladen</translation>
+    </message>
+    <message>
+        <source>Was open at the end of the last run, but is gone: %1</source>
+        <translation>War zuletzt geöffnet, ist aber nicht mehr da: %1</translation>
+    </message>
+    <message>
+        <source>comes with the program</source>
+        <translation>mitgeliefert</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Level</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>won</source>
+        <translation>gewonnen</translation>
+    </message>
+    <message>
+        <source>crashed</source>
+        <translation>abgestürzt</translation>
+    </message>
+    <message>
+        <source>game over</source>
+        <translation>Game over</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>im Spiel</translation>
+    </message>
+    <message>
+        <source>%1[*] (%2) - SpaceTow Studio</source>
+        <translation>%1[*] (%2) - SpaceTow Studio</translation>
+    </message>
+    <message>
+        <source>Playing a recorded flight · keys count when it has ended · %1: back to the editor</source>
+        <translation>Aufgezeichneter Flug läuft · Tasten wirken erst nach seinem Ende · %1: zurück zum Editor</translation>
+    </message>
+    <message>
+        <source>Playing a copy of the level · %1: back to the editor · Esc: menu</source>
+        <translation>Eine Kopie des Levels läuft · %1: zurück zum Editor · Esc: Menü</translation>
+    </message>
+    <message>
+        <source>No level is open · arrows, Tab and Enter choose one</source>
+        <translation>Kein Level ist offen · Pfeiltasten, Tab und Eingabe wählen eines</translation>
+    </message>
+    <message>
+        <source>Nothing was left unsaved.</source>
+        <translation>Nichts blieb ungespeichert.</translation>
+    </message>
+    <message>
+        <source>Take back the level as it was saved then, as one edit; its file stays as it is</source>
+        <translation>Holt das damals gespeicherte Level als eine einzige Änderung zurück; seine Datei bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>No former versions yet</source>
+        <translation>Noch keine früheren Fassungen</translation>
+    </message>
+    <message>
+        <source>&amp;Backups</source>
+        <translation>Siche&amp;rungen</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>Fe&amp;nster</translation>
+    </message>
+    <message>
+        <source>Should the program end all of a sudden, what is not saved will be lost:</source>
+        <translation>Falls das Programm plötzlich endet, geht Ungespeichertes verloren:</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window too. What is saved there will arrive here.</source>
+        <translation>%1 ist auch in einem anderen Fenster offen. Was dort gespeichert wird, kommt hier an.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -3767,6 +5335,24 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::Minimap</name>
+    <message>
+        <source>Minimap</source>
+        <translation>Minikarte</translation>
+    </message>
+    <message>
+        <source>Click or drag: go there · wheel: zoom · arrows: move the view</source>
+        <translation>Klick oder Ziehen: dorthin gehen · Mausrad: zoomen · Pfeiltasten: Ansicht verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::NodesDelegate</name>
+    <message>
+        <source>That would leave the map, which ends %1 m from the origin.</source>
+        <translation>Das läge außerhalb der Karte; sie endet %1 m vom Ursprung.</translation>
     </message>
 </context>
 <context>
@@ -3813,6 +5399,10 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>Delete the selected nodes</source>
         <translation>Löscht die ausgewählten Knoten</translation>
+    </message>
+    <message>
+        <source>Double click or type to change a coordinate; with several rows selected, in all of them</source>
+        <translation>Doppelklick oder Tippen ändert eine Koordinate; bei mehreren ausgewählten Zeilen in allen</translation>
     </message>
 </context>
 <context>
@@ -4057,6 +5647,13 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     </message>
 </context>
 <context>
+    <name>spacetow::ProblemDelegate</name>
+    <message>
+        <source>Fix</source>
+        <translation>Beheben</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::ProblemList</name>
     <message>
         <source>%1: %2</source>
@@ -4076,6 +5673,127 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     <message>
         <source>Checking…</source>
         <translation>Prüfung läuft…</translation>
+    </message>
+    <message>
+        <source>Show notes: what could be tidied</source>
+        <translation>Hinweise zeigen: was sich aufräumen ließe</translation>
+    </message>
+    <message>
+        <source>Show warnings</source>
+        <translation>Warnungen zeigen</translation>
+    </message>
+    <message>
+        <source>Show errors</source>
+        <translation>Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Show the problems that are hidden in this level, too</source>
+        <translation>Auch die in diesem Level ausgeblendeten Probleme zeigen</translation>
+    </message>
+    <message>
+        <source>Cure all problems whose fix changes nothing that was meant</source>
+        <translation>Behebt alle Probleme, deren Lösung nichts Gewolltes ändert</translation>
+    </message>
+    <message>
+        <source>Hidden: %1</source>
+        <translation>Ausgeblendet: %1</translation>
+    </message>
+    <message>
+        <source>Fix all that is safe: %1</source>
+        <translation>Sicher Behebbares beheben: %1</translation>
+    </message>
+    <message>
+        <source>Nothing else: the rest is filtered out or hidden.</source>
+        <translation>Sonst nichts: Der Rest ist ausgefiltert oder ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>Fix: %1</source>
+        <translation>Beheben: %1</translation>
+    </message>
+    <message>
+        <source>Show it again</source>
+        <translation>Wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Hide it in this level</source>
+        <translation>In diesem Level ausblenden</translation>
+    </message>
+    <message>
+        <source>Copy text</source>
+        <translation>Text kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RecoveryBar</name>
+    <message>
+        <source>The program ended with work that was not saved:</source>
+        <translation>Das Programm endete mit ungespeicherter Arbeit:</translation>
+    </message>
+    <message>
+        <source>Not now: it is kept, and offered again</source>
+        <translation>Später: bleibt erhalten, wird wieder angeboten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Beside the file as it is now:</source>
+        <translation>Neben der Datei, wie sie jetzt ist:</translation>
+    </message>
+    <message>
+        <source>There is no file to compare it with:</source>
+        <translation>Es gibt keine Datei zum Vergleichen:</translation>
+    </message>
+    <message>
+        <source>It is the same as the file.</source>
+        <translation>Es gleicht der Datei.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RecoveryRow</name>
+    <message numerus="yes">
+        <source>%n objects</source>
+        <translation>
+            <numerusform>%n Objekt</numerusform>
+            <numerusform>%n Objekte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>nie gespeichert</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Go on with this level; its file stays as it is until you save</source>
+        <translation>Setzt die Arbeit an diesem Level fort; seine Datei bleibt, wie sie ist, bis Sie speichern</translation>
+    </message>
+    <message>
+        <source>Say what differs from the file</source>
+        <translation>Sagt, was sich von der Datei unterscheidet</translation>
+    </message>
+    <message>
+        <source>Do not offer this any more</source>
+        <translation>Bietet dies nicht mehr an</translation>
+    </message>
+    <message>
+        <source>Discarded.</source>
+        <translation>Verworfen.</translation>
     </message>
 </context>
 <context>
@@ -4352,6 +6070,45 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     <message>
         <source>That would leave the map, which ends %1 m from the origin.</source>
         <translation>Das läge außerhalb der Karte; sie endet %1 m vom Ursprung.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::WelcomePage</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>Draw a cave, and fly your load out of it.</source>
+        <translation>Zeichnen Sie eine Höhle, und fliegen Sie Ihre Fracht hinaus.</translation>
+    </message>
+    <message>
+        <source>&amp;New Level</source>
+        <translation>&amp;Neues Level</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Recent levels</source>
+        <translation>Zuletzt geöffnete Level</translation>
+    </message>
+    <message>
+        <source>Levels that come with the program; what you open is a copy</source>
+        <translation>Mitgelieferte Level; geöffnet wird eine Kopie</translation>
+    </message>
+    <message>
+        <source>&amp;Show this page at start and when the last level is closed</source>
+        <translation>Diese Seite beim &amp;Start und nach dem Schließen des letzten Levels zeigen</translation>
+    </message>
+    <message>
+        <source>Sandbox</source>
+        <translation>Sandkasten</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Level</translation>
     </message>
 </context>
 <context>

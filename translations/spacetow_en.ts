@@ -227,6 +227,30 @@
             <numerusform>Unlock %n objects</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Take over %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::DifferencePanel</name>
+    <message numerus="yes">
+        <source>%n differences from %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spacetow::HistoryModel</name>
@@ -276,6 +300,16 @@
         <translation>
             <numerusform>The level has %n error and may not play as it should; see Problems.</numerusform>
             <numerusform>The level has %n errors and may not play as it should; see Problems.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RecoveryRow</name>
+    <message numerus="yes">
+        <source>%n objects</source>
+        <translation type="unfinished">
+            <numerusform>%n object</numerusform>
+            <numerusform>%n objects</numerusform>
         </translation>
     </message>
 </context>
