@@ -1267,6 +1267,46 @@
         <source>Begin with the levels that were open when the program was left</source>
         <translation>Beginnt mit den Leveln, die beim Beenden offen waren</translation>
     </message>
+    <message>
+        <source>Open a level first.</source>
+        <translation>Öffnen Sie zuerst ein Level.</translation>
+    </message>
+    <message>
+        <source>No level has been closed yet.</source>
+        <translation>Es wurde noch kein Level geschlossen.</translation>
+    </message>
+    <message>
+        <source>The level has no file yet.</source>
+        <translation>Das Level hat noch keine Datei.</translation>
+    </message>
+    <message>
+        <source>Go to a problem first for which there is a fix.</source>
+        <translation>Gehen Sie zuerst zu einem Problem, das sich beheben lässt.</translation>
+    </message>
+    <message>
+        <source>There is no problem that could be cured without asking.</source>
+        <translation>Es gibt kein Problem, das sich ohne Rückfrage beheben lässt.</translation>
+    </message>
+    <message>
+        <source>Go to a problem first.</source>
+        <translation>Gehen Sie zuerst zu einem Problem.</translation>
+    </message>
+    <message>
+        <source>The grid is as coarse as it gets.</source>
+        <translation>Gröber geht das Raster nicht.</translation>
+    </message>
+    <message>
+        <source>The grid is as fine as it gets.</source>
+        <translation>Feiner geht das Raster nicht.</translation>
+    </message>
+    <message>
+        <source>This window stands alone.</source>
+        <translation>Dieses Fenster steht für sich.</translation>
+    </message>
+    <message>
+        <source>There is no other window.</source>
+        <translation>Es gibt kein anderes Fenster.</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -1430,7 +1470,7 @@
     </message>
     <message>
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien anderer Programme werden einzeln importiert, da jede zuerst angesehen wird: Von diesen ist es %1.</translation>
     </message>
 </context>
 <context>
@@ -4015,7 +4055,7 @@
     </message>
     <message>
         <source>Add the missing wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlende Wand ergänzen</translation>
     </message>
     <message>
         <source>Remove what is there twice</source>
@@ -4269,55 +4309,55 @@
     </message>
     <message>
         <source>The ship can get out through this wall: it is solid on the wrong side. Reverse it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch diese Wand kommt das Schiff hinaus: Sie ist auf der falschen Seite fest. Kehren Sie sie um.</translation>
     </message>
     <message>
         <source>The ship can get out through this chain: all its %1 walls are solid on the wrong side. Reverse it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch diese Kette kommt das Schiff hinaus: Alle ihre %1 Wände sind auf der falschen Seite fest. Kehren Sie sie um.</translation>
     </message>
     <message>
         <source>The ship can get out through edge %1 of this chain: it is solid on the wrong side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch Kante %1 dieser Kette kommt das Schiff hinaus: Sie ist auf der falschen Seite fest.</translation>
     </message>
     <message>
         <source>The ship can get out: %1 walls, of which this is one, are solid on the wrong side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schiff kommt hinaus: %1 Wände, darunter diese, sind auf der falschen Seite fest.</translation>
     </message>
     <message>
         <source>The ship can get out: this chain is not closed, its ends are %1 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schiff kommt hinaus: Diese Kette ist nicht geschlossen, ihre Enden sind %1 m voneinander entfernt.</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %1 m is missing between two ends of this object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schiff kommt hinaus: Zwischen zwei Enden dieses Objekts fehlt eine Wand von %1 m.</translation>
     </message>
     <message>
         <source>The ship can get out: there is an opening of %1 m in this object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schiff kommt hinaus: In diesem Objekt ist eine Öffnung von %1 m.</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %5 m is missing between the end of this one and that of “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schiff kommt hinaus: Zwischen diesem Ende und dem von „%1“ fehlt eine Wand von %5 m.</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %5 m is missing between the end of this one and that of %2 at %3; %4 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schiff kommt hinaus: Zwischen diesem Ende und dem von %2 bei %3; %4 m fehlt eine Wand von %5 m.</translation>
     </message>
     <message>
         <source>The ship can get out: this wall ends %5 m before “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schiff kommt hinaus: Diese Wand endet %5 m vor „%1“.</translation>
     </message>
     <message>
         <source>The ship can get out: this wall ends %5 m before %2 at %3; %4 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schiff kommt hinaus: Diese Wand endet %5 m vor %2 bei %3; %4 m.</translation>
     </message>
     <message>
         <source>The ship can get out between this and “%1”: they are %5 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen diesem und „%1“ kommt das Schiff hinaus: Sie sind %5 m voneinander entfernt.</translation>
     </message>
     <message>
         <source>The ship can get out between this and %2 at %3; %4 m: they are %5 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen diesem und %2 bei %3; %4 m kommt das Schiff hinaus: Sie sind %5 m voneinander entfernt.</translation>
     </message>
     <message>
         <source>The field “%1” is none that a replay has.</source>

@@ -229,16 +229,16 @@
     </message>
     <message numerus="yes">
         <source>Take over %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Take over %n object</numerusform>
+            <numerusform>Take over %n objects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Import %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Import %n object</numerusform>
+            <numerusform>Import %n objects</numerusform>
         </translation>
     </message>
 </context>
@@ -246,9 +246,9 @@
     <name>spacetow::DifferencePanel</name>
     <message numerus="yes">
         <source>%n differences from %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n difference from %1</numerusform>
+            <numerusform>%n differences from %1</numerusform>
         </translation>
     </message>
 </context>
@@ -307,7 +307,7 @@
     <name>spacetow::RecoveryRow</name>
     <message numerus="yes">
         <source>%n objects</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n object</numerusform>
             <numerusform>%n objects</numerusform>
         </translation>

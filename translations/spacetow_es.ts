@@ -1267,6 +1267,46 @@
         <source>Begin with the levels that were open when the program was left</source>
         <translation>Empezar con los niveles que estaban abiertos al salir del programa</translation>
     </message>
+    <message>
+        <source>Open a level first.</source>
+        <translation>Abra primero un nivel.</translation>
+    </message>
+    <message>
+        <source>No level has been closed yet.</source>
+        <translation>Aún no se ha cerrado ningún nivel.</translation>
+    </message>
+    <message>
+        <source>The level has no file yet.</source>
+        <translation>El nivel aún no tiene archivo.</translation>
+    </message>
+    <message>
+        <source>Go to a problem first for which there is a fix.</source>
+        <translation>Vaya primero a un problema que tenga arreglo.</translation>
+    </message>
+    <message>
+        <source>There is no problem that could be cured without asking.</source>
+        <translation>No hay ningún problema que se pueda arreglar sin preguntar.</translation>
+    </message>
+    <message>
+        <source>Go to a problem first.</source>
+        <translation>Vaya primero a un problema.</translation>
+    </message>
+    <message>
+        <source>The grid is as coarse as it gets.</source>
+        <translation>La cuadrícula no puede ser más gruesa.</translation>
+    </message>
+    <message>
+        <source>The grid is as fine as it gets.</source>
+        <translation>La cuadrícula no puede ser más fina.</translation>
+    </message>
+    <message>
+        <source>This window stands alone.</source>
+        <translation>Esta ventana está sola.</translation>
+    </message>
+    <message>
+        <source>There is no other window.</source>
+        <translation>No hay ninguna otra ventana.</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -1430,7 +1470,7 @@
     </message>
     <message>
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los archivos de otros programas se importan de uno en uno, ya que cada uno se revisa antes: de estos es %1.</translation>
     </message>
 </context>
 <context>
@@ -3306,7 +3346,7 @@
     </message>
     <message>
         <source>Add the missing wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir el muro que falta</translation>
     </message>
     <message>
         <source>Remove what is there twice</source>
@@ -4097,55 +4137,55 @@
     </message>
     <message>
         <source>The ship can get out through this wall: it is solid on the wrong side. Reverse it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir por este muro: es sólido por el lado equivocado. Inviértalo.</translation>
     </message>
     <message>
         <source>The ship can get out through this chain: all its %1 walls are solid on the wrong side. Reverse it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir por esta cadena: sus %1 muros son sólidos por el lado equivocado. Inviértala.</translation>
     </message>
     <message>
         <source>The ship can get out through edge %1 of this chain: it is solid on the wrong side.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir por la arista %1 de esta cadena: es sólida por el lado equivocado.</translation>
     </message>
     <message>
         <source>The ship can get out: %1 walls, of which this is one, are solid on the wrong side.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir: %1 muros, entre ellos este, son sólidos por el lado equivocado.</translation>
     </message>
     <message>
         <source>The ship can get out: this chain is not closed, its ends are %1 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir: esta cadena no está cerrada, sus extremos distan %1 m.</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %1 m is missing between two ends of this object.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir: falta un muro de %1 m entre dos extremos de este objeto.</translation>
     </message>
     <message>
         <source>The ship can get out: there is an opening of %1 m in this object.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir: hay una abertura de %1 m en este objeto.</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %5 m is missing between the end of this one and that of “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir: falta un muro de %5 m entre el extremo de este y el de «%1».</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %5 m is missing between the end of this one and that of %2 at %3; %4 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir: falta un muro de %5 m entre el extremo de este y el de %2 en %3; %4 m.</translation>
     </message>
     <message>
         <source>The ship can get out: this wall ends %5 m before “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir: este muro termina a %5 m de «%1».</translation>
     </message>
     <message>
         <source>The ship can get out: this wall ends %5 m before %2 at %3; %4 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir: este muro termina a %5 m de %2 en %3; %4 m.</translation>
     </message>
     <message>
         <source>The ship can get out between this and “%1”: they are %5 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir entre este y «%1»: distan %5 m.</translation>
     </message>
     <message>
         <source>The ship can get out between this and %2 at %3; %4 m: they are %5 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>La nave puede salir entre este y %2 en %3; %4 m: distan %5 m.</translation>
     </message>
     <message>
         <source>“%1” is not a mass that a body can have.</source>
@@ -4645,7 +4685,7 @@
     </message>
     <message>
         <source>There is nothing to be seen, or the picture would be too large: at most 16,384 pixels a side and 67 million in all. Choose another scale.</source>
-        <translation>No hay nada que ver, o la imagen sería demasiado grande: como máximo 16 384 píxeles por lado y 67 millones en total. Elija otra escala.</translation>
+        <translation>No hay nada que ver, o la imagen sería demasiado grande: como máximo 16&#xa0;384 píxeles por lado y 67 millones en total. Elija otra escala.</translation>
     </message>
 </context>
 <context>

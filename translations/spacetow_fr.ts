@@ -29,7 +29,7 @@
     </message>
     <message>
         <source>Make one thing of what is selected; a double click gets at its parts</source>
-        <translation>Réunir la sélection en un tout ; un double-clic donne accès aux parties</translation>
+        <translation>Réunir la sélection en un tout&#xa0;; un double-clic donne accès aux parties</translation>
     </message>
     <message>
         <source>&amp;Ungroup</source>
@@ -45,7 +45,7 @@
     </message>
     <message>
         <source>Show the selection no longer; it is played all the same</source>
-        <translation>Ne plus afficher la sélection ; elle reste jouée</translation>
+        <translation>Ne plus afficher la sélection&#xa0;; elle reste jouée</translation>
     </message>
     <message>
         <source>&amp;Isolate</source>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>Copy the selection onto itself; what is done to the copy can be repeated</source>
-        <translation>Copier la sélection sur elle-même ; ce que l’on fait à la copie peut être répété</translation>
+        <translation>Copier la sélection sur elle-même&#xa0;; ce que l’on fait à la copie peut être répété</translation>
     </message>
     <message>
         <source>De&amp;lete</source>
@@ -437,7 +437,7 @@
     </message>
     <message>
         <source>Find a level by a few letters of its name: recent ones, those beside it, and those that come with the program</source>
-        <translation>Trouver un niveau par quelques lettres de son nom : les récents, leurs voisins et ceux fournis avec le programme</translation>
+        <translation>Trouver un niveau par quelques lettres de son nom&#xa0;: les récents, leurs voisins et ceux fournis avec le programme</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Read the level from its file again; Undo brings back what it is now</source>
-        <translation>Relire le niveau depuis son fichier ; Annuler ramène l’état actuel</translation>
+        <translation>Relire le niveau depuis son fichier&#xa0;; Annuler ramène l’état actuel</translation>
     </message>
     <message>
         <source>Reco&amp;ver Unsaved Work…</source>
@@ -673,7 +673,7 @@
     </message>
     <message>
         <source>Swap left and right; walls stay solid on the same side</source>
-        <translation>Échanger gauche et droite ; les murs restent solides du même côté</translation>
+        <translation>Échanger gauche et droite&#xa0;; les murs restent solides du même côté</translation>
     </message>
     <message>
         <source>Flip &amp;Vertically</source>
@@ -681,7 +681,7 @@
     </message>
     <message>
         <source>Swap above and below; walls stay solid on the same side</source>
-        <translation>Échanger haut et bas ; les murs restent solides du même côté</translation>
+        <translation>Échanger haut et bas&#xa0;; les murs restent solides du même côté</translation>
     </message>
     <message>
         <source>Re&amp;peat Last Transform</source>
@@ -881,7 +881,7 @@
     </message>
     <message>
         <source>Let points land on the grid; Ctrl suspends it while it is held</source>
-        <translation>Poser les points sur la grille ; Ctrl maintenu suspend l’aimantation</translation>
+        <translation>Poser les points sur la grille&#xa0;; Ctrl maintenu suspend l’aimantation</translation>
     </message>
     <message>
         <source>&amp;Coarser Grid</source>
@@ -905,7 +905,7 @@
     </message>
     <message>
         <source>Let points land on what is in the level; Ctrl suspends it while it is held</source>
-        <translation>Poser les points sur ce qui est dans le niveau ; Ctrl maintenu suspend l’aimantation</translation>
+        <translation>Poser les points sur ce qui est dans le niveau&#xa0;; Ctrl maintenu suspend l’aimantation</translation>
     </message>
     <message>
         <source>&amp;Vertices and Centers</source>
@@ -973,7 +973,7 @@
     </message>
     <message>
         <source>Snap to multiples of 15° from the last point; Shift keeps to them always</source>
-        <translation>Aimanter aux multiples de 15° depuis le dernier point ; Maj les impose toujours</translation>
+        <translation>Aimanter aux multiples de 15° depuis le dernier point&#xa0;; Maj les impose toujours</translation>
     </message>
     <message>
         <source>&amp;Select</source>
@@ -1069,7 +1069,7 @@
     </message>
     <message>
         <source>Place the ship; drag to turn it</source>
-        <translation>Placer le vaisseau ; glisser pour le tourner</translation>
+        <translation>Placer le vaisseau&#xa0;; glisser pour le tourner</translation>
     </message>
     <message>
         <source>Pa&amp;yload</source>
@@ -1093,7 +1093,7 @@
     </message>
     <message>
         <source>Place ship, payload or finish; again for the next of them</source>
-        <translation>Placer vaisseau, charge ou arrivée ; encore une fois : la suivante</translation>
+        <translation>Placer vaisseau, charge ou arrivée&#xa0;; encore une fois&#xa0;: la suivante</translation>
     </message>
     <message>
         <source>&amp;Guide…</source>
@@ -1173,7 +1173,7 @@
     </message>
     <message>
         <source>Show the guides; what is hidden is neither taken nor snapped to</source>
-        <translation>Afficher les guides ; masqués, on ne peut ni les saisir ni s’y aimanter</translation>
+        <translation>Afficher les guides&#xa0;; masqués, on ne peut ni les saisir ni s’y aimanter</translation>
     </message>
     <message>
         <source>&amp;Delete All Guides</source>
@@ -1267,6 +1267,46 @@
         <source>Begin with the levels that were open when the program was left</source>
         <translation>Commencer avec les niveaux ouverts quand le programme a été quitté</translation>
     </message>
+    <message>
+        <source>Open a level first.</source>
+        <translation>Ouvrez d’abord un niveau.</translation>
+    </message>
+    <message>
+        <source>No level has been closed yet.</source>
+        <translation>Aucun niveau n’a encore été fermé.</translation>
+    </message>
+    <message>
+        <source>The level has no file yet.</source>
+        <translation>Le niveau n’a pas encore de fichier.</translation>
+    </message>
+    <message>
+        <source>Go to a problem first for which there is a fix.</source>
+        <translation>Allez d’abord à un problème qui a un remède.</translation>
+    </message>
+    <message>
+        <source>There is no problem that could be cured without asking.</source>
+        <translation>Aucun problème ne peut être corrigé sans question.</translation>
+    </message>
+    <message>
+        <source>Go to a problem first.</source>
+        <translation>Allez d’abord à un problème.</translation>
+    </message>
+    <message>
+        <source>The grid is as coarse as it gets.</source>
+        <translation>La grille ne peut pas être plus large.</translation>
+    </message>
+    <message>
+        <source>The grid is as fine as it gets.</source>
+        <translation>La grille ne peut pas être plus fine.</translation>
+    </message>
+    <message>
+        <source>This window stands alone.</source>
+        <translation>Cette fenêtre est seule.</translation>
+    </message>
+    <message>
+        <source>There is no other window.</source>
+        <translation>Il n’y a pas d’autre fenêtre.</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -1291,7 +1331,7 @@
     </message>
     <message>
         <source>“%1”</source>
-        <translation>« %1 »</translation>
+        <translation>«&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>yes</source>
@@ -1303,27 +1343,27 @@
     </message>
     <message>
         <source>Level: %1</source>
-        <translation>Niveau : %1</translation>
+        <translation>Niveau&#xa0;: %1</translation>
     </message>
     <message>
         <source>Guide %1: added</source>
-        <translation>Guide %1 : ajouté</translation>
+        <translation>Guide %1&#xa0;: ajouté</translation>
     </message>
     <message>
         <source>Guide %1: removed</source>
-        <translation>Guide %1 : supprimé</translation>
+        <translation>Guide %1&#xa0;: supprimé</translation>
     </message>
     <message>
         <source>Level: fields that this program does not know</source>
-        <translation>Niveau : champs que ce programme ne connaît pas</translation>
+        <translation>Niveau&#xa0;: champs que ce programme ne connaît pas</translation>
     </message>
     <message>
         <source>Level: other problems are hidden</source>
-        <translation>Niveau : d’autres problèmes sont masqués</translation>
+        <translation>Niveau&#xa0;: d’autres problèmes sont masqués</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 %2 → %3</source>
@@ -1331,19 +1371,19 @@
     </message>
     <message>
         <source>Tag “%1”: added</source>
-        <translation>Étiquette « %1 » : ajoutée</translation>
+        <translation>Étiquette «&#xa0;%1&#xa0;»&#xa0;: ajoutée</translation>
     </message>
     <message>
         <source>Tag “%1”: removed</source>
-        <translation>Étiquette « %1 » : supprimée</translation>
+        <translation>Étiquette «&#xa0;%1&#xa0;»&#xa0;: supprimée</translation>
     </message>
     <message>
         <source>Tag “%1”: renamed to “%2”</source>
-        <translation>Étiquette « %1 » : renommée en « %2 »</translation>
+        <translation>Étiquette «&#xa0;%1&#xa0;»&#xa0;: renommée en «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Tag “%1”: colour %2 → %3</source>
-        <translation>Étiquette « %1 » : couleur %2 → %3</translation>
+        <translation>Étiquette «&#xa0;%1&#xa0;»&#xa0;: couleur %2 → %3</translation>
     </message>
     <message>
         <source>at (%1, %2)</source>
@@ -1387,42 +1427,42 @@
     </message>
     <message>
         <source>%1: both sides changed “%2”.</source>
-        <translation>%1 : les deux côtés ont modifié « %2 ».</translation>
+        <translation>%1&#xa0;: les deux côtés ont modifié «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>%1: both sides made something else of it.</source>
-        <translation>%1 : les deux côtés en ont fait autre chose.</translation>
+        <translation>%1&#xa0;: les deux côtés en ont fait autre chose.</translation>
     </message>
     <message>
         <source>%1: both sides added another object under the key %2.</source>
-        <translation>%1 : les deux côtés ont ajouté un autre objet sous la clé %2.</translation>
+        <translation>%1&#xa0;: les deux côtés ont ajouté un autre objet sous la clé %2.</translation>
     </message>
     <message>
         <source>%1: our side removed it, their side changed or needs it. It stays.</source>
-        <translation>%1 : notre côté l’a supprimé, le leur l’a modifié ou en a besoin. Il reste.</translation>
+        <translation>%1&#xa0;: notre côté l’a supprimé, le leur l’a modifié ou en a besoin. Il reste.</translation>
     </message>
     <message>
         <source>%1: their side removed it, our side changed or needs it. It stays.</source>
-        <translation>%1 : leur côté l’a supprimé, le nôtre l’a modifié ou en a besoin. Il reste.</translation>
+        <translation>%1&#xa0;: leur côté l’a supprimé, le nôtre l’a modifié ou en a besoin. Il reste.</translation>
     </message>
     <message>
         <source>%1: groups would be in each other. It stays in the group that our side has put it in.</source>
-        <translation>%1 : des groupes seraient l’un dans l’autre. Il reste dans le groupe où notre côté l’a mis.</translation>
+        <translation>%1&#xa0;: des groupes seraient l’un dans l’autre. Il reste dans le groupe où notre côté l’a mis.</translation>
     </message>
     <message>
         <source>%1: both sides changed the order of drawing.</source>
-        <translation>%1 : les deux côtés ont modifié l’ordre de dessin.</translation>
+        <translation>%1&#xa0;: les deux côtés ont modifié l’ordre de dessin.</translation>
     </message>
     <message>
         <source>There is no room for the tag “%1” of their side among the 32 tags.</source>
-        <translation>Pas de place pour l’étiquette « %1 » de leur côté parmi les 32 étiquettes.</translation>
+        <translation>Pas de place pour l’étiquette «&#xa0;%1&#xa0;» de leur côté parmi les 32 étiquettes.</translation>
     </message>
 </context>
 <context>
     <name>DroppedFiles</name>
     <message>
         <source>%1 is a flight in the level “%2”, which is neither open nor beside it. Open the level and drop the flight on it.</source>
-        <translation>%1 est un vol dans le niveau « %2 », qui n’est ni ouvert ni à côté. Ouvrez le niveau et déposez-y le vol.</translation>
+        <translation>%1 est un vol dans le niveau «&#xa0;%2&#xa0;», qui n’est ni ouvert ni à côté. Ouvrez le niveau et déposez-y le vol.</translation>
     </message>
     <message>
         <source>The level has been changed since the flight was recorded, which may therefore end otherwise.</source>
@@ -1430,7 +1470,7 @@
     </message>
     <message>
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les fichiers d’autres programmes sont importés un par un, car chacun est d’abord examiné : parmi ceux-ci, c’est %1.</translation>
     </message>
 </context>
 <context>
@@ -1445,7 +1485,7 @@
     </message>
     <message>
         <source>Save the changes to “%1”?</source>
-        <translation>Enregistrer « %1 » ?</translation>
+        <translation>Enregistrer «&#xa0;%1&#xa0;»&#xa0;?</translation>
     </message>
     <message>
         <source>If you discard them, they are lost.</source>
@@ -1469,7 +1509,7 @@
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation>Ligne %1 : %2</translation>
+        <translation>Ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>… and %1 more</source>
@@ -1497,11 +1537,11 @@
     </message>
     <message>
         <source>%1 was opened, but:</source>
-        <translation>%1 est ouvert, mais :</translation>
+        <translation>%1 est ouvert, mais&#xa0;:</translation>
     </message>
     <message>
         <source>Nothing is lost: your work is still here. Save it elsewhere?</source>
-        <translation>Rien n’est perdu : votre travail est toujours ici. L’enregistrer ailleurs ?</translation>
+        <translation>Rien n’est perdu&#xa0;: votre travail est toujours ici. L’enregistrer ailleurs&#xa0;?</translation>
     </message>
     <message>
         <source>Save As…</source>
@@ -1552,11 +1592,11 @@
     </message>
     <message>
         <source>You made it!</source>
-        <translation>Réussi !</translation>
+        <translation>Réussi&#xa0;!</translation>
     </message>
     <message>
         <source>The payload is home. Space: fly again · Esc: menu</source>
-        <translation>La charge est arrivée. Espace : revoler · Échap : menu</translation>
+        <translation>La charge est arrivée. Espace&#xa0;: revoler · Échap&#xa0;: menu</translation>
     </message>
     <message>
         <source>Lives %1</source>
@@ -1572,15 +1612,15 @@
     </message>
     <message>
         <source>Paused · P: go on · O: one step · Esc: menu</source>
-        <translation>Pause · P : continuer · O : un pas · Échap : menu</translation>
+        <translation>Pause · P&#xa0;: continuer · O&#xa0;: un pas · Échap&#xa0;: menu</translation>
     </message>
     <message>
         <source>Gravity is upside down!</source>
-        <translation>La gravité est inversée !</translation>
+        <translation>La gravité est inversée&#xa0;!</translation>
     </message>
     <message>
         <source>In range. Space: tow</source>
-        <translation>À portée. Espace : remorquer</translation>
+        <translation>À portée. Espace&#xa0;: remorquer</translation>
     </message>
 </context>
 <context>
@@ -1659,7 +1699,7 @@
     </message>
     <message>
         <source>For people; several objects may share one</source>
-        <translation>Pour les humains ; plusieurs objets peuvent le partager</translation>
+        <translation>Pour les humains&#xa0;; plusieurs objets peuvent le partager</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -1675,7 +1715,7 @@
     </message>
     <message>
         <source>Name or key of the group that it is in; nothing for none</source>
-        <translation>Nom ou clé du groupe qui le contient ; rien si aucun</translation>
+        <translation>Nom ou clé du groupe qui le contient&#xa0;; rien si aucun</translation>
     </message>
     <message>
         <source>Color</source>
@@ -1687,7 +1727,7 @@
     </message>
     <message>
         <source>Layer: a group at the top</source>
-        <translation>Calque : un groupe à la racine</translation>
+        <translation>Calque&#xa0;: un groupe à la racine</translation>
     </message>
     <message>
         <source>Visible in the editor</source>
@@ -1695,7 +1735,7 @@
     </message>
     <message>
         <source>Locked: cannot be picked or moved</source>
-        <translation>Verrouillé : ne peut être saisi ni déplacé</translation>
+        <translation>Verrouillé&#xa0;: ne peut être saisi ni déplacé</translation>
     </message>
     <message>
         <source>Where the origin of the object is</source>
@@ -1707,7 +1747,7 @@
     </message>
     <message>
         <source>Anticlockwise. Plain numbers are degrees; write “rad” after radians</source>
-        <translation>Antihoraire. Un simple nombre est en degrés ; ajoutez « rad » aux radians</translation>
+        <translation>Antihoraire. Un simple nombre est en degrés&#xa0;; ajoutez «&#xa0;rad&#xa0;» aux radians</translation>
     </message>
     <message>
         <source>From</source>
@@ -1747,7 +1787,7 @@
     </message>
     <message>
         <source>How many corners the shape has; move them on the canvas</source>
-        <translation>Nombre de coins de la forme ; déplacez-les dans la zone de dessin</translation>
+        <translation>Nombre de coins de la forme&#xa0;; déplacez-les dans la zone de dessin</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -1755,7 +1795,7 @@
     </message>
     <message>
         <source>How far behind the line counts as inside the wall; nothing for a wall without a back</source>
-        <translation>Jusqu’où, derrière la ligne, on est dans le mur ; rien pour un mur sans dos</translation>
+        <translation>Jusqu’où, derrière la ligne, on est dans le mur&#xa0;; rien pour un mur sans dos</translation>
     </message>
     <message>
         <source>no back</source>
@@ -1763,7 +1803,7 @@
     </message>
     <message>
         <source>Closed: the last point joins the first</source>
-        <translation>Fermé : le dernier point rejoint le premier</translation>
+        <translation>Fermé&#xa0;: le dernier point rejoint le premier</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -1771,7 +1811,7 @@
     </message>
     <message>
         <source>Nothing: area times density</source>
-        <translation>Rien : aire fois densité</translation>
+        <translation>Rien&#xa0;: aire fois densité</translation>
     </message>
     <message>
         <source>from shape</source>
@@ -1783,7 +1823,7 @@
     </message>
     <message>
         <source>Counts while no mass is given; a metre of wall weighs 1 kg times the density</source>
-        <translation>Vaut si aucune masse n’est donnée ; un mètre de mur pèse 1 kg fois la densité</translation>
+        <translation>Vaut si aucune masse n’est donnée&#xa0;; un mètre de mur pèse 1 kg fois la densité</translation>
     </message>
     <message>
         <source>Restitution</source>
@@ -1799,7 +1839,7 @@
     </message>
     <message>
         <source>Coefficient of friction: force along a surface per force on it</source>
-        <translation>Coefficient de frottement : force le long d’une surface par force qui la presse</translation>
+        <translation>Coefficient de frottement&#xa0;: force le long d’une surface par force qui la presse</translation>
     </message>
     <message>
         <source>Velocity</source>
@@ -1835,7 +1875,7 @@
     </message>
     <message>
         <source>Frozen: held in place</source>
-        <translation>Figé : maintenu en place</translation>
+        <translation>Figé&#xa0;: maintenu en place</translation>
     </message>
     <message>
         <source>First body</source>
@@ -1875,7 +1915,7 @@
     </message>
     <message>
         <source>At which it neither pulls nor pushes; nothing: the distance at the start</source>
-        <translation>À laquelle il ne tire ni ne pousse ; rien : la distance au départ</translation>
+        <translation>À laquelle il ne tire ni ne pousse&#xa0;; rien&#xa0;: la distance au départ</translation>
     </message>
     <message>
         <source>as placed</source>
@@ -1919,11 +1959,11 @@
     </message>
     <message>
         <source>Share of the limit below which “partial tanh” changes nothing</source>
-        <translation>Part de la limite sous laquelle « tanh partielle » ne change rien</translation>
+        <translation>Part de la limite sous laquelle «&#xa0;tanh partielle&#xa0;» ne change rien</translation>
     </message>
     <message>
         <source>Slack: pulls only</source>
-        <translation>Lâche : tire seulement</translation>
+        <translation>Lâche&#xa0;: tire seulement</translation>
     </message>
     <message>
         <source>Its two bodies may collide</source>
@@ -1931,7 +1971,7 @@
     </message>
     <message>
         <source>Tangible: others bounce off it</source>
-        <translation>Tangible : les autres y rebondissent</translation>
+        <translation>Tangible&#xa0;: les autres y rebondissent</translation>
     </message>
     <message>
         <source>Is</source>
@@ -2011,7 +2051,7 @@
     </message>
     <message>
         <source>Passes of motion and collision in one update; more are more exact and slower</source>
-        <translation>Passes de mouvement et de collision par pas ; plus il y en a, plus c’est exact et lent</translation>
+        <translation>Passes de mouvement et de collision par pas&#xa0;; plus il y en a, plus c’est exact et lent</translation>
     </message>
     <message>
         <source>Sub-steps</source>
@@ -2030,19 +2070,19 @@
     <name>KeyFileTexts</name>
     <message>
         <source>“%1” needs a list of keys, as in [&quot;Ctrl+S&quot;].</source>
-        <translation>« %1 » demande une liste de touches, comme [&quot;Ctrl+S&quot;].</translation>
+        <translation>«&#xa0;%1&#xa0;» demande une liste de touches, comme [&quot;Ctrl+S&quot;].</translation>
     </message>
     <message>
         <source>“%1” of “%2” is no key.</source>
-        <translation>« %1 » de « %2 » n’est pas une touche.</translation>
+        <translation>«&#xa0;%1&#xa0;» de «&#xa0;%2&#xa0;» n’est pas une touche.</translation>
     </message>
     <message>
         <source>%1 is given to “%2” and to “%3”.</source>
-        <translation>%1 est attribué à « %2 » et à « %3 ».</translation>
+        <translation>%1 est attribué à «&#xa0;%2&#xa0;» et à «&#xa0;%3&#xa0;».</translation>
     </message>
     <message>
         <source>Line %1 is no JSON: %2.</source>
-        <translation>La ligne %1 n’est pas du JSON : %2.</translation>
+        <translation>La ligne %1 n’est pas du JSON&#xa0;: %2.</translation>
     </message>
     <message>
         <source>These keys were written by a newer version of the program.</source>
@@ -2050,7 +2090,7 @@
     </message>
     <message>
         <source>There are no keys in it; it should look like {&quot;schema&quot;: 1, &quot;keys&quot;: {…}}.</source>
-        <translation>Aucune touche dedans ; cela devrait ressembler à {&quot;schema&quot;: 1, &quot;keys&quot;: {…}}.</translation>
+        <translation>Aucune touche dedans&#xa0;; cela devrait ressembler à {&quot;schema&quot;: 1, &quot;keys&quot;: {…}}.</translation>
     </message>
 </context>
 <context>
@@ -2069,7 +2109,7 @@
     </message>
     <message>
         <source>“%1” works while a game is running too, when plain keys are the game&apos;s: use Ctrl, Alt or a function key with it.</source>
-        <translation>« %1 » agit aussi pendant une partie, où les touches seules sont au jeu : ajoutez Ctrl, Alt ou prenez une touche de fonction.</translation>
+        <translation>«&#xa0;%1&#xa0;» agit aussi pendant une partie, où les touches seules sont au jeu&#xa0;: ajoutez Ctrl, Alt ou prenez une touche de fonction.</translation>
     </message>
 </context>
 <context>
@@ -2088,7 +2128,7 @@
     </message>
     <message>
         <source>Select with a rubber band; Alt or B: only what lies wholly inside</source>
-        <translation>Sélectionner par un cadre ; Alt ou B : seulement ce qui est tout entier dedans</translation>
+        <translation>Sélectionner par un cadre&#xa0;; Alt ou B&#xa0;: seulement ce qui est tout entier dedans</translation>
     </message>
     <message>
         <source>Alt + click · B + click</source>
@@ -2096,7 +2136,7 @@
     </message>
     <message>
         <source>Select the next object underneath; a right click lists them all</source>
-        <translation>Sélectionner l’objet du dessous ; un clic droit les liste tous</translation>
+        <translation>Sélectionner l’objet du dessous&#xa0;; un clic droit les liste tous</translation>
     </message>
     <message>
         <source>Alt + drag · B + drag</source>
@@ -2144,7 +2184,7 @@
     </message>
     <message>
         <source>Cancel: gesture, shape, selection, tool</source>
-        <translation>Annuler : geste, forme, sélection, outil</translation>
+        <translation>Annuler&#xa0;: geste, forme, sélection, outil</translation>
     </message>
     <message>
         <source>Arrow keys</source>
@@ -2152,7 +2192,7 @@
     </message>
     <message>
         <source>Move the selection a little; Shift: a grid step; Alt: a pixel</source>
-        <translation>Déplacer un peu la sélection ; Maj : un pas de grille ; Alt : un pixel</translation>
+        <translation>Déplacer un peu la sélection&#xa0;; Maj&#xa0;: un pas de grille&#xa0;; Alt&#xa0;: un pixel</translation>
     </message>
     <message>
         <source>Wheel · pinch</source>
@@ -2200,7 +2240,7 @@
     </message>
     <message>
         <source>Tow the payload when it is near; again: let it go</source>
-        <translation>Remorquer la charge proche ; encore : la lâcher</translation>
+        <translation>Remorquer la charge proche&#xa0;; encore&#xa0;: la lâcher</translation>
     </message>
     <message>
         <source>Hold the game and show the menu</source>
@@ -2279,7 +2319,7 @@
     </message>
     <message>
         <source>%1 at %2; %3</source>
-        <translation>%1 à %2 ; %3</translation>
+        <translation>%1 à %2&#xa0;; %3</translation>
     </message>
 </context>
 <context>
@@ -2340,18 +2380,18 @@
     <name>main</name>
     <message>
         <source>Draw levels and fly them: a level editor and physics sandbox.</source>
-        <translation>Dessinez des niveaux et volez-y : éditeur de niveaux et bac à sable physique.</translation>
+        <translation>Dessinez des niveaux et volez-y&#xa0;: éditeur de niveaux et bac à sable physique.</translation>
     </message>
     <message>
         <source>Level files to open; without any, what was open last.</source>
-        <translation>Fichiers de niveau à ouvrir ; sans aucun, ce qui était ouvert en dernier.</translation>
+        <translation>Fichiers de niveau à ouvrir&#xa0;; sans aucun, ce qui était ouvert en dernier.</translation>
     </message>
 </context>
 <context>
     <name>messages</name>
     <message>
         <source>The file is not sound XML: line %1, column %2: %3 Nothing was imported.</source>
-        <translation>Le fichier n’est pas du XML correct : ligne %1, colonne %2 : %3 Rien n’a été importé.</translation>
+        <translation>Le fichier n’est pas du XML correct&#xa0;: ligne %1, colonne %2&#xa0;: %3 Rien n’a été importé.</translation>
     </message>
     <message>
         <source>The file declares entities of its own (line %1), which are not read because they can be made to grow without end. Save it as plain SVG, for example with Inkscape, and try again.</source>
@@ -2367,11 +2407,11 @@
     </message>
     <message>
         <source>The import was stopped; nothing was changed.</source>
-        <translation>L’import a été arrêté ; rien n’a changé.</translation>
+        <translation>L’import a été arrêté&#xa0;; rien n’a changé.</translation>
     </message>
     <message>
         <source>The file is not sound JSON: something is wrong in line %1 or just before it. Nothing was imported.</source>
-        <translation>Le fichier n’est pas du JSON correct : une erreur se trouve à la ligne %1 ou juste avant. Rien n’a été importé.</translation>
+        <translation>Le fichier n’est pas du JSON correct&#xa0;: une erreur se trouve à la ligne %1 ou juste avant. Rien n’a été importé.</translation>
     </message>
     <message>
         <source>The file is compressed. Unpack it first, or save it as plain SVG instead of SVGZ.</source>
@@ -2379,11 +2419,11 @@
     </message>
     <message>
         <source>This is no file that can be imported: SVG drawings, maps of Tiled (.tmx, .tmj) and scenes of R.U.B.E. (.json) can.</source>
-        <translation>Ce fichier ne peut pas être importé : le peuvent les dessins SVG, les cartes de Tiled (.tmx, .tmj) et les scènes de R.U.B.E. (.json).</translation>
+        <translation>Ce fichier ne peut pas être importé&#xa0;: le peuvent les dessins SVG, les cartes de Tiled (.tmx, .tmj) et les scènes de R.U.B.E. (.json).</translation>
     </message>
     <message>
         <source>This is a level already: open it instead of importing it.</source>
-        <translation>C’est déjà un niveau : ouvrez-le au lieu de l’importer.</translation>
+        <translation>C’est déjà un niveau&#xa0;: ouvrez-le au lieu de l’importer.</translation>
     </message>
     <message>
         <source>This is a tileset or a template of Tiled, which draws nothing. Import a map.</source>
@@ -2423,7 +2463,7 @@
     </message>
     <message>
         <source>Some selectors of a style sheet are not understood (line %2): what they say of fill and stroke was not taken over.</source>
-        <translation>Des sélecteurs d’une feuille de style ne sont pas compris (ligne %2) : leur remplissage et leur contour n’ont pas été repris.</translation>
+        <translation>Des sélecteurs d’une feuille de style ne sont pas compris (ligne %2)&#xa0;: leur remplissage et leur contour n’ont pas été repris.</translation>
     </message>
     <message>
         <source>What is not displayed was left out (%1, lines %2).</source>
@@ -2439,7 +2479,7 @@
     </message>
     <message>
         <source>Clips and masks were not applied: shapes are there as a whole (%1, lines %2).</source>
-        <translation>Découpes et masques n’ont pas été appliqués : les formes sont entières (%1, lignes %2).</translation>
+        <translation>Découpes et masques n’ont pas été appliqués&#xa0;: les formes sont entières (%1, lignes %2).</translation>
     </message>
     <message>
         <source>Filters were not applied (%1, lines %2).</source>
@@ -2447,11 +2487,11 @@
     </message>
     <message>
         <source>References to what is not in the file, or to themselves, were left out (%1, lines %2): %3</source>
-        <translation>Des références hors du fichier, ou à elles-mêmes, ont été omises (%1, lignes %2) : %3</translation>
+        <translation>Des références hors du fichier, ou à elles-mêmes, ont été omises (%1, lignes %2)&#xa0;: %3</translation>
     </message>
     <message>
         <source>The data of shapes has a mistake; they are there up to it (%1, lines %2).</source>
-        <translation>Les données de formes ont une erreur ; elles sont reprises jusque-là (%1, lignes %2).</translation>
+        <translation>Les données de formes ont une erreur&#xa0;; elles sont reprises jusque-là (%1, lignes %2).</translation>
     </message>
     <message>
         <source>Shapes without any extent were left out (%1, lines %2).</source>
@@ -2471,15 +2511,15 @@
     </message>
     <message>
         <source>Layers of tiles were left out, for a level has no tiles: %3 (lines %2). Objects of object layers are taken over.</source>
-        <translation>Des calques de tuiles ont été omis, car un niveau n’a pas de tuiles : %3 (lignes %2). Les objets des calques d’objets sont repris.</translation>
+        <translation>Des calques de tuiles ont été omis, car un niveau n’a pas de tuiles&#xa0;: %3 (lignes %2). Les objets des calques d’objets sont repris.</translation>
     </message>
     <message>
         <source>Layers of pictures were left out: %3 (lines %2).</source>
-        <translation>Des calques d’images ont été omis : %3 (lignes %2).</translation>
+        <translation>Des calques d’images ont été omis&#xa0;: %3 (lignes %2).</translation>
     </message>
     <message>
         <source>Tilesets are not needed and were not read: %3.</source>
-        <translation>Les jeux de tuiles sont inutiles et n’ont pas été lus : %3.</translation>
+        <translation>Les jeux de tuiles sont inutiles et n’ont pas été lus&#xa0;: %3.</translation>
     </message>
     <message>
         <source>Objects that are tiles were left out (%1, lines %2).</source>
@@ -2495,27 +2535,27 @@
     </message>
     <message>
         <source>Points were left out (%1, lines %2): only those of the class “ship” or “payload” become something.</source>
-        <translation>Des points ont été omis (%1, lignes %2) : seuls ceux de la classe « ship » ou « payload » deviennent quelque chose.</translation>
+        <translation>Des points ont été omis (%1, lignes %2)&#xa0;: seuls ceux de la classe «&#xa0;ship&#xa0;» ou «&#xa0;payload&#xa0;» deviennent quelque chose.</translation>
     </message>
     <message>
         <source>Properties that mean nothing here were left out (%1, lines %2): %3.</source>
-        <translation>Des propriétés sans effet ici ont été omises (%1, lignes %2) : %3.</translation>
+        <translation>Des propriétés sans effet ici ont été omises (%1, lignes %2)&#xa0;: %3.</translation>
     </message>
     <message>
         <source>The opacity of layers was not taken over: %3 (lines %2).</source>
-        <translation>L’opacité des calques n’a pas été reprise : %3 (lignes %2).</translation>
+        <translation>L’opacité des calques n’a pas été reprise&#xa0;: %3 (lignes %2).</translation>
     </message>
     <message>
         <source>The parallax of layers was not taken over: %3 (lines %2).</source>
-        <translation>La parallaxe des calques n’a pas été reprise : %3 (lignes %2).</translation>
+        <translation>La parallaxe des calques n’a pas été reprise&#xa0;: %3 (lignes %2).</translation>
     </message>
     <message>
         <source>Gravity was not taken over (line %2): the level keeps its own.</source>
-        <translation>La gravité n’a pas été reprise (ligne %2) : le niveau garde la sienne.</translation>
+        <translation>La gravité n’a pas été reprise (ligne %2)&#xa0;: le niveau garde la sienne.</translation>
     </message>
     <message>
         <source>Numbers that a level cannot have were brought into its range (%1, lines %2): %3.</source>
-        <translation>Des nombres impossibles dans un niveau ont été ramenés dans ses limites (%1, lignes %2) : %3.</translation>
+        <translation>Des nombres impossibles dans un niveau ont été ramenés dans ses limites (%1, lignes %2)&#xa0;: %3.</translation>
     </message>
     <message>
         <source>Fixtures without a sound shape were left out (%1, lines %2).</source>
@@ -2523,99 +2563,99 @@
     </message>
     <message>
         <source>Group indices of filters were not taken over (%1, lines %2): %3</source>
-        <translation>Les indices de groupe des filtres n’ont pas été repris (%1, lignes %2) : %3</translation>
+        <translation>Les indices de groupe des filtres n’ont pas été repris (%1, lignes %2)&#xa0;: %3</translation>
     </message>
     <message>
         <source>Fixtures of one body differ in material or filter: those of the first were taken (%1, lines %2): %3</source>
-        <translation>Les fixtures d’un même corps diffèrent en matière ou filtre : ceux de la première ont été pris (%1, lignes %2) : %3</translation>
+        <translation>Les fixtures d’un même corps diffèrent en matière ou filtre&#xa0;: ceux de la première ont été pris (%1, lignes %2)&#xa0;: %3</translation>
     </message>
     <message>
         <source>Sensors of bodies that also have solid fixtures were left out (%1, lines %2): %3</source>
-        <translation>Les capteurs de corps ayant aussi des fixtures solides ont été omis (%1, lignes %2) : %3</translation>
+        <translation>Les capteurs de corps ayant aussi des fixtures solides ont été omis (%1, lignes %2)&#xa0;: %3</translation>
     </message>
     <message>
         <source>Settings of bodies that mean nothing here were left out (%1, lines %2): %3</source>
-        <translation>Des réglages de corps sans effet ici ont été omis (%1, lignes %2) : %3</translation>
+        <translation>Des réglages de corps sans effet ici ont été omis (%1, lignes %2)&#xa0;: %3</translation>
     </message>
     <message>
         <source>Bodies without fixtures were left out (%1, lines %2): %3</source>
-        <translation>Des corps sans fixture ont été omis (%1, lignes %2) : %3</translation>
+        <translation>Des corps sans fixture ont été omis (%1, lignes %2)&#xa0;: %3</translation>
     </message>
     <message>
         <source>Joints that no connector can be were left out (%1, lines %2): %3</source>
-        <translation>Des articulations qu’aucun connecteur ne peut rendre ont été omises (%1, lignes %2) : %3</translation>
+        <translation>Des articulations qu’aucun connecteur ne peut rendre ont été omises (%1, lignes %2)&#xa0;: %3</translation>
     </message>
     <message>
         <source>Rigid joints became stiff connectors (%1, lines %2): %3</source>
-        <translation>Des articulations rigides sont devenues des connecteurs raides (%1, lignes %2) : %3</translation>
+        <translation>Des articulations rigides sont devenues des connecteurs raides (%1, lignes %2)&#xa0;: %3</translation>
     </message>
     <message>
         <source>The level has a ship, a payload or a finish already; those of the file were left out.</source>
-        <translation>Le niveau a déjà un vaisseau, une charge ou une arrivée ; ceux du fichier ont été omis.</translation>
+        <translation>Le niveau a déjà un vaisseau, une charge ou une arrivée&#xa0;; ceux du fichier ont été omis.</translation>
     </message>
     <message>
         <source>All 32 tags are taken; these were left out: %3</source>
-        <translation>Les 32 étiquettes sont prises ; celles-ci ont été omises : %3</translation>
+        <translation>Les 32 étiquettes sont prises&#xa0;; celles-ci ont été omises&#xa0;: %3</translation>
     </message>
     <message>
         <source>One-way wall · click: first point · drag: first segment · Ctrl: snap off/on · what comes from the left of the drawing direction is stopped</source>
-        <translation>Mur à sens unique · clic : premier point · glisser : premier segment · Ctrl : aimant non/oui · ce qui vient de la gauche du sens de dessin est arrêté</translation>
+        <translation>Mur à sens unique · clic&#xa0;: premier point · glisser&#xa0;: premier segment · Ctrl&#xa0;: aimant non/oui · ce qui vient de la gauche du sens de dessin est arrêté</translation>
     </message>
     <message>
         <source>Points: %1 · click: add · click the first point: close · Enter or right click: end · Backspace: undo point · digits: type length and angle · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°</source>
-        <translation>Points : %1 · clic : ajouter · clic sur le premier point : fermer · Entrée ou clic droit : finir · Retour arrière : retirer le point · chiffres : saisir longueur et angle · Maj : 15° · Ctrl : aimant non/oui · longueur %2 m, angle %3°</translation>
+        <translation>Points&#xa0;: %1 · clic&#xa0;: ajouter · clic sur le premier point&#xa0;: fermer · Entrée ou clic droit&#xa0;: finir · Retour arrière&#xa0;: retirer le point · chiffres&#xa0;: saisir longueur et angle · Maj&#xa0;: 15° · Ctrl&#xa0;: aimant non/oui · longueur %2 m, angle %3°</translation>
     </message>
     <message>
         <source>Points: %1 · click: close the chain · Enter or right click: end it open · Escape: cancel</source>
-        <translation>Points : %1 · clic : fermer la chaîne · Entrée ou clic droit : la laisser ouverte · Échap : annuler</translation>
+        <translation>Points&#xa0;: %1 · clic&#xa0;: fermer la chaîne · Entrée ou clic droit&#xa0;: la laisser ouverte · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>A chain of walls needs two points: click to add another, or Escape to cancel</source>
-        <translation>Une chaîne de murs demande deux points : cliquez pour en ajouter un, ou Échap pour annuler</translation>
+        <translation>Une chaîne de murs demande deux points&#xa0;: cliquez pour en ajouter un, ou Échap pour annuler</translation>
     </message>
     <message>
         <source>This is where the last point is already: move on before you click</source>
-        <translation>Le dernier point est déjà ici : éloignez-vous avant de cliquer</translation>
+        <translation>Le dernier point est déjà ici&#xa0;: éloignez-vous avant de cliquer</translation>
     </message>
     <message>
         <source>Click or drag: go on with this chain, which keeps its direction · Alt or B + click: begin a chain of its own here</source>
-        <translation>Clic ou glisser : continuer cette chaîne, qui garde son sens · Alt ou B + clic : commencer ici une nouvelle chaîne</translation>
+        <translation>Clic ou glisser&#xa0;: continuer cette chaîne, qui garde son sens · Alt ou B + clic&#xa0;: commencer ici une nouvelle chaîne</translation>
     </message>
     <message>
         <source>Click: close the chain at its other end · Enter or right click: end it open · Escape: leave it as it was</source>
-        <translation>Clic : fermer la chaîne à son autre bout · Entrée ou clic droit : la laisser ouverte · Échap : la laisser telle qu’elle était</translation>
+        <translation>Clic&#xa0;: fermer la chaîne à son autre bout · Entrée ou clic droit&#xa0;: la laisser ouverte · Échap&#xa0;: la laisser telle qu’elle était</translation>
     </message>
     <message>
         <source>Two-sided wall · click: first point · drag: first segment · Ctrl: snap off/on</source>
-        <translation>Ligne à double sens · clic : premier point · glisser : premier segment · Ctrl : aimant non/oui</translation>
+        <translation>Ligne à double sens · clic&#xa0;: premier point · glisser&#xa0;: premier segment · Ctrl&#xa0;: aimant non/oui</translation>
     </message>
     <message>
         <source>Click or drag: go on with this line · Alt or B + click: begin a line of its own here</source>
-        <translation>Clic ou glisser : continuer cette ligne · Alt ou B + clic : commencer ici une nouvelle ligne</translation>
+        <translation>Clic ou glisser&#xa0;: continuer cette ligne · Alt ou B + clic&#xa0;: commencer ici une nouvelle ligne</translation>
     </message>
     <message>
         <source>Click: close the line at its other end · Enter or right click: end it open · Escape: leave it as it was</source>
-        <translation>Clic : fermer la ligne à son autre bout · Entrée ou clic droit : la laisser ouverte · Échap : la laisser telle qu’elle était</translation>
+        <translation>Clic&#xa0;: fermer la ligne à son autre bout · Entrée ou clic droit&#xa0;: la laisser ouverte · Échap&#xa0;: la laisser telle qu’elle était</translation>
     </message>
     <message>
         <source>Polygon · click: first corner · drag: first side · Ctrl: snap off/on</source>
-        <translation>Polygone · clic : premier coin · glisser : premier côté · Ctrl : aimant non/oui</translation>
+        <translation>Polygone · clic&#xa0;: premier coin · glisser&#xa0;: premier côté · Ctrl&#xa0;: aimant non/oui</translation>
     </message>
     <message>
         <source>Corners: %1 · click: add · click the first corner, Enter or right click: close · Backspace: undo corner · digits: type length and angle · Shift: 15° · Ctrl: snap off/on · length %2 m, angle %3°</source>
-        <translation>Coins : %1 · clic : ajouter · clic sur le premier coin, Entrée ou clic droit : fermer · Retour arrière : retirer le coin · chiffres : saisir longueur et angle · Maj : 15° · Ctrl : aimant non/oui · longueur %2 m, angle %3°</translation>
+        <translation>Coins&#xa0;: %1 · clic&#xa0;: ajouter · clic sur le premier coin, Entrée ou clic droit&#xa0;: fermer · Retour arrière&#xa0;: retirer le coin · chiffres&#xa0;: saisir longueur et angle · Maj&#xa0;: 15° · Ctrl&#xa0;: aimant non/oui · longueur %2 m, angle %3°</translation>
     </message>
     <message>
         <source>Corners: %1 · click: close the polygon · Escape: cancel</source>
-        <translation>Coins : %1 · clic : fermer le polygone · Échap : annuler</translation>
+        <translation>Coins&#xa0;: %1 · clic&#xa0;: fermer le polygone · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>A polygon needs three corners: click to add another, or Escape to cancel</source>
-        <translation>Un polygone demande trois coins : cliquez pour en ajouter un, ou Échap pour annuler</translation>
+        <translation>Un polygone demande trois coins&#xa0;: cliquez pour en ajouter un, ou Échap pour annuler</translation>
     </message>
     <message>
         <source>This is where the last corner is already: move on before you click</source>
-        <translation>Le dernier coin est déjà ici : éloignez-vous avant de cliquer</translation>
+        <translation>Le dernier coin est déjà ici&#xa0;: éloignez-vous avant de cliquer</translation>
     </message>
     <message>
         <source>This side would run through another one, and a polygon must not cross itself · move on before you click</source>
@@ -2623,43 +2663,43 @@
     </message>
     <message>
         <source>The polygon crosses itself where it is marked and cannot be finished like this · Backspace: undo corner</source>
-        <translation>Le polygone se croise là où c’est marqué et ne peut pas finir ainsi · Retour arrière : retirer le coin</translation>
+        <translation>Le polygone se croise là où c’est marqué et ne peut pas finir ainsi · Retour arrière&#xa0;: retirer le coin</translation>
     </message>
     <message>
         <source>Closing it here would make the polygon cross itself · Backspace: undo corner · click: go on</source>
-        <translation>Fermé ici, le polygone se croiserait · Retour arrière : retirer le coin · clic : continuer</translation>
+        <translation>Fermé ici, le polygone se croiserait · Retour arrière&#xa0;: retirer le coin · clic&#xa0;: continuer</translation>
     </message>
     <message>
         <source>All corners lie on one line: a polygon needs an inside · click: add a corner · Backspace: undo corner</source>
-        <translation>Tous les coins sont alignés : un polygone demande un intérieur · clic : ajouter un coin · Retour arrière : retirer le coin</translation>
+        <translation>Tous les coins sont alignés&#xa0;: un polygone demande un intérieur · clic&#xa0;: ajouter un coin · Retour arrière&#xa0;: retirer le coin</translation>
     </message>
     <message>
         <source>Rectangle · drag from corner to corner, or click both, or click one and type the size · Shift: from the middle · Ctrl: square</source>
-        <translation>Rectangle · glisser de coin à coin, ou cliquer les deux, ou en cliquer un et saisir la taille · Maj : depuis le milieu · Ctrl : carré</translation>
+        <translation>Rectangle · glisser de coin à coin, ou cliquer les deux, ou en cliquer un et saisir la taille · Maj&#xa0;: depuis le milieu · Ctrl&#xa0;: carré</translation>
     </message>
     <message>
         <source>Width %1 m, height %2 m · click or release: done · Shift: from the middle · Ctrl: square · Alt or B: snap off/on · Escape: cancel</source>
-        <translation>Largeur %1 m, hauteur %2 m · clic ou relâcher : fini · Maj : depuis le milieu · Ctrl : carré · Alt ou B : aimant non/oui · Échap : annuler</translation>
+        <translation>Largeur %1 m, hauteur %2 m · clic ou relâcher&#xa0;: fini · Maj&#xa0;: depuis le milieu · Ctrl&#xa0;: carré · Alt ou B&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>A rectangle needs width and height: move on before you click or release</source>
-        <translation>Un rectangle demande largeur et hauteur : éloignez-vous avant de cliquer ou relâcher</translation>
+        <translation>Un rectangle demande largeur et hauteur&#xa0;: éloignez-vous avant de cliquer ou relâcher</translation>
     </message>
     <message>
         <source>Moving body · drag: rectangle · click: first corner of a polygon · then its velocity · Shift: from the middle · Ctrl: square</source>
-        <translation>Corps mobile · glisser : rectangle · clic : premier coin d’un polygone · puis sa vitesse · Maj : depuis le milieu · Ctrl : carré</translation>
+        <translation>Corps mobile · glisser&#xa0;: rectangle · clic&#xa0;: premier coin d’un polygone · puis sa vitesse · Maj&#xa0;: depuis le milieu · Ctrl&#xa0;: carré</translation>
     </message>
     <message>
         <source>Velocity %1 m/s, %2° · click or drag: set it · digits: type it · Shift: 15° · Ctrl: snap off/on · Enter, right click or Escape: leave the body at rest</source>
-        <translation>Vitesse %1 m/s, %2° · clic ou glisser : la fixer · chiffres : la saisir · Maj : 15° · Ctrl : aimant non/oui · Entrée, clic droit ou Échap : laisser le corps au repos</translation>
+        <translation>Vitesse %1 m/s, %2° · clic ou glisser&#xa0;: la fixer · chiffres&#xa0;: la saisir · Maj&#xa0;: 15° · Ctrl&#xa0;: aimant non/oui · Entrée, clic droit ou Échap&#xa0;: laisser le corps au repos</translation>
     </message>
     <message>
         <source>Velocity %1 m/s, %2° · Shift: 15° · Ctrl: snap off/on · release: done · Escape: cancel</source>
-        <translation>Vitesse %1 m/s, %2° · Maj : 15° · Ctrl : aimant non/oui · relâcher : fini · Échap : annuler</translation>
+        <translation>Vitesse %1 m/s, %2° · Maj&#xa0;: 15° · Ctrl&#xa0;: aimant non/oui · relâcher&#xa0;: fini · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Drag: change the velocity of this body, a metre for each m/s</source>
-        <translation>Glisser : changer la vitesse de ce corps, un mètre par m/s</translation>
+        <translation>Glisser&#xa0;: changer la vitesse de ce corps, un mètre par m/s</translation>
     </message>
     <message>
         <source>Connector · drag from one body to another, or click both · anchors snap to nodes, middles and the grid</source>
@@ -2667,143 +2707,143 @@
     </message>
     <message>
         <source>Drag or click: connect “%1” with another body</source>
-        <translation>Glisser ou clic : relier « %1 » à un autre corps</translation>
+        <translation>Glisser ou clic&#xa0;: relier «&#xa0;%1&#xa0;» à un autre corps</translation>
     </message>
     <message>
         <source>Drag or click: connect this fixed body with another one</source>
-        <translation>Glisser ou clic : relier ce corps fixe à un autre</translation>
+        <translation>Glisser ou clic&#xa0;: relier ce corps fixe à un autre</translation>
     </message>
     <message>
         <source>Drag or click: connect this moving body with another one</source>
-        <translation>Glisser ou clic : relier ce corps mobile à un autre</translation>
+        <translation>Glisser ou clic&#xa0;: relier ce corps mobile à un autre</translation>
     </message>
     <message>
         <source>Drag or click: connect this loose body with another one</source>
-        <translation>Glisser ou clic : relier ce corps libre à un autre</translation>
+        <translation>Glisser ou clic&#xa0;: relier ce corps libre à un autre</translation>
     </message>
     <message>
         <source>Length %1 m · release or click: connect with “%2” · Escape: cancel</source>
-        <translation>Longueur %1 m · relâcher ou clic : relier à « %2 » · Échap : annuler</translation>
+        <translation>Longueur %1 m · relâcher ou clic&#xa0;: relier à «&#xa0;%2&#xa0;» · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Length %1 m · release or click: connect with this fixed body · Escape: cancel</source>
-        <translation>Longueur %1 m · relâcher ou clic : relier à ce corps fixe · Échap : annuler</translation>
+        <translation>Longueur %1 m · relâcher ou clic&#xa0;: relier à ce corps fixe · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Length %1 m · release or click: connect with this moving body · Escape: cancel</source>
-        <translation>Longueur %1 m · relâcher ou clic : relier à ce corps mobile · Échap : annuler</translation>
+        <translation>Longueur %1 m · relâcher ou clic&#xa0;: relier à ce corps mobile · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Length %1 m · release or click: connect with this loose body · Escape: cancel</source>
-        <translation>Longueur %1 m · relâcher ou clic : relier à ce corps libre · Échap : annuler</translation>
+        <translation>Longueur %1 m · relâcher ou clic&#xa0;: relier à ce corps libre · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Neither of these two bodies can be moved by a connector, one should be dynamic · release or click: connect them all the same · length %1 m</source>
-        <translation>Aucun de ces deux corps ne peut être mû par un connecteur, l’un devrait être dynamique · relâcher ou clic : les relier quand même · longueur %1 m</translation>
+        <translation>Aucun de ces deux corps ne peut être mû par un connecteur, l’un devrait être dynamique · relâcher ou clic&#xa0;: les relier quand même · longueur %1 m</translation>
     </message>
     <message>
         <source>This is the body where the connector begins: it needs another one</source>
-        <translation>C’est le corps où commence le connecteur : il en faut un autre</translation>
+        <translation>C’est le corps où commence le connecteur&#xa0;: il en faut un autre</translation>
     </message>
     <message>
         <source>Connectors join bodies; ship, payload and finish are none</source>
-        <translation>Les connecteurs relient des corps ; vaisseau, charge et arrivée n’en sont pas</translation>
+        <translation>Les connecteurs relient des corps&#xa0;; vaisseau, charge et arrivée n’en sont pas</translation>
     </message>
     <message>
         <source>There is no body here: a connector leads from one body to another</source>
-        <translation>Aucun corps ici : un connecteur va d’un corps à un autre</translation>
+        <translation>Aucun corps ici&#xa0;: un connecteur va d’un corps à un autre</translation>
     </message>
     <message>
         <source>There was no body where the drag began: press on one, then drag to another</source>
-        <translation>Aucun corps là où le geste a commencé : appuyez sur un corps, puis glissez vers un autre</translation>
+        <translation>Aucun corps là où le geste a commencé&#xa0;: appuyez sur un corps, puis glissez vers un autre</translation>
     </message>
     <message>
         <source>Nothing was connected: release the button over another body</source>
-        <translation>Rien n’a été relié : relâchez le bouton sur un autre corps</translation>
+        <translation>Rien n’a été relié&#xa0;: relâchez le bouton sur un autre corps</translation>
     </message>
     <message>
         <source>Length and angle · Tab: the other one · an empty one is left to the pointer · Enter or click: place the point · Escape: back to the pointer</source>
-        <translation>Longueur et angle · Tab : l’autre champ · un champ vide suit le pointeur · Entrée ou clic : placer le point · Échap : revenir au pointeur</translation>
+        <translation>Longueur et angle · Tab&#xa0;: l’autre champ · un champ vide suit le pointeur · Entrée ou clic&#xa0;: placer le point · Échap&#xa0;: revenir au pointeur</translation>
     </message>
     <message>
         <source>Speed and direction · Tab: the other one · an empty one is left to the pointer · Enter or click: set the velocity · Escape: back to the pointer</source>
-        <translation>Vitesse et direction · Tab : l’autre champ · un champ vide suit le pointeur · Entrée ou clic : fixer la vitesse · Échap : revenir au pointeur</translation>
+        <translation>Vitesse et direction · Tab&#xa0;: l’autre champ · un champ vide suit le pointeur · Entrée ou clic&#xa0;: fixer la vitesse · Échap&#xa0;: revenir au pointeur</translation>
     </message>
     <message>
         <source>Width and height · Tab: the other one · an empty one is left to the pointer · Enter or click: draw the rectangle · Escape: back to the pointer</source>
-        <translation>Largeur et hauteur · Tab : l’autre champ · un champ vide suit le pointeur · Entrée ou clic : dessiner le rectangle · Échap : revenir au pointeur</translation>
+        <translation>Largeur et hauteur · Tab&#xa0;: l’autre champ · un champ vide suit le pointeur · Entrée ou clic&#xa0;: dessiner le rectangle · Échap&#xa0;: revenir au pointeur</translation>
     </message>
     <message>
         <source>Radius · Enter or click: draw the circle · Escape: back to the pointer</source>
-        <translation>Rayon · Entrée ou clic : dessiner le cercle · Échap : revenir au pointeur</translation>
+        <translation>Rayon · Entrée ou clic&#xa0;: dessiner le cercle · Échap&#xa0;: revenir au pointeur</translation>
     </message>
     <message>
         <source>“%1” is no number in metres: type one such as 2.5, 80 cm or 3/4</source>
-        <translation>« %1 » n’est pas un nombre en mètres : saisissez par exemple 2.5, 80 cm ou 3/4</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre en mètres&#xa0;: saisissez par exemple 2.5, 80 cm ou 3/4</translation>
     </message>
     <message>
         <source>“%1” is no angle: type degrees such as 45, −22.5 or 180/7, anticlockwise from the right</source>
-        <translation>« %1 » n’est pas un angle : saisissez des degrés comme 45, −22.5 ou 180/7, antihoraire depuis la droite</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un angle&#xa0;: saisissez des degrés comme 45, −22.5 ou 180/7, antihoraire depuis la droite</translation>
     </message>
     <message>
         <source>“%1” is too small: a size must be more than nothing</source>
-        <translation>« %1 » est trop petit : une taille doit être plus que rien</translation>
+        <translation>«&#xa0;%1&#xa0;» est trop petit&#xa0;: une taille doit être plus que rien</translation>
     </message>
     <message>
         <source>Circle · drag from the centre, or click it and then click or type the radius · Ctrl: snap off/on</source>
-        <translation>Cercle · glisser depuis le centre, ou le cliquer puis cliquer ou saisir le rayon · Ctrl : aimant non/oui</translation>
+        <translation>Cercle · glisser depuis le centre, ou le cliquer puis cliquer ou saisir le rayon · Ctrl&#xa0;: aimant non/oui</translation>
     </message>
     <message>
         <source>Radius %1 m · click or release: done · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Rayon %1 m · clic ou relâcher : fini · Ctrl : aimant non/oui · Échap : annuler</translation>
+        <translation>Rayon %1 m · clic ou relâcher&#xa0;: fini · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>A circle needs a radius: move away from the centre before you click</source>
-        <translation>Un cercle demande un rayon : éloignez-vous du centre avant de cliquer</translation>
+        <translation>Un cercle demande un rayon&#xa0;: éloignez-vous du centre avant de cliquer</translation>
     </message>
     <message>
         <source>Guide · drag: move it · drag onto a ruler: delete it · double click: type place, angle and name</source>
-        <translation>Guide · glisser : le déplacer · glisser sur une règle : le supprimer · double-clic : saisir position, angle et nom</translation>
+        <translation>Guide · glisser&#xa0;: le déplacer · glisser sur une règle&#xa0;: le supprimer · double-clic&#xa0;: saisir position, angle et nom</translation>
     </message>
     <message>
         <source>New guide at %1 m, %2 m · release: done · Ctrl: snap off/on · back onto the ruler or Escape: none</source>
-        <translation>Nouveau guide à %1 m, %2 m · relâcher : fini · Ctrl : aimant non/oui · retour sur la règle ou Échap : aucun</translation>
+        <translation>Nouveau guide à %1 m, %2 m · relâcher&#xa0;: fini · Ctrl&#xa0;: aimant non/oui · retour sur la règle ou Échap&#xa0;: aucun</translation>
     </message>
     <message>
         <source>New guide · drag it into the drawing board · Escape: none</source>
-        <translation>Nouveau guide · le glisser dans la zone de dessin · Échap : aucun</translation>
+        <translation>Nouveau guide · le glisser dans la zone de dessin · Échap&#xa0;: aucun</translation>
     </message>
     <message>
         <source>Guide at %1 m, %2 m, %3° · release: done · Shift: turn · Ctrl: snap off/on · onto a ruler: delete · Escape: cancel</source>
-        <translation>Guide à %1 m, %2 m, %3° · relâcher : fini · Maj : tourner · Ctrl : aimant non/oui · sur une règle : supprimer · Échap : annuler</translation>
+        <translation>Guide à %1 m, %2 m, %3° · relâcher&#xa0;: fini · Maj&#xa0;: tourner · Ctrl&#xa0;: aimant non/oui · sur une règle&#xa0;: supprimer · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Guide on the ruler · release: delete it · Escape: cancel</source>
-        <translation>Guide sur la règle · relâcher : le supprimer · Échap : annuler</translation>
+        <translation>Guide sur la règle · relâcher&#xa0;: le supprimer · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Measure · drag from one point to the other, or click both · Ctrl: snap off/on</source>
-        <translation>Mesure · glisser d’un point à l’autre, ou cliquer les deux · Ctrl : aimant non/oui</translation>
+        <translation>Mesure · glisser d’un point à l’autre, ou cliquer les deux · Ctrl&#xa0;: aimant non/oui</translation>
     </message>
     <message>
         <source>%1 m, across %2 m, upwards %3 m, %4° · click or release: done · Shift: 15° · Ctrl: snap off/on · Escape: clear</source>
-        <translation>%1 m, en largeur %2 m, en hauteur %3 m, %4° · clic ou relâcher : fini · Maj : 15° · Ctrl : aimant non/oui · Échap : effacer</translation>
+        <translation>%1 m, en largeur %2 m, en hauteur %3 m, %4° · clic ou relâcher&#xa0;: fini · Maj&#xa0;: 15° · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: effacer</translation>
     </message>
     <message>
         <source>First point · click the other one · Escape: clear</source>
-        <translation>Premier point · cliquer l’autre · Échap : effacer</translation>
+        <translation>Premier point · cliquer l’autre · Échap&#xa0;: effacer</translation>
     </message>
     <message>
         <source>%1 m, across %2 m, upwards %3 m, %4° · Ctrl+C: copy · drag: measure anew · Escape: clear</source>
-        <translation>%1 m, en largeur %2 m, en hauteur %3 m, %4° · Ctrl+C : copier · glisser : mesurer de nouveau · Échap : effacer</translation>
+        <translation>%1 m, en largeur %2 m, en hauteur %3 m, %4° · Ctrl+C&#xa0;: copier · glisser&#xa0;: mesurer de nouveau · Échap&#xa0;: effacer</translation>
     </message>
     <message>
         <source>%1 m, across %2 m, upwards %3 m, %4° · click: angle %5° · Ctrl+C: copy · drag: measure anew · Escape: clear</source>
-        <translation>%1 m, en largeur %2 m, en hauteur %3 m, %4° · clic : angle %5° · Ctrl+C : copier · glisser : mesurer de nouveau · Échap : effacer</translation>
+        <translation>%1 m, en largeur %2 m, en hauteur %3 m, %4° · clic&#xa0;: angle %5° · Ctrl+C&#xa0;: copier · glisser&#xa0;: mesurer de nouveau · Échap&#xa0;: effacer</translation>
     </message>
     <message>
         <source>Angle %1° between %2 m and %3 m · Ctrl+C: copy · click or drag: measure anew · Escape: clear</source>
-        <translation>Angle %1° entre %2 m et %3 m · Ctrl+C : copier · clic ou glisser : mesurer de nouveau · Échap : effacer</translation>
+        <translation>Angle %1° entre %2 m et %3 m · Ctrl+C&#xa0;: copier · clic ou glisser&#xa0;: mesurer de nouveau · Échap&#xa0;: effacer</translation>
     </message>
     <message>
         <source>Nodes · click a wall, line, polygon or finish to edit its nodes</source>
@@ -2815,35 +2855,35 @@
     </message>
     <message>
         <source>Nodes · click or rubber band: select nodes · Shift + Alt + drag: lasso · double click on a segment: insert a node · Escape: done</source>
-        <translation>Nœuds · clic ou cadre : sélectionner des nœuds · Maj + Alt + glisser : lasso · double-clic sur un segment : insérer un nœud · Échap : fini</translation>
+        <translation>Nœuds · clic ou cadre&#xa0;: sélectionner des nœuds · Maj + Alt + glisser&#xa0;: lasso · double-clic sur un segment&#xa0;: insérer un nœud · Échap&#xa0;: fini</translation>
     </message>
     <message>
         <source>Click: edit the nodes of this object · Shift + click: add it to those in edit</source>
-        <translation>Clic : modifier les nœuds de cet objet · Maj + clic : l’ajouter aux objets en cours</translation>
+        <translation>Clic&#xa0;: modifier les nœuds de cet objet · Maj + clic&#xa0;: l’ajouter aux objets en cours</translation>
     </message>
     <message>
         <source>%1 nodes selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Shift+J: join · Shift+R: turn the part between them round as a chain of its own · Escape: select none</source>
-        <translation>Nœuds sélectionnés : %1 · glisser : déplacer · flèches : décaler · Suppr : supprimer · Maj+B : briser · Maj+J : joindre · Maj+R : inverser la partie entre eux comme chaîne à part · Échap : ne rien sélectionner</translation>
+        <translation>Nœuds sélectionnés&#xa0;: %1 · glisser&#xa0;: déplacer · flèches&#xa0;: décaler · Suppr&#xa0;: supprimer · Maj+B&#xa0;: briser · Maj+J&#xa0;: joindre · Maj+R&#xa0;: inverser la partie entre eux comme chaîne à part · Échap&#xa0;: ne rien sélectionner</translation>
     </message>
     <message>
         <source>Node · drag: move · Shift or Ctrl + click: add or remove · Shift + drag: rubber band · Alt while dragging: leave other nodes at this place behind</source>
-        <translation>Nœud · glisser : déplacer · Maj ou Ctrl + clic : ajouter ou retirer · Maj + glisser : cadre · Alt en glissant : laisser là les autres nœuds de ce lieu</translation>
+        <translation>Nœud · glisser&#xa0;: déplacer · Maj ou Ctrl + clic&#xa0;: ajouter ou retirer · Maj + glisser&#xa0;: cadre · Alt en glissant&#xa0;: laisser là les autres nœuds de ce lieu</translation>
     </message>
     <message>
         <source>Segment · drag: move both ends · click: select them · double click or Ctrl + Alt + click: insert a node here</source>
-        <translation>Segment · glisser : déplacer les deux bouts · clic : les sélectionner · double-clic ou Ctrl + Alt + clic : insérer ici un nœud</translation>
+        <translation>Segment · glisser&#xa0;: déplacer les deux bouts · clic&#xa0;: les sélectionner · double-clic ou Ctrl + Alt + clic&#xa0;: insérer ici un nœud</translation>
     </message>
     <message>
         <source>Click: insert a node here</source>
-        <translation>Clic : insérer ici un nœud</translation>
+        <translation>Clic&#xa0;: insérer ici un nœud</translation>
     </message>
     <message>
         <source>Moving by %1 m, %2 m · Shift: along one axis · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Déplacement de %1 m, %2 m · Maj : selon un axe · Ctrl : aimant non/oui · Échap : annuler</translation>
+        <translation>Déplacement de %1 m, %2 m · Maj&#xa0;: selon un axe · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Moving by %1 m, %2 m together with other nodes at this place · Alt: leave them behind · Shift: along one axis · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Déplacement de %1 m, %2 m avec les autres nœuds de ce lieu · Alt : les laisser là · Maj : selon un axe · Ctrl : aimant non/oui · Échap : annuler</translation>
+        <translation>Déplacement de %1 m, %2 m avec les autres nœuds de ce lieu · Alt&#xa0;: les laisser là · Maj&#xa0;: selon un axe · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Two neighbouring nodes lie on one point, which leaves a side without length · move on, or Escape to cancel</source>
@@ -2855,39 +2895,39 @@
     </message>
     <message>
         <source>Drag: scale the selected nodes · Shift: about the middle · Ctrl: in proportion · Alt: snap off/on · click a selected node: turn them instead</source>
-        <translation>Glisser : redimensionner les nœuds sélectionnés · Maj : autour du milieu · Ctrl : en proportion · Alt : aimant non/oui · cliquer un nœud sélectionné : les tourner plutôt</translation>
+        <translation>Glisser&#xa0;: redimensionner les nœuds sélectionnés · Maj&#xa0;: autour du milieu · Ctrl&#xa0;: en proportion · Alt&#xa0;: aimant non/oui · cliquer un nœud sélectionné&#xa0;: les tourner plutôt</translation>
     </message>
     <message>
         <source>Drag: turn the selected nodes · Ctrl: in steps of 15° · click a selected node: scale them instead</source>
-        <translation>Glisser : tourner les nœuds sélectionnés · Ctrl : par pas de 15° · cliquer un nœud sélectionné : les redimensionner plutôt</translation>
+        <translation>Glisser&#xa0;: tourner les nœuds sélectionnés · Ctrl&#xa0;: par pas de 15° · cliquer un nœud sélectionné&#xa0;: les redimensionner plutôt</translation>
     </message>
     <message>
         <source>Scaling to %1 m × %2 m · Shift: about the middle · Ctrl: in proportion · Alt: snap off/on · Escape: cancel</source>
-        <translation>Redimensionner à %1 m × %2 m · Maj : autour du milieu · Ctrl : en proportion · Alt : aimant non/oui · Échap : annuler</translation>
+        <translation>Redimensionner à %1 m × %2 m · Maj&#xa0;: autour du milieu · Ctrl&#xa0;: en proportion · Alt&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Turning by %1° · Ctrl: in steps of 15° · Escape: cancel</source>
-        <translation>Rotation de %1° · Ctrl : par pas de 15° · Échap : annuler</translation>
+        <translation>Rotation de %1° · Ctrl&#xa0;: par pas de 15° · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>%1 nodes selected · release: done · Escape: cancel</source>
-        <translation>Nœuds sélectionnés : %1 · relâcher : fini · Échap : annuler</translation>
+        <translation>Nœuds sélectionnés&#xa0;: %1 · relâcher&#xa0;: fini · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>%1 nodes selected · draw around the nodes · release: done · Escape: cancel</source>
-        <translation>Nœuds sélectionnés : %1 · entourer les nœuds · relâcher : fini · Échap : annuler</translation>
+        <translation>Nœuds sélectionnés&#xa0;: %1 · entourer les nœuds · relâcher&#xa0;: fini · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Knife · drag a line across walls, lines and polygons to cut them · Shift: 15° · Ctrl: snap off/on</source>
-        <translation>Couteau · glisser une ligne à travers murs, lignes et polygones pour les couper · Maj : 15° · Ctrl : aimant non/oui</translation>
+        <translation>Couteau · glisser une ligne à travers murs, lignes et polygones pour les couper · Maj&#xa0;: 15° · Ctrl&#xa0;: aimant non/oui</translation>
     </message>
     <message>
         <source>Knife · drag a line across to cut what is selected (%1) · Escape: select nothing, so as to cut everything</source>
-        <translation>Couteau · glisser une ligne à travers la sélection (%1) pour la couper · Échap : ne rien sélectionner, pour tout couper</translation>
+        <translation>Couteau · glisser une ligne à travers la sélection (%1) pour la couper · Échap&#xa0;: ne rien sélectionner, pour tout couper</translation>
     </message>
     <message>
         <source>Cutting at %1 places · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Coupe en %1 endroits · relâcher : couper · Maj : 15° · Ctrl : aimant non/oui · Échap : annuler</translation>
+        <translation>Coupe en %1 endroits · relâcher&#xa0;: couper · Maj&#xa0;: 15° · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Nothing to cut here yet · chains are cut where the line meets them, polygons where it goes right through</source>
@@ -2895,95 +2935,95 @@
     </message>
     <message>
         <source>Ship · click: put it here · drag: turn its nose · Ctrl: snap off/on · choose the tool again for the payload</source>
-        <translation>Vaisseau · clic : le poser ici · glisser : tourner son nez · Ctrl : aimant non/oui · reprendre l’outil pour la charge</translation>
+        <translation>Vaisseau · clic&#xa0;: le poser ici · glisser&#xa0;: tourner son nez · Ctrl&#xa0;: aimant non/oui · reprendre l’outil pour la charge</translation>
     </message>
     <message>
         <source>Nose at %1° · Shift: 15° · release: done · Escape: cancel</source>
-        <translation>Nez à %1° · Maj : 15° · relâcher : fini · Échap : annuler</translation>
+        <translation>Nez à %1° · Maj&#xa0;: 15° · relâcher&#xa0;: fini · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Payload · click: put it here · drag: move it into place · Ctrl: snap off/on · choose the tool again for the finish</source>
-        <translation>Charge · clic : la poser ici · glisser : la mettre en place · Ctrl : aimant non/oui · reprendre l’outil pour l’arrivée</translation>
+        <translation>Charge · clic&#xa0;: la poser ici · glisser&#xa0;: la mettre en place · Ctrl&#xa0;: aimant non/oui · reprendre l’outil pour l’arrivée</translation>
     </message>
     <message>
         <source>Payload at %1 m, %2 m · Ctrl: snap off/on · release: done · Escape: cancel</source>
-        <translation>Charge à %1 m, %2 m · Ctrl : aimant non/oui · relâcher : fini · Échap : annuler</translation>
+        <translation>Charge à %1 m, %2 m · Ctrl&#xa0;: aimant non/oui · relâcher&#xa0;: fini · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Finish line · drag it, or click one end and then click or type the other · Ctrl: snap off/on · choose the tool again for the ship</source>
-        <translation>Ligne d’arrivée · la glisser, ou cliquer un bout puis cliquer ou saisir l’autre · Ctrl : aimant non/oui · reprendre l’outil pour le vaisseau</translation>
+        <translation>Ligne d’arrivée · la glisser, ou cliquer un bout puis cliquer ou saisir l’autre · Ctrl&#xa0;: aimant non/oui · reprendre l’outil pour le vaisseau</translation>
     </message>
     <message>
         <source>Finish line · click or release at the other end · Shift: 15° · Ctrl: snap off/on · length %1 m, angle %2° · Escape: cancel</source>
-        <translation>Ligne d’arrivée · cliquer ou relâcher à l’autre bout · Maj : 15° · Ctrl : aimant non/oui · longueur %1 m, angle %2° · Échap : annuler</translation>
+        <translation>Ligne d’arrivée · cliquer ou relâcher à l’autre bout · Maj&#xa0;: 15° · Ctrl&#xa0;: aimant non/oui · longueur %1 m, angle %2° · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>The finish needs two ends: move away from the first before you click</source>
-        <translation>L’arrivée demande deux bouts : éloignez-vous du premier avant de cliquer</translation>
+        <translation>L’arrivée demande deux bouts&#xa0;: éloignez-vous du premier avant de cliquer</translation>
     </message>
     <message>
         <source>Click: select · drag: rubber band · Shift + Alt (or B) + drag: lasso · Shift or Ctrl + click: add or remove · Alt or B + click: next object underneath</source>
-        <translation>Clic : sélectionner · glisser : cadre · Maj + Alt (ou B) + glisser : lasso · Maj ou Ctrl + clic : ajouter ou retirer · Alt ou B + clic : objet du dessous</translation>
+        <translation>Clic&#xa0;: sélectionner · glisser&#xa0;: cadre · Maj + Alt (ou B) + glisser&#xa0;: lasso · Maj ou Ctrl + clic&#xa0;: ajouter ou retirer · Alt ou B + clic&#xa0;: objet du dessous</translation>
     </message>
     <message>
         <source>Click: select · drag: select and move · Shift or Ctrl + click: add or remove · Shift + drag: rubber band</source>
-        <translation>Clic : sélectionner · glisser : sélectionner et déplacer · Maj ou Ctrl + clic : ajouter ou retirer · Maj + glisser : cadre</translation>
+        <translation>Clic&#xa0;: sélectionner · glisser&#xa0;: sélectionner et déplacer · Maj ou Ctrl + clic&#xa0;: ajouter ou retirer · Maj + glisser&#xa0;: cadre</translation>
     </message>
     <message>
         <source>%1 selected · drag: move · click again: turn or scale · Alt or B + drag: move from anywhere · Shift or Ctrl + click: add or remove · Delete: remove · Escape: select nothing</source>
-        <translation>Sélection : %1 · glisser : déplacer · recliquer : tourner ou redimensionner · Alt ou B + glisser : déplacer de n’importe où · Maj ou Ctrl + clic : ajouter ou retirer · Suppr : supprimer · Échap : ne rien sélectionner</translation>
+        <translation>Sélection&#xa0;: %1 · glisser&#xa0;: déplacer · recliquer&#xa0;: tourner ou redimensionner · Alt ou B + glisser&#xa0;: déplacer de n’importe où · Maj ou Ctrl + clic&#xa0;: ajouter ou retirer · Suppr&#xa0;: supprimer · Échap&#xa0;: ne rien sélectionner</translation>
     </message>
     <message>
         <source>Click: select the group · double click: enter it · Ctrl + click: select by itself · drag: select and move · Shift + click: add or remove</source>
-        <translation>Clic : sélectionner le groupe · double-clic : y entrer · Ctrl + clic : sélectionner seul · glisser : sélectionner et déplacer · Maj + clic : ajouter ou retirer</translation>
+        <translation>Clic&#xa0;: sélectionner le groupe · double-clic&#xa0;: y entrer · Ctrl + clic&#xa0;: sélectionner seul · glisser&#xa0;: sélectionner et déplacer · Maj + clic&#xa0;: ajouter ou retirer</translation>
     </message>
     <message>
         <source>%1 selected · double click: enter the group · drag: move · click again: turn or scale · Ctrl + click: select by itself · Delete: remove</source>
-        <translation>Sélection : %1 · double-clic : entrer dans le groupe · glisser : déplacer · recliquer : tourner ou redimensionner · Ctrl + clic : sélectionner seul · Suppr : supprimer</translation>
+        <translation>Sélection&#xa0;: %1 · double-clic&#xa0;: entrer dans le groupe · glisser&#xa0;: déplacer · recliquer&#xa0;: tourner ou redimensionner · Ctrl + clic&#xa0;: sélectionner seul · Suppr&#xa0;: supprimer</translation>
     </message>
     <message>
         <source>Inside a group, %1 selected · clicks select its members · Escape, or double click on empty ground: leave it</source>
-        <translation>Dans un groupe, sélection : %1 · les clics sélectionnent ses membres · Échap, ou double-clic dans le vide : en sortir</translation>
+        <translation>Dans un groupe, sélection&#xa0;: %1 · les clics sélectionnent ses membres · Échap, ou double-clic dans le vide&#xa0;: en sortir</translation>
     </message>
     <message>
         <source>Inside “%2”, %1 selected · clicks select its members · Escape, or double click on empty ground: leave it</source>
-        <translation>Dans « %2 », sélection : %1 · les clics sélectionnent ses membres · Échap, ou double-clic dans le vide : en sortir</translation>
+        <translation>Dans «&#xa0;%2&#xa0;», sélection&#xa0;: %1 · les clics sélectionnent ses membres · Échap, ou double-clic dans le vide&#xa0;: en sortir</translation>
     </message>
     <message>
         <source>%1 selected · Ctrl: only what lies wholly inside · Escape: cancel</source>
-        <translation>Sélection : %1 · Ctrl : seulement ce qui est tout entier dedans · Échap : annuler</translation>
+        <translation>Sélection&#xa0;: %1 · Ctrl&#xa0;: seulement ce qui est tout entier dedans · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Node · drag: move it alone · Alt or B + drag: move the whole object · double click: edit all nodes</source>
-        <translation>Nœud · glisser : le déplacer seul · Alt ou B + glisser : déplacer tout l’objet · double-clic : modifier tous les nœuds</translation>
+        <translation>Nœud · glisser&#xa0;: le déplacer seul · Alt ou B + glisser&#xa0;: déplacer tout l’objet · double-clic&#xa0;: modifier tous les nœuds</translation>
     </message>
     <message>
         <source>Drag: scale · Shift: about the middle · Ctrl: keep the proportions · Alt or B: snap off/on</source>
-        <translation>Glisser : redimensionner · Maj : autour du milieu · Ctrl : garder les proportions · Alt ou B : aimant non/oui</translation>
+        <translation>Glisser&#xa0;: redimensionner · Maj&#xa0;: autour du milieu · Ctrl&#xa0;: garder les proportions · Alt ou B&#xa0;: aimant non/oui</translation>
     </message>
     <message>
         <source>%1 × %2 m (%3 %, %4 %) · Shift: about the middle · Ctrl: keep the proportions · Alt or B: snap off/on · Escape: cancel</source>
-        <translation>%1 × %2 m (%3 %, %4 %) · Maj : autour du milieu · Ctrl : garder les proportions · Alt ou B : aimant non/oui · Échap : annuler</translation>
+        <translation>%1 × %2 m (%3 %, %4 %) · Maj&#xa0;: autour du milieu · Ctrl&#xa0;: garder les proportions · Alt ou B&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Drag: turn about the pivot · Shift: about the opposite corner · Ctrl: in steps of 15° · click the object: scale</source>
-        <translation>Glisser : tourner autour du pivot · Maj : autour du coin opposé · Ctrl : par pas de 15° · cliquer l’objet : redimensionner</translation>
+        <translation>Glisser&#xa0;: tourner autour du pivot · Maj&#xa0;: autour du coin opposé · Ctrl&#xa0;: par pas de 15° · cliquer l’objet&#xa0;: redimensionner</translation>
     </message>
     <message>
         <source>Turning by %1° · Shift: about the opposite corner · Ctrl: in steps of 15° · Escape: cancel</source>
-        <translation>Rotation de %1° · Maj : autour du coin opposé · Ctrl : par pas de 15° · Échap : annuler</translation>
+        <translation>Rotation de %1° · Maj&#xa0;: autour du coin opposé · Ctrl&#xa0;: par pas de 15° · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Drag: move the pivot, about which the selection turns · Ctrl: snap off/on</source>
-        <translation>Glisser : déplacer le pivot autour duquel la sélection tourne · Ctrl : aimant non/oui</translation>
+        <translation>Glisser&#xa0;: déplacer le pivot autour duquel la sélection tourne · Ctrl&#xa0;: aimant non/oui</translation>
     </message>
     <message>
         <source>Pivot at %1, %2 m · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Pivot à %1, %2 m · Ctrl : aimant non/oui · Échap : annuler</translation>
+        <translation>Pivot à %1, %2 m · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>%1 selected · Alt or B: only what lies wholly inside · Escape: cancel</source>
-        <translation>Sélection : %1 · Alt ou B : seulement ce qui est tout entier dedans · Échap : annuler</translation>
+        <translation>Sélection&#xa0;: %1 · Alt ou B&#xa0;: seulement ce qui est tout entier dedans · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Draw one-way walls</source>
@@ -3306,7 +3346,7 @@
     </message>
     <message>
         <source>Add the missing wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter le mur manquant</translation>
     </message>
     <message>
         <source>Remove what is there twice</source>
@@ -3573,67 +3613,67 @@
     </message>
     <message>
         <source>The file “%1” cannot be read: %2.</source>
-        <translation>Impossible de lire le fichier « %1 » : %2.</translation>
+        <translation>Impossible de lire le fichier «&#xa0;%1&#xa0;»&#xa0;: %2.</translation>
     </message>
     <message>
         <source>The file “%1” cannot be written: %2. What was there before is still there.</source>
-        <translation>Impossible d’écrire le fichier « %1 » : %2. L’ancien contenu est toujours là.</translation>
+        <translation>Impossible d’écrire le fichier «&#xa0;%1&#xa0;»&#xa0;: %2. L’ancien contenu est toujours là.</translation>
     </message>
     <message>
         <source>The disk is full, so the file “%1” cannot be written. What was there before is still there.</source>
-        <translation>Le disque est plein : impossible d’écrire le fichier « %1 ». L’ancien contenu est toujours là.</translation>
+        <translation>Le disque est plein&#xa0;: impossible d’écrire le fichier «&#xa0;%1&#xa0;». L’ancien contenu est toujours là.</translation>
     </message>
     <message>
         <source>You have used up your share of the disk, so the file “%1” cannot be written. What was there before is still there.</source>
-        <translation>Votre quota de disque est épuisé : impossible d’écrire le fichier « %1 ». L’ancien contenu est toujours là.</translation>
+        <translation>Votre quota de disque est épuisé&#xa0;: impossible d’écrire le fichier «&#xa0;%1&#xa0;». L’ancien contenu est toujours là.</translation>
     </message>
     <message>
         <source>The disk with the file “%1” can only be read, so it cannot be written.</source>
-        <translation>Le disque du fichier « %1 » est en lecture seule : impossible de l’écrire.</translation>
+        <translation>Le disque du fichier «&#xa0;%1&#xa0;» est en lecture seule&#xa0;: impossible de l’écrire.</translation>
     </message>
     <message>
         <source>The file “%1” cannot be written: there is no folder “%2” any more.</source>
-        <translation>Impossible d’écrire le fichier « %1 » : le dossier « %2 » n’existe plus.</translation>
+        <translation>Impossible d’écrire le fichier «&#xa0;%1&#xa0;»&#xa0;: le dossier «&#xa0;%2&#xa0;» n’existe plus.</translation>
     </message>
     <message>
         <source>The file “%1” cannot be written: you may not make files in the folder “%2”.</source>
-        <translation>Impossible d’écrire le fichier « %1 » : vous ne pouvez pas créer de fichiers dans le dossier « %2 ».</translation>
+        <translation>Impossible d’écrire le fichier «&#xa0;%1&#xa0;»&#xa0;: vous ne pouvez pas créer de fichiers dans le dossier «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>The file “%1” is protected: you may read it, but not write it.</source>
-        <translation>Le fichier « %1 » est protégé : vous pouvez le lire, mais pas l’écrire.</translation>
+        <translation>Le fichier «&#xa0;%1&#xa0;» est protégé&#xa0;: vous pouvez le lire, mais pas l’écrire.</translation>
     </message>
     <message>
         <source>The file “%1” has been changed by somebody else meanwhile, so it was not overwritten.</source>
-        <translation>Le fichier « %1 » a été modifié entre-temps par un autre : il n’a pas été écrasé.</translation>
+        <translation>Le fichier «&#xa0;%1&#xa0;» a été modifié entre-temps par un autre&#xa0;: il n’a pas été écrasé.</translation>
     </message>
     <message>
         <source>The file “%1” was written in part only: %2. What was there before is lost; save it elsewhere.</source>
-        <translation>Le fichier « %1 » n’a été écrit qu’en partie : %2. L’ancien contenu est perdu ; enregistrez ailleurs.</translation>
+        <translation>Le fichier «&#xa0;%1&#xa0;» n’a été écrit qu’en partie&#xa0;: %2. L’ancien contenu est perdu&#xa0;; enregistrez ailleurs.</translation>
     </message>
     <message>
         <source>The file “%1” was written in part only: %2. All that it was to hold is in the file “%3”.</source>
-        <translation>Le fichier « %1 » n’a été écrit qu’en partie : %2. Tout ce qu’il devait contenir est dans le fichier « %3 ».</translation>
+        <translation>Le fichier «&#xa0;%1&#xa0;» n’a été écrit qu’en partie&#xa0;: %2. Tout ce qu’il devait contenir est dans le fichier «&#xa0;%3&#xa0;».</translation>
     </message>
     <message>
         <source>The file “%1” is too large: at most %2 bytes are read.</source>
-        <translation>Le fichier « %1 » est trop gros : %2 octets au plus sont lus.</translation>
+        <translation>Le fichier «&#xa0;%1&#xa0;» est trop gros&#xa0;: %2 octets au plus sont lus.</translation>
     </message>
     <message>
         <source>This is too large: at most %1 bytes are read.</source>
-        <translation>C’est trop gros : %1 octets au plus sont lus.</translation>
+        <translation>C’est trop gros&#xa0;: %1 octets au plus sont lus.</translation>
     </message>
     <message>
         <source>“%1” is not a finite number, and a file cannot hold it.</source>
-        <translation>« %1 » n’est pas un nombre fini, et un fichier ne peut le contenir.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre fini, et un fichier ne peut le contenir.</translation>
     </message>
     <message>
         <source>“%1” is %2; it must lie between %3 and %4.</source>
-        <translation>« %1 » vaut %2 ; il doit être entre %3 et %4.</translation>
+        <translation>«&#xa0;%1&#xa0;» vaut %2&#xa0;; il doit être entre %3 et %4.</translation>
     </message>
     <message>
         <source>The mass is too small or too large to be computed with, so the body would be missing from the game.</source>
-        <translation>La masse est trop petite ou trop grande pour le calcul : le corps manquerait dans le jeu.</translation>
+        <translation>La masse est trop petite ou trop grande pour le calcul&#xa0;: le corps manquerait dans le jeu.</translation>
     </message>
     <message>
         <source>The body is so small and light, or so large and heavy, that its mass or inertia cannot be computed with. It would be missing from the game.</source>
@@ -3641,7 +3681,7 @@
     </message>
     <message>
         <source>“%1” is %2; it must be more than zero.</source>
-        <translation>« %1 » vaut %2 ; il doit être supérieur à zéro.</translation>
+        <translation>«&#xa0;%1&#xa0;» vaut %2&#xa0;; il doit être supérieur à zéro.</translation>
     </message>
     <message>
         <source>Select at least two bodies made of polygons, not locked.</source>
@@ -3649,11 +3689,11 @@
     </message>
     <message>
         <source>“%1” is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
-        <translation>« %1 » n’est pas fait que de polygones. Seuls des polygones peuvent être unis, soustraits et croisés.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas fait que de polygones. Seuls des polygones peuvent être unis, soustraits et croisés.</translation>
     </message>
     <message>
         <source>These bodies lie too far from the origin to be combined: at most 500 km.</source>
-        <translation>Ces corps sont trop loin de l’origine pour être combinés : 500 km au plus.</translation>
+        <translation>Ces corps sont trop loin de l’origine pour être combinés&#xa0;: 500 km au plus.</translation>
     </message>
     <message>
         <source>Nothing would be left of these bodies, so they stay as they are.</source>
@@ -3681,11 +3721,11 @@
     </message>
     <message>
         <source>“%1” is not expected here: something is wrong at this place or just before it.</source>
-        <translation>« %1 » n’est pas attendu ici : une erreur se trouve à cet endroit ou juste avant.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas attendu ici&#xa0;: une erreur se trouve à cet endroit ou juste avant.</translation>
     </message>
     <message>
         <source>The file ends too early: a bracket, a brace or a quotation mark is not closed.</source>
-        <translation>Le fichier finit trop tôt : un crochet, une accolade ou un guillemet n’est pas fermé.</translation>
+        <translation>Le fichier finit trop tôt&#xa0;: un crochet, une accolade ou un guillemet n’est pas fermé.</translation>
     </message>
     <message>
         <source>A text is not closed with a quotation mark before its line ends.</source>
@@ -3697,11 +3737,11 @@
     </message>
     <message>
         <source>“%1” is not a number that a file can hold; write a finite one.</source>
-        <translation>« %1 » n’est pas un nombre admis dans un fichier ; écrivez-en un fini.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre admis dans un fichier&#xa0;; écrivez-en un fini.</translation>
     </message>
     <message>
         <source>There is a comma before “%1” that nothing follows; leave it out.</source>
-        <translation>Il y a avant « %1 » une virgule que rien ne suit ; ôtez-la.</translation>
+        <translation>Il y a avant «&#xa0;%1&#xa0;» une virgule que rien ne suit&#xa0;; ôtez-la.</translation>
     </message>
     <message>
         <source>The number %1 is larger than any that can be computed with.</source>
@@ -3717,7 +3757,7 @@
     </message>
     <message>
         <source>The level is so large that it could not be saved again, so it is not opened.</source>
-        <translation>Le niveau est si grand qu’il ne pourrait plus être enregistré : il n’est pas ouvert.</translation>
+        <translation>Le niveau est si grand qu’il ne pourrait plus être enregistré&#xa0;: il n’est pas ouvert.</translation>
     </message>
     <message>
         <source>The file holds more than %1 vertices.</source>
@@ -3725,79 +3765,79 @@
     </message>
     <message>
         <source>The field “%1” is given twice.</source>
-        <translation>Le champ « %1 » est donné deux fois.</translation>
+        <translation>Le champ «&#xa0;%1&#xa0;» est donné deux fois.</translation>
     </message>
     <message>
         <source>This is not a level: it should be an object in braces, but is %1.</source>
-        <translation>Ce n’est pas un niveau : ce devrait être un objet entre accolades, mais c’est %1.</translation>
+        <translation>Ce n’est pas un niveau&#xa0;: ce devrait être un objet entre accolades, mais c’est %1.</translation>
     </message>
     <message>
         <source>This is not a level: the field “schema” is missing (it should be %1).</source>
-        <translation>Ce n’est pas un niveau : le champ « schema » manque (il devrait valoir %1).</translation>
+        <translation>Ce n’est pas un niveau&#xa0;: le champ «&#xa0;schema&#xa0;» manque (il devrait valoir %1).</translation>
     </message>
     <message>
         <source>The level was made with a newer version (schema %1; this one reads up to %2). Please update the program.</source>
-        <translation>Le niveau vient d’une version plus récente (schéma %1 ; celle-ci lit jusqu’à %2). Mettez à jour le programme.</translation>
+        <translation>Le niveau vient d’une version plus récente (schéma %1&#xa0;; celle-ci lit jusqu’à %2). Mettez à jour le programme.</translation>
     </message>
     <message>
         <source>The schema %1 is not known; this version reads %2.</source>
-        <translation>Le schéma %1 est inconnu ; cette version lit %2.</translation>
+        <translation>Le schéma %1 est inconnu&#xa0;; cette version lit %2.</translation>
     </message>
     <message>
         <source>The field “%1” is missing.</source>
-        <translation>Le champ « %1 » manque.</translation>
+        <translation>Le champ «&#xa0;%1&#xa0;» manque.</translation>
     </message>
     <message>
         <source>The field “%1” is not known here. It is kept, but does nothing.</source>
-        <translation>Le champ « %1 » est inconnu ici. Il est gardé, mais sans effet.</translation>
+        <translation>Le champ «&#xa0;%1&#xa0;» est inconnu ici. Il est gardé, mais sans effet.</translation>
     </message>
     <message>
         <source>“%1” must be a number, not %2.</source>
-        <translation>« %1 » doit être un nombre, pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être un nombre, pas %2.</translation>
     </message>
     <message>
         <source>“%1” must be a whole number, not %2.</source>
-        <translation>« %1 » doit être un nombre entier, pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être un nombre entier, pas %2.</translation>
     </message>
     <message>
         <source>“%1” must be a number, or null for a wall without a back, not %2.</source>
-        <translation>« %1 » doit être un nombre, ou null pour un mur sans dos, pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être un nombre, ou null pour un mur sans dos, pas %2.</translation>
     </message>
     <message>
         <source>“%1” must be true or false, not %2.</source>
-        <translation>« %1 » doit être true ou false, pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être true ou false, pas %2.</translation>
     </message>
     <message>
         <source>“%1” must be a text, not %2.</source>
-        <translation>« %1 » doit être un texte, pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être un texte, pas %2.</translation>
     </message>
     <message>
         <source>“%1” must be two numbers [x, y], not %2.</source>
-        <translation>« %1 » doit être deux nombres [x, y], pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être deux nombres [x, y], pas %2.</translation>
     </message>
     <message>
         <source>“%1” must be a list in brackets, not %2.</source>
-        <translation>« %1 » doit être une liste entre crochets, pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être une liste entre crochets, pas %2.</translation>
     </message>
     <message>
         <source>“%1” must hold objects in braces, not %2.</source>
-        <translation>« %1 » doit contenir des objets entre accolades, pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit contenir des objets entre accolades, pas %2.</translation>
     </message>
     <message>
         <source>“%1” must be “all”, a list of tags or {&quot;except&quot;: a list of tags}, not %2.</source>
-        <translation>« %1 » doit être « all », une liste d’étiquettes ou {&quot;except&quot;: une liste d’étiquettes}, pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être «&#xa0;all&#xa0;», une liste d’étiquettes ou {&quot;except&quot;: une liste d’étiquettes}, pas %2.</translation>
     </message>
     <message>
         <source>“%1” is %2; it must be one of: %3.</source>
-        <translation>« %1 » vaut %2 ; il doit être l’un de : %3.</translation>
+        <translation>«&#xa0;%1&#xa0;» vaut %2&#xa0;; il doit être l’un de&#xa0;: %3.</translation>
     </message>
     <message>
         <source>There is no tag named “%1” in this level.</source>
-        <translation>Aucune étiquette nommée « %1 » dans ce niveau.</translation>
+        <translation>Aucune étiquette nommée «&#xa0;%1&#xa0;» dans ce niveau.</translation>
     </message>
     <message>
         <source>“%1” must be eight hexadecimal digits that are not all zero, not %2.</source>
-        <translation>« %1 » doit être huit chiffres hexadécimaux, pas tous nuls, et non %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être huit chiffres hexadécimaux, pas tous nuls, et non %2.</translation>
     </message>
     <message>
         <source>The key %1 is taken by the object in line %2.</source>
@@ -3809,7 +3849,7 @@
     </message>
     <message>
         <source>There are two tags named “%1”.</source>
-        <translation>Deux étiquettes se nomment « %1 ».</translation>
+        <translation>Deux étiquettes se nomment «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>There are two tags with the index %1.</source>
@@ -3817,15 +3857,15 @@
     </message>
     <message>
         <source>“%1” must be a whole number from 0 to 31, not %2.</source>
-        <translation>« %1 » doit être un nombre entier de 0 à 31, pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être un nombre entier de 0 à 31, pas %2.</translation>
     </message>
     <message>
         <source>A tag cannot be named “%1”: that is how a tag without a name is written.</source>
-        <translation>Une étiquette ne peut se nommer « %1 » : c’est ainsi que s’écrit une étiquette sans nom.</translation>
+        <translation>Une étiquette ne peut se nommer «&#xa0;%1&#xa0;»&#xa0;: c’est ainsi que s’écrit une étiquette sans nom.</translation>
     </message>
     <message>
         <source>“%1” must be a colour such as &quot;#4cc9f0&quot;, not %2.</source>
-        <translation>« %1 » doit être une couleur comme &quot;#4cc9f0&quot;, pas %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» doit être une couleur comme &quot;#4cc9f0&quot;, pas %2.</translation>
     </message>
     <message>
         <source>There are %1 more problems, which are not listed.</source>
@@ -3845,31 +3885,31 @@
     </message>
     <message>
         <source>There is more than one ship; only the first flies.</source>
-        <translation>Il y a plus d’un vaisseau ; seul le premier vole.</translation>
+        <translation>Il y a plus d’un vaisseau&#xa0;; seul le premier vole.</translation>
     </message>
     <message>
         <source>There is more than one payload; only the first counts.</source>
-        <translation>Il y a plus d’une charge ; seule la première compte.</translation>
+        <translation>Il y a plus d’une charge&#xa0;; seule la première compte.</translation>
     </message>
     <message>
         <source>There is more than one finish; only the first counts.</source>
-        <translation>Il y a plus d’une arrivée ; seule la première compte.</translation>
+        <translation>Il y a plus d’une arrivée&#xa0;; seule la première compte.</translation>
     </message>
     <message>
         <source>The ship starts in touch with the object “%1” and would crash at once.</source>
-        <translation>Le vaisseau part en touchant l’objet « %1 » et s’écraserait aussitôt.</translation>
+        <translation>Le vaisseau part en touchant l’objet «&#xa0;%1&#xa0;» et s’écraserait aussitôt.</translation>
     </message>
     <message>
         <source>The payload starts in touch with the object “%1”.</source>
-        <translation>La charge part en touchant l’objet « %1 ».</translation>
+        <translation>La charge part en touchant l’objet «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>The ship starts in touch with %2 at %3; %4 m and would crash at once.</source>
-        <translation>Le vaisseau part en touchant %2 à %3 ; %4 m et s’écraserait aussitôt.</translation>
+        <translation>Le vaisseau part en touchant %2 à %3&#xa0;; %4 m et s’écraserait aussitôt.</translation>
     </message>
     <message>
         <source>The payload starts in touch with %2 at %3; %4 m.</source>
-        <translation>La charge part en touchant %2 à %3 ; %4 m.</translation>
+        <translation>La charge part en touchant %2 à %3&#xa0;; %4 m.</translation>
     </message>
     <message>
         <source>the one-way wall</source>
@@ -3897,7 +3937,7 @@
     </message>
     <message>
         <source>A chain of walls needs at least two vertices; this one has %1.</source>
-        <translation>Une chaîne de murs demande au moins deux sommets ; celle-ci en a %1.</translation>
+        <translation>Une chaîne de murs demande au moins deux sommets&#xa0;; celle-ci en a %1.</translation>
     </message>
     <message>
         <source>All vertices of this chain of walls lie at the same point.</source>
@@ -3905,7 +3945,7 @@
     </message>
     <message>
         <source>Vertices %1 and %2 lie at the same point: the wall between them has no length.</source>
-        <translation>Les sommets %1 et %2 sont au même point : le mur entre eux n’a pas de longueur.</translation>
+        <translation>Les sommets %1 et %2 sont au même point&#xa0;: le mur entre eux n’a pas de longueur.</translation>
     </message>
     <message>
         <source>Vertices %1 and %2 of the polygon lie at the same point.</source>
@@ -3913,15 +3953,15 @@
     </message>
     <message>
         <source>A polygon of %1 vertices is too large; %2 are allowed.</source>
-        <translation>Un polygone de %1 sommets est trop grand ; %2 sont permis.</translation>
+        <translation>Un polygone de %1 sommets est trop grand&#xa0;; %2 sont permis.</translation>
     </message>
     <message>
         <source>A polygon needs at least three different vertices; this one has %1.</source>
-        <translation>Un polygone demande au moins trois sommets distincts ; celui-ci en a %1.</translation>
+        <translation>Un polygone demande au moins trois sommets distincts&#xa0;; celui-ci en a %1.</translation>
     </message>
     <message>
         <source>The polygon crosses itself: the sides from vertex %1 and from vertex %2 meet.</source>
-        <translation>Le polygone se croise : les côtés partant des sommets %1 et %2 se rencontrent.</translation>
+        <translation>Le polygone se croise&#xa0;: les côtés partant des sommets %1 et %2 se rencontrent.</translation>
     </message>
     <message>
         <source>The polygon crosses itself.</source>
@@ -3929,27 +3969,27 @@
     </message>
     <message>
         <source>All vertices of the polygon lie on one line: it encloses nothing.</source>
-        <translation>Tous les sommets du polygone sont alignés : il n’entoure rien.</translation>
+        <translation>Tous les sommets du polygone sont alignés&#xa0;: il n’entoure rien.</translation>
     </message>
     <message>
         <source>The vertices of the polygon run clockwise; they are taken the other way round.</source>
-        <translation>Les sommets du polygone vont dans le sens horaire ; ils sont pris dans l’autre sens.</translation>
+        <translation>Les sommets du polygone vont dans le sens horaire&#xa0;; ils sont pris dans l’autre sens.</translation>
     </message>
     <message>
         <source>It belongs to the group %1, which does not exist; it is shown at the top. Put it into another group, or to the top.</source>
-        <translation>Il appartient au groupe %1, qui n’existe pas ; il est affiché à la racine. Mettez-le dans un autre groupe, ou à la racine.</translation>
+        <translation>Il appartient au groupe %1, qui n’existe pas&#xa0;; il est affiché à la racine. Mettez-le dans un autre groupe, ou à la racine.</translation>
     </message>
     <message>
         <source>It belongs to the object %1, which is not a group; it is shown at the top. Put it into another group, or to the top.</source>
-        <translation>Il appartient à l’objet %1, qui n’est pas un groupe ; il est affiché à la racine. Mettez-le dans un autre groupe, ou à la racine.</translation>
+        <translation>Il appartient à l’objet %1, qui n’est pas un groupe&#xa0;; il est affiché à la racine. Mettez-le dans un autre groupe, ou à la racine.</translation>
     </message>
     <message>
         <source>It is in the group %1, which is in it, directly or not; it is shown at the top. Put one of them to the top.</source>
-        <translation>Il est dans le groupe %1, lui-même dans celui-ci, directement ou non ; il est affiché à la racine. Mettez l’un d’eux à la racine.</translation>
+        <translation>Il est dans le groupe %1, lui-même dans celui-ci, directement ou non&#xa0;; il est affiché à la racine. Mettez l’un d’eux à la racine.</translation>
     </message>
     <message>
         <source>A layer is in another group. Layers are at the top: put it there, or make it an ordinary group.</source>
-        <translation>Un calque est dans un autre groupe. Les calques sont à la racine : mettez-le là, ou faites-en un groupe ordinaire.</translation>
+        <translation>Un calque est dans un autre groupe. Les calques sont à la racine&#xa0;: mettez-le là, ou faites-en un groupe ordinaire.</translation>
     </message>
     <message>
         <source>It is hidden in the editor, but takes part in the game.</source>
@@ -3957,11 +3997,11 @@
     </message>
     <message>
         <source>The end “%1” of the connector is the object %2, which does not exist.</source>
-        <translation>Le bout « %1 » du connecteur est l’objet %2, qui n’existe pas.</translation>
+        <translation>Le bout «&#xa0;%1&#xa0;» du connecteur est l’objet %2, qui n’existe pas.</translation>
     </message>
     <message>
         <source>The end “%1” of the connector is the object %2, which is not a body.</source>
-        <translation>Le bout « %1 » du connecteur est l’objet %2, qui n’est pas un corps.</translation>
+        <translation>Le bout «&#xa0;%1&#xa0;» du connecteur est l’objet %2, qui n’est pas un corps.</translation>
     </message>
     <message>
         <source>Both ends of the connector are on the same object.</source>
@@ -3973,11 +4013,11 @@
     </message>
     <message>
         <source>A stiffness of %1 N/m is too much for the sub-steps: the spring may shake. About %2 sub-steps would do.</source>
-        <translation>Une raideur de %1 N/m est trop forte pour les sous-pas : le ressort peut trembler. Environ %2 sous-pas conviendraient.</translation>
+        <translation>Une raideur de %1 N/m est trop forte pour les sous-pas&#xa0;: le ressort peut trembler. Environ %2 sous-pas conviendraient.</translation>
     </message>
     <message>
         <source>A damping of %1 N s/m is too much for the sub-steps: the spring may shake. About %2 sub-steps would do.</source>
-        <translation>Un amortissement de %1 N s/m est trop fort pour les sous-pas : le ressort peut trembler. Environ %2 sous-pas conviendraient.</translation>
+        <translation>Un amortissement de %1 N s/m est trop fort pour les sous-pas&#xa0;: le ressort peut trembler. Environ %2 sous-pas conviendraient.</translation>
     </message>
     <message>
         <source>The tags of this body are such that nothing can touch it.</source>
@@ -3985,11 +4025,11 @@
     </message>
     <message>
         <source>Points that lie on straight sides and do nothing: %1.</source>
-        <translation>Points inutiles sur des côtés droits : %1.</translation>
+        <translation>Points inutiles sur des côtés droits&#xa0;: %1.</translation>
     </message>
     <message>
         <source>This wall is solid on the other side than the walls it goes on from: the ship can fly out through it. Reverse it.</source>
-        <translation>Ce mur est solide de l’autre côté que les murs qu’il prolonge : le vaisseau peut s’échapper à travers. Inversez-le.</translation>
+        <translation>Ce mur est solide de l’autre côté que les murs qu’il prolonge&#xa0;: le vaisseau peut s’échapper à travers. Inversez-le.</translation>
     </message>
     <message>
         <source>This wall and the one it goes on from are solid on different sides. Reverse one of them.</source>
@@ -3997,43 +4037,43 @@
     </message>
     <message>
         <source>The two ends of this chain of walls are %1 mm apart, so it is not closed.</source>
-        <translation>Les deux bouts de cette chaîne de murs sont à %1 mm l’un de l’autre : elle n’est pas fermée.</translation>
+        <translation>Les deux bouts de cette chaîne de murs sont à %1 mm l’un de l’autre&#xa0;: elle n’est pas fermée.</translation>
     </message>
     <message>
         <source>There is a gap of %5 mm to “%1”.</source>
-        <translation>Il y a un écart de %5 mm avec « %1 ».</translation>
+        <translation>Il y a un écart de %5 mm avec «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>There is a gap of %5 mm to %2 at %3; %4 m.</source>
-        <translation>Il y a un écart de %5 mm avec %2 à %3 ; %4 m.</translation>
+        <translation>Il y a un écart de %5 mm avec %2 à %3&#xa0;; %4 m.</translation>
     </message>
     <message>
         <source>This wall lies exactly on “%1”, which does the same.</source>
-        <translation>Ce mur coïncide avec « %1 », qui fait la même chose.</translation>
+        <translation>Ce mur coïncide avec «&#xa0;%1&#xa0;», qui fait la même chose.</translation>
     </message>
     <message>
         <source>This wall lies exactly on %2 at %3; %4 m, which does the same.</source>
-        <translation>Ce mur coïncide avec %2 à %3 ; %4 m, qui fait la même chose.</translation>
+        <translation>Ce mur coïncide avec %2 à %3&#xa0;; %4 m, qui fait la même chose.</translation>
     </message>
     <message>
         <source>Walls that lie exactly on those of “%1”: %5.</source>
-        <translation>Murs qui coïncident avec ceux de « %1 » : %5.</translation>
+        <translation>Murs qui coïncident avec ceux de «&#xa0;%1&#xa0;»&#xa0;: %5.</translation>
     </message>
     <message>
         <source>Walls that lie exactly on those of %2 at %3; %4 m: %5.</source>
-        <translation>Murs qui coïncident avec %2 à %3 ; %4 m : %5.</translation>
+        <translation>Murs qui coïncident avec %2 à %3&#xa0;; %4 m&#xa0;: %5.</translation>
     </message>
     <message>
         <source>Walls that lie exactly on others of the same chain: %1.</source>
-        <translation>Murs qui coïncident avec d’autres de la même chaîne : %1.</translation>
+        <translation>Murs qui coïncident avec d’autres de la même chaîne&#xa0;: %1.</translation>
     </message>
     <message>
         <source>It lies exactly on “%1”, which is the same.</source>
-        <translation>Il coïncide avec « %1 », qui est identique.</translation>
+        <translation>Il coïncide avec «&#xa0;%1&#xa0;», qui est identique.</translation>
     </message>
     <message>
         <source>It lies exactly on %2 at %3; %4 m, which is the same.</source>
-        <translation>Il coïncide avec %2 à %3 ; %4 m, qui est identique.</translation>
+        <translation>Il coïncide avec %2 à %3&#xa0;; %4 m, qui est identique.</translation>
     </message>
     <message>
         <source>The wall is %1 m deep, but what is fastest here may move %2 m between two looks at what it touches, and may get through. Make it deeper, or raise the iterations.</source>
@@ -4041,7 +4081,7 @@
     </message>
     <message>
         <source>The wall has no back, so what is solid behind it reaches into the free space %1 m behind. Give it a depth of no more than that.</source>
-        <translation>Le mur n’a pas de dos : sa partie solide s’étend dans l’espace libre à %1 m derrière. Ne lui donnez pas plus que cette profondeur.</translation>
+        <translation>Le mur n’a pas de dos&#xa0;: sa partie solide s’étend dans l’espace libre à %1 m derrière. Ne lui donnez pas plus que cette profondeur.</translation>
     </message>
     <message>
         <source>The wall is %1 m deep, but %2 m behind it there is free space, into which it reaches. Give it a depth of no more than that.</source>
@@ -4049,7 +4089,7 @@
     </message>
     <message>
         <source>The wall has no back, so all the free space behind it counts as solid. Give it a depth.</source>
-        <translation>Le mur n’a pas de dos : tout l’espace libre derrière compte comme solide. Donnez-lui une profondeur.</translation>
+        <translation>Le mur n’a pas de dos&#xa0;: tout l’espace libre derrière compte comme solide. Donnez-lui une profondeur.</translation>
     </message>
     <message>
         <source>The ship starts outside of the cave that the payload is in.</source>
@@ -4065,7 +4105,7 @@
     </message>
     <message>
         <source>Both ends of the finish lie at the same point, so nothing can cross it.</source>
-        <translation>Les deux bouts de l’arrivée sont au même point : rien ne peut la franchir.</translation>
+        <translation>Les deux bouts de l’arrivée sont au même point&#xa0;: rien ne peut la franchir.</translation>
     </message>
     <message>
         <source>The payload starts on the finish.</source>
@@ -4073,83 +4113,83 @@
     </message>
     <message>
         <source>Gravity is too strong: the ship weighs %1 N, and its thrust is %2 N.</source>
-        <translation>La gravité est trop forte : le vaisseau pèse %1 N, et sa poussée est de %2 N.</translation>
+        <translation>La gravité est trop forte&#xa0;: le vaisseau pèse %1 N, et sa poussée est de %2 N.</translation>
     </message>
     <message>
         <source>Ship and payload together weigh %1 N; the ship&apos;s thrust of %2 N cannot lift them.</source>
-        <translation>Vaisseau et charge pèsent ensemble %1 N ; la poussée du vaisseau, %2 N, ne peut les soulever.</translation>
+        <translation>Vaisseau et charge pèsent ensemble %1 N&#xa0;; la poussée du vaisseau, %2 N, ne peut les soulever.</translation>
     </message>
     <message>
         <source>There is no background named “%1”; it is shown as a plain one.</source>
-        <translation>Aucun fond nommé « %1 » ; il est affiché uni.</translation>
+        <translation>Aucun fond nommé «&#xa0;%1&#xa0;»&#xa0;; il est affiché uni.</translation>
     </message>
     <message>
         <source>The ship flies through this wall: it does not have the tag “%1”.</source>
-        <translation>Le vaisseau traverse ce mur : il n’a pas l’étiquette « %1 ».</translation>
+        <translation>Le vaisseau traverse ce mur&#xa0;: il n’a pas l’étiquette «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>It is made of walls alone, and walls never meet walls: it falls through “%1”.</source>
-        <translation>Il n’est fait que de murs, et des murs ne se rencontrent jamais : il tombe à travers « %1 ».</translation>
+        <translation>Il n’est fait que de murs, et des murs ne se rencontrent jamais&#xa0;: il tombe à travers «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>It is made of walls alone, and walls never meet walls: it falls through %2 at %3; %4 m.</source>
-        <translation>Il n’est fait que de murs, et des murs ne se rencontrent jamais : il tombe à travers %2 à %3 ; %4 m.</translation>
+        <translation>Il n’est fait que de murs, et des murs ne se rencontrent jamais&#xa0;: il tombe à travers %2 à %3&#xa0;; %4 m.</translation>
     </message>
     <message>
         <source>The ship can get out through this wall: it is solid on the wrong side. Reverse it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir par ce mur : il est plein du mauvais côté. Inversez-le.</translation>
     </message>
     <message>
         <source>The ship can get out through this chain: all its %1 walls are solid on the wrong side. Reverse it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir par cette chaîne : ses %1 murs sont tous pleins du mauvais côté. Inversez-la.</translation>
     </message>
     <message>
         <source>The ship can get out through edge %1 of this chain: it is solid on the wrong side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir par l’arête %1 de cette chaîne : elle est pleine du mauvais côté.</translation>
     </message>
     <message>
         <source>The ship can get out: %1 walls, of which this is one, are solid on the wrong side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir : %1 murs, dont celui-ci, sont pleins du mauvais côté.</translation>
     </message>
     <message>
         <source>The ship can get out: this chain is not closed, its ends are %1 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir : cette chaîne n’est pas fermée, ses extrémités sont à %1 m l’une de l’autre.</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %1 m is missing between two ends of this object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir : il manque un mur de %1 m entre deux extrémités de cet objet.</translation>
     </message>
     <message>
         <source>The ship can get out: there is an opening of %1 m in this object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir : il y a une ouverture de %1 m dans cet objet.</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %5 m is missing between the end of this one and that of “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir : il manque un mur de %5 m entre l’extrémité de celui-ci et celle de « %1 ».</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %5 m is missing between the end of this one and that of %2 at %3; %4 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir : il manque un mur de %5 m entre l’extrémité de celui-ci et celle de %2 en %3 ; %4 m.</translation>
     </message>
     <message>
         <source>The ship can get out: this wall ends %5 m before “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir : ce mur s’arrête à %5 m de « %1 ».</translation>
     </message>
     <message>
         <source>The ship can get out: this wall ends %5 m before %2 at %3; %4 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir : ce mur s’arrête à %5 m de %2 en %3 ; %4 m.</translation>
     </message>
     <message>
         <source>The ship can get out between this and “%1”: they are %5 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir entre cet objet et « %1 » : ils sont à %5 m l’un de l’autre.</translation>
     </message>
     <message>
         <source>The ship can get out between this and %2 at %3; %4 m: they are %5 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vaisseau peut sortir entre cet objet et %2 en %3 ; %4 m : ils sont à %5 m l’un de l’autre.</translation>
     </message>
     <message>
         <source>“%1” is not a mass that a body can have.</source>
-        <translation>« %1 » n’est pas une masse possible pour un corps.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une masse possible pour un corps.</translation>
     </message>
     <message>
         <source>The body has a shape that cannot be simulated.</source>
@@ -4157,7 +4197,7 @@
     </message>
     <message>
         <source>The end “%1” of the connector is not in the world.</source>
-        <translation>Le bout « %1 » du connecteur n’est pas dans le monde.</translation>
+        <translation>Le bout «&#xa0;%1&#xa0;» du connecteur n’est pas dans le monde.</translation>
     </message>
     <message>
         <source>Both ends of the connector are on the same body.</source>
@@ -4169,19 +4209,19 @@
     </message>
     <message>
         <source>The replay cannot be understood at “%1”.</source>
-        <translation>Le vol enregistré est incompréhensible à « %1 ».</translation>
+        <translation>Le vol enregistré est incompréhensible à «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>The field “%1” is none that a replay has.</source>
-        <translation>Le champ « %1 » n’existe pas dans un vol enregistré.</translation>
+        <translation>Le champ «&#xa0;%1&#xa0;» n’existe pas dans un vol enregistré.</translation>
     </message>
     <message>
         <source>The field “%1” is given twice in the replay.</source>
-        <translation>Le champ « %1 » est donné deux fois dans le vol enregistré.</translation>
+        <translation>Le champ «&#xa0;%1&#xa0;» est donné deux fois dans le vol enregistré.</translation>
     </message>
     <message>
         <source>The replay was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
-        <translation>Le vol vient d’une version plus récente (%1 ; celle-ci lit jusqu’à %2). Mettez à jour le programme.</translation>
+        <translation>Le vol vient d’une version plus récente (%1&#xa0;; celle-ci lit jusqu’à %2). Mettez à jour le programme.</translation>
     </message>
     <message>
         <source>The replay is longer than %1 updates.</source>
@@ -4189,19 +4229,19 @@
     </message>
     <message>
         <source>The replay is not JSON: line %1 is wrong.</source>
-        <translation>Le vol enregistré n’est pas du JSON : la ligne %1 est fausse.</translation>
+        <translation>Le vol enregistré n’est pas du JSON&#xa0;: la ligne %1 est fausse.</translation>
     </message>
     <message>
         <source>These tags came along, as the level did not have them: %1.</source>
-        <translation>Ces étiquettes ont suivi, car le niveau ne les avait pas : %1.</translation>
+        <translation>Ces étiquettes ont suivi, car le niveau ne les avait pas&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The tag “%1” is called “%2” in this level.</source>
-        <translation>L’étiquette « %1 » s’appelle « %2 » dans ce niveau.</translation>
+        <translation>L’étiquette «&#xa0;%1&#xa0;» s’appelle «&#xa0;%2&#xa0;» dans ce niveau.</translation>
     </message>
     <message>
         <source>All 32 tags of this level are in use, so these were left off: %1.</source>
-        <translation>Les 32 étiquettes de ce niveau sont prises : celles-ci ont été ôtées : %1.</translation>
+        <translation>Les 32 étiquettes de ce niveau sont prises&#xa0;: celles-ci ont été ôtées&#xa0;: %1.</translation>
     </message>
     <message>
         <source>A number is missing.</source>
@@ -4213,11 +4253,11 @@
     </message>
     <message>
         <source>“%1” cannot stand where it is.</source>
-        <translation>« %1 » n’est pas à sa place.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas à sa place.</translation>
     </message>
     <message>
         <source>“%1” is neither a unit nor a function; try 2*pi/3, sqrt(2), 20 cm or +=0.5.</source>
-        <translation>« %1 » n’est ni une unité ni une fonction ; essayez 2*pi/3, sqrt(2), 20 cm ou +=0.5.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est ni une unité ni une fonction&#xa0;; essayez 2*pi/3, sqrt(2), 20 cm ou +=0.5.</translation>
     </message>
     <message>
         <source>A parenthesis is not closed.</source>
@@ -4225,7 +4265,7 @@
     </message>
     <message>
         <source>“%1” has another number of values; they are parted by semicolons.</source>
-        <translation>« %1 » a un autre nombre de valeurs ; elles sont séparées par des points-virgules.</translation>
+        <translation>«&#xa0;%1&#xa0;» a un autre nombre de valeurs&#xa0;; elles sont séparées par des points-virgules.</translation>
     </message>
     <message>
         <source>This is too long or too deeply nested.</source>
@@ -4393,11 +4433,11 @@
     </message>
     <message>
         <source>Of a ship, a payload and a finish a level has one: there is nothing to copy.</source>
-        <translation>Un niveau n’a qu’un vaisseau, une charge et une arrivée : il n’y a rien à copier.</translation>
+        <translation>Un niveau n’a qu’un vaisseau, une charge et une arrivée&#xa0;: il n’y a rien à copier.</translation>
     </message>
     <message>
         <source>That would be %1 objects; an array may have %2. Make fewer copies.</source>
-        <translation>Cela ferait %1 objets ; un réseau peut en avoir %2. Faites moins de copies.</translation>
+        <translation>Cela ferait %1 objets&#xa0;; un réseau peut en avoir %2. Faites moins de copies.</translation>
     </message>
 </context>
 <context>
@@ -4442,7 +4482,7 @@
     </message>
     <message>
         <source>Ends comparing; the level stays as it is</source>
-        <translation>Finir la comparaison ; le niveau reste tel quel</translation>
+        <translation>Finir la comparaison&#xa0;; le niveau reste tel quel</translation>
     </message>
     <message>
         <source>Nothing is compared. Choose a level file to see what is different from it.</source>
@@ -4468,7 +4508,7 @@
     <name>spacetow::DiskChanges</name>
     <message>
         <source>%1 is no longer there: it was deleted, moved or renamed. Your level is still here.</source>
-        <translation>%1 n’est plus là : il a été supprimé, déplacé ou renommé. Votre niveau est toujours ici.</translation>
+        <translation>%1 n’est plus là&#xa0;: il a été supprimé, déplacé ou renommé. Votre niveau est toujours ici.</translation>
     </message>
     <message>
         <source>Save Again</source>
@@ -4492,7 +4532,7 @@
     </message>
     <message>
         <source>Not saved: %1 was changed by another program since you opened it, and saving would overwrite that.</source>
-        <translation>Non enregistré : un autre programme a modifié %1 depuis que vous l’avez ouvert ; enregistrer écraserait cela.</translation>
+        <translation>Non enregistré&#xa0;: un autre programme a modifié %1 depuis que vous l’avez ouvert&#xa0;; enregistrer écraserait cela.</translation>
     </message>
     <message>
         <source>Overwrite</source>
@@ -4566,7 +4606,7 @@
     </message>
     <message>
         <source>%1 was imported, but:</source>
-        <translation>%1 a été importé, mais :</translation>
+        <translation>%1 a été importé, mais&#xa0;:</translation>
     </message>
     <message>
         <source>… and %1 more</source>
@@ -4645,7 +4685,7 @@
     </message>
     <message>
         <source>There is nothing to be seen, or the picture would be too large: at most 16,384 pixels a side and 67 million in all. Choose another scale.</source>
-        <translation>Il n’y a rien à voir, ou l’image serait trop grande : au plus 16 384 pixels par côté et 67 millions en tout. Choisissez une autre échelle.</translation>
+        <translation>Il n’y a rien à voir, ou l’image serait trop grande&#xa0;: au plus 16&#x202f;384 pixels par côté et 67 millions en tout. Choisissez une autre échelle.</translation>
     </message>
 </context>
 <context>
@@ -4660,7 +4700,7 @@
     </message>
     <message>
         <source>&gt; actions · / levels · @ objects · ! problems · Enter: take · Esc: close</source>
-        <translation>&gt; actions · / niveaux · @ objets · ! problèmes · Entrée : prendre · Échap : fermer</translation>
+        <translation>&gt; actions · / niveaux · @ objets · ! problèmes · Entrée&#xa0;: prendre · Échap&#xa0;: fermer</translation>
     </message>
     <message>
         <source>Nothing is called that.</source>
@@ -4679,7 +4719,7 @@
     </message>
     <message>
         <source>Back to the default: %1</source>
-        <translation>Valeur par défaut : %1</translation>
+        <translation>Valeur par défaut&#xa0;: %1</translation>
     </message>
     <message>
         <source>mixed</source>
@@ -4760,7 +4800,7 @@
     </message>
     <message>
         <source>Saved: the file holds this state</source>
-        <translation>Enregistré : le fichier contient cet état</translation>
+        <translation>Enregistré&#xa0;: le fichier contient cet état</translation>
     </message>
 </context>
 <context>
@@ -4798,7 +4838,7 @@
     </message>
     <message>
         <source>What a unit of the file is: a pixel of a drawing, a pixel of a map.</source>
-        <translation>Ce que vaut une unité du fichier : un pixel d’un dessin, un pixel d’une carte.</translation>
+        <translation>Ce que vaut une unité du fichier&#xa0;: un pixel d’un dessin, un pixel d’une carte.</translation>
     </message>
     <message>
         <source>How far straight segments may stray from a curve.</source>
@@ -4900,7 +4940,7 @@
     </message>
     <message>
         <source>Shape %1: %2</source>
-        <translation>Forme %1 : %2</translation>
+        <translation>Forme %1&#xa0;: %2</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n nodes selected</source>
@@ -4918,13 +4958,13 @@
     </message>
     <message>
         <source>That would leave the range of the field, so nothing has changed.</source>
-        <translation>Cela sortirait des limites du champ : rien n’a changé.</translation>
+        <translation>Cela sortirait des limites du champ&#xa0;: rien n’a changé.</translation>
     </message>
     <message numerus="yes">
         <source>%n of the values would leave the range of the field, so nothing has changed.</source>
         <translation>
-            <numerusform>%n des valeurs sortirait des limites du champ : rien n’a changé.</numerusform>
-            <numerusform>%n des valeurs sortiraient des limites du champ : rien n’a changé.</numerusform>
+            <numerusform>%n des valeurs sortirait des limites du champ&#xa0;: rien n’a changé.</numerusform>
+            <numerusform>%n des valeurs sortiraient des limites du champ&#xa0;: rien n’a changé.</numerusform>
         </translation>
     </message>
 </context>
@@ -5008,15 +5048,15 @@
     </message>
     <message>
         <source>%1 leads to “%2” (%3).</source>
-        <translation>%1 mène à « %2 » (%3).</translation>
+        <translation>%1 mène à «&#xa0;%2&#xa0;» (%3).</translation>
     </message>
     <message>
         <source>%1 leads to “%2” now, and no longer to “%3”.</source>
-        <translation>%1 mène maintenant à « %2 », et plus à « %3 ».</translation>
+        <translation>%1 mène maintenant à «&#xa0;%2&#xa0;», et plus à «&#xa0;%3&#xa0;».</translation>
     </message>
     <message>
         <source>%1 leads to “%2” now.</source>
-        <translation>%1 mène maintenant à « %2 ».</translation>
+        <translation>%1 mène maintenant à «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>Keys (*.json);;All files (*)</source>
@@ -5032,31 +5072,31 @@
     </message>
     <message>
         <source>“%1” cannot be read: %2.</source>
-        <translation>Impossible de lire « %1 » : %2.</translation>
+        <translation>Impossible de lire «&#xa0;%1&#xa0;»&#xa0;: %2.</translation>
     </message>
     <message>
         <source>“%1” is too large to be a file of keys.</source>
-        <translation>« %1 » est trop gros pour un fichier de touches.</translation>
+        <translation>«&#xa0;%1&#xa0;» est trop gros pour un fichier de touches.</translation>
     </message>
     <message>
         <source>Nothing was taken from “%1”.</source>
-        <translation>Rien n’a été repris de « %1 ».</translation>
+        <translation>Rien n’a été repris de «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>These are the keys of “%1” now.</source>
-        <translation>Ce sont maintenant les touches de « %1 ».</translation>
+        <translation>Ce sont maintenant les touches de «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>These are the keys of “%1” now. Nothing is called %2 here.</source>
-        <translation>Ce sont maintenant les touches de « %1 ». Rien ne s’appelle %2 ici.</translation>
+        <translation>Ce sont maintenant les touches de «&#xa0;%1&#xa0;». Rien ne s’appelle %2 ici.</translation>
     </message>
     <message>
         <source>Wrote all keys to “%1”.</source>
-        <translation>Touches écrites dans « %1 ».</translation>
+        <translation>Touches écrites dans «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>“%1” cannot be written: %2.</source>
-        <translation>Impossible d’écrire « %1 » : %2.</translation>
+        <translation>Impossible d’écrire «&#xa0;%1&#xa0;»&#xa0;: %2.</translation>
     </message>
 </context>
 <context>
@@ -5081,7 +5121,7 @@
     <name>spacetow::LevelPanel</name>
     <message>
         <source>That would leave the range of the field, so nothing has changed.</source>
-        <translation>Cela sortirait des limites du champ : rien n’a changé.</translation>
+        <translation>Cela sortirait des limites du champ&#xa0;: rien n’a changé.</translation>
     </message>
 </context>
 <context>
@@ -5118,7 +5158,7 @@
         <source>Draw levels and fly them: a level editor and physics sandbox.
 
 Free software under the MIT license. Made with Qt %1 and Eigen.</source>
-        <translation>Dessinez des niveaux et volez-y : éditeur de niveaux et bac à sable physique.
+        <translation>Dessinez des niveaux et volez-y&#xa0;: éditeur de niveaux et bac à sable physique.
 
 Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
@@ -5128,7 +5168,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Was open at the end of the last run, but is gone: %1</source>
-        <translation>Ouvert à la fin de la dernière session, mais disparu : %1</translation>
+        <translation>Ouvert à la fin de la dernière session, mais disparu&#xa0;: %1</translation>
     </message>
     <message>
         <source>comes with the program</source>
@@ -5141,8 +5181,8 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <message numerus="yes">
         <source>The level has %n errors and may not play as it should; see Problems.</source>
         <translation>
-            <numerusform>Le niveau a %n erreur et peut ne pas se jouer comme prévu ; voir Problèmes.</numerusform>
-            <numerusform>Le niveau a %n erreurs et peut ne pas se jouer comme prévu ; voir Problèmes.</numerusform>
+            <numerusform>Le niveau a %n erreur et peut ne pas se jouer comme prévu&#xa0;; voir Problèmes.</numerusform>
+            <numerusform>Le niveau a %n erreurs et peut ne pas se jouer comme prévu&#xa0;; voir Problèmes.</numerusform>
         </translation>
     </message>
     <message>
@@ -5187,11 +5227,11 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Playing a recorded flight · keys count when it has ended · %1: back to the editor</source>
-        <translation>Lecture d’un vol enregistré · les touches comptent quand il est fini · %1 : retour à l’éditeur</translation>
+        <translation>Lecture d’un vol enregistré · les touches comptent quand il est fini · %1&#xa0;: retour à l’éditeur</translation>
     </message>
     <message>
         <source>Playing a copy of the level · %1: back to the editor · Esc: menu</source>
-        <translation>Partie sur une copie du niveau · %1 : retour à l’éditeur · Échap : menu</translation>
+        <translation>Partie sur une copie du niveau · %1&#xa0;: retour à l’éditeur · Échap&#xa0;: menu</translation>
     </message>
     <message>
         <source>No level is open · arrows, Tab and Enter choose one</source>
@@ -5199,7 +5239,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>snaps to: %1</source>
-        <translation>s’aimante à : %1</translation>
+        <translation>s’aimante à&#xa0;: %1</translation>
     </message>
     <message>
         <source>Nothing was left unsaved.</source>
@@ -5223,7 +5263,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Take back the level as it was saved then, as one edit; its file stays as it is</source>
-        <translation>Reprendre le niveau tel qu’enregistré alors, en une seule modification ; son fichier reste tel quel</translation>
+        <translation>Reprendre le niveau tel qu’enregistré alors, en une seule modification&#xa0;; son fichier reste tel quel</translation>
     </message>
     <message>
         <source>No former versions yet</source>
@@ -5319,7 +5359,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Should the program end all of a sudden, what is not saved will be lost:</source>
-        <translation>Si le programme s’arrêtait brutalement, ce qui n’est pas enregistré serait perdu :</translation>
+        <translation>Si le programme s’arrêtait brutalement, ce qui n’est pas enregistré serait perdu&#xa0;:</translation>
     </message>
     <message>
         <source>%1 is open in another window too. What is saved there will arrive here.</source>
@@ -5345,7 +5385,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Click or drag: go there · wheel: zoom · arrows: move the view</source>
-        <translation>Clic ou glisser : y aller · molette : zoomer · flèches : déplacer la vue</translation>
+        <translation>Clic ou glisser&#xa0;: y aller · molette&#xa0;: zoomer · flèches&#xa0;: déplacer la vue</translation>
     </message>
 </context>
 <context>
@@ -5359,7 +5399,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <name>spacetow::NodesModel</name>
     <message>
         <source>shape %1: %2</source>
-        <translation>forme %1 : %2</translation>
+        <translation>forme %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -5386,7 +5426,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Double click or type to change a coordinate; with several rows selected, in all of them</source>
-        <translation>Double-clic ou saisie pour changer une coordonnée ; si plusieurs lignes sont sélectionnées, dans toutes</translation>
+        <translation>Double-clic ou saisie pour changer une coordonnée&#xa0;; si plusieurs lignes sont sélectionnées, dans toutes</translation>
     </message>
     <message>
         <source>Insert</source>
@@ -5409,7 +5449,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <name>spacetow::NumberField</name>
     <message>
         <source>Type a number or an expression such as 2*pi/3, 20 cm, +=0.5 or *=2 · Up, Down, wheel: step · Shift: finer · Ctrl: coarser</source>
-        <translation>Saisir un nombre ou une expression comme 2*pi/3, 20 cm, +=0.5 ou *=2 · Haut, Bas, molette : pas · Maj : plus fin · Ctrl : plus gros</translation>
+        <translation>Saisir un nombre ou une expression comme 2*pi/3, 20 cm, +=0.5 ou *=2 · Haut, Bas, molette&#xa0;: pas · Maj&#xa0;: plus fin · Ctrl&#xa0;: plus gros</translation>
     </message>
     <message>
         <source>mixed</source>
@@ -5453,11 +5493,11 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>%1 is not possible: %2.</source>
-        <translation>%1 est impossible : %2.</translation>
+        <translation>%1 est impossible&#xa0;: %2.</translation>
     </message>
     <message>
         <source>“%1” is no number.</source>
-        <translation>« %1 » n’est pas un nombre.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre.</translation>
     </message>
 </context>
 <context>
@@ -5476,18 +5516,18 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Nothing here is called “%1”; write the name or the key of another object.</source>
-        <translation>Rien ici ne s’appelle « %1 » ; écrivez le nom ou la clé d’un autre objet.</translation>
+        <translation>Rien ici ne s’appelle «&#xa0;%1&#xa0;»&#xa0;; écrivez le nom ou la clé d’un autre objet.</translation>
     </message>
     <message>
         <source>Several objects are called “%1”; write the key of the one you mean.</source>
-        <translation>Plusieurs objets s’appellent « %1 » ; écrivez la clé de celui que vous voulez.</translation>
+        <translation>Plusieurs objets s’appellent «&#xa0;%1&#xa0;»&#xa0;; écrivez la clé de celui que vous voulez.</translation>
     </message>
 </context>
 <context>
     <name>spacetow::OutlinerModel</name>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Color of the group. Click to choose another one</source>
@@ -5495,7 +5535,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Hidden in the editor; played all the same. Click to show it</source>
-        <translation>Masqué dans l’éditeur ; joué quand même. Cliquer pour l’afficher</translation>
+        <translation>Masqué dans l’éditeur&#xa0;; joué quand même. Cliquer pour l’afficher</translation>
     </message>
     <message>
         <source>Visible. Click to hide it in the editor</source>
@@ -5503,7 +5543,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Locked: not picked on the canvas, moved or deleted. Click to unlock it</source>
-        <translation>Verrouillé : ni saisi dans la zone de dessin, ni déplacé, ni supprimé. Cliquer pour le déverrouiller</translation>
+        <translation>Verrouillé&#xa0;: ni saisi dans la zone de dessin, ni déplacé, ni supprimé. Cliquer pour le déverrouiller</translation>
     </message>
     <message>
         <source>Not locked. Click to lock it against changes</source>
@@ -5546,11 +5586,11 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <name>spacetow::OutlinerPanel</name>
     <message>
         <source>What is locked stays where it is; unlock it to move it.</source>
-        <translation>Ce qui est verrouillé reste en place ; déverrouillez-le pour le déplacer.</translation>
+        <translation>Ce qui est verrouillé reste en place&#xa0;; déverrouillez-le pour le déplacer.</translation>
     </message>
     <message>
         <source>Find: name, kind:wall, tag:ice</source>
-        <translation>Rechercher : nom, kind:wall, tag:ice</translation>
+        <translation>Rechercher&#xa0;: nom, kind:wall, tag:ice</translation>
     </message>
     <message>
         <source>Filter of the objects</source>
@@ -5561,7 +5601,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
 kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round.
 The list shows what is drawn on top first.</source>
         <translation>Affiche les objets dont le nom contient ces mots, avec leurs groupes.
-kind:wall, tag:ice, is:hidden et is:locked cherchent autre chose ; un moins devant un mot l’inverse.
+kind:wall, tag:ice, is:hidden et is:locked cherchent autre chose&#xa0;; un moins devant un mot l’inverse.
 La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
@@ -5600,7 +5640,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <name>spacetow::PauseMenu</name>
     <message>
         <source>You made it!</source>
-        <translation>Réussi !</translation>
+        <translation>Réussi&#xa0;!</translation>
     </message>
     <message>
         <source>Crashed</source>
@@ -5657,14 +5697,14 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <name>spacetow::ProblemList</name>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
     <name>spacetow::ProblemsPanel</name>
     <message>
         <source>Show notes: what could be tidied</source>
-        <translation>Voir les notes : ce qui pourrait être rangé</translation>
+        <translation>Voir les notes&#xa0;: ce qui pourrait être rangé</translation>
     </message>
     <message>
         <source>Show warnings</source>
@@ -5688,11 +5728,11 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Hidden: %1</source>
-        <translation>Masqués : %1</translation>
+        <translation>Masqués&#xa0;: %1</translation>
     </message>
     <message>
         <source>Fix all that is safe: %1</source>
-        <translation>Tout corriger sans risque : %1</translation>
+        <translation>Tout corriger sans risque&#xa0;: %1</translation>
     </message>
     <message>
         <source>Checking…</source>
@@ -5704,11 +5744,11 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Nothing else: the rest is filtered out or hidden.</source>
-        <translation>Rien d’autre : le reste est filtré ou masqué.</translation>
+        <translation>Rien d’autre&#xa0;: le reste est filtré ou masqué.</translation>
     </message>
     <message>
         <source>Fix: %1</source>
-        <translation>Corriger : %1</translation>
+        <translation>Corriger&#xa0;: %1</translation>
     </message>
     <message>
         <source>Show it again</source>
@@ -5727,11 +5767,11 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <name>spacetow::RecoveryBar</name>
     <message>
         <source>The program ended with work that was not saved:</source>
-        <translation>Le programme s’est arrêté avec du travail non enregistré :</translation>
+        <translation>Le programme s’est arrêté avec du travail non enregistré&#xa0;:</translation>
     </message>
     <message>
         <source>Not now: it is kept, and offered again</source>
-        <translation>Pas maintenant : il est gardé, et proposé plus tard</translation>
+        <translation>Pas maintenant&#xa0;: il est gardé, et proposé plus tard</translation>
     </message>
     <message>
         <source>Close</source>
@@ -5739,11 +5779,11 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Beside the file as it is now:</source>
-        <translation>À côté du fichier tel qu’il est :</translation>
+        <translation>À côté du fichier tel qu’il est&#xa0;:</translation>
     </message>
     <message>
         <source>There is no file to compare it with:</source>
-        <translation>Aucun fichier auquel le comparer :</translation>
+        <translation>Aucun fichier auquel le comparer&#xa0;:</translation>
     </message>
     <message>
         <source>It is the same as the file.</source>
@@ -5781,7 +5821,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Go on with this level; its file stays as it is until you save</source>
-        <translation>Continuer avec ce niveau ; son fichier reste tel quel jusqu’à l’enregistrement</translation>
+        <translation>Continuer avec ce niveau&#xa0;; son fichier reste tel quel jusqu’à l’enregistrement</translation>
     </message>
     <message>
         <source>Say what differs from the file</source>
@@ -5808,11 +5848,11 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Metres; drag a horizontal guide out of the ruler</source>
-        <translation>Mètres ; tirer un guide horizontal hors de la règle</translation>
+        <translation>Mètres&#xa0;; tirer un guide horizontal hors de la règle</translation>
     </message>
     <message>
         <source>Metres; drag a vertical guide out of the ruler</source>
-        <translation>Mètres ; tirer un guide vertical hors de la règle</translation>
+        <translation>Mètres&#xa0;; tirer un guide vertical hors de la règle</translation>
     </message>
 </context>
 <context>
@@ -5823,14 +5863,14 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Metres; drag a slanting guide out of the corner</source>
-        <translation>Mètres ; tirer un guide oblique hors du coin</translation>
+        <translation>Mètres&#xa0;; tirer un guide oblique hors du coin</translation>
     </message>
 </context>
 <context>
     <name>spacetow::ScrubLabel</name>
     <message>
         <source>Drag: change the number · Shift: a tenth as fast · Ctrl: in whole steps · Escape: take it back</source>
-        <translation>Glisser : changer le nombre · Maj : dix fois plus lent · Ctrl : par pas entiers · Échap : revenir</translation>
+        <translation>Glisser&#xa0;: changer le nombre · Maj&#xa0;: dix fois plus lent · Ctrl&#xa0;: par pas entiers · Échap&#xa0;: revenir</translation>
     </message>
 </context>
 <context>
@@ -5845,7 +5885,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>How points snap; Shift+G switches the grid, Shift+S the rest, Ctrl suspends both</source>
-        <translation>Aimantation des points ; Maj+G commute la grille, Maj+S le reste, Ctrl suspend les deux</translation>
+        <translation>Aimantation des points&#xa0;; Maj+G commute la grille, Maj+S le reste, Ctrl suspend les deux</translation>
     </message>
     <message>
         <source>Next problem (F4)</source>
@@ -5937,15 +5977,15 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Touches whatever has a tag, also tags that are made later, but for those crossed out; click for everything</source>
-        <translation>Touche tout ce qui a une étiquette, même créée plus tard, sauf celles barrées ; cliquer : tout</translation>
+        <translation>Touche tout ce qui a une étiquette, même créée plus tard, sauf celles barrées&#xa0;; cliquer&#xa0;: tout</translation>
     </message>
     <message>
         <source>Touches whatever has a tag, also tags that are made later; click for nothing, click a tag to leave it out</source>
-        <translation>Touche tout ce qui a une étiquette, même créée plus tard ; cliquer : rien, cliquer une étiquette : l’exclure</translation>
+        <translation>Touche tout ce qui a une étiquette, même créée plus tard&#xa0;; cliquer&#xa0;: rien, cliquer une étiquette&#xa0;: l’exclure</translation>
     </message>
     <message>
         <source>Touches the marked tags only; click for everything</source>
-        <translation>Touche seulement les étiquettes marquées ; cliquer : tout</translation>
+        <translation>Touche seulement les étiquettes marquées&#xa0;; cliquer&#xa0;: tout</translation>
     </message>
     <message>
         <source>&amp;Rename</source>
@@ -5961,7 +6001,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Color of “%1”</source>
-        <translation>Couleur de « %1 »</translation>
+        <translation>Couleur de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Name</source>
@@ -5988,7 +6028,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Color of “%1”</source>
-        <translation>Couleur de « %1 »</translation>
+        <translation>Couleur de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -5999,19 +6039,19 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>No object is “%1” or “%2”.</source>
-        <translation>Aucun objet n’est « %1 » ou « %2 ».</translation>
+        <translation>Aucun objet n’est «&#xa0;%1&#xa0;» ou «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>“%1” and “%2” pass through each other.</source>
-        <translation>« %1 » et « %2 » se traversent.</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» se traversent.</translation>
     </message>
     <message>
         <source>“%1” and “%2” touch each other.</source>
-        <translation>« %1 » et « %2 » se touchent.</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» se touchent.</translation>
     </message>
     <message>
         <source>Some that are “%1” and “%2” touch each other.</source>
-        <translation>Certains « %1 » et « %2 » se touchent.</translation>
+        <translation>Certains «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» se touchent.</translation>
     </message>
     <message>
         <source>The rules of the game say so.</source>
@@ -6020,8 +6060,8 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <message numerus="yes">
         <source>%n objects are “%1”; double-click to select them, right-click for more</source>
         <translation>
-            <numerusform>%n objet est « %1 » ; double-clic : le sélectionner, clic droit : plus</numerusform>
-            <numerusform>%n objets sont « %1 » ; double-clic : les sélectionner, clic droit : plus</numerusform>
+            <numerusform>%n objet est «&#xa0;%1&#xa0;»&#xa0;; double-clic&#xa0;: le sélectionner, clic droit&#xa0;: plus</numerusform>
+            <numerusform>%n objets sont «&#xa0;%1&#xa0;»&#xa0;; double-clic&#xa0;: les sélectionner, clic droit&#xa0;: plus</numerusform>
         </translation>
     </message>
 </context>
@@ -6096,7 +6136,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Levels that come with the program; what you open is a copy</source>
-        <translation>Niveaux fournis avec le programme ; ce que vous ouvrez est une copie</translation>
+        <translation>Niveaux fournis avec le programme&#xa0;; ce que vous ouvrez est une copie</translation>
     </message>
     <message>
         <source>&amp;Show this page at start and when the last level is closed</source>
@@ -6119,7 +6159,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Zoom: type a percentage, or choose one; Ctrl+0 shows the original size</source>
-        <translation>Zoom : saisir un pourcentage, ou en choisir un ; Ctrl+0 donne la taille originale</translation>
+        <translation>Zoom&#xa0;: saisir un pourcentage, ou en choisir un&#xa0;; Ctrl+0 donne la taille originale</translation>
     </message>
     <message>
         <source>%1 %</source>

@@ -1267,6 +1267,46 @@
         <source>Begin with the levels that were open when the program was left</source>
         <translation>启动时打开上次退出时打开的关卡</translation>
     </message>
+    <message>
+        <source>Open a level first.</source>
+        <translation>请先打开一个关卡。</translation>
+    </message>
+    <message>
+        <source>No level has been closed yet.</source>
+        <translation>尚未关闭过任何关卡。</translation>
+    </message>
+    <message>
+        <source>The level has no file yet.</source>
+        <translation>此关卡还没有文件。</translation>
+    </message>
+    <message>
+        <source>Go to a problem first for which there is a fix.</source>
+        <translation>请先转到一个可以修复的问题。</translation>
+    </message>
+    <message>
+        <source>There is no problem that could be cured without asking.</source>
+        <translation>没有可以直接修复的问题。</translation>
+    </message>
+    <message>
+        <source>Go to a problem first.</source>
+        <translation>请先转到一个问题。</translation>
+    </message>
+    <message>
+        <source>The grid is as coarse as it gets.</source>
+        <translation>网格已经最粗。</translation>
+    </message>
+    <message>
+        <source>The grid is as fine as it gets.</source>
+        <translation>网格已经最细。</translation>
+    </message>
+    <message>
+        <source>This window stands alone.</source>
+        <translation>此窗口是独立的。</translation>
+    </message>
+    <message>
+        <source>There is no other window.</source>
+        <translation>没有其他窗口。</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -1430,7 +1470,7 @@
     </message>
     <message>
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>其他程序的文件逐个导入，因为每个都要先查看：此次导入的是 %1。</translation>
     </message>
 </context>
 <context>
@@ -3285,7 +3325,7 @@
     </message>
     <message>
         <source>Add the missing wall</source>
-        <translation type="unfinished"></translation>
+        <translation>补上缺失的墙</translation>
     </message>
     <message>
         <source>Remove what is there twice</source>
@@ -4063,55 +4103,55 @@
     </message>
     <message>
         <source>The ship can get out through this wall: it is solid on the wrong side. Reverse it.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以穿过此墙飞出：它的实心面反了。请将其反向。</translation>
     </message>
     <message>
         <source>The ship can get out through this chain: all its %1 walls are solid on the wrong side. Reverse it.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以穿过此链飞出：它的 %1 面墙实心面都反了。请将其反向。</translation>
     </message>
     <message>
         <source>The ship can get out through edge %1 of this chain: it is solid on the wrong side.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以穿过此链的第 %1 条边飞出：它的实心面反了。</translation>
     </message>
     <message>
         <source>The ship can get out: %1 walls, of which this is one, are solid on the wrong side.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以飞出：包括此墙在内的 %1 面墙实心面反了。</translation>
     </message>
     <message>
         <source>The ship can get out: this chain is not closed, its ends are %1 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以飞出：此链没有闭合，两端相距 %1 m。</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %1 m is missing between two ends of this object.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以飞出：此对象的两端之间缺少一面 %1 m 的墙。</translation>
     </message>
     <message>
         <source>The ship can get out: there is an opening of %1 m in this object.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以飞出：此对象有一个 %1 m 的开口。</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %5 m is missing between the end of this one and that of “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以飞出：此对象的端点与“%1”的端点之间缺少一面 %5 m 的墙。</translation>
     </message>
     <message>
         <source>The ship can get out: a wall of %5 m is missing between the end of this one and that of %2 at %3; %4 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以飞出：此对象的端点与 %3; %4 m 处的%2的端点之间缺少一面 %5 m 的墙。</translation>
     </message>
     <message>
         <source>The ship can get out: this wall ends %5 m before “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以飞出：此墙在距“%1” %5 m 处中断。</translation>
     </message>
     <message>
         <source>The ship can get out: this wall ends %5 m before %2 at %3; %4 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以飞出：此墙在距 %3; %4 m 处的%2 %5 m 处中断。</translation>
     </message>
     <message>
         <source>The ship can get out between this and “%1”: they are %5 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以从此对象与“%1”之间飞出：两者相距 %5 m。</translation>
     </message>
     <message>
         <source>The ship can get out between this and %2 at %3; %4 m: they are %5 m apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>飞船可以从此对象与 %3; %4 m 处的%2之间飞出：两者相距 %5 m。</translation>
     </message>
     <message>
         <source>“%1” is not a mass that a body can have.</source>

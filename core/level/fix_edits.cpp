@@ -218,7 +218,7 @@ Level withWallAdded(Level level, const ShapeRef& chain, const Vec2& from, const 
     for (const bool first : {true, false}) {
         const ChainEnd end{chain.key, chain.shape, first};
         const std::optional<OpenChain> open = openChain(level, end);
-        if (open && (open->at - from).norm() <= same) {
+        if (open && (open->at - from).norm() <= same && (to - from).norm() > same) {
             const bool closes = (open->other - to).norm() <= same;
             const std::vector<Vec2> points = closes ? std::vector<Vec2>() : std::vector{to};
             return extended(std::move(level), end, points, closes);
