@@ -13,7 +13,9 @@ using namespace std::chrono_literals;
 constexpr auto atOnce = 15ms;   // before the first results are shown
 constexpr auto perTurn = 8ms;   // of a frame, afterwards
 constexpr int rowsPerLook = 64; // at the clock
-constexpr int lately = 12;      // points for what was taken lately
+constexpr int ofName = 10;      // points for what is found in the name itself
+constexpr int lately = 12;      // for what was taken lately
+constexpr int notNow = 10;      // that an action loses which is not possible
 
 /// What people look for rather than for others.
 int pointsOf(FindKind kind) {
@@ -136,9 +138,11 @@ void FinderModel::test(int row) {
         return;
     }
     if (row < m_rows->few()) { // in the name itself it counts for more than in the menu's
-        const std::optional<int> inName = m_query.score(m_rows->row(row).name);
-        score = inName ? *inName + 20 : *score;
-        score = *score + (std::ranges::find(m_recent, row) != m_recent.end() ? lately : 0);
+        const FinderRow found = m_rows->row(row);
+        const std::optional<int> inName = m_query.score(found.name);
+        score = inName ? std::max(*inName + ofName, *score) : *score;
+        score = *score + (std::ranges::find(m_recent, row) != m_recent.end() ? lately : 0) -
+                (found.isPossible ? 0 : notNow);
     }
     m_found.push_back({*score + pointsOf(kind), row});
 }

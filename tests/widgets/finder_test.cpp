@@ -65,6 +65,13 @@ class FinderTest : public QObject {
         QVERIFY(test.canvas().hasFocus());
     }
 
+    void aWordOfTheMenuComesBeforeScatteredLettersOfNames() {
+        TestWindow test;
+        const QStringList names = namesFound(searchFor(test, ">over"));
+        QVERIFY(names.indexOf("Normals") >= 0 && names.indexOf("Move to Layer Above") >= 0);
+        QVERIFY(names.indexOf("Normals") < names.indexOf("Move to Layer Above"));
+    }
+
     void itSaysMenuAndKeyAndWhetherASwitchIsOn() {
         TestWindow test;
         Finder& finder = searchFor(test, ">normals");
