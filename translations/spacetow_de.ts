@@ -129,7 +129,7 @@
     </message>
     <message>
         <source>Zoom &amp;In</source>
-        <translation>Ver&amp;größern</translation>
+        <translation>Vergrößern</translation>
     </message>
     <message>
         <source>Show less of the level, larger</source>

@@ -521,7 +521,7 @@
     </message>
     <message>
         <source>&amp;Next Problem</source>
-        <translation>Problema &amp;siguiente</translation>
+        <translation>Pro&amp;blema siguiente</translation>
     </message>
     <message>
         <source>Go to the next problem of the level</source>
@@ -1197,7 +1197,7 @@
     </message>
     <message>
         <source>F&amp;ull Screen</source>
-        <translation>Pantalla co&amp;mpleta</translation>
+        <translation>&amp;Pantalla completa</translation>
     </message>
     <message>
         <source>Use the whole screen</source>
@@ -5335,7 +5335,7 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     </message>
     <message>
         <source>&amp;Transform</source>
-        <translation>&amp;Transformar</translation>
+        <translation>Tran&amp;sformar</translation>
     </message>
     <message>
         <source>&amp;Path</source>

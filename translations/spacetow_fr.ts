@@ -537,7 +537,7 @@
     </message>
     <message>
         <source>&amp;Fix Problem</source>
-        <translation>&amp;Corriger le problème</translation>
+        <translation>C&amp;orriger le problème</translation>
     </message>
     <message>
         <source>Cure the problem that was gone to last, where there is a fix for it</source>
@@ -1129,7 +1129,7 @@
     </message>
     <message>
         <source>&amp;Fit Level</source>
-        <translation>Ni&amp;veau entier</translation>
+        <translation>Niveau entie&amp;r</translation>
     </message>
     <message>
         <source>Show the whole level</source>

@@ -329,7 +329,7 @@
     </message>
     <message>
         <source>De&amp;lete</source>
-        <translation>删除(&amp;L)</translation>
+        <translation>删除(&amp;E)</translation>
     </message>
     <message>
         <source>Remove the selection</source>
@@ -481,7 +481,7 @@
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>退出(&amp;Q)</translation>
+        <translation>退出(&amp;U)</translation>
     </message>
     <message>
         <source>Close all windows and leave the program</source>
@@ -545,7 +545,7 @@
     </message>
     <message>
         <source>Fix &amp;All Safe Problems</source>
-        <translation>修复所有安全的问题(&amp;A)</translation>
+        <translation>修复所有安全的问题(&amp;I)</translation>
     </message>
     <message>
         <source>Cure all problems whose fix changes nothing that was meant</source>
@@ -569,7 +569,7 @@
     </message>
     <message>
         <source>&amp;Delete Segments</source>
-        <translation>删除线段(&amp;D)</translation>
+        <translation>删除线段(&amp;E)</translation>
     </message>
     <message>
         <source>Remove the segments between selected nodes and leave the chain open there</source>
@@ -701,7 +701,7 @@
     </message>
     <message>
         <source>&amp;Linear Array…</source>
-        <translation>线性阵列(&amp;L)…</translation>
+        <translation>线性阵列(&amp;I)…</translation>
     </message>
     <message>
         <source>Make copies of the selection in a row</source>
@@ -1049,7 +1049,7 @@
     </message>
     <message>
         <source>&amp;Moving Body</source>
-        <translation>运动物体(&amp;M)</translation>
+        <translation>运动物体(&amp;V)</translation>
     </message>
     <message>
         <source>Draw a body that moves as it is told, and its velocity</source>
@@ -1145,7 +1145,7 @@
     </message>
     <message>
         <source>Fra&amp;me Selection</source>
-        <translation>缩放到所选对象(&amp;M)</translation>
+        <translation>缩放到所选对象(&amp;S)</translation>
     </message>
     <message>
         <source>Show the selection as large as fits</source>
@@ -1221,7 +1221,7 @@
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation>深色(&amp;D)</translation>
+        <translation>深色(&amp;A)</translation>
     </message>
     <message>
         <source>Dark panels and a drawing board as dark as space</source>
@@ -2342,7 +2342,7 @@
     </message>
     <message>
         <source>&amp;History</source>
-        <translation>历史(&amp;H)</translation>
+        <translation>历史(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Minimap</source>
@@ -5238,7 +5238,7 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation>打开最近文件(&amp;R)</translation>
+        <translation>打开最近文件(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Backups</source>
