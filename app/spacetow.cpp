@@ -1,35 +1,19 @@
 // The program: reads its arguments, chooses language and style, opens the windows.
 #include "editor/canvas/icons.h"
 #include "editor/window/application.h"
+#include "editor/window/language.h"
 #include "editor/window/main_window.h"
+#include "editor/window/preferences.h"
 #include "editor/window/quit_signals.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QLibraryInfo>
-#include <QLocale>
-#include <QTranslator>
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
 namespace {
-
-void installTranslations(QTranslator& own, QTranslator& toolkit) {
-    const QLocale locale;
-    const QString resources = QStringLiteral(":/translations");
-    if (own.load(locale, QStringLiteral("spacetow"), QStringLiteral("_"), resources)) {
-        // Only with our own, so that two languages never mix in one window.
-        const QString folder = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
-        if (toolkit.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), folder)) {
-            QCoreApplication::installTranslator(&toolkit);
-        }
-    } else if (!own.load(QStringLiteral("spacetow_en"), resources)) {
-        return;
-    }
-    QCoreApplication::installTranslator(&own);
-}
 
 void describe(QCommandLineParser& parser) {
     parser.setApplicationDescription(
@@ -63,9 +47,7 @@ bool asksForWordsOnly(int argc, char** argv) {
 /// For these no window is needed, and there may be no display.
 int printWords(int argc, char** argv) {
     const QCoreApplication application(argc, argv);
-    QTranslator own;
-    QTranslator toolkit;
-    installTranslations(own, toolkit);
+    spacetow::speak(spacetow::Preferences().language());
     QCommandLineParser parser;
     describe(parser);
     parser.process(application);
@@ -86,9 +68,7 @@ int main(int argc, char** argv) {
     QApplication::setDesktopFileName(QStringLiteral("spacetow-studio"));
     QApplication::setWindowIcon(spacetow::applicationIcon());
 
-    QTranslator own;
-    QTranslator toolkit;
-    installTranslations(own, toolkit);
+    spacetow::speak(spacetow::Preferences().language());
 
     QCommandLineParser parser;
     describe(parser);

@@ -129,7 +129,7 @@
     </message>
     <message>
         <source>Zoom &amp;In</source>
-        <translation>Vergrößern</translation>
+        <translation>V&amp;ergrößern</translation>
     </message>
     <message>
         <source>Show less of the level, larger</source>
@@ -149,7 +149,7 @@
     </message>
     <message>
         <source>&amp;Fit Level</source>
-        <translation>Level ei&amp;npassen</translation>
+        <translation>Level ein&amp;passen</translation>
     </message>
     <message>
         <source>Show the whole level</source>
@@ -989,11 +989,11 @@
     </message>
     <message>
         <source>Fra&amp;me Selection</source>
-        <translation>Auswahl ein&amp;passen</translation>
+        <translation>A&amp;uswahl einpassen</translation>
     </message>
     <message>
         <source>&amp;Rulers</source>
-        <translation>Line&amp;ale</translation>
+        <translation>L&amp;ineale</translation>
     </message>
     <message>
         <source>Show the rulers, out of which guides are dragged</source>
@@ -1009,7 +1009,7 @@
     </message>
     <message>
         <source>&amp;Delete All Guides</source>
-        <translation>Alle &amp;Hilfslinien löschen</translation>
+        <translation>&amp;Alle Hilfslinien löschen</translation>
     </message>
     <message>
         <source>Take all guides out of the level</source>
@@ -5235,7 +5235,7 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     </message>
     <message>
         <source>S&amp;napping</source>
-        <translation>E&amp;inrasten</translation>
+        <translation>Ei&amp;nrasten</translation>
     </message>
     <message>
         <source>Grid S&amp;tep</source>
@@ -5279,7 +5279,7 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     </message>
     <message>
         <source>&amp;Appearance</source>
-        <translation>&amp;Erscheinungsbild</translation>
+        <translation>Er&amp;scheinungsbild</translation>
     </message>
     <message>
         <source>Read %1 again</source>
@@ -5364,6 +5364,18 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>%1 is open in another window too. What is saved there will arrive here.</source>
         <translation>%1 ist auch in einem anderen Fenster offen. Was dort gespeichert wird, kommt hier an.</translation>
+    </message>
+    <message>
+        <source>Texts in this language from now on, in all windows</source>
+        <translation>Texte von nun an in dieser Sprache, in allen Fenstern</translation>
+    </message>
+    <message>
+        <source>Like the &amp;Desktop</source>
+        <translation>Wie der &amp;Desktop</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Sprac&amp;he</translation>
     </message>
 </context>
 <context>

@@ -829,7 +829,7 @@
     </message>
     <message>
         <source>Co&amp;mpare With…</source>
-        <translation>Co&amp;mparar con…</translation>
+        <translation>&amp;Comparar con…</translation>
     </message>
     <message>
         <source>Choose a level file and show what is different from it</source>
@@ -1105,7 +1105,7 @@
     </message>
     <message>
         <source>Zoom &amp;In</source>
-        <translation>&amp;Acercar</translation>
+        <translation>Ac&amp;ercar</translation>
     </message>
     <message>
         <source>Show less of the level, larger</source>
@@ -1129,7 +1129,7 @@
     </message>
     <message>
         <source>&amp;Fit Level</source>
-        <translation>Encajar &amp;nivel</translation>
+        <translation>Encajar ni&amp;vel</translation>
     </message>
     <message>
         <source>Show the whole level</source>
@@ -1137,7 +1137,7 @@
     </message>
     <message>
         <source>&amp;Center Selection</source>
-        <translation>&amp;Centrar selección</translation>
+        <translation>Centrar &amp;selección</translation>
     </message>
     <message>
         <source>Bring the selection to the middle of the view</source>
@@ -1145,7 +1145,7 @@
     </message>
     <message>
         <source>Fra&amp;me Selection</source>
-        <translation>&amp;Encuadrar selección</translation>
+        <translation>E&amp;ncuadrar selección</translation>
     </message>
     <message>
         <source>Show the selection as large as fits</source>
@@ -1153,7 +1153,7 @@
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation>C&amp;uadrícula</translation>
+        <translation>Cu&amp;adrícula</translation>
     </message>
     <message>
         <source>Show the grid</source>
@@ -5295,7 +5295,7 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     </message>
     <message>
         <source>O&amp;verlays</source>
-        <translation>&amp;Superposiciones</translation>
+        <translation>S&amp;uperposiciones</translation>
     </message>
     <message>
         <source>S&amp;napping</source>
@@ -5364,6 +5364,18 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     <message>
         <source>%1 is open in another window too. What is saved there will arrive here.</source>
         <translation>%1 también está abierto en otra ventana. Lo que se guarde allí llegará aquí.</translation>
+    </message>
+    <message>
+        <source>Texts in this language from now on, in all windows</source>
+        <translation>Textos en este idioma desde ahora, en todas las ventanas</translation>
+    </message>
+    <message>
+        <source>Like the &amp;Desktop</source>
+        <translation>Como el &amp;escritorio</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Idio&amp;ma</translation>
     </message>
 </context>
 <context>

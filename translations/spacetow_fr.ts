@@ -1129,7 +1129,7 @@
     </message>
     <message>
         <source>&amp;Fit Level</source>
-        <translation>Niveau entie&amp;r</translation>
+        <translation>&amp;Niveau entier</translation>
     </message>
     <message>
         <source>Show the whole level</source>
@@ -1153,7 +1153,7 @@
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation>&amp;Grille</translation>
+        <translation>G&amp;rille</translation>
     </message>
     <message>
         <source>Show the grid</source>
@@ -5311,7 +5311,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation>Pa&amp;nneaux</translation>
+        <translation>&amp;Panneaux</translation>
     </message>
     <message>
         <source>&amp;Appearance</source>
@@ -5364,6 +5364,18 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <message>
         <source>%1 is open in another window too. What is saved there will arrive here.</source>
         <translation>%1 est aussi ouvert dans une autre fenêtre. Ce qui y est enregistré arrivera ici.</translation>
+    </message>
+    <message>
+        <source>Texts in this language from now on, in all windows</source>
+        <translation>Textes dans cette langue désormais, dans toutes les fenêtres</translation>
+    </message>
+    <message>
+        <source>Like the &amp;Desktop</source>
+        <translation>Comme le &amp;bureau</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Lan&amp;gue</translation>
     </message>
 </context>
 <context>

@@ -829,7 +829,7 @@
     </message>
     <message>
         <source>Co&amp;mpare With…</source>
-        <translation>比较(&amp;M)…</translation>
+        <translation>比较(&amp;C)…</translation>
     </message>
     <message>
         <source>Choose a level file and show what is different from it</source>
@@ -1105,7 +1105,7 @@
     </message>
     <message>
         <source>Zoom &amp;In</source>
-        <translation>放大(&amp;I)</translation>
+        <translation>放大(&amp;Z)</translation>
     </message>
     <message>
         <source>Show less of the level, larger</source>
@@ -1113,7 +1113,7 @@
     </message>
     <message>
         <source>Zoom &amp;Out</source>
-        <translation>缩小(&amp;O)</translation>
+        <translation>缩小(&amp;M)</translation>
     </message>
     <message>
         <source>Show more of the level, smaller</source>
@@ -1121,7 +1121,7 @@
     </message>
     <message>
         <source>Original Si&amp;ze</source>
-        <translation>原始大小(&amp;Z)</translation>
+        <translation>原始大小(&amp;O)</translation>
     </message>
     <message>
         <source>Show the level as large as in the game</source>
@@ -1129,7 +1129,7 @@
     </message>
     <message>
         <source>&amp;Fit Level</source>
-        <translation>适应关卡(&amp;F)</translation>
+        <translation>适应关卡(&amp;I)</translation>
     </message>
     <message>
         <source>Show the whole level</source>
@@ -1137,7 +1137,7 @@
     </message>
     <message>
         <source>&amp;Center Selection</source>
-        <translation>居中所选对象(&amp;C)</translation>
+        <translation>居中所选对象(&amp;E)</translation>
     </message>
     <message>
         <source>Bring the selection to the middle of the view</source>
@@ -1153,7 +1153,7 @@
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation>网格(&amp;G)</translation>
+        <translation>网格(&amp;R)</translation>
     </message>
     <message>
         <source>Show the grid</source>
@@ -1161,7 +1161,7 @@
     </message>
     <message>
         <source>&amp;Rulers</source>
-        <translation>标尺(&amp;R)</translation>
+        <translation>标尺(&amp;U)</translation>
     </message>
     <message>
         <source>Show the rulers, out of which guides are dragged</source>
@@ -1169,7 +1169,7 @@
     </message>
     <message>
         <source>Guid&amp;es</source>
-        <translation>参考线(&amp;E)</translation>
+        <translation>参考线(&amp;D)</translation>
     </message>
     <message>
         <source>Show the guides; what is hidden is neither taken nor snapped to</source>
@@ -1177,7 +1177,7 @@
     </message>
     <message>
         <source>&amp;Delete All Guides</source>
-        <translation>删除所有参考线(&amp;D)</translation>
+        <translation>删除所有参考线(&amp;L)</translation>
     </message>
     <message>
         <source>Take all guides out of the level</source>
@@ -1197,7 +1197,7 @@
     </message>
     <message>
         <source>F&amp;ull Screen</source>
-        <translation>全屏(&amp;U)</translation>
+        <translation>全屏(&amp;F)</translation>
     </message>
     <message>
         <source>Use the whole screen</source>
@@ -5323,6 +5323,18 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     <message>
         <source>%1 is open in another window too. What is saved there will arrive here.</source>
         <translation>%1 也在另一个窗口中打开。在那里保存的内容会同步到这里。</translation>
+    </message>
+    <message>
+        <source>Texts in this language from now on, in all windows</source>
+        <translation>从现在起所有窗口都使用此语言</translation>
+    </message>
+    <message>
+        <source>Like the &amp;Desktop</source>
+        <translation>跟随桌面(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>语言(&amp;G)</translation>
     </message>
 </context>
 <context>

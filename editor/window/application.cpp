@@ -1,6 +1,7 @@
 #include "editor/window/application.h"
 
 #include "editor/window/dropped_files.h"
+#include "editor/window/language.h"
 #include "editor/window/main_window.h"
 
 #include <QFileInfo>
@@ -255,6 +256,42 @@ void Application::remember() const {
     if (!m_quitting && !m_windows.empty()) {
         rememberWindows(windows());
     }
+}
+
+void Application::setLanguage(const QString& code) {
+    Preferences().setLanguage(code);
+    for (MainWindow* const window : windows()) {
+        window->stopPlaying();
+        window->finishWork();
+    }
+    speak(code);
+    for (MainWindow* const window : windows()) {
+        replace(*window);
+    }
+}
+
+/// By one that is made anew, with the same level, place and view.
+void Application::replace(MainWindow& old) {
+    const bool welcoming = old.isWelcoming();
+    const bool active = old.isActiveWindow();
+    MainWindow& window = add(old.openLevel(), nullptr);
+    window.restoreGeometry(old.saveGeometry());
+    window.restoreState(old.panels().arrangement());
+    window.show();
+    if (welcoming) {
+        window.showWelcome();
+    } else {
+        showView(window, viewOf(old));
+    }
+    if (active) {
+        window.activateWindow();
+    }
+    const auto found = std::ranges::find(m_windows, &old, &std::unique_ptr<MainWindow>::get);
+    old.disconnect(this);
+    old.openLevel()->remove(old);
+    old.hide();
+    found->release()->deleteLater(); // whose menu has called
+    m_windows.erase(found);
 }
 
 bool Application::quit() {

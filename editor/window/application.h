@@ -54,6 +54,9 @@ class Application : public QObject {
     bool canReopen() const { return !m_closed.empty(); }
     void reopenClosed(MainWindow& from);
 
+    /// In all windows at once, and from then on; empty for the language of the desktop.
+    void setLanguage(const QString& code);
+
     /// Asks about all that is modified before it closes anything; false when the user would rather stay.
     bool quit();
 
@@ -66,6 +69,7 @@ class Application : public QObject {
 
     MainWindow& add(std::shared_ptr<OpenLevel> level, const MainWindow* beside);
     MainWindow& roomFor(MainWindow& from);
+    void replace(MainWindow& old);
     void restoreWindows();
     void closed(MainWindow& window);
     void keepClosed(const MainWindow& window);

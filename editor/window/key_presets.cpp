@@ -15,12 +15,8 @@ struct PresetKeys {
 };
 
 constexpr PresetKeys tiledKeys[] = {
-    {Act::Grid, "Ctrl+G G"},
-    {Act::Group, "Ctrl+J"},
-    {Act::SmartSnap, "Shift+S"},
-    {Act::Snap, "Shift+G"},
-    {Act::QuarterRight, "Z Ctrl+]"},
-    {Act::QuarterLeft, "Shift+Z Ctrl+["},
+    {Act::Grid, "Ctrl+G G"},          {Act::Group, "Ctrl+J"},          {Act::SmartSnap, "Shift+S"},
+    {Act::Snap, "Shift+G"},           {Act::QuarterRight, "Z Ctrl+]"}, {Act::QuarterLeft, "Shift+Z Ctrl+["},
     {Act::ZoomIn, "Ctrl++ Ctrl+= +"},
 };
 

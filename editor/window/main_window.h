@@ -182,6 +182,7 @@ class MainWindow : public QMainWindow {
     void fillRecent();
     void fillWindows();
     void fillBackups();
+    void fillLanguages();
     QMenu* makeMenu(const MenuRow& row);
     void openMenuAt(const QPoint& global);
     void openOutlinerMenuAt(const QPoint& global);

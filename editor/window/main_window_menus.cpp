@@ -1,4 +1,5 @@
 // The menus and tool bars of the window, made from the table of actions.
+#include "editor/window/language.h"
 #include "editor/window/main_window.h"
 
 #include "editor/editing/backups.h"
@@ -7,6 +8,7 @@
 #include "editor/window/application.h"
 #include "editor/window/state_folder.h"
 
+#include <QActionGroup>
 #include <QDateTime>
 #include <QFileInfo>
 #include <QLocale>
@@ -97,6 +99,7 @@ void MainWindow::makeMenus() {
     fillWindows();
     connect(m_menus.at(MenuId::Recent), &QMenu::aboutToShow, this, &MainWindow::fillRecent);
     connect(m_menus.at(MenuId::Window), &QMenu::aboutToShow, this, &MainWindow::fillWindows);
+    fillLanguages();
     fillBackups();
     connect(m_menus.at(MenuId::Backups), &QMenu::aboutToShow, this, &MainWindow::fillBackups);
     for (const auto& [id, menu] : m_menus) {
@@ -170,6 +173,27 @@ void MainWindow::fillWindows() {
         action->setChecked(window == this);
         list(action);
         connect(action, &QAction::triggered, window, &MainWindow::comeForward);
+    }
+}
+
+/// Each is called what its speakers call it, so that whoever chose a wrong one finds back.
+void MainWindow::fillLanguages() {
+    QMenu& menu = *m_menus.at(MenuId::Language);
+    auto* const choice = new QActionGroup(&menu); // owned by it
+    const QString spoken = m_files.preferences.language();
+    const auto add = [&](const QString& name, const QString& code) {
+        QAction* const action = menu.addAction(name);
+        action->setCheckable(true);
+        action->setChecked(code == spoken);
+        action->setActionGroup(choice);
+        action->setStatusTip(tr("Texts in this language from now on, in all windows"));
+        action->setEnabled(m_application != nullptr);
+        connect(action, &QAction::triggered, this, [this, code] { m_application->setLanguage(code); });
+    };
+    add(tr("Like the &Desktop"), QString());
+    menu.addSeparator();
+    for (const Language& language : languages()) {
+        add(language.name, language.code);
     }
 }
 

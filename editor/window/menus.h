@@ -22,6 +22,7 @@ enum class MenuId : std::uint8_t {
     SubGrid,
     Panels,
     Appearance,
+    Language,
     Insert,
     Object,
     Order,

@@ -101,6 +101,14 @@ void Preferences::setWelcomes(bool welcomes) {
     QSettings().setValue("windows/welcome", welcomes);
 }
 
+QString Preferences::language() const {
+    return QSettings().value("language").toString();
+}
+
+void Preferences::setLanguage(const QString& code) {
+    QSettings().setValue("language", code);
+}
+
 SnapSettings Preferences::snap() const {
     const QSettings settings;
     SnapSettings snap;

@@ -44,6 +44,9 @@ class Preferences {
     void setGuides(bool visible);
     Appearance appearance() const;
     void setAppearance(Appearance appearance);
+    /// See speak(); empty for that of the desktop.
+    QString language() const;
+    void setLanguage(const QString& code);
     OverlayFlags overlays() const;
     void setOverlays(const OverlayFlags& overlays);
     /// Sections of the inspector.

@@ -77,11 +77,11 @@ void RecoveryBar::look(bool calledFor) {
         return;
     }
     const QSize size = RecoveryRow::pictureSize(devicePixelRatioF());
-    m_task.start(
-        [this, size, folder = m_folder, &theme = editingTheme(shadeOf(palette()))](const std::stop_token&) -> BackgroundTask::Then {
-            auto found = std::make_shared<std::vector<FoundWork>>(foundIn(folder, size, theme));
-            return [this, found] { fill(std::move(*found)); };
-        });
+    m_task.start([this, size, folder = m_folder,
+                  &theme = editingTheme(shadeOf(palette()))](const std::stop_token&) -> BackgroundTask::Then {
+        auto found = std::make_shared<std::vector<FoundWork>>(foundIn(folder, size, theme));
+        return [this, found] { fill(std::move(*found)); };
+    });
 }
 
 void RecoveryBar::fill(std::vector<FoundWork> found) {

@@ -91,21 +91,47 @@ QSet<QString> textsOf(const std::vector<Entry>& entries) {
     return texts;
 }
 
-/// German, as the program speaks it, for as long as this lives.
-class German {
+/// Says everything in English with two fifths more letters, as some language may.
+class LongWinded : public QTranslator {
   public:
-    German() {
-        loaded = translator.load(QLocale(QStringLiteral("de_AT")), QStringLiteral("spacetow"), QStringLiteral("_"),
-                                 QStringLiteral(":/translations"));
-        QCoreApplication::installTranslator(&translator);
+    bool isEmpty() const override { return false; }
+    QString translate(const char*, const char* source, const char*, int) const override {
+        const QString text = QString::fromUtf8(source);
+        QString more;
+        const qsizetype wanted = (2 * text.size() + 4) / 5;
+        while (more.size() < wanted) {
+            more += more.size() % 7 == 6 ? u' ' : u'o';
+        }
+        return more.trimmed() + text;
     }
-    ~German() { QCoreApplication::removeTranslator(&translator); }
-    German(const German&) = delete;
-    German& operator=(const German&) = delete;
+};
+
+/// A language, as the program speaks it, for as long as this lives; "long" is that of LongWinded.
+class Spoken {
+  public:
+    explicit Spoken(const QString& locale)
+        : m_translator(locale == QLatin1String("long") ? std::make_unique<LongWinded>()
+                                                       : std::make_unique<QTranslator>()) {
+        loaded = m_translator->load(QLocale(locale), QStringLiteral("spacetow"), QStringLiteral("_"),
+                                    QStringLiteral(":/translations"));
+        QCoreApplication::installTranslator(m_translator.get());
+    }
+    ~Spoken() { QCoreApplication::removeTranslator(m_translator.get()); }
+    Spoken(const Spoken&) = delete;
+    Spoken& operator=(const Spoken&) = delete;
 
     bool loaded = false;
-    QTranslator translator;
+    const QTranslator& translator() const { return *m_translator; }
+
+  private:
+    std::unique_ptr<QTranslator> m_translator;
 };
+
+struct German : Spoken {
+    German() : Spoken(QStringLiteral("de_AT")) {}
+};
+
+const QStringList spokenLocales{"de_AT", "fr_FR", "es_MX", "zh_CN"};
 
 void addLanguages() {
     QTest::addColumn<QString>("path");
@@ -167,7 +193,7 @@ class TranslationsTest : public QObject {
         const German german;
         QVERIFY(german.loaded);
         const auto verify = [&](const char* context, const char* text) {
-            return *text == '\0' || !german.translator.translate(context, text).isEmpty();
+            return *text == '\0' || !german.translator().translate(context, text).isEmpty();
         };
         for (const auto texts : {problemTexts(), hintTexts()}) {
             for (const MessageText& message : texts) {
@@ -227,8 +253,16 @@ class TranslationsTest : public QObject {
                                  QStringLiteral(":/translations")));
     }
 
+    void noLetterStandsForTwoEntriesOfAMenu_data() {
+        QTest::addColumn<QString>("locale");
+        for (const QString& locale : spokenLocales) {
+            QTest::newRow(qPrintable(locale)) << locale;
+        }
+    }
     void noLetterStandsForTwoEntriesOfAMenu() {
-        const German german;
+        QFETCH(QString, locale);
+        const Spoken spoken(locale);
+        QVERIFY(spoken.loaded);
         TestWindow test;
         QList<QList<QAction*>> menus{test.window->menuBar()->actions()};
         for (const QMenu* menu : test.window->menuBar()->findChildren<QMenu*>()) {
@@ -246,16 +280,23 @@ class TranslationsTest : public QObject {
     }
 
     void nothingIsCutOffInASmallWindow_data() {
+        QTest::addColumn<QString>("locale");
         QTest::addColumn<QList<Act>>("acts");
-        QTest::newRow("level") << QList<Act>{};
-        QTest::newRow("wall") << QList<Act>{Act::SelectAll};
-        QTest::newRow("two objects") << QList<Act>{Act::Duplicate, Act::SelectAll};
-        QTest::newRow("game") << QList<Act>{Act::Play};
-        QTest::newRow("held game") << QList<Act>{Act::Play, Act::Pause};
+        for (const QString& locale : spokenLocales + QStringList{"long"}) {
+            const auto add = [&locale](const char* what, const QList<Act>& acts) {
+                QTest::addRow("%s: %s", qPrintable(locale), what) << locale << acts;
+            };
+            add("level", {});
+            add("wall", {Act::SelectAll});
+            add("two objects", {Act::Duplicate, Act::SelectAll});
+            add("game", {Act::Play});
+            add("held game", {Act::Play, Act::Pause});
+        }
     }
     void nothingIsCutOffInASmallWindow() {
+        QFETCH(QString, locale);
         QFETCH(QList<Act>, acts);
-        const German german;
+        const Spoken spoken(locale);
         TestWindow test;
         test.drawWalls();
         test.trigger(Act::SelectAll);
@@ -265,9 +306,9 @@ class TranslationsTest : public QObject {
         if (acts.isEmpty()) {
             test.trigger(Act::SelectNone);
         }
-        test.window->resize(1024, 640);
+        test.window->resize(800, 600);
         QApplication::processEvents();
-        QCOMPARE(test.window->size(), QSize(1024, 640));
+        QCOMPARE(test.window->size(), QSize(800, 600));
         QCOMPARE(cutOffTexts(*test.window), QStringList());
         if (test.window->isPlaying()) {
             QTest::keyClick(&test.window->playView(), Qt::Key_Escape);

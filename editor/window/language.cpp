@@ -1,0 +1,66 @@
+#include "editor/window/language.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+constexpr auto textsFolder = ":/translations";
+constexpr auto textsName = "spacetow";
+
+/// Qt asks the one that was installed last first. They go with the application, which comes and goes in tests.
+QTranslator* installed(const QLocale& locale, const QString& name, const QString& folder) {
+    auto* const translator = new QTranslator(QCoreApplication::instance()); // owned by it
+    if (!translator->load(locale, name, QStringLiteral("_"), folder)) {
+        delete translator;
+        return nullptr;
+    }
+    translator->setObjectName(QStringLiteral("spoken"));
+    QCoreApplication::installTranslator(translator);
+    return translator;
+}
+
+} // namespace
+
+std::vector<Language> languages() {
+    std::vector<Language> all;
+    for (const QString& file : QDir(QLatin1String(textsFolder)).entryList({QStringLiteral("*.qm")}, QDir::Files)) {
+        const QString code = file.section(QLatin1Char('.'), 0, 0).mid(static_cast<qsizetype>(qstrlen(textsName)) + 1);
+        QString name = QLocale(code).nativeLanguageName();
+        if (code == QLatin1String("en")) {
+            name = QStringLiteral("English"); // not one of its kinds
+        } else if (!name.isEmpty()) {
+            name[0] = name[0].toUpper();
+        }
+        all.push_back({code, name});
+    }
+    std::ranges::sort(all, {}, &Language::name);
+    return all;
+}
+
+void speak(const QString& code) {
+    for (QTranslator* translator : QCoreApplication::instance()->findChildren<QTranslator*>(
+             QStringLiteral("spoken"), Qt::FindDirectChildrenOnly)) {
+        delete translator; // which takes it out
+    }
+    const QLocale locale = code.isEmpty() ? QLocale() : QLocale(code);
+    const QString name = QLatin1String(textsName);
+    const QString folder = QLatin1String(textsFolder);
+    // Qt's own texts only with ours, so that two languages never mix in one window.
+    QTranslator probe;
+    if (probe.load(locale, name, QStringLiteral("_"), folder)) {
+        installed(locale, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+        installed(locale, name, folder);
+    } else {
+        installed(QLocale(QStringLiteral("en")), name, folder);
+    }
+}
+
+} // namespace spacetow
