@@ -652,7 +652,7 @@
         <translation>Behält, was die ausgewählten Polygone gemeinsam haben</translation>
     </message>
     <message>
-        <source>Duplicate in P&amp;lace</source>
+        <source>Duplicat&amp;e in Place</source>
         <translation>An Or&amp;t und Stelle duplizieren</translation>
     </message>
     <message>
@@ -684,7 +684,7 @@
         <translation>Fügt in der Mitte jedes ausgewählten Segments (oder aller) einen Knoten ein</translation>
     </message>
     <message>
-        <source>&amp;Delete Segments</source>
+        <source>D&amp;elete Segments</source>
         <translation>&amp;Segmente löschen</translation>
     </message>
     <message>
@@ -772,7 +772,7 @@
         <translation>Verschiebt, skaliert und dreht die Auswahl mit Zahlen</translation>
     </message>
     <message>
-        <source>&amp;Linear Array…</source>
+        <source>L&amp;inear Array…</source>
         <translation>Lineare &amp;Anordnung…</translation>
     </message>
     <message>
@@ -964,7 +964,7 @@
         <translation>Zeichnet ein massives Rechteck</translation>
     </message>
     <message>
-        <source>&amp;Moving Body</source>
+        <source>Moving &amp;Body</source>
         <translation>&amp;Bewegter Körper</translation>
     </message>
     <message>
@@ -1016,7 +1016,7 @@
         <translation>Entfernt alle Hilfslinien aus dem Level</translation>
     </message>
     <message>
-        <source>&amp;Hide All</source>
+        <source>Hide &amp;All</source>
         <translation>&amp;Alle ausblenden</translation>
     </message>
     <message>
@@ -1024,7 +1024,7 @@
         <translation>Räumt alle Bedienfelder aus dem Weg und holt sie zurück, wie sie waren</translation>
     </message>
     <message>
-        <source>Like the &amp;Desktop</source>
+        <source>Like &amp;the Desktop</source>
         <translation>&amp;Wie der Desktop</translation>
     </message>
     <message>
@@ -1100,7 +1100,7 @@
         <translation>Schreibt das Bild noch einmal auf dieselbe Weise in dieselbe Datei</translation>
     </message>
     <message>
-        <source>Sc&amp;reenshot</source>
+        <source>Screens&amp;hot</source>
         <translation>Bildschirmf&amp;oto</translation>
     </message>
     <message>
@@ -1116,7 +1116,7 @@
         <translation>Öffnet das zuletzt geschlossene Level wieder</translation>
     </message>
     <message>
-        <source>&amp;Quick Open…</source>
+        <source>Q&amp;uick Open…</source>
         <translation>Sc&amp;hnell öffnen…</translation>
     </message>
     <message>
@@ -1176,7 +1176,7 @@
         <translation>Behebt das zuletzt angesteuerte Problem, wenn es dafür eine Lösung gibt</translation>
     </message>
     <message>
-        <source>Fix &amp;All Safe Problems</source>
+        <source>Fix All &amp;Safe Problems</source>
         <translation>&amp;Alles sicher Behebbare beheben</translation>
     </message>
     <message>
@@ -1212,7 +1212,7 @@
         <translation>Markiert die Stellen aller Probleme des Levels</translation>
     </message>
     <message>
-        <source>Co&amp;mpare With…</source>
+        <source>Compare &amp;With…</source>
         <translation>Ver&amp;gleichen mit…</translation>
     </message>
     <message>
@@ -5374,7 +5374,7 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <translation>Wie der &amp;Desktop</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
+        <source>&amp;Language</source>
         <translation>Sprac&amp;he</translation>
     </message>
 </context>

@@ -320,7 +320,7 @@
         <translation>Copiar la selección a un paso de cuadrícula</translation>
     </message>
     <message>
-        <source>Duplicate in P&amp;lace</source>
+        <source>Duplicat&amp;e in Place</source>
         <translation>Duplicar en su s&amp;itio</translation>
     </message>
     <message>
@@ -400,7 +400,7 @@
         <translation>Guardar la imagen una vez más, en el mismo archivo y del mismo modo</translation>
     </message>
     <message>
-        <source>Sc&amp;reenshot</source>
+        <source>Screens&amp;hot</source>
         <translation>Captura de pan&amp;talla</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>Abrir de nuevo el último nivel que se cerró</translation>
     </message>
     <message>
-        <source>&amp;Quick Open…</source>
+        <source>Q&amp;uick Open…</source>
         <translation>A&amp;pertura rápida…</translation>
     </message>
     <message>
@@ -544,7 +544,7 @@
         <translation>Remediar el último problema visitado, si hay una corrección</translation>
     </message>
     <message>
-        <source>Fix &amp;All Safe Problems</source>
+        <source>Fix All &amp;Safe Problems</source>
         <translation>Corregir &amp;todo lo seguro</translation>
     </message>
     <message>
@@ -568,7 +568,7 @@
         <translation>Insertar un nodo en el medio de cada segmento seleccionado, o de todos</translation>
     </message>
     <message>
-        <source>&amp;Delete Segments</source>
+        <source>D&amp;elete Segments</source>
         <translation>&amp;Eliminar segmentos</translation>
     </message>
     <message>
@@ -700,7 +700,7 @@
         <translation>Mover, escalar y girar la selección con números</translation>
     </message>
     <message>
-        <source>&amp;Linear Array…</source>
+        <source>L&amp;inear Array…</source>
         <translation>Repetición &amp;lineal…</translation>
     </message>
     <message>
@@ -828,7 +828,7 @@
         <translation>Editar el nombre, las reglas y la física del propio nivel</translation>
     </message>
     <message>
-        <source>Co&amp;mpare With…</source>
+        <source>Compare &amp;With…</source>
         <translation>&amp;Comparar con…</translation>
     </message>
     <message>
@@ -1048,7 +1048,7 @@
         <translation>Dibujar un círculo desde su centro</translation>
     </message>
     <message>
-        <source>&amp;Moving Body</source>
+        <source>Moving &amp;Body</source>
         <translation>Cuerpo móv&amp;il</translation>
     </message>
     <message>
@@ -1188,7 +1188,7 @@
         <translation>El nivel no tiene guías.</translation>
     </message>
     <message>
-        <source>&amp;Hide All</source>
+        <source>Hide &amp;All</source>
         <translation>&amp;Ocultar todo</translation>
     </message>
     <message>
@@ -1204,7 +1204,7 @@
         <translation>Usar toda la pantalla</translation>
     </message>
     <message>
-        <source>Like the &amp;Desktop</source>
+        <source>Like &amp;the Desktop</source>
         <translation>Como el &amp;escritorio</translation>
     </message>
     <message>
@@ -5374,7 +5374,7 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
         <translation>Como el &amp;escritorio</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
+        <source>&amp;Language</source>
         <translation>Idio&amp;ma</translation>
     </message>
 </context>

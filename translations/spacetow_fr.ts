@@ -320,7 +320,7 @@
         <translation>Copier la sélection à un pas de grille</translation>
     </message>
     <message>
-        <source>Duplicate in P&amp;lace</source>
+        <source>Duplicat&amp;e in Place</source>
         <translation>Dupliquer sur plac&amp;e</translation>
     </message>
     <message>
@@ -400,7 +400,7 @@
         <translation>Écrire l’image encore une fois, de même et dans le même fichier</translation>
     </message>
     <message>
-        <source>Sc&amp;reenshot</source>
+        <source>Screens&amp;hot</source>
         <translation>&amp;Capture d’écran</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>Rouvrir le dernier niveau fermé</translation>
     </message>
     <message>
-        <source>&amp;Quick Open…</source>
+        <source>Q&amp;uick Open…</source>
         <translation>Ouverture &amp;rapide…</translation>
     </message>
     <message>
@@ -544,7 +544,7 @@
         <translation>Corriger le dernier problème visité, s’il existe une correction</translation>
     </message>
     <message>
-        <source>Fix &amp;All Safe Problems</source>
+        <source>Fix All &amp;Safe Problems</source>
         <translation>&amp;Tout corriger sans risque</translation>
     </message>
     <message>
@@ -568,7 +568,7 @@
         <translation>Insérer un nœud au milieu de chaque segment sélectionné, ou de tous</translation>
     </message>
     <message>
-        <source>&amp;Delete Segments</source>
+        <source>D&amp;elete Segments</source>
         <translation>Supprimer les se&amp;gments</translation>
     </message>
     <message>
@@ -700,7 +700,7 @@
         <translation>Déplacer, redimensionner et tourner la sélection par des nombres</translation>
     </message>
     <message>
-        <source>&amp;Linear Array…</source>
+        <source>L&amp;inear Array…</source>
         <translation>Réseau &amp;linéaire…</translation>
     </message>
     <message>
@@ -828,7 +828,7 @@
         <translation>Modifier le nom, les règles et la physique du niveau lui-même</translation>
     </message>
     <message>
-        <source>Co&amp;mpare With…</source>
+        <source>Compare &amp;With…</source>
         <translation>Comparer a&amp;vec…</translation>
     </message>
     <message>
@@ -1048,7 +1048,7 @@
         <translation>Dessiner un cercle depuis son centre</translation>
     </message>
     <message>
-        <source>&amp;Moving Body</source>
+        <source>Moving &amp;Body</source>
         <translation>Corps m&amp;obile</translation>
     </message>
     <message>
@@ -1188,7 +1188,7 @@
         <translation>Le niveau n’a pas de guides.</translation>
     </message>
     <message>
-        <source>&amp;Hide All</source>
+        <source>Hide &amp;All</source>
         <translation>&amp;Tout masquer</translation>
     </message>
     <message>
@@ -1204,7 +1204,7 @@
         <translation>Utiliser tout l’écran</translation>
     </message>
     <message>
-        <source>Like the &amp;Desktop</source>
+        <source>Like &amp;the Desktop</source>
         <translation>Comme le &amp;bureau</translation>
     </message>
     <message>
@@ -5374,7 +5374,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
         <translation>Comme le &amp;bureau</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
+        <source>&amp;Language</source>
         <translation>Lan&amp;gue</translation>
     </message>
 </context>

@@ -320,7 +320,7 @@
         <translation>在一个网格步长之外复制所选对象</translation>
     </message>
     <message>
-        <source>Duplicate in P&amp;lace</source>
+        <source>Duplicat&amp;e in Place</source>
         <translation>原位创建副本(&amp;L)</translation>
     </message>
     <message>
@@ -400,7 +400,7 @@
         <translation>以相同方式把图片再次写入同一文件</translation>
     </message>
     <message>
-        <source>Sc&amp;reenshot</source>
+        <source>Screens&amp;hot</source>
         <translation>截图(&amp;R)</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>再次打开最近关闭的关卡</translation>
     </message>
     <message>
-        <source>&amp;Quick Open…</source>
+        <source>Q&amp;uick Open…</source>
         <translation>快速打开(&amp;Q)…</translation>
     </message>
     <message>
@@ -544,7 +544,7 @@
         <translation>修复最近转到的问题（如有修复方法）</translation>
     </message>
     <message>
-        <source>Fix &amp;All Safe Problems</source>
+        <source>Fix All &amp;Safe Problems</source>
         <translation>修复所有安全的问题(&amp;I)</translation>
     </message>
     <message>
@@ -568,7 +568,7 @@
         <translation>在每条所选线段（或所有线段）中间插入节点</translation>
     </message>
     <message>
-        <source>&amp;Delete Segments</source>
+        <source>D&amp;elete Segments</source>
         <translation>删除线段(&amp;E)</translation>
     </message>
     <message>
@@ -700,7 +700,7 @@
         <translation>用数值移动、缩放和旋转所选对象</translation>
     </message>
     <message>
-        <source>&amp;Linear Array…</source>
+        <source>L&amp;inear Array…</source>
         <translation>线性阵列(&amp;I)…</translation>
     </message>
     <message>
@@ -828,7 +828,7 @@
         <translation>编辑关卡本身的名称、规则和物理</translation>
     </message>
     <message>
-        <source>Co&amp;mpare With…</source>
+        <source>Compare &amp;With…</source>
         <translation>比较(&amp;C)…</translation>
     </message>
     <message>
@@ -1048,7 +1048,7 @@
         <translation>从中心绘制圆</translation>
     </message>
     <message>
-        <source>&amp;Moving Body</source>
+        <source>Moving &amp;Body</source>
         <translation>运动物体(&amp;V)</translation>
     </message>
     <message>
@@ -1188,7 +1188,7 @@
         <translation>关卡没有参考线。</translation>
     </message>
     <message>
-        <source>&amp;Hide All</source>
+        <source>Hide &amp;All</source>
         <translation>全部隐藏(&amp;H)</translation>
     </message>
     <message>
@@ -1204,7 +1204,7 @@
         <translation>使用整个屏幕</translation>
     </message>
     <message>
-        <source>Like the &amp;Desktop</source>
+        <source>Like &amp;the Desktop</source>
         <translation>跟随桌面(&amp;D)</translation>
     </message>
     <message>
@@ -5333,7 +5333,7 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
         <translation>跟随桌面(&amp;D)</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
+        <source>&amp;Language</source>
         <translation>语言(&amp;G)</translation>
     </message>
 </context>

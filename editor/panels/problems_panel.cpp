@@ -201,14 +201,13 @@ void ProblemsPanel::note() {
 
 void ProblemsPanel::tint() {
     const MarkColors colors = markColors(shadeOf(palette()));
-    const QColor text = palette().color(QPalette::WindowText);
-    const std::array icons{icon(QStringLiteral("info"), text), icon(QStringLiteral("warning"), colors.warning),
+    const std::array icons{icon(QStringLiteral("info"), palette()), icon(QStringLiteral("warning"), colors.warning),
                            icon(QStringLiteral("error"), colors.error)};
     m_problems.setMarks(icons, palette().color(QPalette::Disabled, QPalette::Text));
     for (std::size_t i = 0; i < icons.size(); ++i) {
         m_severities[i].setIcon(icons[i]);
     }
-    m_hidden.setIcon(icon(QStringLiteral("eye-off"), text));
+    m_hidden.setIcon(icon(QStringLiteral("eye-off"), palette()));
 }
 
 void ProblemsPanel::setFilter(const ProblemFilter& filter) {

@@ -54,7 +54,7 @@ constexpr ActionRow panelActionRows[] = {
          }},
     {.id = Act::Compare,
      .menu = MenuId::View,
-     .text = QT_TRANSLATE_NOOP("Actions", "Co&mpare With…"),
+     .text = QT_TRANSLATE_NOOP("Actions", "Compare &With…"),
      .icon = "compare",
      .keys = "Ctrl+Alt+C",
      .tip = QT_TRANSLATE_NOOP("Actions", "Choose a level file and show what is different from it"),

@@ -20,7 +20,7 @@ constexpr MenuRow menuTable[] = {
     {MenuId::SubGrid, MenuId::Snapping, QT_TRANSLATE_NOOP("spacetow::MainWindow", "Su&b-Grid"), Act::Snap},
     {MenuId::Panels, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Panels"), Act::Grid},
     {MenuId::Appearance, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Appearance"), Act::Grid},
-    {MenuId::Language, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "Lan&guage"), Act::Grid},
+    {MenuId::Language, MenuId::View, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Language"), Act::Grid},
     {MenuId::Insert, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Insert")},
     {MenuId::Object, {}, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Object")},
     {MenuId::Order, MenuId::Object, QT_TRANSLATE_NOOP("spacetow::MainWindow", "&Order")},
