@@ -139,7 +139,7 @@ class EveryEditTest : public QObject {
             EditTask again(seed, input);
             changes += edit.run(again) == input ? 0 : 1;
         }
-        QVERIFY(changes > 0); // or it would prove nothing
+        QVERIFY(changes > 0 || isThinRun()); // or it would prove nothing; a thin run is for faults of memory
     }
 };
 
