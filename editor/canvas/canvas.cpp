@@ -218,7 +218,7 @@ void Canvas::paintEvent(QPaintEvent*) {
         paintTags(stage, *shown.level);
     }
     if (m_overlays.problems && m_problems != nullptr) {
-        paintProblems(stage, *m_problems, m_problem, markColors(shadeOf(palette())));
+        drawProblems(painter, request.frame, *request.theme);
     }
     m_overlay = m_toolbox.overlay();
     if (m_overlay.hovered != 0) {
@@ -257,6 +257,25 @@ void Canvas::composeStill(const Still& wanted) {
         paintGrid(Stage{painter, wanted.frame.view, *wanted.theme}, wanted.gridStep);
     }
     m_board.drawStill(painter);
+}
+
+/// A large level may have thousands of marks, which hardly ever change: one picture for as long as they do not.
+void Canvas::drawProblems(QPainter& painter, const Frame2D& frame, const Theme& theme) {
+    if (m_problems->empty()) {
+        return;
+    }
+    const ShownMarks wanted{frame, &theme, m_problems, m_problem};
+    if (!(wanted == m_shownMarks) || m_marks.isNull()) {
+        m_shownMarks = wanted;
+        if (m_marks.size() != frame.deviceSize()) {
+            m_marks = QPixmap(frame.deviceSize());
+        }
+        m_marks.setDevicePixelRatio(frame.pixelRatio);
+        m_marks.fill(Qt::transparent);
+        QPainter marks(&m_marks);
+        paintProblems({marks, frame.view, theme}, *m_problems, m_problem, markColors(theme.shade));
+    }
+    painter.drawPixmap(0, 0, m_marks);
 }
 
 void Canvas::resizeEvent(QResizeEvent*) {

@@ -124,6 +124,7 @@ class Canvas : public QWidget {
     void panBy(const QPointF& pixels);
     void updateCursor();
     void composeStill(const Still& wanted);
+    void drawProblems(QPainter& painter, const Frame2D& frame, const Theme& theme);
 
     Document& m_document;
     Toolbox& m_toolbox;
@@ -137,6 +138,16 @@ class Canvas : public QWidget {
     std::shared_ptr<const std::vector<Key>> m_highlighted = std::make_shared<const std::vector<Key>>();
     std::shared_ptr<const std::vector<ProblemMark>> m_problems;
     int m_problem = -1;
+    struct ShownMarks {
+        Frame2D frame;
+        const Theme* theme = nullptr;
+        std::shared_ptr<const std::vector<ProblemMark>> marks;
+        int current = -1;
+
+        bool operator==(const ShownMarks&) const = default;
+    };
+    QPixmap m_marks;
+    ShownMarks m_shownMarks;
     std::function<QString(const SnapAnswer&)> m_snapName;
     bool m_grid = true;
     bool m_fitted = false; // since the last fitLevel() nobody has moved the view

@@ -2,10 +2,10 @@
 
 #include "core/level/file.h"
 #include "editor/canvas/icons.h"
+#include "editor/canvas/level_picture.h"
 #include "editor/canvas/palette.h"
 #include "editor/window/compare_words.h"
 #include "editor/window/message_bar.h"
-#include "editor/window/thumbnail.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int highest = 270; // px, of the list: three rows
 
-std::vector<FoundWork> foundIn(const std::filesystem::path& folder, const QSize& size, const Theme& theme) {
+std::vector<FoundWork> foundIn(const std::filesystem::path& folder, const QSize& size, Shade shade) {
     std::vector<FoundWork> found;
     for (Orphan& orphan : orphans(folder)) {
         LevelFile file = parseLevel(orphan.entry.text, Checks::FileOnly);
@@ -27,7 +27,7 @@ std::vector<FoundWork> foundIn(const std::filesystem::path& folder, const QSize&
         if (file.level) {
             work.level = std::make_shared<const Level>(std::move(*file.level));
         }
-        work.picture = thumbnailOf(work.level ? *work.level : Level(), size, theme);
+        work.picture = levelPicture(work.level ? *work.level : Level(), {size}, shade);
         found.push_back(std::move(work));
     }
     return found;
@@ -77,11 +77,11 @@ void RecoveryBar::look(bool calledFor) {
         return;
     }
     const QSize size = RecoveryRow::pictureSize(devicePixelRatioF());
-    m_task.start([this, size, folder = m_folder,
-                  &theme = editingTheme(shadeOf(palette()))](const std::stop_token&) -> BackgroundTask::Then {
-        auto found = std::make_shared<std::vector<FoundWork>>(foundIn(folder, size, theme));
-        return [this, found] { fill(std::move(*found)); };
-    });
+    m_task.start(
+        [this, size, folder = m_folder, shade = shadeOf(palette())](const std::stop_token&) -> BackgroundTask::Then {
+            auto found = std::make_shared<std::vector<FoundWork>>(foundIn(folder, size, shade));
+            return [this, found] { fill(std::move(*found)); };
+        });
 }
 
 void RecoveryBar::fill(std::vector<FoundWork> found) {
