@@ -4,7 +4,7 @@
 
 #include "core/level/file.h"
 #include "core/level/json_text.h"
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 
 #include <QCommandLineParser>
 

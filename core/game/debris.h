@@ -3,7 +3,7 @@
 // and each other, never ship or payload.
 
 #include "core/base/random.h"
-#include "core/physics/body.h"
+#include "core/physics/def/body.h"
 
 #include <vector>
 

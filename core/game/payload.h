@@ -2,7 +2,7 @@
 // The payload and the rope that tows it.
 
 #include "core/level/level.h"
-#include "core/physics/connector.h"
+#include "core/physics/def/connector.h"
 
 namespace spacetow {
 

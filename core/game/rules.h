@@ -3,7 +3,7 @@
 // gave them: whatever carries the wall tag is fatal to ship and payload, intangible objects included.
 
 #include "core/level/tag_table.h"
-#include "core/physics/tags.h"
+#include "core/physics/def/tags.h"
 
 namespace spacetow::rules {
 

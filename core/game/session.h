@@ -11,7 +11,7 @@
 #include "core/game/debris.h"
 #include "core/game/payload.h"
 #include "core/game/snapshot.h"
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 
 #include <memory>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "core/base/hash.h"
 #include "core/game/session.h"
-#include "core/physics/queries.h"
+#include "core/physics/query/queries.h"
 
 namespace spacetow {
 

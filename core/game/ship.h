@@ -4,8 +4,8 @@
 #include "core/game/controls.h"
 #include "core/geometry/shape.h"
 #include "core/level/ship_figures.h"
-#include "core/physics/body.h"
-#include "core/physics/world.h"
+#include "core/physics/def/body.h"
+#include "core/physics/world/world.h"
 
 namespace spacetow {
 

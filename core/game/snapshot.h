@@ -6,7 +6,7 @@
 #include "core/level/level.h"
 #include "core/math/aabb.h"
 #include "core/math/transform.h"
-#include "core/physics/body.h"
+#include "core/physics/def/body.h"
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 // From the document to the running world.
 
 #include "core/level/problem.h"
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 
 #include <utility>
 #include <vector>

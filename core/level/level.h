@@ -5,8 +5,8 @@
 #include "core/level/level_shape.h"
 #include "core/level/object_list.h"
 #include "core/level/tag_table.h"
-#include "core/physics/body.h"
-#include "core/physics/connector.h"
+#include "core/physics/def/body.h"
+#include "core/physics/def/connector.h"
 
 #include <array>
 #include <cstdint>

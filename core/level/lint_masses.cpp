@@ -1,6 +1,6 @@
 #include "core/level/build.h"
 #include "core/level/lint_findings.h"
-#include "core/physics/make_body.h"
+#include "core/physics/world/make_body.h"
 
 namespace spacetow {
 

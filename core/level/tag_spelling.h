@@ -1,7 +1,7 @@
 #pragma once
 // How a set of tags is told: by those that are in it, or by those that are not.
 
-#include "core/physics/tags.h"
+#include "core/physics/def/tags.h"
 
 #include <bit>
 

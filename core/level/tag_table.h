@@ -1,7 +1,7 @@
 #pragma once
 // Names and colours of the 32 tags of a level. Files store names, so that renumbering never shows in a diff.
 
-#include "core/physics/tags.h"
+#include "core/physics/def/tags.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // The cells in which a game of the level looks for collisions, for the debug overlay while the level is edited.
 
 #include "core/level/level.h"
-#include "core/physics/queries.h"
+#include "core/physics/query/queries.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 // The engine's debug drawing on a painter. Positions are those of the stage's view; what is out of it is left out.
 
-#include "core/physics/debug_draw.h"
+#include "core/physics/query/debug_draw.h"
 #include "editor/canvas/stage.h"
 
 namespace spacetow {

@@ -1,6 +1,6 @@
 #include "editor/canvas/theme.h"
 
-#include "core/physics/debug_draw.h"
+#include "core/physics/query/debug_draw.h"
 #include "editor/canvas/stage.h"
 
 namespace spacetow {

@@ -3,7 +3,7 @@
 // follows the panels. Kinds also differ in fill, dash and mark, not in colour alone, and the marks of hovering,
 // selecting, snapping and of the overlays are told apart by people who see fewer colours too.
 
-#include "core/physics/body.h"
+#include "core/physics/def/body.h"
 #include "editor/canvas/palette.h"
 
 #include <QColor>

@@ -190,10 +190,20 @@ void ArchitectureTest::aForbiddenIncludeIsFound_data() {
 
     QTest::newRow("up to the editor") << "core/level/a.cpp"
                                       << "#include \"editor/editing/tool.h\"";
-    QTest::newRow("up within the core") << "core/physics/a.h"
+    QTest::newRow("up within the core") << "core/physics/query/a.h"
                                         << "#include \"core/level/level.h\"";
     QTest::newRow("geometry knows no time") << "core/geometry/a.cpp"
-                                            << "#include \"core/physics/body.h\"";
+                                            << "#include \"core/physics/def/body.h\"";
+    QTest::newRow("arrays know no world") << "core/physics/state/a.h"
+                                          << "#include \"core/physics/world/world.h\"";
+    QTest::newRow("the broad phase knows no contacts") << "core/physics/broad_phase/a.cpp"
+                                                       << "#include \"core/physics/contacts/contact_lanes.h\"";
+    QTest::newRow("the broad phase wakes nobody") << "core/physics/broad_phase/a.cpp"
+                                                  << "#include \"core/physics/sleep/sleep.h\"";
+    QTest::newRow("lanes know no arrays") << "core/physics/lanes/a.h"
+                                          << "#include \"core/physics/state/contact_data.h\"";
+    QTest::newRow("no file outside of the engine's rooms") << "core/physics/a.cpp"
+                                                           << "#include \"core/math/vec.h\"";
     QTest::newRow("panels beside play") << "editor/panels/a.cpp"
                                         << "#include \"editor/play/hud.h\"";
     QTest::newRow("play beside panels") << "editor/play/a.cpp"
@@ -220,7 +230,7 @@ void ArchitectureTest::aForbiddenIncludeIsFound_data() {
                                            << "#include <QtCore/qglobal.h>";
     QTest::newRow("Qt in the tools") << "editor/editing/a.h"
                                      << "#include <QPointF>";
-    QTest::newRow("Eigen elsewhere") << "core/physics/a.cpp"
+    QTest::newRow("Eigen elsewhere") << "core/physics/solver/a.cpp"
                                      << "#include <Eigen/Dense>";
     QTest::newRow("json in a header") << "core/level/a.h"
                                       << "#include <nlohmann/json.hpp>";
@@ -247,6 +257,8 @@ void ArchitectureTest::anAllowedIncludePasses_data() {
                                        << "#include \"editor/canvas/theme.h\"";
     QTest::newRow("panels above canvas") << "editor/panels/a.cpp"
                                          << "#include \"editor/canvas/theme.h\"";
+    QTest::newRow("down within the engine") << "core/physics/solver/a.cpp"
+                                            << "#include \"core/physics/contacts/contact_rules.h\"";
     QTest::newRow("skipping rows") << "app/a.cpp"
                                    << "#include \"core/base/hash.h\"";
     QTest::newRow("json in a source") << "core/level/a.cpp"

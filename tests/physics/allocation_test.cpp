@@ -1,6 +1,6 @@
 // An update of a world that has found its pace asks for no memory.
 
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_main.h"

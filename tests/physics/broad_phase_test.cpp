@@ -6,7 +6,7 @@
 #include "core/geometry/bounds.h"
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/overlaps.h"
-#include "core/physics/queries.h"
+#include "core/physics/query/queries.h"
 
 #include <algorithm>
 #include <set>

@@ -1,9 +1,9 @@
 // Contacts solved in fours against the same contacts solved one after the other: equal to the last bit.
 
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 
 #include "core/base/random.h"
-#include "core/physics/contact_batches.h"
+#include "core/physics/lanes/solver_kernels.h"
 #include "tests/support/test_main.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The same hashes on every compiler, at every optimisation and under sanitizers. A change of the physics changes them:
 // record them anew, and say in the commit what changed.
 
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_main.h"
 

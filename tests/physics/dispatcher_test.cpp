@@ -1,4 +1,4 @@
-#include "core/physics/dispatcher.h"
+#include "core/physics/query/dispatcher.h"
 
 #include "core/base/random.h"
 #include "tests/support/dispatch_scene.h"

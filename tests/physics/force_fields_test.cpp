@@ -1,6 +1,6 @@
 // Forces that are computed anew before every sub-step, against closed formulas.
 
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 #include "tests/support/bodies.h"
 #include "tests/support/rows.h"
 #include "tests/support/test_main.h"

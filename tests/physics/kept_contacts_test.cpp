@@ -1,6 +1,6 @@
 // Contacts that the solver keeps are those that it would find anew.
 
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 
 #include "core/base/random.h"
 #include "tests/support/bodies.h"

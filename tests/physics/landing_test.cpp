@@ -1,7 +1,8 @@
 // Heaps that land: an impact has to go through all the rows to the ground before anything is at rest.
 
-#include "core/physics/solve_on.h"
-#include "core/physics/world_data.h"
+#include "core/physics/lanes/solver_kernels.h"
+#include "core/physics/solver/solve_on.h"
+#include "core/physics/state/world_data.h"
 #include "tests/support/contact_scenes.h"
 
 #include <vector>

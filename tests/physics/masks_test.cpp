@@ -2,7 +2,7 @@
 #include "tests/support/rows.h"
 
 #include "core/base/random.h"
-#include "core/physics/queries.h"
+#include "core/physics/query/queries.h"
 
 #include <set>
 

@@ -2,7 +2,7 @@
 
 #include "core/geometry/mass.h"
 #include "core/geometry/polygon.h"
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 #include "tests/support/contact_scenes.h"
 
 #include <array>

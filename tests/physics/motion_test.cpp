@@ -1,4 +1,4 @@
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 #include "tests/support/bodies.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_main.h"

@@ -3,9 +3,9 @@
 #include "core/base/random.h"
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/overlaps.h"
-#include "core/physics/in_front.h"
-#include "core/physics/islands.h"
-#include "core/physics/world_data.h"
+#include "core/physics/broad_phase/in_front.h"
+#include "core/physics/solver/islands.h"
+#include "core/physics/state/world_data.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "core/base/random.h"
 #include "core/geometry/polygon.h"
-#include "core/physics/queries.h"
+#include "core/physics/query/queries.h"
 #include "tests/support/bodies.h"
 #include "tests/support/test_main.h"
 

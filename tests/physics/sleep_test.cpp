@@ -1,8 +1,8 @@
 // Who rests falls asleep, costs nothing, and goes on as if nothing had been.
 
 #include "core/base/random.h"
-#include "core/physics/world.h"
-#include "core/physics/world_data.h"
+#include "core/physics/state/world_data.h"
+#include "core/physics/world/world.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/rows.h"
 #include "tests/support/scenes.h"

@@ -1,5 +1,5 @@
 #include "core/base/random.h"
-#include "core/physics/truncation.h"
+#include "core/physics/def/truncation.h"
 #include "tests/support/test_main.h"
 
 #include <algorithm>

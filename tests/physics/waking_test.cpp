@@ -2,7 +2,7 @@
 
 #include "core/base/contract.h"
 #include "core/base/random.h"
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 #include "tests/support/rows.h"
 #include "tests/support/sleepers.h"
 #include "tests/support/test_main.h"

@@ -1,7 +1,7 @@
 #pragma once
 // The bodies that tests put into worlds. SI units.
 
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 
 namespace spacetow::test {
 

@@ -3,7 +3,7 @@
 
 #include "core/game/ship.h"
 #include "core/geometry/polygon.h"
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 #include "tests/support/bodies.h"
 #include "tests/support/full_run.h"
 #include "tests/support/rows.h"

@@ -1,7 +1,7 @@
 #pragma once
 // A world whose bodies have handlers, and a record of what these heard.
 
-#include "core/physics/dispatcher.h"
+#include "core/physics/query/dispatcher.h"
 #include "tests/support/contact_scenes.h"
 
 #include <algorithm>

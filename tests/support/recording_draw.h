@@ -1,7 +1,7 @@
 #pragma once
 // A DebugDraw that writes down what it is told, as values.
 
-#include "core/physics/debug_draw.h"
+#include "core/physics/query/debug_draw.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Rows that many tests have: one for each number of iterations.
 
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 #include "tests/support/full_run.h"
 #include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"

@@ -2,9 +2,9 @@
 // The scenes of tests and benchmarks, told without any engine: what is in them, and how they are stepped. SI units,
 // radians, y up.
 
-#include "core/physics/body.h"
-#include "core/physics/connector.h"
-#include "core/physics/world.h"
+#include "core/physics/def/body.h"
+#include "core/physics/def/connector.h"
+#include "core/physics/world/world.h"
 
 #include <optional>
 #include <string>

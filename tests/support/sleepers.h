@@ -1,7 +1,7 @@
 #pragma once
 // Worlds in which bodies may fall asleep.
 
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 #include "tests/support/bodies.h"
 
 #include <algorithm>

@@ -1,0 +1,44 @@
+#include "core/physics/broad_phase/in_front.h"
+
+#include "core/geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace spacetow {
+
+bool isSlender(const Part& part) {
+    const auto* convex = std::get_if<ConvexPart>(&part);
+    if (convex == nullptr) {
+        return false;
+    }
+    const std::span corners(convex->corners.data(), static_cast<std::size_t>(convex->count));
+    double longest = 0; // squared
+    for (const Vec2& corner : corners) {
+        longest = std::max(longest, (corner - corners.front()).squaredNorm());
+    }
+    return longest > 8 * signedArea(corners);
+}
+
+bool staysInFront(const Aabb& box, const ConvexPart& part, const Rot& rotation, const Room& room) {
+    const Aabb from{box.min - room.centers.max, box.max - room.centers.min}; // the centre of mass
+    const Vec2 center = from.center();
+    const Vec2 half = 0.5 * from.size();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
+        const Vec2 normal = rotation * part.normals[i];
+        const double width = std::abs(normal.x()) * half.x() + std::abs(normal.y()) * half.y();
+        const double length = std::abs(normal.y()) * half.x() + std::abs(normal.x()) * half.y();
+        const double height = normal.dot(center);
+        const double aside = std::abs(cross(normal, center)) + length;
+        // As the face sees it, what is aside comes nearer when it turns, and what is above hardly.
+        const double turn = room.turnLeft;
+        const double nearer = turn * aside + 0.5 * turn * turn * (std::abs(height) + width);
+        if (height - width - part.normals[i].dot(part.corners[i]) - nearer > linearSlop) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace spacetow

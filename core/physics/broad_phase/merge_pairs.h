@@ -1,0 +1,15 @@
+#pragma once
+// From the pairs that the broad phase has found to the table of pairs.
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+
+/// What has to change in the table; nothing does yet. Both are sorted. Old pairs of bodies that stayed in their rooms
+/// remain; the others must have been found again. False when nothing has to.
+bool comparePairs(WorldData& data);
+
+/// Makes the change, after what is known of the contacts of `dropped` pairs has been forgotten.
+void changeTable(WorldData& data);
+
+} // namespace spacetow

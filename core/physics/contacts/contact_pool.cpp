@@ -1,0 +1,98 @@
+#include "core/physics/contacts/contact_pool.h"
+
+#include "core/physics/contacts/contact_lanes.h"
+
+namespace spacetow {
+
+namespace {
+
+std::uint32_t newManifold(WorldData& data) {
+    if (data.freeManifolds.empty()) {
+        data.manifolds.emplace_back();
+        return static_cast<std::uint32_t>(data.manifolds.size() - 1);
+    }
+    const std::uint32_t index = data.freeManifolds.back();
+    data.freeManifolds.pop_back();
+    data.manifolds[index] = KeptManifold{};
+    return index;
+}
+
+} // namespace
+
+Contact& contactOf(WorldData& data, Pair& pair) {
+    if (pair.contact != Pair::none) {
+        return data.contacts[pair.contact];
+    }
+    if (data.freeContacts.empty()) {
+        pair.contact = static_cast<std::uint32_t>(data.contacts.size());
+        data.contacts.emplace_back();
+    } else {
+        pair.contact = data.freeContacts.back();
+        data.freeContacts.pop_back();
+    }
+    const BodyRecord& a = data.records[pair.bodyA];
+    const BodyRecord& b = data.records[pair.bodyB];
+    Contact& contact = data.contacts[pair.contact];
+    contact = Contact{};
+    if (pair.kind == PairKind::General) {
+        contact.manifold = newManifold(data);
+    }
+    contact.friction = std::sqrt(a.friction * b.friction);
+    contact.restitution = std::clamp(0.5 * (a.restitution + b.restitution), 0.0, 1.0);
+    return contact;
+}
+
+void forgetContact(WorldData& data, Pair& pair) {
+    if (pair.contact != Pair::none) {
+        const std::uint32_t manifold = data.contacts[pair.contact].manifold;
+        if (manifold != Pair::none) {
+            data.freeManifolds.push_back(manifold);
+        }
+        if (pair.contact < data.wholeImpulses.size()) {
+            data.wholeImpulses[pair.contact] = {};
+        }
+        data.freeContacts.push_back(pair.contact);
+        pair.contact = Pair::none;
+    }
+}
+
+void forgetDropped(WorldData& data) {
+    for (const std::uint32_t i : data.dropped) {
+        if (data.contactsListed && data.table.marks[i].listed) {
+            unlist(data, i);
+        }
+        forgetContact(data, data.table.pairs[i]);
+    }
+}
+
+void forgetManifolds(WorldData& data) {
+    for (KeptManifold& manifold : data.manifolds) {
+        manifold.room = -1;
+    }
+}
+
+void beginPart(WorldData& data, double share) {
+    dropContacts(data);
+    data.wholeImpulses.clear();
+    for (Contact& contact : data.contacts) {
+        data.wholeImpulses.push_back(
+            {contact.tangentImpulse, contact.points[0].normalImpulse, contact.points[1].normalImpulse});
+        contact.tangentImpulse *= share;
+        contact.points[0].normalImpulse *= share;
+        contact.points[1].normalImpulse *= share;
+    }
+}
+
+void endPart(WorldData& data, double share) {
+    dropContacts(data);
+    for (std::size_t i = 0; i < data.wholeImpulses.size(); ++i) {
+        Contact& contact = data.contacts[i];
+        const auto& whole = data.wholeImpulses[i];
+        contact.tangentImpulse += (1 - share) * whole[0];
+        contact.points[0].normalImpulse += (1 - share) * whole[1];
+        contact.points[1].normalImpulse += (1 - share) * whole[2];
+    }
+    data.wholeImpulses.clear();
+}
+
+} // namespace spacetow

@@ -1,0 +1,24 @@
+#pragma once
+// What is known of contacts, for the pairs that have come near each other.
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+
+/// The pair's contact; a new one without points if it has none.
+Contact& contactOf(WorldData& data, Pair& pair);
+
+void forgetContact(WorldData& data, Pair& pair);
+
+/// Of the pairs that are `dropped` from the table.
+void forgetDropped(WorldData& data);
+
+/// All manifolds are to be made anew.
+void forgetManifolds(WorldData& data);
+
+/// An iteration that is made in parts has the impulses of each part, this share of it, added up for the next iteration;
+/// until then the last iteration's stand for the parts to come.
+void beginPart(WorldData& data, double share);
+void endPart(WorldData& data, double share);
+
+} // namespace spacetow

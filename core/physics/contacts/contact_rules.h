@@ -1,0 +1,89 @@
+#pragma once
+// What every contact has in common: how near the surfaces have to be, and which velocity they are to part with.
+
+#include "core/physics/state/world_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spacetow {
+
+// Slower impacts come to rest, m/s.
+constexpr double bounceThreshold = 0.005;
+
+/// Whether a change of velocity is more than what rounding leaves of an impulse that was given and taken back. m/s.
+inline bool isPush(const Vec2& change, double turnChange) {
+    constexpr double least = 1e-12;
+    return std::abs(change.x()) + std::abs(change.y()) + std::abs(turnChange) > least;
+}
+
+/// Whether contacts with these normals may be in one plane.
+inline bool areParallel(const Vec2& a, const Vec2& b) {
+    return a.dot(b) >= 1 - 1e-9;
+}
+
+/// Surfaces no further apart than this may meet in this iteration. Anticipation is limited to half the inner radii:
+/// beyond that the sweep of fast bodies takes over, whose normal is that of the impact and not that of the start.
+inline double contactMargin(const BodyWay& a, const BodyWay& b) {
+    const Vec2 apart = a.shift - b.shift;
+    const double way = std::abs(apart.x()) + std::abs(apart.y()); // no less than the length, and cheaper
+    return linearSlop + std::min(way + a.turned + b.turned, 0.5 * (a.innerRadius + b.innerRadius));
+}
+
+/// The same against a static body.
+inline double contactMargin(const BodyWay& a) {
+    const double way = std::abs(a.shift.x()) + std::abs(a.shift.y());
+    return linearSlop + std::min(way + a.turned, 0.5 * a.innerRadius);
+}
+
+/// The discs around the bodies of a pair.
+struct Discs {
+    double radii;   // m, of both together
+    double reach;   // m: further apart they do not meet in this iteration
+    double squared; // m², of the distance of their centres
+
+    bool areApart() const { return squared > reach * reach; }
+    double gap() const { return std::sqrt(squared) - radii; } // m
+};
+
+/// Of two bodies that move.
+inline Discs discsOf(const WorldData& data, const PairGate& gate) {
+    const BodyWay& a = data.ways[gate.moverA];
+    const BodyWay& b = data.ways[gate.moverB];
+    const double radii = data.reaches[gate.moverA].outerRadius + data.reaches[gate.moverB].outerRadius;
+    return {radii, radii + contactMargin(a, b), (b.center - a.center).squaredNorm()};
+}
+
+/// How far surfaces may go into each other in this iteration where the solver has not converged, m: up to the slop.
+inline double roomToClose(double separation) {
+    return std::max(separation + linearSlop, 0.1 * linearSlop);
+}
+
+struct Approach {
+    double before; // m/s along the normal at the beginning of the iteration, positive when closing
+    double after;  // with this iteration's forces
+};
+
+enum class Meeting : std::uint8_t { Rests, Bounces, WillBounce };
+
+struct Target {
+    Meeting meeting = Meeting::Rests;
+    double velocity = 0; // m/s: the normal velocity is to be at least this
+};
+
+/// What the normal velocity is to be. Surfaces that touch bounce at once, and fall back under this iteration's forces;
+/// those still apart are to be stopped where they meet. `perSecond` is the number of iterations in a second.
+inline Target targetOf(const Approach& approach, double separation, double restitution, double perSecond) {
+    const double closing = separation > 0 ? -separation * perSecond : 0;
+    if (separation > linearSlop) {
+        const bool meets = std::max(approach.before, approach.after) > (separation - linearSlop) * perSecond;
+        return {meets && approach.after > bounceThreshold ? Meeting::WillBounce : Meeting::Rests, closing};
+    }
+    const double rebound = restitution * approach.before - (approach.after - approach.before);
+    if (approach.before > bounceThreshold && rebound > 0) {
+        return {Meeting::Bounces, rebound};
+    }
+    return {Meeting::Rests, closing};
+}
+
+} // namespace spacetow

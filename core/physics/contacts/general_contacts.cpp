@@ -1,0 +1,245 @@
+#include "core/physics/contacts/general_contacts.h"
+
+#include "core/geometry/collide.h"
+#include "core/geometry/moved.h"
+#include "core/physics/contacts/contact_lanes.h"
+#include "core/physics/contacts/contact_pool.h"
+#include "core/physics/contacts/contact_rules.h"
+#include "core/physics/contacts/effective_mass.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+// How far parts may move against each other, as a share of the smaller inner radius, before their manifold is made
+// anew. Until then its points go with them; what ends at an edge ends that much too early or too late.
+constexpr double keptShare = 0.08;
+// Against walls: on which side of one something is may be a matter of little.
+constexpr double keptShareAtWalls = 0.0002;
+
+/// Points of the last iteration hand their impulses to those that bring the same corners and faces together.
+void matchPoints(Contact& contact, const Manifold& manifold) {
+    const std::array<ContactPoint, 2> old = contact.points;
+    const int oldCount = contact.count;
+    bool any = false;
+    contact.count = manifold.count;
+    for (int i = 0; i < manifold.count; ++i) {
+        ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
+        point = {manifold.points[static_cast<std::size_t>(i)].feature, 0};
+        for (int k = 0; k < oldCount; ++k) {
+            if (old[static_cast<std::size_t>(k)].feature == point.feature) {
+                point = old[static_cast<std::size_t>(k)];
+                any = true;
+            }
+        }
+    }
+    contact.tangentImpulse = any ? contact.tangentImpulse : 0;
+}
+
+struct Poses {
+    Transform a, b; // b is the identity for static bodies, whose parts are in world coordinates
+    Transform relative;
+};
+
+Poses posesOf(const WorldData& data, const Pair& pair) {
+    const Transform a = data.ways[pair.bodyA + 1].pose();
+    if (pair.staticB) {
+        return {a, {}, a};
+    }
+    const Transform b = data.ways[pair.bodyB + 1].pose();
+    return {a, b, relative(a, b)};
+}
+
+/// How much nearer the points of A may still come to B, m, before the manifold may lack something.
+double roomLeft(const KeptManifold& kept, const Transform& now, double outerRadius) {
+    if (kept.room < 0) {
+        return -1;
+    }
+    const Vec2 turned(now.rotation.c - kept.relative.rotation.c, now.rotation.s - kept.relative.rotation.s);
+    const double moved = std::sqrt((now.position - kept.relative.position).squaredNorm());
+    return kept.room - moved - std::sqrt(turned.squaredNorm()) * outerRadius; // by the chord of the turn
+}
+
+void keep(const Poses& poses, const Manifold& manifold, KeptManifold& kept) {
+    kept.relative = poses.relative;
+    kept.normalOfA = manifold.normalOf == NormalOf::FirstFace;
+    const Transform& owner = kept.normalOfA ? poses.a : poses.b;
+    kept.normal = owner.rotation.inverse() * manifold.normal;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        const ManifoldPoint& from = manifold.points[i];
+        KeptManifold::Point& point = kept.points[i];
+        const Vec2 half = 0.5 * from.separation * manifold.normal;
+        point.onA = poses.a.toLocal(from.point - half);
+        point.onB = poses.b.toLocal(from.point + half);
+    }
+}
+
+/// A new manifold; without a point in it the parts are let go until they may have met.
+void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, double margin) {
+    const Pair& pair = data.table.pairs[index];
+    Contact& contact = data.contacts[pair.contact];
+    KeptManifold& kept = data.manifolds[contact.manifold];
+    const BodyWay& a = data.ways[pair.bodyA + 1];
+    const BodyWay& b = data.ways[pair.bodyB + 1];
+    kept.room = margin + (pair.staticB ? keptShareAtWalls * a.innerRadius
+                                       : std::max(keptShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
+    const Manifold manifold = collide(*pair.shapeA, poses.a, *pair.shapeB, poses.b, kept.room);
+    matchPoints(contact, manifold);
+    if (manifold.count == 0) {
+        kept.relative = poses.relative;
+        kept.room = manifold.apart > 0 ? manifold.apart : -1; // what is not a matter of distance may change at once
+    } else {
+        keep(poses, manifold, kept);
+        // The normal between two corners turns with every move, and a bounce wants the normal of its moment.
+        if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0) {
+            kept.room = -1;
+        }
+    }
+}
+
+/// Until its bodies have travelled as far as is left of its room, a pair without a contact need not be looked at.
+void postpone(WorldData& data, std::uint32_t index, double left) {
+    const Pair& pair = data.table.pairs[index];
+    if (data.contacts[pair.contact].count == 0) {
+        PairGate& gate = data.table.gates[index];
+        gate.apartUntil = data.milesOf(gate) + left;
+    }
+}
+
+Approach approach(const WorldData& data, const Constraint& c, const ConstraintPoint& p) {
+    const BodyStep& sa = data.steps[c.a];
+    const BodyStep& sb = data.steps[c.b];
+    const BodyMotion& ma = data.motions[c.a];
+    const BodyMotion& mb = data.motions[c.b];
+    const double before = (sb.startVelocity - sa.startVelocity).dot(c.normal) + sb.startAngularVelocity * p.leverB -
+                          sa.startAngularVelocity * p.leverA;
+    const double after =
+        (mb.velocity - ma.velocity).dot(c.normal) + mb.angularVelocity * p.leverB - ma.angularVelocity * p.leverA;
+    return {-before, -after};
+}
+
+/// Sets what the normal velocity at a point is to be; false when it is to be swept instead.
+bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double perSecond) {
+    p.bounces = false;
+    p.target = p.separation > 0 ? -p.separation * perSecond : 0;
+    if (c.restitution > 0) {
+        const Target target = targetOf(approach(data, c, p), p.separation, c.restitution, perSecond);
+        if (target.meeting == Meeting::WillBounce) {
+            data.table.pairs[p.pair].sweep = true;
+            data.anySweep = true;
+            data.steps[c.a].bouncing = data.steps[c.b].bouncing = true;
+            return false;
+        }
+        p.target = target.velocity;
+        p.bounces = target.meeting == Meeting::Bounces;
+    }
+    return true;
+}
+
+/// False when there is none, as all of its points will bounce.
+bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
+    Pair& pair = data.table.pairs[index];
+    const Transform poseA = data.ways[pair.bodyA + 1].pose();
+    const Transform poseB = pair.staticB ? Transform{} : data.ways[pair.bodyB + 1].pose();
+    const Contact& contact = data.contacts[pair.contact];
+    const KeptManifold& kept = data.manifolds[contact.manifold];
+    Constraint& c = data.constraints.emplace_back();
+    c.a = pair.bodyA;
+    c.b = pair.bodyB;
+    c.alone = pair.alone;
+    c.friction = contact.friction;
+    c.restitution = contact.restitution;
+    c.tangentImpulse = contact.tangentImpulse;
+    c.normal = (kept.normalOfA ? poseA : poseB).rotation * kept.normal;
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(contact.count); ++i) {
+        const KeptManifold::Point& from = kept.points[i];
+        const Vec2 onA = poseA.toWorld(from.onA);
+        const Vec2 onB = poseB.toWorld(from.onB);
+        ConstraintPoint& p = c.points[static_cast<std::size_t>(c.count)];
+        p.separation = (onB - onA).dot(c.normal);
+        p.armA = 0.5 * (onA + onB) - poseA.position;
+        setLevers(data, c, p);
+        p.normalImpulse = contact.points[i].normalImpulse;
+        p.pair = index;
+        p.contact = pair.contact;
+        p.index = i;
+        c.count += setTarget(data, c, p, perSecond) ? 1 : 0;
+    }
+    if (c.count == 0) {
+        data.constraints.pop_back();
+        return false;
+    }
+    couple(data, c);
+    return true;
+}
+
+double marginOf(const WorldData& data, const Pair& pair) {
+    const BodyWay& a = data.ways[pair.bodyA + 1];
+    return pair.staticB ? contactMargin(a) : contactMargin(a, data.ways[pair.bodyB + 1]);
+}
+
+/// Makes the manifold anew unless the one that is kept still holds.
+void look(WorldData& data, std::uint32_t index) {
+    const Pair& pair = data.table.pairs[index];
+    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
+    const double margin = marginOf(data, pair);
+    const Poses poses = posesOf(data, pair);
+    double left = roomLeft(kept, poses.relative, data.reaches[pair.bodyA + 1].outerRadius);
+    if (left < margin) {
+        makeManifold(data, index, poses, margin);
+        left = kept.room;
+    }
+    postpone(data, index, left);
+}
+
+} // namespace
+
+double keptRoom(const WorldData& data, const Pair& pair) {
+    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
+    return roomLeft(kept, posesOf(data, pair).relative, data.reaches[pair.bodyA + 1].outerRadius);
+}
+
+double roomBetween(const WorldData& data, const Pair& pair) {
+    if (pair.kind != PairKind::General || pair.contact == Pair::none || data.contacts[pair.contact].count > 0) {
+        return 0;
+    }
+    return std::max(keptRoom(data, pair), 0.0);
+}
+
+void meetGeneral(WorldData& data, std::uint32_t index, double perSecond) {
+    Pair& pair = data.table.pairs[index];
+    const bool unknown = pair.contact == Pair::none || data.contacts[pair.contact].count == 0;
+    if (unknown && !pair.staticB) {
+        PairGate& gate = data.table.gates[index];
+        const Discs discs = discsOf(data, gate);
+        if (discs.areApart()) {
+            forgetContact(data, pair);
+            gate.apartUntil = data.milesOf(gate) + discs.gap();
+            return;
+        }
+    }
+    const Contact& contact = contactOf(data, pair);
+    look(data, index);
+    if (contact.count > 0) {
+        addConstraint(data, index, perSecond);
+    }
+}
+
+void renewManifold(WorldData& data, std::uint32_t index, double perSecond) {
+    Pair& pair = data.table.pairs[index];
+    const Contact& contact = data.contacts[pair.contact];
+    pair.sweep = false;
+    saveImpulses(data, data.generalContacts[contact.place]);
+    makeManifold(data, index, posesOf(data, pair), marginOf(data, pair));
+    if (contact.count > 0 && addConstraint(data, index, perSecond)) {
+        renewGeneral(data, data.constraints.back(), perSecond);
+        data.constraints.pop_back();
+    } else {
+        unlist(data, index);
+        postpone(data, index, data.manifolds[contact.manifold].room);
+    }
+}
+
+} // namespace spacetow

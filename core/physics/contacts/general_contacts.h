@@ -1,0 +1,21 @@
+#pragma once
+// Contacts of one or two points between parts of any shape. A manifold is kept while its parts move little against each
+// other: its points stay with their bodies, and what changes is how far apart they are.
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+
+/// Adds the contact of a pair to `constraints`, from its kept manifold or from a new one.
+void meetGeneral(WorldData& data, std::uint32_t index, double perSecond);
+
+/// Makes the manifold of a listed contact anew.
+void renewManifold(WorldData& data, std::uint32_t index, double perSecond);
+
+/// How much nearer the parts of a pair with a kept manifold may come before it is out of date, m.
+double keptRoom(const WorldData& data, const Pair& pair);
+
+/// How much nearer the parts of a pair without a contact may come before they can have one, m; 0 when that is unknown.
+double roomBetween(const WorldData& data, const Pair& pair);
+
+} // namespace spacetow

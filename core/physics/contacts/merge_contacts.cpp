@@ -1,0 +1,147 @@
+#include "core/physics/contacts/merge_contacts.h"
+
+#include "core/math/vec.h"
+#include "core/physics/contacts/contact_rules.h"
+#include "core/physics/contacts/effective_mass.h"
+#include "core/physics/contacts/general_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace spacetow {
+
+namespace {
+
+// Points of merged contacts that are no further apart are one, m.
+constexpr double coincident = 1e-9;
+
+bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) {
+    const bool sameBodies =
+        c.b == d.b || (data.records[c.b].kind == BodyKind::Static && data.records[d.b].kind == BodyKind::Static);
+    if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution || !areParallel(c.normal, d.normal)) {
+        return false;
+    }
+    // Points lie half way between the surfaces; half the separation further on is the surface of b.
+    const double planeC = c.points[0].armA.dot(c.normal) + 0.5 * c.points[0].separation;
+    const double planeD = d.points[0].armA.dot(c.normal) + 0.5 * d.points[0].separation;
+    return std::abs(planeC - planeD) < 1e-6;
+}
+
+/// Whether the outermost two points of both stand for all: none between them is deeper than they are.
+bool isFlat(const Constraint& c, const Constraint& d) {
+    const Vec2 tangent = leftOf(c.normal);
+    std::array<Vec2, 4> points; // along the plane, and above it
+    std::size_t count = 0;
+    for (const Constraint* from : {&c, &d}) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(from->count); ++i) {
+            points[count++] = {from->points[i].armA.dot(tangent), from->points[i].separation};
+        }
+    }
+    const auto byPlace = [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); };
+    const auto ends = std::minmax_element(points.begin(), points.begin() + count, byPlace);
+    const Vec2 first = *ends.first;
+    const Vec2 along = *ends.second - first;
+    return std::all_of(points.begin(), points.begin() + count, [&](const Vec2& p) {
+        const double share = along.x() > 0 ? (p.x() - first.x()) / along.x() : 0;
+        return p.y() >= first.y() + share * along.y() - linearSlop;
+    });
+}
+
+void prepareAgain(const WorldData& data, Constraint& c) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
+        setLevers(data, c, c.points[i]);
+    }
+    couple(data, c);
+}
+
+ContactPoint& keptPoint(WorldData& data, const ConstraintPoint& p) {
+    return data.contacts[p.contact].points[p.index];
+}
+
+double roomOf(const WorldData& data, const Constraint& c) {
+    return c.merged ? c.room : keptRoom(data, data.table.pairs[c.points[0].pair]);
+}
+
+/// The pair is not looked at while the merged contact is listed.
+void shut(WorldData& data, std::uint32_t pair) {
+    data.absorbed.push_back(pair);
+    data.table.gates[pair].apartUntil = std::numeric_limits<double>::infinity();
+}
+
+/// Both stand for one from now on.
+void noteMerger(WorldData& data, Constraint& c, const Constraint& d) {
+    c.room = std::min(roomOf(data, c), roomOf(data, d));
+    if (!c.merged) {
+        shut(data, c.points[0].pair);
+    }
+    shut(data, d.points[0].pair);
+    c.merged = true;
+}
+
+/// Keeps the outermost two of the points of both; where two coincide, that of the contact with more points, which will
+/// still be there when the body has turned a little, with the impulses of both.
+void absorb(WorldData& data, Constraint& c, Constraint& d) {
+    noteMerger(data, c, d);
+    const Vec2 tangent = leftOf(c.normal);
+    std::array<ConstraintPoint, 4> all;
+    std::array<double, 4> places;
+    std::size_t count = 0;
+    const bool cFirst = c.count >= d.count;
+    for (const Constraint* from : {cFirst ? &c : &d, cFirst ? &d : &c}) {
+        for (int i = 0; i < from->count; ++i) {
+            all[count] = from->points[static_cast<std::size_t>(i)];
+            places[count] = all[count].armA.dot(tangent);
+            ++count;
+        }
+    }
+    std::size_t least = 0;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const ConstraintPoint& p = all[i];
+        data.table.marks[p.pair].now |= p.separation <= linearSlop;
+        keptPoint(data, p).normalImpulse = 0;
+        data.contacts[p.contact].tangentImpulse = 0;
+        least = places[i] < places[least] - coincident ? i : least;
+        most = places[i] > places[most] + coincident ? i : most;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i != least && places[i] <= places[least] + coincident) {
+            all[least].normalImpulse += all[i].normalImpulse;
+        } else if (i != most && places[i] >= places[most] - coincident) {
+            all[most].normalImpulse += all[i].normalImpulse;
+        }
+    }
+    c.points[0] = all[least];
+    c.points[1] = all[most];
+    c.count = 2;
+    if (least == most) {
+        c.count = 1;
+        c.silenceSecond();
+    }
+    c.tangentImpulse += d.tangentImpulse;
+    d.count = 0;
+}
+
+} // namespace
+
+void mergeContacts(WorldData& data) {
+    std::vector<Constraint>& all = data.constraints;
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+        for (end = first + 1; end < all.size() && all[end].a == all[first].a; ++end) {
+            for (std::size_t i = first; i < end && !all[end].alone; ++i) {
+                if (all[i].count > 0 && samePlane(data, all[i], all[end]) && isFlat(all[i], all[end])) {
+                    absorb(data, all[i], all[end]);
+                    prepareAgain(data, all[i]);
+                    break;
+                }
+            }
+        }
+    }
+    if (!data.absorbed.empty()) {
+        std::erase_if(all, [](const Constraint& c) { return c.count == 0; });
+    }
+}
+
+} // namespace spacetow

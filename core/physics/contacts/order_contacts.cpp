@@ -1,0 +1,47 @@
+#include "core/physics/contacts/order_contacts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace spacetow {
+
+namespace {
+
+bool isAtStatic(const WorldData& data, const Constraint& c) {
+    return !c.alone && data.records[c.b].kind == BodyKind::Static;
+}
+
+double leastSeparation(const Constraint& c) {
+    return c.count == 2 ? std::min(c.points[0].separation, c.points[1].separation) : c.points[0].separation;
+}
+
+/// Moves the last of some contacts of a body up to its place among those with static bodies, of which it is one.
+void insertLast(WorldData& data, std::size_t first, std::size_t last) {
+    std::vector<Constraint>& all = data.constraints;
+    for (std::size_t i = last; i-- > first;) {
+        if (!isAtStatic(data, all[i])) {
+            continue;
+        }
+        if (leastSeparation(all[i]) >= leastSeparation(all[last])) {
+            return;
+        }
+        std::swap(all[i], all[last]);
+        last = i;
+    }
+}
+
+} // namespace
+
+void orderContacts(WorldData& data) {
+    const std::vector<Constraint>& all = data.constraints;
+    std::size_t first = 0; // of the same body
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        if (all[i].a != all[first].a) {
+            first = i;
+        } else if (isAtStatic(data, all[i])) {
+            insertLast(data, first, i);
+        }
+    }
+}
+
+} // namespace spacetow

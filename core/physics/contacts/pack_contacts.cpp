@@ -1,0 +1,144 @@
+#include "core/physics/contacts/pack_contacts.h"
+
+#include "core/geometry/moved.h"
+#include "core/physics/contacts/contact_rules.h"
+#include "core/physics/contacts/effective_mass.h"
+#include "core/physics/lanes/solver_kernels.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace spacetow {
+
+namespace {
+
+/// Two points with nearly the same effect make the system singular: the one that overlaps more acts for both. A point
+/// at which no push can move anything does not act at all. Returns whether it is.
+bool packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, double perSecond) {
+    const ConstraintPoint& p = c.points[0];
+    const ConstraintPoint& q = c.points[1];
+    const bool acts1 = p.normalMass > 0;
+    const bool acts2 = c.count == 2 && q.normalMass > 0;
+    const double mass1 = acts1 ? p.normalMass : 1;
+    const double mass2 = acts2 ? q.normalMass : mass1;
+    const double k11 = 1 / mass1;
+    const double k22 = 1 / mass2;
+    double coupling = acts1 && acts2 ? c.coupling : 0;
+    double determinant = k11 * k22 - coupling * coupling;
+    batch.target1[i] = acts1 ? p.target : noTarget;
+    batch.target2[i] = acts2 ? q.target : noTarget;
+    batch.impulse1[i] = p.normalImpulse;
+    batch.impulse2[i] = q.normalImpulse;
+    const double largest = std::max(k11, k22);
+    const bool singular = acts1 && acts2 && largest * largest >= singularRatio * determinant;
+    if (singular) {
+        coupling = 0;
+        determinant = k11 * k22;
+    }
+    batch.leverA1[i] = p.leverA;
+    batch.leverB1[i] = p.leverB;
+    batch.leverA2[i] = q.leverA;
+    batch.leverB2[i] = q.leverB;
+    batch.k11[i] = k11;
+    batch.k22[i] = k22;
+    batch.mass1[i] = mass1;
+    batch.mass2[i] = mass2;
+    batch.coupling[i] = coupling;
+    batch.inverseDeterminant[i] = 1 / determinant;
+    batch.separation1[i] = p.separation;
+    batch.separation2[i] = c.count == 2 ? q.separation : std::numeric_limits<double>::infinity();
+    batch.closing1[i] = -perSecond * roomToClose(p.separation);
+    batch.closing2[i] = c.count == 2 ? -perSecond * roomToClose(q.separation) : noTarget;
+    return singular;
+}
+
+const KeptManifold& manifoldOf(const WorldData& data, const ConstraintPoint& point) {
+    return data.manifolds[data.contacts[point.contact].manifold];
+}
+
+/// What of kept manifolds is the same for all points.
+struct Frame {
+    Vec2 normal;        // in the coordinates of its owner
+    Transform relative; // of a in those of b, when it was made
+    double room;
+};
+
+/// The points of a merged contact have manifolds of their own; where the bodies are now, all of these hold.
+Frame mergedFrame(const WorldData& data, const Constraint& c, bool still, bool ownedByA) {
+    const Transform poseA = data.pose(c.a);
+    const Transform poseB = still ? Transform{} : data.pose(c.b);
+    return {(ownedByA ? poseA : poseB).rotation.inverse() * c.normal, relative(poseA, poseB), c.room};
+}
+
+void packShapes(const WorldData& data, const Constraint& c, ConstraintShapes& shapes, std::uint32_t i) {
+    const bool still = data.table.pairs[c.points[0].pair].staticB;
+    const KeptManifold& kept = manifoldOf(data, c.points[0]);
+    const Frame frame = c.merged ? mergedFrame(data, c, still, kept.normalOfA) //
+                                 : Frame{kept.normal, kept.relative, kept.room};
+    setLane(shapes.still, i, still);
+    setLane(shapes.ownedByA, i, kept.normalOfA);
+    setLane(shapes.acts1, i, c.points[0].normalMass > 0);
+    setLane(shapes.acts2, i, c.count == 2 && c.points[1].normalMass > 0);
+    setLane(shapes.first, i, true);
+    setLane(shapes.second, i, c.count == 2);
+    shapes.normalX[i] = frame.normal.x();
+    shapes.normalY[i] = frame.normal.y();
+    const KeptManifold::Point& p = kept.points[c.points[0].index];
+    shapes.onA1X[i] = p.onA.x();
+    shapes.onA1Y[i] = p.onA.y();
+    shapes.onB1X[i] = p.onB.x();
+    shapes.onB1Y[i] = p.onB.y();
+    const ConstraintPoint& last = c.points[c.count == 2 ? 1 : 0];
+    const KeptManifold::Point& q = manifoldOf(data, last).points[last.index];
+    shapes.onA2X[i] = q.onA.x();
+    shapes.onA2Y[i] = q.onA.y();
+    shapes.onB2X[i] = q.onB.x();
+    shapes.onB2Y[i] = q.onB.y();
+    shapes.relativeX[i] = frame.relative.position.x();
+    shapes.relativeY[i] = frame.relative.position.y();
+    shapes.cosine[i] = frame.relative.rotation.c;
+    shapes.sine[i] = frame.relative.rotation.s;
+    shapes.room[i] = frame.room;
+    shapes.radiusA[i] = data.steps[c.a].round ? 0 : data.steps[c.a].outerRadius;
+    shapes.least[i] = leastInverseMass(data, c.a, c.b);
+}
+
+} // namespace
+
+void actForBoth(ConstraintBatch& batch, std::uint32_t i) {
+    const bool first = batch.separation1[i] <= batch.separation2[i];
+    const double impulse = batch.impulse1[i] + batch.impulse2[i];
+    (first ? batch.target2 : batch.target1)[i] = noTarget;
+    (first ? batch.impulse1 : batch.impulse2)[i] = impulse;
+    (first ? batch.impulse2 : batch.impulse1)[i] = 0;
+}
+
+void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double perSecond) {
+    const std::uint32_t i = contact.lane.lane;
+    ConstraintBatch& batch = data.batches.general[contact.lane.batch];
+    batch.normalX[i] = c.normal.x();
+    batch.normalY[i] = c.normal.y();
+    batch.tangentLeverA[i] = c.tangentLeverA;
+    batch.tangentLeverB[i] = c.tangentLeverB;
+    batch.tangentMass[i] = c.tangentMass;
+    batch.friction[i] = c.friction;
+    batch.tangentImpulse[i] = c.tangentImpulse;
+    contact.singular = packBlock(c, batch, i, perSecond);
+    if (contact.singular) {
+        actForBoth(batch, i);
+        data.anySingular = true;
+    }
+    setLane(data.batches.general.shapes(contact.lane.batch).singular, i, contact.singular);
+    packShapes(data, c, data.batches.general.shapes(contact.lane.batch), i);
+    contact.merged = c.merged;
+    contact.count = static_cast<std::uint32_t>(c.count);
+    contact.bounces = false;
+    for (std::size_t k = 0; k < contact.count; ++k) {
+        const ConstraintPoint& p = c.points[k];
+        contact.points[k] = {p.pair, p.contact, p.index, p.bounces};
+        contact.bounces |= p.bounces;
+    }
+    data.anyBounce |= contact.bounces;
+}
+
+} // namespace spacetow

@@ -1,0 +1,98 @@
+#pragma once
+// Four lanes at a time: what the passes over batches of contacts are made of. All of it is inlined into functions for
+// processors with and without wide registers. Both compute the same bits: the operations are the same, and none is
+// fused.
+
+#include "core/physics/lanes/contact_batches.h"
+
+#include <array>
+#include <cstring>
+
+#define SPACETOW_INLINE inline __attribute__((always_inline))
+
+namespace spacetow::lanes {
+
+SPACETOW_INLINE Wide greater(Wide a, Wide b) {
+    return a > b ? a : b;
+}
+
+SPACETOW_INLINE Wide lesser(Wide a, Wide b) {
+    return a < b ? a : b;
+}
+
+struct WidePace {
+    Wide x, y, turn, unused;
+};
+
+/// Rows to columns and back.
+SPACETOW_INLINE WidePace transposed(Wide r0, Wide r1, Wide r2, Wide r3) {
+    const Wide low02 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
+    const Wide low13 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
+    const Wide high02 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6);
+    const Wide high13 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
+    return {__builtin_shufflevector(low02, high02, 0, 1, 4, 5), __builtin_shufflevector(low13, high13, 0, 1, 4, 5),
+            __builtin_shufflevector(low02, high02, 2, 3, 6, 7), __builtin_shufflevector(low13, high13, 2, 3, 6, 7)};
+}
+
+SPACETOW_INLINE Wide row(const Pace& pace) {
+    Wide result;
+    std::memcpy(&result, &pace, sizeof result);
+    return result;
+}
+
+SPACETOW_INLINE WidePace load(const Pace* paces, const std::array<Slot, 4>& slots) {
+    return transposed(row(paces[slots[0]]), row(paces[slots[1]]), row(paces[slots[2]]), row(paces[slots[3]]));
+}
+
+SPACETOW_INLINE void store(Pace* paces, const std::array<Slot, 4>& slots, const WidePace& pace) {
+    const WidePace rows = transposed(pace.x, pace.y, pace.turn, pace.unused);
+    std::memcpy(static_cast<void*>(&paces[slots[0]]), &rows.x, sizeof(Wide));
+    std::memcpy(static_cast<void*>(&paces[slots[1]]), &rows.y, sizeof(Wide));
+    std::memcpy(static_cast<void*>(&paces[slots[2]]), &rows.turn, sizeof(Wide));
+    std::memcpy(static_cast<void*>(&paces[slots[3]]), &rows.unused, sizeof(Wide));
+}
+
+/// An impulse (x, y) on b and its opposite on a, and the angular impulses by which it twists them.
+struct Impulse {
+    Wide x, y, twistA, twistB;
+};
+
+/// The bodies of a batch's contacts.
+struct Ends {
+    WidePace a, b;
+
+    SPACETOW_INLINE Wide along(Wide x, Wide y) const { return (b.x - a.x) * x + (b.y - a.y) * y; }
+    SPACETOW_INLINE Wide turning(Wide leverA, Wide leverB) const { return b.turn * leverB - a.turn * leverA; }
+    template <class Batch>
+    SPACETOW_INLINE void apply(const Batch& c, const Impulse& impulse) {
+        push(c, impulse.x, impulse.y);
+        a.turn -= c.inertiaA * impulse.twistA;
+        b.turn += c.inertiaB * impulse.twistB;
+    }
+    template <class Batch>
+    SPACETOW_INLINE void push(const Batch& c, Wide x, Wide y) {
+        a.x -= c.massA * x;
+        a.y -= c.massA * y;
+        b.x += c.massB * x;
+        b.y += c.massB * y;
+    }
+};
+
+SPACETOW_INLINE LaneBits bits(Mask mask) {
+#if defined(__x86_64__)
+    using Two = double __attribute__((vector_size(16))); // what every such processor has an instruction for
+    std::array<Two, 2> halves;
+    std::memcpy(halves.data(), &mask, sizeof mask);
+    const int low = __builtin_ia32_movmskpd(halves[0]);
+    const int high = __builtin_ia32_movmskpd(halves[1]);
+    return static_cast<LaneBits>(low | high << 2);
+#else
+    return static_cast<LaneBits>((mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8));
+#endif
+}
+
+SPACETOW_INLINE bool any(Mask mask) {
+    return bits(mask) != 0;
+}
+
+} // namespace spacetow::lanes

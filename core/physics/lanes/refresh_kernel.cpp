@@ -1,0 +1,214 @@
+#include "core/physics/def/tolerances.h"
+#include "core/physics/lanes/gather.h"
+#include "core/physics/lanes/solver_kernels.h"
+
+#include <limits>
+
+namespace spacetow {
+
+namespace {
+
+using namespace lanes;
+
+/// What stays the same from the first lane to the last.
+struct Call {
+    BodyViews bodies;
+    double perSecond; // iterations
+};
+
+SPACETOW_INLINE Wide root(Wide x) {
+    return Wide{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]), __builtin_sqrt(x[2]), __builtin_sqrt(x[3])};
+}
+
+SPACETOW_INLINE Wide magnitude(Wide x) {
+    return x < Wide{} ? -x : x;
+}
+
+SPACETOW_INLINE Wide row(const BodyRows& rows, Slot slot) {
+    Wide result;
+    std::memcpy(&result, static_cast<const char*>(rows.first) + slot * rows.stride, sizeof result);
+    return result;
+}
+
+SPACETOW_INLINE WidePace load(const BodyRows& rows, const std::array<Slot, 4>& slots) {
+    return transposed(row(rows, slots[0]), row(rows, slots[1]), row(rows, slots[2]), row(rows, slots[3]));
+}
+
+/// What the normal velocity is to be where nothing bounces.
+SPACETOW_INLINE Wide targetAt(Wide separation, const Call& call) {
+    return separation > Wide{} ? -separation * call.perSecond : Wide{};
+}
+
+SPACETOW_INLINE Wide closingAt(Wide separation, const Call& call) {
+    return -call.perSecond * greater(separation + linearSlop, Wide{} + 0.1 * linearSlop);
+}
+
+/// Which contacts are out of reach.
+SPACETOW_INLINE Mask refresh(RoundBatch& c, const RoundShapes& shapes, const Call& call) {
+    const WidePace a = load(call.bodies.poses, shapes.a);
+    const WidePace b = load(call.bodies.poses, shapes.b);
+    const Wide apartX = b.x - a.x;
+    const Wide apartY = b.y - a.y;
+    const Wide squared = apartX * apartX + apartY * apartY;
+    const WidePace wayA = load(call.bodies.ways, shapes.a);
+    const WidePace wayB = load(call.bodies.ways, shapes.b);
+    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y);
+    const Wide margin = linearSlop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
+    const Wide reach = shapes.radiusA + shapes.radiusB + margin;
+    const Wide distance = root(squared);
+    const Mask apart = distance > Wide{};
+    const Wide separation = distance - shapes.radiusA - shapes.radiusB;
+    const Wide leverA = shapes.radiusA + 0.5 * separation;
+    const Wide leverB = -shapes.radiusB - 0.5 * separation;
+    const Mask here = shapes.here;
+    c.normalX = here ? (apart ? apartX / distance : Wide{}) : c.normalX;
+    c.normalY = here ? (apart ? apartY / distance : Wide{} + 1) : c.normalY;
+    c.separation = here ? separation : c.separation;
+    c.leverA = here ? leverA : c.leverA;
+    c.leverB = here ? leverB : c.leverB;
+    const Wide mass = c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
+    c.tangentMass = here ? 1 / mass : c.tangentMass;
+    c.target = here ? targetAt(separation, call) : c.target;
+    c.closing = here ? closingAt(separation, call) : c.closing;
+    return here & (squared > reach * reach);
+}
+
+/// A point that stays with a body, in the world.
+SPACETOW_INLINE Wide worldX(const WidePace& pose, Wide x, Wide y) {
+    return pose.x + (pose.turn * x - pose.unused * y);
+}
+SPACETOW_INLINE Wide worldY(const WidePace& pose, Wide x, Wide y) {
+    return pose.y + (pose.unused * x + pose.turn * y);
+}
+
+/// Whether the parts have moved against each other so far that their manifold may lack something.
+SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, const WidePace& b, const Call& call) {
+    const Wide apartX = a.x - b.x;
+    const Wide apartY = a.y - b.y;
+    const Wide movedX = b.turn * apartX + b.unused * apartY - s.relativeX;
+    const Wide movedY = b.turn * apartY - b.unused * apartX - s.relativeY;
+    const Wide turnedC = b.turn * a.turn + b.unused * a.unused - s.cosine;
+    const Wide turnedS = b.turn * a.unused - b.unused * a.turn - s.sine;
+    const Wide left =
+        s.room - root(movedX * movedX + movedY * movedY) - root(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
+    const WidePace wayA = load(call.bodies.ways, s.a);
+    WidePace wayB = load(call.bodies.ways, s.b);
+    wayB.x = s.still ? Wide{} : wayB.x;
+    wayB.y = s.still ? Wide{} : wayB.y;
+    wayB.turn = s.still ? Wide{} : wayB.turn;
+    wayB.unused = s.still ? Wide{} : wayB.unused;
+    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y) + wayA.turn + wayB.turn;
+    return left < linearSlop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
+}
+
+/// From the centres of mass to a contact point.
+struct Arms {
+    Wide aX, aY, bX, bY;
+    SPACETOW_INLINE Arms(const WidePace& a, const WidePace& b, Wide x, Wide y)
+        : aX(x - a.x), aY(y - a.y), bX(x - b.x), bY(y - b.y) {}
+};
+
+SPACETOW_INLINE Wide inverseMass(const ConstraintBatch& c, Wide leverA, Wide leverB) {
+    return c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
+}
+
+SPACETOW_INLINE void setFriction(ConstraintBatch& c, const Arms& arms1, const Arms& arms2, Wide least) {
+    c.tangentLeverA =
+        0.5 * (arms1.aX * c.normalX + arms1.aY * c.normalY + (arms2.aX * c.normalX + arms2.aY * c.normalY));
+    c.tangentLeverB =
+        0.5 * (arms1.bX * c.normalX + arms1.bY * c.normalY + (arms2.bX * c.normalX + arms2.bY * c.normalY));
+    const Wide inverse = inverseMass(c, c.tangentLeverA, c.tangentLeverB);
+    c.tangentMass = inverse > least ? 1 / inverse : Wide{};
+}
+
+/// Which contacts have points that begin or cease to act.
+SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ConstraintShapes& s, const Arms& arms1, const Arms& arms2) {
+    c.leverA1 = arms1.aX * c.normalY - arms1.aY * c.normalX;
+    c.leverB1 = arms1.bX * c.normalY - arms1.bY * c.normalX;
+    c.leverA2 = arms2.aX * c.normalY - arms2.aY * c.normalX;
+    c.leverB2 = arms2.bX * c.normalY - arms2.bY * c.normalX;
+    const Wide k11 = inverseMass(c, c.leverA1, c.leverB1);
+    const Wide k22 = inverseMass(c, c.leverA2, c.leverB2);
+    const Mask acts1 = s.first & (k11 > s.least);
+    const Mask acts2 = s.second & (k22 > s.least);
+    c.k11 = acts1 ? k11 : Wide{} + 1;
+    c.k22 = acts2 ? k22 : c.k11;
+    c.mass1 = 1 / c.k11;
+    c.mass2 = 1 / c.k22;
+    const Wide coupling = c.massA + c.massB + c.inertiaA * c.leverA1 * c.leverA2 + c.inertiaB * c.leverB1 * c.leverB2;
+    const Mask both = acts1 & acts2;
+    const Wide largest = greater(c.k11, c.k22);
+    const Mask singular = both & (largest * largest >= singularRatio * (c.k11 * c.k22 - coupling * coupling));
+    c.coupling = both & ~singular ? coupling : Wide{};
+    c.inverseDeterminant = 1 / (c.k11 * c.k22 - c.coupling * c.coupling);
+    return (acts1 ^ s.acts1) | (acts2 ^ s.acts2) | (singular ^ s.singular);
+}
+
+SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, const Call& call) {
+    const WidePace a = load(call.bodies.poses, s.a);
+    WidePace b = load(call.bodies.poses, s.b);
+    b.x = s.still ? Wide{} : b.x;
+    b.y = s.still ? Wide{} : b.y;
+    b.turn = s.still ? Wide{} + 1 : b.turn;
+    b.unused = s.still ? Wide{} : b.unused;
+    const Wide cosine = s.ownedByA ? a.turn : b.turn;
+    const Wide sine = s.ownedByA ? a.unused : b.unused;
+    c.normalX = cosine * s.normalX - sine * s.normalY;
+    c.normalY = sine * s.normalX + cosine * s.normalY;
+    const Wide onA1X = worldX(a, s.onA1X, s.onA1Y);
+    const Wide onA1Y = worldY(a, s.onA1X, s.onA1Y);
+    const Wide onA2X = worldX(a, s.onA2X, s.onA2Y);
+    const Wide onA2Y = worldY(a, s.onA2X, s.onA2Y);
+    const Wide apart1X = worldX(b, s.onB1X, s.onB1Y) - onA1X;
+    const Wide apart1Y = worldY(b, s.onB1X, s.onB1Y) - onA1Y;
+    const Wide apart2X = worldX(b, s.onB2X, s.onB2Y) - onA2X;
+    const Wide apart2Y = worldY(b, s.onB2X, s.onB2Y) - onA2Y;
+    const Wide separation1 = apart1X * c.normalX + apart1Y * c.normalY;
+    const Wide separation2 = apart2X * c.normalX + apart2Y * c.normalY;
+    const Wide far = Wide{} + std::numeric_limits<double>::infinity();
+    const Wide never = Wide{} + noTarget;
+    c.separation1 = s.first ? separation1 : far;
+    c.separation2 = s.second ? separation2 : far;
+    c.target1 = s.acts1 ? targetAt(separation1, call) : never;
+    c.target2 = s.acts2 ? targetAt(separation2, call) : never;
+    c.closing1 = s.first ? closingAt(separation1, call) : never;
+    c.closing2 = s.second ? closingAt(separation2, call) : never;
+    const Arms arms1(a, b, onA1X + 0.5 * apart1X, onA1Y + 0.5 * apart1Y);
+    const Arms arms2(a, b, onA2X + 0.5 * apart2X, onA2Y + 0.5 * apart2Y);
+    setFriction(c, arms1, arms2, s.least);
+    return setBlock(c, s, arms1, arms2) | outdated(s, a, b, call);
+}
+
+template <class Batch>
+SPACETOW_INLINE void refreshAll(const Call& call, Batches<Batch>& batches) {
+    const std::size_t count = batches.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        BatchNotes& notes = batches.notes(i);
+        notes.outdated = bits(refresh(batches.begin()[i], batches.shapes(i), call)) & notes.occupied;
+    }
+}
+
+SPACETOW_INLINE void refreshBoth(ContactBatches& batches, const Call& call) {
+    refreshAll(call, batches.round);
+    refreshAll(call, batches.general);
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) void refreshWide(ContactBatches& batches, const Call& call) {
+    refreshBoth(batches, call);
+}
+#endif
+
+} // namespace
+
+void refreshContacts(ContactBatches& batches, const BodyViews& bodies, double perSecond, [[maybe_unused]] bool wide) {
+#if defined(__x86_64__)
+    if (wide) {
+        refreshWide(batches, {bodies, perSecond});
+        return;
+    }
+#endif
+    refreshBoth(batches, {bodies, perSecond});
+}
+
+} // namespace spacetow

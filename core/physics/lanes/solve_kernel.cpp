@@ -1,0 +1,259 @@
+#include "core/physics/lanes/solver_kernels.h"
+
+#include "core/physics/def/tolerances.h"
+#include "core/physics/lanes/gather.h"
+
+namespace spacetow {
+
+namespace {
+
+using namespace lanes;
+
+SPACETOW_INLINE void warm(Ends& ends, const RoundBatch& c) {
+    const Wide x = c.normalImpulse * c.normalX - c.tangentImpulse * c.normalY;
+    const Wide y = c.normalImpulse * c.normalY + c.tangentImpulse * c.normalX;
+    ends.apply(c, {x, y, c.tangentImpulse * c.leverA, c.tangentImpulse * c.leverB});
+}
+
+SPACETOW_INLINE void warm(Ends& ends, const ConstraintBatch& c) {
+    const Wide normal = c.impulse1 + c.impulse2;
+    const Wide x = normal * c.normalX - c.tangentImpulse * c.normalY;
+    const Wide y = normal * c.normalY + c.tangentImpulse * c.normalX;
+    ends.apply(c, {x, y, c.impulse1 * c.leverA1 + c.impulse2 * c.leverA2 + c.tangentImpulse * c.tangentLeverA,
+                   c.impulse1 * c.leverB1 + c.impulse2 * c.leverB2 + c.tangentImpulse * c.tangentLeverB});
+}
+
+/// Of the bodies of a batch about a point.
+struct Levers {
+    Wide a, b; // m
+};
+
+/// Friction: what it takes to stop the sliding along the tangent (−y, x) of the normal, as far as `limit` reaches.
+template <class Batch>
+SPACETOW_INLINE Wide friction(const Ends& ends, const Batch& c, const Levers& levers, Wide limit) {
+    const Wide sliding = ends.along(-c.normalY, c.normalX) + ends.turning(levers.a, levers.b);
+    return lesser(greater(c.tangentImpulse - c.tangentMass * sliding, -limit), limit);
+}
+
+template <class Batch>
+SPACETOW_INLINE void rub(Ends& ends, Batch& c, const Levers& levers, Wide impulse) {
+    const Wide change = impulse - c.tangentImpulse;
+    c.tangentImpulse = impulse;
+    ends.apply(c, {-change * c.normalY, change * c.normalX, change * levers.a, change * levers.b});
+}
+
+SPACETOW_INLINE Levers tangentLeversOf(const RoundBatch& c) {
+    return {c.leverA, c.leverB};
+}
+SPACETOW_INLINE Levers tangentLeversOf(const ConstraintBatch& c) {
+    return {c.tangentLeverA, c.tangentLeverB};
+}
+SPACETOW_INLINE Wide normalOf(const RoundBatch& c) {
+    return c.normalImpulse;
+}
+SPACETOW_INLINE Wide normalOf(const ConstraintBatch& c) {
+    return c.impulse1 + c.impulse2;
+}
+template <class Batch>
+SPACETOW_INLINE void solveFriction(Ends& ends, Batch& c) {
+    const Levers levers = tangentLeversOf(c);
+    rub(ends, c, levers, friction(ends, c, levers, c.friction * normalOf(c)));
+}
+template <class Batch>
+SPACETOW_INLINE void solveFriction(Ends& ends, Batch& c, Mask which) {
+    const Levers levers = tangentLeversOf(c);
+    const Wide impulse = friction(ends, c, levers, c.friction * normalOf(c));
+    rub(ends, c, levers, which ? impulse : c.tangentImpulse);
+}
+
+SPACETOW_INLINE void solveNormals(Ends& ends, RoundBatch& c, double relaxation) {
+    const Wide excess = ends.along(c.normalX, c.normalY) - c.target;
+    const Wide impulse = greater(c.normalImpulse - relaxation * c.normalMass * excess, Wide{});
+    const Wide change = impulse - c.normalImpulse;
+    c.normalImpulse = impulse;
+    ends.push(c, change * c.normalX, change * c.normalY);
+}
+
+/// Of a batch at either point.
+struct Impulses {
+    Wide first, second; // kg m/s
+};
+
+/// The impulses x ≥ 0 with K x + b ≥ 0 and x·(K x + b) = 0, found by trying which of them act. The order of the
+/// points does not matter, so that mirrored scenes stay mirrored.
+SPACETOW_INLINE Impulses complementary(const ConstraintBatch& c, Wide b1, Wide b2) {
+    const Wide none{};
+    const Wide x1 = (c.coupling * b2 - c.k22 * b1) * c.inverseDeterminant;
+    const Wide x2 = (c.coupling * b1 - c.k11 * b2) * c.inverseDeterminant;
+    const auto both = (x1 >= none) & (x2 >= none);
+    const Wide only1 = -b1 * c.mass1;
+    const auto first = (only1 >= none) & (c.coupling * only1 + b2 >= none);
+    const Wide only2 = -b2 * c.mass2;
+    const auto second = (only2 >= none) & (c.coupling * only2 + b1 >= none);
+    return {both ? x1 : (first ? only1 : none), both ? x2 : (first ? none : (second ? only2 : none))};
+}
+
+/// Never over-relaxed; see overrelaxPass.
+SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c, double /*relaxation*/) {
+    const Wide closing = ends.along(c.normalX, c.normalY);
+    const Wide b1 =
+        closing + ends.turning(c.leverA1, c.leverB1) - c.target1 - (c.k11 * c.impulse1 + c.coupling * c.impulse2);
+    const Wide b2 =
+        closing + ends.turning(c.leverA2, c.leverB2) - c.target2 - (c.coupling * c.impulse1 + c.k22 * c.impulse2);
+    const auto [x1, x2] = complementary(c, b1, b2);
+    const Wide d1 = x1 - c.impulse1;
+    const Wide d2 = x2 - c.impulse2;
+    c.impulse1 = x1;
+    c.impulse2 = x2;
+    const Wide change = d1 + d2;
+    ends.apply(
+        c, {change * c.normalX, change * c.normalY, d1 * c.leverA1 + d2 * c.leverA2, d1 * c.leverB1 + d2 * c.leverB2});
+}
+
+/// Friction first, so that the normal velocities come out right. What is hit in this pass has no normal impulse to
+/// limit its friction before, and rubs afterwards.
+template <class Batch>
+SPACETOW_INLINE void solveOnce(Ends& ends, Batch& c, double relaxation) {
+    const Wide before = normalOf(c);
+    solveFriction(ends, c);
+    solveNormals(ends, c, relaxation);
+    const Mask hit = (before == Wide{}) & (normalOf(c) > Wide{});
+    if (any(hit)) {
+        solveFriction(ends, c, hit);
+    }
+}
+
+SPACETOW_INLINE Mask touching(const RoundBatch& c) {
+    return (c.normalImpulse > Wide{}) | (c.separation <= Wide{});
+}
+SPACETOW_INLINE Mask touching(const ConstraintBatch& c) {
+    return (c.impulse1 > Wide{}) | (c.separation1 <= Wide{}) | (c.impulse2 > Wide{}) | (c.separation2 <= Wide{});
+}
+
+SPACETOW_INLINE Mask overlapping(const RoundBatch& c) {
+    return c.separation < Wide{} - linearSlop;
+}
+SPACETOW_INLINE Mask overlapping(const ConstraintBatch& c) {
+    return (c.separation1 < Wide{} - linearSlop) | (c.separation2 < Wide{} - linearSlop);
+}
+
+enum class Task { WarmStart, Solve, Overrelax, Measure };
+
+template <class Batch>
+SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
+    const std::size_t count = batches.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Batch& batch = batches.begin()[i];
+        Ends ends{load(paces, batch.a), load(paces, batch.b)};
+        warm(ends, batch);
+        store(paces, batch.a, ends.a);
+        store(paces, batch.b, ends.b);
+    }
+}
+
+template <class Batch>
+SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches, double relaxation) {
+    const std::size_t count = batches.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Batch& batch = batches.begin()[i];
+        Ends ends{load(paces, batch.a), load(paces, batch.b)};
+        solveOnce(ends, batch, relaxation);
+        store(paces, batch.a, ends.a);
+        store(paces, batch.b, ends.b);
+    }
+}
+
+SPACETOW_INLINE Mask measure(const Ends& ends, RoundBatch& c) {
+    c.velocity = ends.along(c.normalX, c.normalY);
+    return c.velocity < c.closing;
+}
+
+SPACETOW_INLINE Mask measure(const Ends& ends, ConstraintBatch& c) {
+    const Wide linear = ends.along(c.normalX, c.normalY);
+    c.velocity1 = linear + ends.turning(c.leverA1, c.leverB1);
+    c.velocity2 = linear + ends.turning(c.leverA2, c.leverB2);
+    return (c.velocity1 < c.closing1) | (c.velocity2 < c.closing2);
+}
+
+template <class Batch>
+SPACETOW_INLINE bool measureAll(const Pace* paces, Batches<Batch>& batches) {
+    const std::size_t count = batches.size();
+    LaneBits closes = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        Batch& batch = batches.begin()[i];
+        const Mask here = measure(Ends{load(paces, batch.a), load(paces, batch.b)}, batch);
+        BatchNotes& notes = batches.notes(i);
+        notes.closes = bits(here) & notes.occupied;
+        notes.touches = bits(touching(batch)) & notes.occupied;
+        notes.overlaps = bits(overlapping(batch)) & notes.occupied;
+        closes |= notes.closes;
+    }
+    return closes != 0;
+}
+
+SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task) {
+    Pace* paces = batches.paces.data();
+    switch (task) {
+    case Task::WarmStart:
+        warmAll(paces, batches.round);
+        warmAll(paces, batches.general);
+        break;
+    case Task::Solve:
+        solveAll(paces, batches.round, 1);
+        solveAll(paces, batches.general, 1);
+        break;
+    case Task::Overrelax:
+        solveAll(paces, batches.round, overrelaxation);
+        solveAll(paces, batches.general, overrelaxation);
+        break;
+    case Task::Measure: {
+        const bool roundCloses = measureAll(paces, batches.round);
+        return measureAll(paces, batches.general) || roundCloses;
+    }
+    }
+    return false;
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) bool carryOutWide(ContactBatches& batches, Task task) {
+    return carryOut(batches, task);
+}
+#endif
+
+bool start(ContactBatches& batches, Task task, [[maybe_unused]] bool wide) {
+#if defined(__x86_64__)
+    if (wide) {
+        return carryOutWide(batches, task);
+    }
+#endif
+    return carryOut(batches, task);
+}
+
+} // namespace
+
+bool hasWideRegisters() {
+#if defined(__x86_64__)
+    static const bool has = __builtin_cpu_supports("avx2") != 0;
+    return has;
+#else
+    return false;
+#endif
+}
+
+void warmStart(ContactBatches& batches, bool wide) {
+    start(batches, Task::WarmStart, wide);
+}
+
+void solvePass(ContactBatches& batches, bool wide) {
+    start(batches, Task::Solve, wide);
+}
+
+void overrelaxPass(ContactBatches& batches, bool wide) {
+    start(batches, Task::Overrelax, wide);
+}
+
+bool measureVelocities(ContactBatches& batches, bool wide) {
+    return start(batches, Task::Measure, wide);
+}
+
+} // namespace spacetow

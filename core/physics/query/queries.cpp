@@ -1,0 +1,189 @@
+#include "core/physics/query/queries.h"
+
+#include "core/geometry/bounds.h"
+#include "core/geometry/cast.h"
+#include "core/geometry/closest.h"
+#include "core/physics/state/world_data.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace spacetow {
+
+namespace {
+
+constexpr double rounding = 1e-6; // m: so much further candidates are looked for
+
+/// Whether the static tree shows the static bodies as they are.
+bool isTreeFresh(const WorldData& data) {
+    return data.statics != nullptr && !data.staticsChanged;
+}
+
+/// A part and what decides between equal answers: the first part of the first body.
+struct Candidate {
+    Slot body;
+    std::uint32_t part;
+    const Part& shape;
+    Transform pose;
+    std::uint64_t serial;
+};
+
+template <class Visit>
+void visitPart(const WorldData& data, Slot slot, std::uint32_t part, const Visit& visit) {
+    const BodyRecord& record = data.records[slot];
+    visit(Candidate{slot, part, (*record.parts)[part], data.pose(slot), record.serial});
+}
+
+/// Calls `visit(candidate)` for the parts of active bodies that may reach into the area, in no order that matters.
+template <class Visit>
+void forEachPartNear(const WorldData& data, const Aabb& area, const Visit& visit) {
+    const bool fresh = isTreeFresh(data);
+    if (fresh) {
+        std::vector<std::uint32_t> found;
+        data.statics->tree.query(area, found);
+        for (const std::uint32_t i : found) {
+            visitPart(data, data.statics->colliders[i].body, data.statics->colliders[i].part, visit);
+        }
+    }
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        const BodyRecord& record = data.records[slot];
+        const bool inTree = fresh && record.kind == BodyKind::Static;
+        if (!record.used || !record.active || inTree ||
+            !area.grown(record.outerRadius).contains(data.motions[slot].center)) {
+            continue;
+        }
+        for (std::uint32_t part = 0; part < record.parts->size(); ++part) {
+            visitPart(data, slot, part, visit);
+        }
+    }
+}
+
+/// In the order in which they were added, each once.
+std::vector<BodyId> inOrder(const WorldData& data, std::vector<Slot>& slots) {
+    std::sort(slots.begin(), slots.end(),
+              [&](Slot a, Slot b) { return data.records[a].serial < data.records[b].serial; });
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    std::vector<BodyId> ids;
+    ids.reserve(slots.size());
+    for (const Slot slot : slots) {
+        ids.push_back(data.idOf(slot));
+    }
+    return ids;
+}
+
+Aabb exactBounds(const WorldData& data, Slot slot) {
+    Aabb box;
+    for (const Part& part : *data.records[slot].parts) {
+        box.include(boundsOf(part, data.pose(slot)));
+    }
+    return box;
+}
+
+/// Nearest among what reaches into the square of `reach` metres around the point.
+std::optional<NearestPoint> closestWithin(const WorldData& data, const Vec2& point, double reach, TagMask mask) {
+    std::optional<NearestPoint> best;
+    std::uint64_t serial = 0;
+    const Aabb area = Aabb{point, point}.grown(reach + rounding);
+    forEachPartNear(data, area, [&](const Candidate& candidate) {
+        if (!data.records[candidate.body].filter.tags.intersects(mask)) {
+            return;
+        }
+        const Vec2 on = closestPoint(candidate.shape, candidate.pose, point);
+        const double distance = (on - point).norm();
+        const bool nearer = !best || std::tie(distance, candidate.serial) < std::tie(best->distance, serial);
+        if (distance <= reach && nearer) {
+            best = NearestPoint{data.idOf(candidate.body), on, distance};
+            serial = candidate.serial;
+        }
+    });
+    return best;
+}
+
+} // namespace
+
+std::optional<RayHit> rayCast(const World& world, const Vec2& from, const Vec2& to, TagMask mask) {
+    const WorldData& data = world.data();
+    std::optional<RayHit> best;
+    std::pair<std::uint64_t, std::uint32_t> bestPart;
+    Aabb area{from, from};
+    area.include(to);
+    forEachPartNear(data, area.grown(rounding), [&](const Candidate& candidate) {
+        if (!data.records[candidate.body].filter.tags.intersects(mask)) {
+            return;
+        }
+        const auto hit = rayCast(candidate.shape, candidate.pose, from, to);
+        const std::pair part(candidate.serial, candidate.part);
+        if (hit && (!best || std::tie(hit->fraction, part) < std::tie(best->fraction, bestPart))) {
+            best = RayHit{data.idOf(candidate.body), from + hit->fraction * (to - from), hit->normal, hit->fraction};
+            bestPart = part;
+        }
+    });
+    return best;
+}
+
+std::vector<BodyId> bodiesAt(const World& world, const Vec2& point) {
+    const WorldData& data = world.data();
+    std::vector<Slot> slots;
+    forEachPartNear(data, Aabb{point, point}.grown(rounding), [&](const Candidate& candidate) {
+        if (contains(candidate.shape, candidate.pose, point)) {
+            slots.push_back(candidate.body);
+        }
+    });
+    return inOrder(data, slots);
+}
+
+std::vector<BodyId> bodiesIn(const World& world, const Aabb& box) {
+    const WorldData& data = world.data();
+    const bool fresh = isTreeFresh(data);
+    std::vector<Slot> slots;
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        const BodyRecord& record = data.records[slot];
+        const bool inTree = fresh && record.kind == BodyKind::Static;
+        if (record.used && record.active && (inTree ? record.solid : exactBounds(data, slot)).overlaps(box)) {
+            slots.push_back(slot);
+        }
+    }
+    return inOrder(data, slots);
+}
+
+std::optional<NearestPoint> closestBody(const World& world, const Vec2& point, const SearchLimits& limits) {
+    const WorldData& data = world.data();
+    if (!isFinite(point) || !(limits.reach >= 0)) {
+        return std::nullopt;
+    }
+    // Wider and wider, as long as nothing is found: most of what is asked for is near.
+    for (double reach = 1; reach < limits.reach && reach < 1e12; reach *= 4) {
+        if (auto found = closestWithin(data, point, reach, limits.mask)) {
+            return found;
+        }
+    }
+    return closestWithin(data, point, limits.reach, limits.mask);
+}
+
+std::vector<Aabb> quadtreeCells(const World& world) {
+    const WorldData& data = world.data();
+    std::vector<Aabb> cells = data.statics ? data.statics->tree.cells() : std::vector<Aabb>{};
+    const std::vector<Aabb> moving = data.tree.cells();
+    cells.insert(cells.end(), moving.begin(), moving.end());
+    return cells;
+}
+
+std::vector<QuadtreeCell> occupiedCells(const World& world) {
+    const WorldData& data = world.data();
+    std::vector<QuadtreeCell> cells;
+    std::vector<std::uint32_t> found;
+    const auto append = [&](const auto& tree) {
+        for (const Aabb& cell : tree.cells()) {
+            found.clear();
+            tree.query(cell, found);
+            cells.push_back({cell, static_cast<int>(found.size())});
+        }
+    };
+    if (data.statics) {
+        append(data.statics->tree);
+    }
+    append(data.tree);
+    return cells;
+}
+
+} // namespace spacetow

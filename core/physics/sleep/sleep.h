@@ -1,0 +1,28 @@
+#pragma once
+// Sleep: islands of bodies that have come to rest cost nothing until something disturbs them. An island is what
+// touching solid pairs and connectors join; static bodies, still kinematic ones and wholly frozen ones join nothing. It
+// falls asleep when all of its bodies have been slow for half a second, and wakes as a whole. See WorldData::sleep.
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+
+/// The body, or something about it, is about to change: with the next wakeDisturbed() its island wakes, and, when it is
+/// an anchor, all that is near it; near its new place, too, when it is static. Costs nothing while nobody sleeps.
+void disturb(WorldData& data, Slot slot);
+
+/// `iteration` dates the events, here and below.
+void wakeDisturbed(WorldData& data, int iteration);
+
+/// At the start of an update: wakes the disturbed, and everybody when sleep is no longer allowed or gravity has
+/// changed.
+void beginSleep(WorldData& data, const Vec2& gravity);
+
+/// Wakes the islands that contacts have just been found with. If there are any, velocities are those of the start of
+/// the iteration once more, and it is to be begun anew with everybody who takes part.
+bool wakeTouched(WorldData& data, const IterationStep& step);
+
+/// At the end of an update of so many seconds: islands that have been slow for long enough fall asleep.
+void fallAsleep(WorldData& data, double seconds, int iteration);
+
+} // namespace spacetow

@@ -1,0 +1,22 @@
+#pragma once
+// The tension of connectors, applied as impulses before each sub-step.
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+
+/// Where in an iteration the connectors act: before its first sub-step, between two, after its last. Half the impulse
+/// at either end makes the motion of springs second order (velocity Verlet).
+enum class Kick : std::uint8_t { First, Between, Last };
+
+/// For how long what is not anticipated acts, of a sub-step of `h` seconds.
+inline double kickTime(double h, Kick kick) {
+    return kick == Kick::Between ? h : 0.5 * h;
+}
+
+/// The impulses for sub-steps of `h` seconds at the trial poses; changes velocities only. Damping, and the spring
+/// itself where it is too stiff for the sub-step, are taken implicitly, so that the result stays finite and gains no
+/// energy.
+void applyConnectorForces(WorldData& data, double h, Kick kick);
+
+} // namespace spacetow

@@ -1,0 +1,19 @@
+#pragma once
+// Contacts take energy and never add any: impulses that were carried over, a solver that has not converged, restitution
+// together with friction, and pushing bodies out of overlaps could otherwise lift a pile or drive a jammed body. What
+// an island does depends on no other.
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+
+/// After the passes, for islands to which the contacts' impulses add energy: solves on, then makes bounces softer,
+/// then takes back a share of the impulses. Islands that a moving kinematic body may push are left alone, as that may
+/// do any work. Leaves momentum as it is. True when velocities have changed.
+bool limitGain(WorldData& data);
+
+/// Gives the bodies their pushes out of overlaps, but out of shallow ones with no more energy than contacts took from
+/// their island in this iteration of `dt` seconds.
+void takePushes(WorldData& data, double dt);
+
+} // namespace spacetow

@@ -1,0 +1,21 @@
+#pragma once
+// The forces of fields, applied as impulses before each sub-step.
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+
+/// Whether the field acts on the body.
+bool feels(const WorldData& data, const FieldRecord& field, Slot slot);
+
+/// Marks the bodies that feel any field as moving in sub-steps, and lists them.
+void refreshFields(WorldData& data);
+
+/// The impulses of all fields during `seconds` at the trial poses; changes velocities only. Each body feels the sum of
+/// its fields at once, so that their order does not matter; values that are not finite are left out and reported.
+void applyFields(WorldData& data, double seconds, int iteration);
+
+/// Removes the fields that act on this body alone.
+void removeFieldsOf(WorldData& data, Slot slot);
+
+} // namespace spacetow

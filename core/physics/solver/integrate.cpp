@@ -1,0 +1,199 @@
+#include "core/physics/solver/integrate.h"
+
+#include "core/math/trig.h"
+#include "core/physics/solver/connector_forces.h"
+#include "core/physics/solver/field_forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+/// Exact for v' = a − damping·v over `h` seconds; the series avoids cancellation for weak damping.
+FreeMotion freeMotion(double damping, double h) {
+    if (damping == 0) { // as most often
+        return {1, h, 0.5 * h * h};
+    }
+    const double x = damping * h;
+    if (x < 1e-4) {
+        return {1 - x * (1 - x / 2 * (1 - x / 3)), h * (1 - x / 2 * (1 - x / 3)), h * h * (0.5 - x / 6 * (1 - x / 4))};
+    }
+    const double decay = expExact(-x);
+    const double gain = (1 - decay) / damping;
+    return {decay, gain, (h - gain) / damping};
+}
+
+struct Change {
+    Vec2 shift;
+    double turn;
+};
+
+/// Inlined, as its result would else go through memory in parts and be read as a whole, which stalls.
+[[gnu::always_inline]] inline Change integrated(BodyMotion& m, const BodyStep& s) {
+    Change change{s.linear.gain * m.velocity + s.linear.lag * s.acceleration,
+                  s.angular.gain * m.angularVelocity + s.angular.lag * s.angularAcceleration};
+    m.velocity = s.linear.decay * m.velocity + s.linear.gain * s.acceleration;
+    m.angularVelocity = s.angular.decay * m.angularVelocity + s.angular.gain * s.angularAcceleration;
+    return change;
+}
+
+/// What is stopped on its way has not gained all the energy of that way. A fall from rest arrives with the speed of the
+/// height; what contacts have pushed as well is slowed down by as much energy.
+void shorten(BodyMotion& m, const BodyStep& s, double dt) {
+    const double lost = s.accounted - s.fraction;
+    if (!s.pushed) {
+        m.velocity -= lost * dt * s.acceleration;
+        m.angularVelocity -= lost * dt * s.angularAcceleration;
+        return;
+    }
+    const double excess = lost * s.acceleration.dot(s.shift); // J/kg
+    if (excess > 0 && m.inverseMass > 0) {
+        const double gyration = m.inverseInertia > 0 ? m.inverseMass / m.inverseInertia : 0; // m², about the centre
+        const double kinetic = 0.5 * (m.velocity.squaredNorm() + gyration * m.angularVelocity * m.angularVelocity);
+        const double scale = kinetic > excess ? std::sqrt(1 - excess / kinetic) : 0;
+        m.velocity *= scale;
+        m.angularVelocity *= scale;
+    }
+}
+
+void kick(WorldData& data, const IterationStep& step, Kick kick) {
+    applyConnectorForces(data, step.substep, kick);
+    applyFields(data, kickTime(step.substep, kick), step.index);
+}
+
+bool anySubstepped(const WorldData& data) {
+    return data.connectors.size() != data.freeConnectors.size() || !data.fieldBodies.empty();
+}
+
+void integrateInSubsteps(WorldData& data, const IterationStep& step) {
+    if (!anySubstepped(data)) {
+        return;
+    }
+    const auto substepped = [&](Slot slot) { return data.records[slot].substepped; };
+    if (!data.sleep.sleepers.empty() && std::none_of(data.moving.begin(), data.moving.end(), substepped)) {
+        return;
+    }
+    data.trial.resize(data.motions.size());
+    for (Slot slot = 0; slot < data.motions.size(); ++slot) {
+        data.trial[slot] = data.pose(slot);
+    }
+    for (int i = 0; i < step.substeps; ++i) {
+        kick(data, step, i == 0 ? Kick::First : Kick::Between);
+        for (const Slot slot : data.moving) {
+            if (!data.records[slot].substepped) {
+                continue;
+            }
+            const Change change = integrated(data.motions[slot], data.steps[slot]);
+            data.steps[slot].shift += change.shift;
+            data.steps[slot].turn += change.turn;
+            data.trial[slot].position += change.shift;
+            data.trial[slot].rotation = turned(data.trial[slot].rotation, change.turn);
+        }
+    }
+    kick(data, step, Kick::Last);
+}
+
+} // namespace
+
+void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravity) {
+    for (const Slot slot : data.moving) {
+        BodyRecord& record = data.records[slot];
+        BodyStep& s = data.steps[slot];
+        s.acceleration = record.force / record.mass;
+        s.angularAcceleration = record.inertia > 0 ? record.torque / record.inertia : 0;
+        if (record.kind == BodyKind::Dynamic) {
+            s.acceleration += gravity;
+        }
+        if (record.positionFrozen) {
+            s.acceleration.setZero();
+        }
+        if (record.rotationFrozen) {
+            s.angularAcceleration = 0;
+        }
+        record.force.setZero();
+        record.torque = 0;
+    }
+    prepareSteps(data, step);
+}
+
+void prepareSteps(WorldData& data, const IterationStep& step) {
+    for (const Slot slot : data.moving) {
+        const BodyRecord& record = data.records[slot];
+        const double h = record.substepped ? step.substep : step.dt;
+        BodyStep& s = data.steps[slot];
+        s.linear = record.positionFrozen ? FreeMotion{0, 0, 0} : freeMotion(record.linearDamping, h);
+        s.angular = record.rotationFrozen ? FreeMotion{0, 0, 0} : freeMotion(record.angularDamping, h);
+    }
+}
+
+void integrateVelocities(WorldData& data, const IterationStep& step) {
+    const bool substeps = anySubstepped(data); // else there is no need to look at the records
+    for (const Slot slot : data.moving) {
+        BodyMotion& m = data.motions[slot];
+        BodyStep& s = data.steps[slot];
+        s.startVelocity = m.velocity;
+        s.startAngularVelocity = m.angularVelocity;
+        s.shift.setZero();
+        s.turn = 0;
+        s.fraction = s.accounted = 1;
+        s.carrier = noSlot;
+        s.push.setZero();
+        s.pushTurn = 0;
+        s.pushed = s.bounced = s.bouncing = s.diverted = false;
+        if (!substeps || !data.records[slot].substepped) {
+            const Change change = integrated(m, s);
+            s.shift = change.shift;
+            s.turn = change.turn;
+        }
+    }
+    integrateInSubsteps(data, step);
+}
+
+void takeBackVelocities(WorldData& data) {
+    for (const Slot slot : data.moving) {
+        data.motions[slot].velocity = data.steps[slot].startVelocity;
+        data.motions[slot].angularVelocity = data.steps[slot].startAngularVelocity;
+    }
+}
+
+void advance(WorldData& data, double dt) {
+    for (const Slot slot : data.moving) {
+        BodyMotion& m = data.motions[slot];
+        BodyStep& s = data.steps[slot];
+        if (s.fraction < s.accounted) {
+            shorten(m, s, dt);
+        }
+        s.shift = s.fraction * s.shift + s.push;
+        s.turn = s.fraction * s.turn + s.pushTurn;
+        m.center += s.shift;
+        if (s.turn != 0) {
+            m.rotation = turned(m.rotation, s.turn);
+            s.room.turnLeft -= std::abs(s.turn);
+        }
+        s.travelled += s.reach();
+    }
+}
+
+void isolateFaults(WorldData& data, int iteration) {
+    for (const Slot slot : data.moving) {
+        BodyMotion& m = data.motions[slot];
+        BodyStep& s = data.steps[slot];
+        if (isSound(m, s)) {
+            continue;
+        }
+        m.velocity.setZero();
+        m.angularVelocity = 0;
+        s.shift.setZero();
+        s.turn = 0;
+        const auto same = [&](const FaultEvent& fault) { return fault.body == data.idOf(slot); };
+        const bool known = std::any_of(data.events.faults.begin(), data.events.faults.end(), same);
+        if (data.records[slot].active && !known) {
+            data.events.faults.push_back({iteration, data.idOf(slot)});
+            data.pending.push_back({PendingChange::Kind::Active, data.idOf(slot), false, false});
+        }
+    }
+}
+
+} // namespace spacetow

@@ -1,0 +1,29 @@
+#pragma once
+// Motion without contacts: forces, gravity, damping and connectors change the velocities and say how far each body
+// would go; after the contacts are solved the bodies are advanced.
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+
+/// Accelerations and damping factors for this update; consumes the forces applied since the last one.
+void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravity);
+
+/// How far a body moves by itself in one step of its own: an iteration, or a sub-step when connectors or fields act on
+/// it. Part of prepareMotion; by itself after connections have changed in the middle of an update.
+void prepareSteps(WorldData& data, const IterationStep& step);
+
+/// Velocities at the end of the iteration, and shift and turn on the way there, as if nothing were touched.
+void integrateVelocities(WorldData& data, const IterationStep& step);
+
+/// Undoes integrateVelocities.
+void takeBackVelocities(WorldData& data);
+
+/// Carries out the motion and the displacements out of overlaps. What a body did not travel of its way in an iteration
+/// of `dt` seconds it was not accelerated on either.
+void advance(WorldData& data, double dt);
+
+/// Switches off bodies whose state is not sound, so that they spoil no others.
+void isolateFaults(WorldData& data, int iteration);
+
+} // namespace spacetow

@@ -1,0 +1,20 @@
+#pragma once
+// Solves some islands further than others. Each keeps its order of contacts, so that the rest of the world makes no
+// difference to it.
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+
+/// More passes, at least one, over the contacts of the islands that are marked in `islands.unsettled`; all but the last
+/// are over-relaxed.
+void solveOn(WorldData& data, int passes);
+
+/// Solves on where contacts close faster than they may: an impact has to reach the ground through all that is between.
+/// Takes what has been measured at the contacts; false when none of them closes any more.
+bool solveOnWhereClosing(WorldData& data);
+
+/// Whenever there is something to solve again, it is not to allocate.
+void reserveForSolvingOn(WorldData& data);
+
+} // namespace spacetow

@@ -1,0 +1,28 @@
+#pragma once
+// Who sleeps; see sleep.h.
+
+#include "core/math/vec.h"
+#include "core/physics/def/tags.h"
+#include "core/physics/state/contact_data.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace spacetow {
+
+/// Who sleeps, and what is kept for them. Empty while nobody does.
+struct Sleep {
+    bool allowed = false;
+    Vec2 gravity{0, 0};               // under which they fell asleep
+    std::vector<Slot> sleepers;       // sorted
+    std::vector<Slot> disturbed;      // since the last update
+    PairTable table;                  // pairs of sleepers, with each other and with static bodies
+    std::vector<TagMask> touchedTags; // by slot, of those pairs
+
+    // Working memory.
+    PairTable newTable;
+    std::vector<Slot> parents;        // by slot: islands as trees
+    std::vector<std::uint8_t> marked; // by slot
+};
+
+} // namespace spacetow

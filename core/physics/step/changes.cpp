@@ -1,0 +1,133 @@
+#include "core/physics/step/changes.h"
+
+#include "core/physics/sleep/sleep.h"
+#include "core/physics/sleep/touches.h"
+#include "core/physics/solver/field_forces.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+void removeNow(WorldData& data, Slot slot, int iteration) {
+    endTouches(data, slot, iteration);
+    for (std::uint32_t i = 0; i < data.connectors.size(); ++i) {
+        ConnectorRecord& c = data.connectors[i];
+        if (c.used && (c.a == slot || c.b == slot)) {
+            c.used = false;
+            ++c.generation;
+            data.freeConnectors.push_back(i);
+        }
+    }
+    removeFieldsOf(data, slot);
+    BodyRecord& record = data.records[slot];
+    data.staticsChanged |= record.kind == BodyKind::Static;
+    data.events.removed.push_back({iteration, data.idOf(slot), record.user});
+    const std::uint32_t generation = record.generation + 1;
+    record = BodyRecord{};
+    record.generation = generation;
+    data.motions[slot] = BodyMotion{};
+    data.steps[slot] = BodyStep{};
+    data.freeSlots.push_back(slot);
+}
+
+void setFrozenNow(WorldData& data, Slot slot, bool position, bool rotation) {
+    BodyRecord& record = data.records[slot];
+    record.positionFrozen = position;
+    record.rotationFrozen = rotation;
+    if (position) {
+        data.motions[slot].velocity.setZero();
+    }
+    if (rotation) {
+        data.motions[slot].angularVelocity = 0;
+    }
+    refreshInverseMass(data, slot);
+}
+
+void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
+    BodyRecord& record = data.records[slot];
+    if (record.active && !active) {
+        endTouches(data, slot, iteration);
+    }
+    data.staticsChanged |= record.kind == BodyKind::Static && record.active != active;
+    record.active = active;
+}
+
+bool isThere(const WorldData& data, BodyId body) {
+    return body.index < data.records.size() && data.records[body.index].used &&
+           data.records[body.index].generation == body.generation;
+}
+
+} // namespace
+
+bool applyPending(WorldData& data, int iteration) {
+    if (data.pending.empty()) {
+        return false;
+    }
+    for (const PendingChange& change : data.pending) {
+        if (isThere(data, change.body)) {
+            disturb(data, change.body.index);
+        }
+    }
+    wakeDisturbed(data, iteration);
+    for (const PendingChange& change : data.pending) {
+        const Slot slot = change.body.index;
+        if (!isThere(data, change.body)) {
+            continue;
+        }
+        switch (change.kind) {
+        case PendingChange::Kind::Remove:
+            removeNow(data, slot, iteration);
+            break;
+        case PendingChange::Kind::Active:
+            setActiveNow(data, slot, change.first, iteration);
+            break;
+        case PendingChange::Kind::Tangible:
+            data.records[slot].tangible = change.first;
+            break;
+        case PendingChange::Kind::Frozen:
+            setFrozenNow(data, slot, change.first, change.second);
+            break;
+        }
+    }
+    data.pending.clear();
+    data.bodiesChanged = true;
+    refreshConnections(data);
+    return true;
+}
+
+void refreshInverseMass(WorldData& data, Slot slot) {
+    const BodyRecord& record = data.records[slot];
+    BodyMotion& m = data.motions[slot];
+    const bool dynamic = record.kind == BodyKind::Dynamic;
+    m.inverseMass = dynamic && !record.positionFrozen ? 1 / record.mass : 0;
+    m.inverseInertia = dynamic && !record.rotationFrozen && record.inertia > 0 ? 1 / record.inertia : 0;
+}
+
+void refreshConnections(WorldData& data) {
+    data.pairsStale = true;
+    data.notColliding.clear();
+    for (const ConnectorRecord& c : data.connectors) {
+        if (c.used && !c.bodiesCollide) {
+            data.notColliding.emplace_back(std::minmax(c.a, c.b));
+        }
+    }
+    std::sort(data.notColliding.begin(), data.notColliding.end());
+    refreshSubsteps(data);
+}
+
+void refreshSubsteps(WorldData& data) {
+    for (BodyRecord& record : data.records) {
+        record.substepped = false;
+    }
+    for (const ConnectorRecord& c : data.connectors) {
+        if (c.used && data.records[c.a].active && data.records[c.b].active) {
+            data.records[c.a].substepped = true;
+            data.records[c.b].substepped = true;
+        }
+    }
+    refreshFields(data);
+}
+
+} // namespace spacetow

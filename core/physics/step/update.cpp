@@ -1,0 +1,158 @@
+#include "core/physics/step/update.h"
+
+#include "core/physics/broad_phase/pairs.h"
+#include "core/physics/contacts/contact_lanes.h"
+#include "core/physics/contacts/contact_pool.h"
+#include "core/physics/contacts/contacts.h"
+#include "core/physics/sleep/sleep.h"
+#include "core/physics/sleep/touches.h"
+#include "core/physics/solver/carriers.h"
+#include "core/physics/solver/continuous.h"
+#include "core/physics/solver/hold_back.h"
+#include "core/physics/solver/integrate.h"
+#include "core/physics/solver/islands.h"
+#include "core/physics/solver/solve.h"
+#include "core/physics/step/changes.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+IterationStep iterationStep(const UpdateParameters& p) {
+    const double dt = p.seconds / p.iterations;
+    // A few passes over coarse iterations; fine ones converge from one iteration to the next.
+    const int passes = std::clamp(8 / p.iterations, 2, 4);
+    return {dt, dt / p.substeps, p.substeps, p.seconds, 0, passes};
+}
+
+// Into so many parts an iteration may be divided.
+constexpr int maxParts = 64;
+
+/// The pairs of those who have left their rooms, and what hangs on them.
+void refreshPairs(WorldData& data, const IterationStep& step) {
+    if (data.pairsStale || !data.absorbed.empty()) {
+        dropContacts(data);
+    }
+    if (data.pairsStale) {
+        weighBodies(data);
+        forgetManifolds(data);
+    }
+    if (findPairs(data, step)) {
+        forgetDropped(data);
+        changePairs(data);
+        followPairs(data);
+    }
+}
+
+/// The motion as if nothing were touched, and the pairs for it. False when something was not finite.
+bool planMotion(WorldData& data, const IterationStep& step, bool first) {
+    const double ahead = first ? step.remaining - step.dt : 0; // rooms for a whole update, if they will do
+    integrateVelocities(data, step);
+    measureMotion(data, ahead);
+    const bool fault = data.anyFault;
+    if (fault) {
+        isolateFaults(data, step.index);
+        measureMotion(data, ahead);
+    }
+    if (data.anyEscaped) {
+        refreshPairs(data, step);
+    }
+    return !fault;
+}
+
+void makeMotion(WorldData& data, const IterationStep& step) {
+    findContacts(data, step);
+    while (wakeTouched(data, step)) {
+        planMotion(data, step, false);
+        findContacts(data, step);
+    }
+    findIslands(data);
+    findDriven(data);
+    solveVelocities(data, step);
+    findCarriers(data);
+    if (data.anyFast || data.anySweep || data.anyDiverted) {
+        measureMotion(data, 0);
+        if (data.anyEscaped) {
+            refreshPairs(data, step);
+        }
+        stopAtImpacts(data);
+        holdBackFollowers(data, step.dt);
+    }
+    carryStopped(data);
+    advance(data, step.dt);
+    findOverlaps(data);
+    reportTouches(data, step.index);
+}
+
+void setDuration(WorldData& data, IterationStep& step, double dt) {
+    step.dt = dt;
+    step.substep = dt / step.substeps;
+    prepareSteps(data, step);
+}
+
+void makePart(WorldData& data, const IterationStep& step, double whole) {
+    beginPart(data, step.dt / whole);
+    makeMotion(data, step);
+    endPart(data, step.dt / whole);
+}
+
+/// The iteration as planned is too long: it is made in parts.
+void iterateInParts(WorldData& data, IterationStep step, double share) {
+    const double whole = step.dt;
+    const std::size_t reports = data.events.tagsTouched.size();
+    double left = whole;
+    for (int parts = maxParts - 1; share < 1; --parts) {
+        takeBackVelocities(data);
+        setDuration(data, step, share * left);
+        planMotion(data, step, false);
+        makePart(data, step, whole);
+        left -= step.dt;
+        step.remaining -= step.dt;
+        setDuration(data, step, left);
+        const bool sound = planMotion(data, step, false);
+        share = sound && data.anyFast && parts > 1 ? coveredShare(data, 1.0 / parts) : 1;
+    }
+    makePart(data, step, whole);
+    setDuration(data, step, whole);
+    joinTagReports(data, reports);
+}
+
+void iterate(WorldData& data, const IterationStep& step) {
+    if (data.moving.empty() && !data.sleep.sleepers.empty()) {
+        reportTouches(data, step.index);
+        return;
+    }
+    const bool sound = planMotion(data, step, step.index == 0);
+    const double share = sound && data.anyFast ? coveredShare(data, 1.0 / maxParts) : 1;
+    if (share < 1) {
+        iterateInParts(data, step, share);
+    } else {
+        makeMotion(data, step);
+    }
+}
+
+} // namespace
+
+void updateWorld(WorldData& data, const UpdateParameters& parameters) {
+    data.events.clear();
+    beginSleep(data, parameters.gravity);
+    applyPending(data, -1);
+    IterationStep step = iterationStep(parameters);
+    prepareStructure(data);
+    prepareMotion(data, step, parameters.gravity);
+    for (step.index = 0; step.index < parameters.iterations; ++step.index) {
+        iterate(data, step);
+        step.remaining -= step.dt;
+        if (applyPending(data, step.index)) {
+            prepareStructure(data);
+            prepareSteps(data, step);
+        }
+    }
+    saveImpulses(data);
+    fallAsleep(data, parameters.seconds, parameters.iterations - 1);
+    collectTouchedTags(data);
+}
+
+} // namespace spacetow

@@ -1,0 +1,204 @@
+#include "core/physics/world/make_body.h"
+
+#include "core/geometry/convex_parts.h"
+#include "core/geometry/moved.h"
+#include "core/geometry/polygon.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace spacetow {
+
+namespace {
+
+// Beyond this doubles no longer resolve a millimetre, m.
+constexpr double farthest = 1e9;
+
+std::optional<Error> checkNumbers(const BodyDef& d) {
+    const std::pair<const char*, bool> finite[] = {
+        {"position", isFinite(d.position)},
+        {"angle", std::isfinite(d.angle)},
+        {"velocity", isFinite(d.velocity)},
+        {"angular velocity", std::isfinite(d.angularVelocity)},
+        {"mass", !d.mass || std::isfinite(*d.mass)},
+        {"density", std::isfinite(d.density)},
+        {"restitution", std::isfinite(d.restitution)},
+        {"friction", std::isfinite(d.friction)},
+        {"linear damping", std::isfinite(d.linearDamping)},
+        {"angular damping", std::isfinite(d.angularDamping)},
+    };
+    for (const auto& [name, ok] : finite) {
+        if (!ok) {
+            return Error{"not-finite", {name}};
+        }
+    }
+    const std::pair<const char*, bool> inRange[] = {
+        {"position", d.position.cwiseAbs().maxCoeff() <= farthest},
+        {"restitution", d.restitution >= 0 && d.restitution <= 1},
+        {"friction", d.friction >= 0},
+        {"linear damping", d.linearDamping >= 0},
+        {"angular damping", d.angularDamping >= 0},
+    };
+    for (const auto& [name, ok] : inRange) {
+        if (!ok) {
+            return Error{"out-of-range", {name}};
+        }
+    }
+    if ((d.mass && *d.mass <= 0) || d.density <= 0) {
+        return Error{"bad-mass", {d.mass ? "mass" : "density"}};
+    }
+    return {};
+}
+
+struct IsGoodShape {
+    bool operator()(const Circle& c) const { return isFinite(c.center) && std::isfinite(c.radius) && c.radius > 0; }
+    bool operator()(const Edge& e) const {
+        return isFinite(e.a) && isFinite(e.b) && e.a != e.b && !std::isnan(e.depth) && e.depth >= 0;
+    }
+    bool operator()(const Line& l) const { return isFinite(l.a) && isFinite(l.b) && l.a != l.b; }
+    bool operator()(const Polygon& p) const {
+        return std::all_of(p.vertices.begin(), p.vertices.end(), [](const Vec2& v) { return isFinite(v); }) &&
+               p.vertices.size() >= 3 && signedArea(p.vertices) > 0 && isSimple(p.vertices);
+    }
+};
+
+/// Radius of a circle inside the part about its own centre: how far the part may jump without leaving itself.
+double innerRadius(const Part& part) {
+    if (const auto* circle = std::get_if<Circle>(&part)) {
+        return circle->radius;
+    }
+    if (const auto* convex = std::get_if<ConvexPart>(&part)) {
+        double radius = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < convex->count; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            radius = std::min(radius, (convex->corners[k] - convex->center).dot(convex->normals[k]));
+        }
+        return radius;
+    }
+    return 0;
+}
+
+double outerRadius(const Part& part) {
+    if (const auto* circle = std::get_if<Circle>(&part)) {
+        return circle->center.norm() + circle->radius;
+    }
+    if (const auto* wall = std::get_if<WallPart>(&part)) {
+        return std::max(wall->a.norm(), wall->b.norm());
+    }
+    double radius = 0;
+    const auto& convex = std::get<ConvexPart>(part);
+    for (int i = 0; i < convex.count; ++i) {
+        radius = std::max(radius, convex.corners[static_cast<std::size_t>(i)].norm());
+    }
+    return radius;
+}
+
+/// Forces are divided by it, and impulses multiplied with its inverse.
+bool hasInverse(double x) {
+    return std::isfinite(x) && std::isfinite(1 / x);
+}
+
+bool setMass(BodyRecord& record, const BodyDef& def) {
+    const std::optional<MassProperties> total = usableMass(def.shapes, def.density, def.mass);
+    if (total) {
+        record.localCenter = total->center;
+        record.mass = total->mass;
+        record.inertia = total->inertia;
+    }
+    return total.has_value();
+}
+
+void setParts(BodyRecord& record, const BodyDef& def) {
+    auto parts = std::make_shared<std::vector<Part>>();
+    const Transform aboutCenter{-record.localCenter, {}};
+    for (const Shape& shape : def.shapes) {
+        for (const Part& part : partsOf(shape)) {
+            parts->push_back(std::visit([&](const auto& p) -> Part { return moved(p, aboutCenter); }, part));
+        }
+    }
+    std::vector<WallPart*> walls;
+    std::vector<ConvexPart*> convexParts;
+    record.innerRadius = parts->empty() ? 0 : std::numeric_limits<double>::infinity();
+    for (Part& part : *parts) {
+        if (auto* wall = std::get_if<WallPart>(&part)) {
+            walls.push_back(wall);
+        } else if (auto* convex = std::get_if<ConvexPart>(&part)) {
+            convexParts.push_back(convex);
+        }
+        record.innerRadius = std::min(record.innerRadius, innerRadius(part));
+        record.outerRadius = std::max(record.outerRadius, outerRadius(part));
+    }
+    joinWalls(walls);
+    joinConvexParts(convexParts);
+    record.parts = std::move(parts);
+}
+
+BodyStep stepOf(const BodyRecord& record) {
+    BodyStep step;
+    step.innerRadius = record.innerRadius;
+    step.outerRadius = record.outerRadius;
+    if (record.parts->size() == 1) {
+        const auto* circle = std::get_if<Circle>(&record.parts->front());
+        step.round = circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
+    }
+    return step;
+}
+
+} // namespace
+
+std::optional<MassProperties> usableMass(std::span<const Shape> shapes, double density, std::optional<double> mass) {
+    std::vector<MassProperties> parts;
+    parts.reserve(shapes.size());
+    for (const Shape& shape : shapes) {
+        parts.push_back(massOf(shape, density));
+    }
+    MassProperties total = sum(parts);
+    if (mass && hasInverse(total.mass)) {
+        total = total.withMass(*mass);
+    }
+    const bool usable = isFinite(total.center) && hasInverse(total.mass) && hasInverse(total.inertia);
+    return usable ? std::optional(total) : std::nullopt;
+}
+
+Result<MadeBody> makeBody(const BodyDef& def) {
+    if (std::optional<Error> error = checkNumbers(def)) {
+        return *std::move(error);
+    }
+    if (def.shapes.empty() && def.kind != BodyKind::Static) {
+        return Error{"no-shape", {"shapes"}};
+    }
+    for (const Shape& shape : def.shapes) {
+        if (!std::visit(IsGoodShape{}, shape)) {
+            return Error{"bad-shape", {"shapes"}};
+        }
+    }
+    MadeBody made;
+    BodyRecord& r = made.record;
+    r.kind = def.kind;
+    r.shapes = std::make_shared<const std::vector<Shape>>(def.shapes);
+    if (def.kind != BodyKind::Static && !setMass(r, def)) {
+        return Error{"bad-mass", {def.mass ? "mass" : "density"}};
+    }
+    setParts(r, def);
+    made.step = stepOf(r);
+    r.restitution = def.restitution;
+    r.friction = def.friction;
+    r.linearDamping = def.linearDamping;
+    r.angularDamping = def.angularDamping;
+    r.filter = def.filter;
+    r.tangible = def.tangible;
+    r.active = def.active;
+    r.positionFrozen = def.positionFrozen;
+    r.rotationFrozen = def.rotationFrozen;
+    r.reportsTouches = def.reportsTouches;
+    r.user = def.user;
+    made.motion.rotation = Rot::fromAngle(def.angle);
+    made.motion.center = def.position + made.motion.rotation * r.localCenter;
+    if (def.kind != BodyKind::Static) {
+        made.motion.velocity = def.positionFrozen ? Vec2(0, 0) : def.velocity;
+        made.motion.angularVelocity = def.rotationFrozen ? 0 : def.angularVelocity;
+    }
+    return made;
+}
+
+} // namespace spacetow

@@ -1,0 +1,230 @@
+#include "core/physics/world/world.h"
+
+#include "core/base/contract.h"
+#include "core/geometry/bounds.h"
+#include "core/physics/sleep/sleep.h"
+#include "core/physics/solver/field_forces.h"
+#include "core/physics/state/world_data.h"
+#include "core/physics/step/changes.h"
+#include "core/physics/step/update.h"
+#include "core/physics/world/make_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spacetow {
+
+namespace {
+
+bool isUsable(const UpdateParameters& p) {
+    return isFinite(p.gravity) && std::isfinite(p.seconds) && p.seconds > 0 && p.iterations >= 1 && p.substeps >= 1;
+}
+
+} // namespace
+
+World::World(const UpdateParameters& parameters) : m_data(std::make_unique<WorldData>()) {
+    setParameters(parameters);
+}
+World::World(const World& other) : m_data(std::make_unique<WorldData>(*other.m_data)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(const World& other) {
+    if (this != &other) {
+        *m_data = *other.m_data;
+    }
+    return *this;
+}
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+void World::update() {
+    update(m_data->parameters);
+}
+
+void World::update(const UpdateParameters& parameters) {
+    EXPECTS(isUsable(parameters));
+    updateWorld(*m_data, parameters);
+}
+
+Result<BodyId> World::addBody(const BodyDef& def) {
+    Result<MadeBody> made = makeBody(def);
+    if (!made) {
+        return made.error();
+    }
+    WorldData& data = *m_data;
+    Slot slot = static_cast<Slot>(data.records.size());
+    if (data.freeSlots.empty()) {
+        data.records.emplace_back();
+        data.motions.emplace_back();
+        data.steps.emplace_back();
+    } else {
+        slot = data.freeSlots.back();
+        data.freeSlots.pop_back();
+    }
+    const std::uint32_t generation = data.records[slot].generation;
+    data.records[slot] = made.value().record;
+    data.records[slot].generation = generation;
+    data.records[slot].used = true;
+    data.records[slot].serial = data.nextSerial++;
+    data.motions[slot] = made.value().motion;
+    data.steps[slot] = made.value().step;
+    refreshInverseMass(data, slot);
+    data.staticsChanged |= def.kind == BodyKind::Static;
+    data.bodiesChanged = true;
+    refreshFields(data);
+    disturb(data, slot);
+    return data.idOf(slot);
+}
+
+void World::removeBody(BodyId body) {
+    EXPECTS(contains(body));
+    m_data->pending.push_back({PendingChange::Kind::Remove, body});
+}
+
+void World::setActive(BodyId body, bool active) {
+    EXPECTS(contains(body));
+    m_data->pending.push_back({PendingChange::Kind::Active, body, active});
+}
+
+void World::setTangible(BodyId body, bool tangible) {
+    EXPECTS(contains(body));
+    m_data->pending.push_back({PendingChange::Kind::Tangible, body, tangible});
+}
+
+void World::setFrozen(BodyId body, bool position, bool rotation) {
+    EXPECTS(contains(body));
+    m_data->pending.push_back({PendingChange::Kind::Frozen, body, position, rotation});
+}
+
+void World::setPose(BodyId body, const Vec2& position, double angle) {
+    EXPECTS(contains(body) && isFinite(position) && std::isfinite(angle));
+    BodyMotion& m = m_data->motions[body.index];
+    BodyRecord& record = m_data->records[body.index];
+    m.rotation = Rot::fromAngle(angle);
+    m.center = position + m.rotation * record.localCenter;
+    record.bounds = Aabb{};
+    m_data->pairsStale = true;
+    m_data->staticsChanged |= record.kind == BodyKind::Static;
+    disturb(*m_data, body.index);
+}
+
+void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocity) {
+    EXPECTS(contains(body) && isFinite(velocity) && std::isfinite(angularVelocity));
+    const BodyRecord& record = m_data->records[body.index];
+    if (record.kind == BodyKind::Static) {
+        return;
+    }
+    BodyMotion& m = m_data->motions[body.index];
+    m.velocity = record.positionFrozen ? Vec2(0, 0) : velocity;
+    m.angularVelocity = record.rotationFrozen ? 0 : angularVelocity;
+    disturb(*m_data, body.index);
+}
+
+void World::setFilter(BodyId body, const Filter& filter) {
+    EXPECTS(contains(body));
+    m_data->records[body.index].filter = filter;
+    m_data->pairsStale = true;
+    disturb(*m_data, body.index);
+    if (!m_data->fields.empty()) {
+        refreshSubsteps(*m_data);
+    }
+}
+
+void World::setReportsTouches(BodyId body, bool reports) {
+    EXPECTS(contains(body));
+    m_data->records[body.index].reportsTouches = reports;
+    std::vector<Slot>& reporters = m_data->reporters;
+    const auto at = std::lower_bound(reporters.begin(), reporters.end(), body.index);
+    const bool listed = at != reporters.end() && *at == body.index;
+    if (reports && !listed) {
+        reporters.insert(at, body.index);
+    } else if (!reports && listed) {
+        reporters.erase(at);
+    }
+}
+
+void World::setSleeping(bool allowed) {
+    m_data->sleep.allowed = allowed;
+    for (BodyRecord& record : m_data->records) {
+        record.stillFor = 0;
+    }
+}
+
+bool World::sleeping() const {
+    return m_data->sleep.allowed;
+}
+
+const UpdateParameters& World::parameters() const {
+    return m_data->parameters;
+}
+
+void World::setParameters(const UpdateParameters& parameters) {
+    EXPECTS(isUsable(parameters));
+    m_data->parameters = parameters;
+}
+
+const Events& World::events() const {
+    return m_data->events;
+}
+
+bool World::contains(BodyId body) const {
+    return body.index < m_data->records.size() && m_data->records[body.index].used &&
+           m_data->records[body.index].generation == body.generation;
+}
+
+BodyState World::body(BodyId body) const {
+    EXPECTS(contains(body));
+    const BodyRecord& r = m_data->records[body.index];
+    const BodyMotion& m = m_data->motions[body.index];
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const bool dynamic = r.kind == BodyKind::Dynamic;
+    return {.kind = r.kind,
+            .pose = {m.center - m.rotation * r.localCenter, m.rotation},
+            .angle = m.rotation.angle(),
+            .velocity = m.velocity,
+            .angularVelocity = m.angularVelocity,
+            .massCenter = m.center,
+            .mass = dynamic ? r.mass : infinite,
+            .inertia = dynamic ? r.inertia : infinite,
+            .filter = r.filter,
+            .touchedTags = body.index < m_data->touchedTags.size() ? m_data->touchedTags[body.index] : TagMask{},
+            .tangible = r.tangible,
+            .active = r.active,
+            .asleep = r.asleep,
+            .positionFrozen = r.positionFrozen,
+            .rotationFrozen = r.rotationFrozen,
+            .user = r.user};
+}
+
+const std::vector<Shape>& World::shapes(BodyId body) const {
+    EXPECTS(contains(body));
+    return *m_data->records[body.index].shapes;
+}
+
+Aabb World::bounds(BodyId body) const {
+    EXPECTS(contains(body));
+    const BodyRecord& record = m_data->records[body.index];
+    Aabb box = record.bounds; // what is pushed out of an overlap may leave it in the last iteration
+    for (const Part& part : *record.parts) {
+        box.include(boundsOf(part, m_data->pose(body.index)));
+    }
+    return box;
+}
+
+std::vector<BodyId> World::bodies() const {
+    std::vector<BodyId> ids;
+    for (Slot slot = 0; slot < m_data->records.size(); ++slot) {
+        if (m_data->records[slot].used) {
+            ids.push_back(m_data->idOf(slot));
+        }
+    }
+    std::sort(ids.begin(), ids.end(),
+              [this](BodyId a, BodyId b) { return m_data->records[a.index].serial < m_data->records[b.index].serial; });
+    return ids;
+}
+
+int World::bodyCount() const {
+    return static_cast<int>(m_data->records.size() - m_data->freeSlots.size());
+}
+
+} // namespace spacetow

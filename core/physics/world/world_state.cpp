@@ -1,0 +1,156 @@
+// World: energy and hash of the whole state.
+
+#include "core/base/hash.h"
+#include "core/physics/state/world_data.h"
+#include "core/physics/world/world.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+void add(StateHash& hash, const Vec2& v) {
+    hash.add(v.x());
+    hash.add(v.y());
+}
+
+void addBodyState(StateHash& hash, const BodyMotion& m, const BodyRecord& r) {
+    add(hash, m.center);
+    hash.add(m.rotation.c);
+    hash.add(m.rotation.s);
+    add(hash, m.velocity);
+    hash.add(m.angularVelocity);
+    for (const double x : {r.mass, r.inertia, r.restitution, r.friction, r.linearDamping, r.angularDamping}) {
+        hash.add(x);
+    }
+    add(hash, r.force);
+    hash.add(r.torque);
+    const std::uint64_t flags = std::uint64_t{r.used} | std::uint64_t{r.active} << 1 | std::uint64_t{r.tangible} << 2 |
+                                std::uint64_t{r.positionFrozen} << 3 | std::uint64_t{r.rotationFrozen} << 4 |
+                                std::uint64_t{r.asleep} << 5;
+    hash.add(flags | std::uint64_t{r.generation} << 32);
+    hash.add(r.filter.tags.bits | std::uint64_t{r.filter.touches.bits} << 32);
+}
+
+void addConnectorState(StateHash& hash, const ConnectorRecord& c) {
+    hash.add(std::uint64_t{c.a} << 32 | c.b);
+    add(hash, c.anchorA);
+    add(hash, c.anchorB);
+    for (const double x : {c.length, c.stiffness, c.damping, c.truncation.limit, c.truncation.proportion}) {
+        hash.add(x);
+    }
+    hash.add(std::uint64_t{c.used} | std::uint64_t{c.slack} << 1 | std::uint64_t{c.bodiesCollide} << 2 |
+             static_cast<std::uint64_t>(c.truncation.rule) << 3);
+}
+
+/// Of the pairs that count: what they touch with, and what is known of their manifold.
+void addPairState(StateHash& hash, const WorldData& data, const PairTable& table, std::size_t index) {
+    const Pair& pair = table.pairs[index];
+    if (table.marks[index].reported) {
+        hash.add(pair.bodies());
+    }
+    if (pair.contact == Pair::none) {
+        return;
+    }
+    const Contact& contact = data.contacts[pair.contact];
+    hash.add(pair.bodies());
+    hash.add(pair.parts());
+    hash.add(contact.tangentImpulse);
+    for (int i = 0; i < contact.count; ++i) {
+        const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
+        hash.add(std::uint64_t{point.feature});
+        hash.add(point.normalImpulse);
+    }
+    if (contact.manifold != Pair::none) {
+        const KeptManifold& kept = data.manifolds[contact.manifold];
+        hash.add(kept.room);
+        add(hash, kept.relative.position);
+        hash.add(kept.relative.rotation.s);
+    }
+}
+
+void addSleepState(StateHash& hash, const WorldData& data) {
+    hash.add(std::uint64_t{data.sleep.allowed});
+    add(hash, data.sleep.gravity);
+    for (const BodyRecord& record : data.records) {
+        hash.add(record.stillFor);
+    }
+    for (const Slot slot : data.sleep.sleepers) {
+        hash.add(std::uint64_t{slot} << 32 | data.records[slot].island);
+    }
+    for (const Slot slot : data.sleep.disturbed) {
+        hash.add(std::uint64_t{slot});
+    }
+    for (std::size_t i = 0; i < data.sleep.table.size(); ++i) {
+        addPairState(hash, data, data.sleep.table, i);
+    }
+}
+
+void addFieldState(StateHash& hash, const FieldRecord& field) {
+    hash.add(std::uint64_t{field.def != nullptr} | std::uint64_t{field.generation} << 32);
+    if (field.def) {
+        const BodyId body = field.def->body.value_or(BodyId{});
+        hash.add(std::uint64_t{body.index} << 32 | body.generation);
+        hash.add(std::uint64_t{field.def->tags.bits} | static_cast<std::uint64_t>(field.def->source) << 32);
+    }
+}
+
+void addParameters(StateHash& hash, const UpdateParameters& p) {
+    add(hash, p.gravity);
+    hash.add(p.seconds);
+    hash.add(static_cast<std::uint64_t>(p.iterations) << 32 | static_cast<std::uint64_t>(p.substeps));
+}
+
+} // namespace
+
+double World::energy() const {
+    const WorldData& data = *m_data;
+    double energy = 0;
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        const BodyRecord& r = data.records[slot];
+        if (!r.used || r.kind != BodyKind::Dynamic || !r.active) {
+            continue;
+        }
+        const BodyMotion& m = data.motions[slot];
+        energy += 0.5 * r.mass * m.velocity.squaredNorm() + 0.5 * r.inertia * m.angularVelocity * m.angularVelocity -
+                  r.mass * data.parameters.gravity.dot(m.center);
+    }
+    for (const ConnectorRecord& c : data.connectors) {
+        if (c.used) {
+            const Vec2 span = data.pose(c.b).toWorld(c.anchorB) - data.pose(c.a).toWorld(c.anchorA);
+            const double stretch = span.norm() - c.length;
+            energy += c.slack && stretch < 0 ? 0 : 0.5 * c.stiffness * stretch * stretch;
+        }
+    }
+    return energy;
+}
+
+std::uint64_t World::hash() const {
+    const WorldData& data = *m_data;
+    StateHash hash;
+    addParameters(hash, data.parameters);
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        addBodyState(hash, data.motions[slot], data.records[slot]);
+    }
+    for (const ConnectorRecord& c : data.connectors) {
+        addConnectorState(hash, c);
+    }
+    for (const FieldRecord& field : data.fields) {
+        addFieldState(hash, field);
+    }
+    for (const PendingChange& change : data.pending) {
+        hash.add(std::uint64_t{change.body.index} << 32 | change.body.generation);
+        hash.add(static_cast<std::uint64_t>(change.kind) | std::uint64_t{change.first} << 8 |
+                 std::uint64_t{change.second} << 9);
+    }
+    for (std::size_t i = 0; i < data.table.size(); ++i) {
+        addPairState(hash, data, data.table, i);
+    }
+    if (data.sleep.allowed || !data.sleep.sleepers.empty()) {
+        addSleepState(hash, data);
+    }
+    return hash.value();
+}
+
+} // namespace spacetow
