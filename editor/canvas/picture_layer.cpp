@@ -117,6 +117,13 @@ void PictureLayer::shiftTo(const Frame2D& frame) {
     m_valid = true;
 }
 
+void PictureLayer::wipe() {
+    if (!m_image.isNull()) {
+        clear(m_image, m_used);
+    }
+    m_used = {};
+}
+
 void PictureLayer::paint(const QRegion& region, const Theme& theme, const Paint& paint) {
     if (region.isEmpty()) {
         return;

@@ -60,6 +60,8 @@ class PictureLayer {
         m_image = {};
         m_used = {};
     }
+    /// The same, but what it was painted into is kept, to be painted into again.
+    void wipe();
     /// Erases the region and paints it, strip by strip, in a view of the strip alone.
     void paint(const QRegion& region, const Theme& theme, const Paint& paint);
 
