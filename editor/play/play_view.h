@@ -50,6 +50,8 @@ class PlayView : public QWidget {
 
     /// Sandbox while nothing is played.
     Phase phase() const;
+    /// How many have been made that can be seen; 0 while nothing is played.
+    std::int64_t updates() const { return m_runner ? m_runner->frame()->now->update : 0; }
     /// Null while nothing is played.
     Runner* runner() { return m_runner.get(); }
     /// What the view would show of the world now.

@@ -66,6 +66,7 @@ class Timing {
         dragNode();
         autosave();
         changeAll();
+        play();
         findLeaks();
         importDrawing();
     }
@@ -280,6 +281,26 @@ class Timing {
         say("delete-all", frame([&] { canvasKey(Qt::Key_Delete); }), 100, 700);
         rest();
         say("undo-delete", frame([&] { key(Qt::Key_Z, Qt::ControlModifier); }), 100, 700);
+        rest();
+    }
+
+    /// From F5 to the first picture, a picture later, what the game takes, and back.
+    void play() {
+        const double before = residentMegabytes();
+        say("play.start", frame([&] { m_window.play(); }), 0, 0);
+        const PlayView& view = m_window.playView();
+        QElapsedTimer waiting;
+        waiting.start();
+        while (view.updates() < 5 && waiting.elapsed() < 60'000) {
+            QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+        }
+        std::vector<double> times;
+        for (int i = 0; i < frames / 4; ++i) {
+            times.push_back(frame([&] { m_window.playView().repaint(); }));
+        }
+        say("play.frame", quantile(times, 0.5), 8, 16);
+        m_report({"play.memory", residentMegabytes() - before, "MB", 0});
+        say("play.leave", frame([&] { m_window.stopPlaying(); }), 16, 16);
         rest();
     }
 
