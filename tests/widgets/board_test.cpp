@@ -314,6 +314,42 @@ class BoardTest : public QObject {
         QVERIFY(!board.takeStillChanges());
     }
 
+    void ofAPictureThatIsMostlyEmptyOnlyWhatShowsSomethingIsDrawn() {
+        PictureLayer layer;
+        Frame2D frame;
+        frame.view.size = Vec2(640, 512);
+        layer.shiftTo(frame);
+        layer.paint(frame.all(), editingTheme(), [](const Stage& stage) {
+            stage.painter.fillRect(QRect(30, 20, 2, 400), Qt::red);
+            stage.painter.fillRect(QRect(30, 420, 500, 3), Qt::red);
+        });
+        const auto drawnBy = [](const PictureLayer& picture, const Frame2D& shown) {
+            QImage image(640, 512, QImage::Format_ARGB32_Premultiplied);
+            image.fill(Qt::transparent);
+            QPainter painter(&image);
+            picture.draw(painter, shown);
+            return image;
+        };
+        const auto drawn = [&layer] {
+            int pixels = 0;
+            for (const QRect& spot : layer.spots()) {
+                pixels += spot.width() * spot.height();
+            }
+            return pixels;
+        };
+        QCOMPARE(drawn(), 64 * 64 * (6 + 9));
+        const QImage before = drawnBy(layer, frame);
+        QCOMPARE(before.pixelColor(30, 20), QColor(Qt::red));
+        QCOMPARE(before.pixelColor(529, 422), QColor(Qt::red));
+        Frame2D shifted = frame;
+        shifted.view = alignedToPixels(shifted.view.panned(Vec2(-40, 0)), 1);
+        layer.shiftTo(shifted);
+        QCOMPARE(drawnBy(layer, shifted), before.copy(-shifted.movedFrom(frame).x(), 0, 640, 512));
+        QCOMPARE(layer.spots().front().left(), 0);
+        layer.wipe();
+        QVERIFY(layer.spots().empty());
+    }
+
     void afterForgettingNothingOfTheOldLevelIsShown() {
         Board board([] {});
         shownBy(board, requestFor(largeLevel(), 1));
