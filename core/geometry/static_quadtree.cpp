@@ -13,6 +13,9 @@ constexpr int maxDepth = 40;
 constexpr double poorShare = 0.75;
 // Where more than this share straddles the middle, the axis is not divided: it would only hold everything twice.
 constexpr double straddlingShare = 0.5;
+// Boxes that reach far, as those of walls without a back, lie over each other everywhere: a tree that divided them on
+// and on would hold each of 100,000 a hundred and sixty times, and find what is asked for no sooner.
+constexpr double mostCopies = 16;
 
 enum class SplitAt : std::uint8_t { Centers, UpperBounds, LowerBounds };
 
@@ -105,14 +108,23 @@ struct StaticQuadtree::Builder {
         }
     }
 
-    /// `poor` counts the levels in a row that did not divide the boxes; each tries another kind of split point.
-    void build(std::uint32_t node, const std::vector<std::uint32_t>& items, int depth, int poor) {
-        tree.m_depth = std::max(tree.m_depth, depth);
-        if (items.size() <= leafCapacity || poor >= 3 || depth >= maxDepth) {
+    struct Branch {
+        int depth = 0;
+        int poor = 0;      // levels in a row that did not divide the boxes; each tries another kind of split point
+        double copies = 1; // of a box, were the tree like this branch everywhere
+    };
+
+    void build(std::uint32_t node, const std::vector<std::uint32_t>& items, const Branch& branch) {
+        tree.m_depth = std::max(tree.m_depth, branch.depth);
+        if (items.size() <= leafCapacity || branch.poor >= 3 || branch.depth >= maxDepth) {
             makeLeaf(node, items);
             return;
         }
-        const Vec2 middle = usefulMiddle(items, static_cast<SplitAt>(poor));
+        const auto share = [&items](std::size_t part) {
+            return static_cast<double>(part) / static_cast<double>(items.size());
+        };
+        const Vec2 middle = usefulMiddle(items, static_cast<SplitAt>(branch.poor));
+        std::size_t all = 0;
         std::array<std::vector<std::uint32_t>, 4> parts;
         for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
             for (const std::uint32_t item : items) {
@@ -120,14 +132,19 @@ struct StaticQuadtree::Builder {
                     parts[quadrant].push_back(item);
                 }
             }
+            all += parts[quadrant].size();
+        }
+        const double copies = branch.copies * share(all);
+        if (copies > mostCopies) {
+            makeLeaf(node, items);
+            return;
         }
         const auto first = static_cast<std::uint32_t>(tree.m_nodes.size());
         tree.m_nodes[node] = {middle, first, 0, false};
         tree.m_nodes.resize(first + 4);
         for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
-            const bool isPoor =
-                static_cast<double>(parts[quadrant].size()) > poorShare * static_cast<double>(items.size());
-            build(first + quadrant, parts[quadrant], depth + 1, isPoor ? poor + 1 : 0);
+            const bool isPoor = share(parts[quadrant].size()) > poorShare;
+            build(first + quadrant, parts[quadrant], {branch.depth + 1, isPoor ? branch.poor + 1 : 0, copies});
             parts[quadrant] = {};
         }
     }
@@ -142,7 +159,7 @@ StaticQuadtree::StaticQuadtree(std::vector<Aabb> boxes) : m_boxes(std::move(boxe
         }
     }
     m_nodes.resize(1);
-    Builder{*this, {}}.build(0, items, 0, 0);
+    Builder{*this, {}}.build(0, items, {});
 }
 
 void StaticQuadtree::query(const Aabb& area, std::vector<std::uint32_t>& out) const {

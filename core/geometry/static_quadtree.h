@@ -1,10 +1,11 @@
 #pragma once
 // A quadtree over boxes that do not move. Its split points come from the boxes themselves, a box is held by every
-// quadrant it straddles, and a branch ends where three levels brought no fewer boxes. The same boxes give the same
-// tree.
+// quadrant it straddles, and a branch ends where three levels brought no fewer boxes, or where each is held many times
+// by now. The same boxes give the same tree.
 
 #include "core/math/aabb.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,8 @@ class StaticQuadtree {
     std::vector<Aabb> cells() const;
     /// Levels below the root; 0 for a tree that is one leaf.
     int depth() const { return m_depth; }
+    /// What all leaves hold together; a box counts for each leaf that it is in.
+    std::size_t held() const { return m_items.size(); }
 
   private:
     struct Node {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 
 namespace spacetow {
@@ -23,10 +24,14 @@ bool addsNothing(const Vec2& a, const Vec2& b, const Vec2& c) {
     return !(std::fabs(cross(u, v)) > flat * scale);
 }
 
-/// Clips ears from a doubly linked ring of vertices.
+/// Clips ears from a doubly linked ring of vertices. What was found of a corner is kept until it changes: clipping an
+/// ear changes the triangles of its two neighbours alone, and a reflex corner that is in the way stays there until it
+/// is clipped or no longer reflex.
 class EarClipper {
   public:
-    explicit EarClipper(std::span<const Vec2> outline) : m_points(outline), m_ring(outline.size()) {
+    EarClipper(std::span<const Vec2> outline, std::size_t* looks)
+        : m_points(outline), m_ring(outline.size()), m_isReflex(outline.size(), false),
+          m_found(outline.size(), unknown), m_left(outline.size()), m_looks(looks) {
         const int count = static_cast<int>(outline.size());
         for (int i = 0; i < count; ++i) {
             m_ring[at(i)] = {(i + count - 1) % count, (i + 1) % count};
@@ -34,9 +39,10 @@ class EarClipper {
         for (int i = 0; i < count; ++i) {
             if (turn(i) <= 0) {
                 m_reflex.push_back(i);
+                m_isReflex[at(i)] = true;
             }
         }
-        m_left = outline.size();
+        std::sort(m_reflex.begin(), m_reflex.end(), [this](int i, int j) { return isLeftOf(i, j); });
     }
 
     std::vector<Piece> triangles() {
@@ -51,8 +57,13 @@ class EarClipper {
             }
             m_ring[at(before)].after = after;
             m_ring[at(after)].before = before;
-            std::erase(m_reflex, ear);
-            std::erase_if(m_reflex, [&](int i) { return (i == before || i == after) && turn(i) > 0; });
+            forgetReflex(ear);
+            for (const int neighbour : {before, after}) {
+                m_found[at(neighbour)] = unknown;
+                if (turn(neighbour) > 0) {
+                    forgetReflex(neighbour);
+                }
+            }
             --m_left;
             current = after;
         }
@@ -66,8 +77,23 @@ class EarClipper {
     struct Link {
         int before, after;
     };
+    // What is known of a corner, if not the number of a reflex one in its triangle.
+    static constexpr int unknown = -1;
+    static constexpr int nobody = -2; // is in its triangle
 
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+    bool isLeftOf(int i, int j) const {
+        return m_points[at(i)].x() != m_points[at(j)].x() ? m_points[at(i)].x() < m_points[at(j)].x() : i < j;
+    }
+
+    void forgetReflex(int i) {
+        if (m_isReflex[at(i)]) {
+            m_isReflex[at(i)] = false;
+            m_reflex.erase(
+                std::lower_bound(m_reflex.begin(), m_reflex.end(), i, [this](int a, int b) { return isLeftOf(a, b); }));
+        }
+    }
 
     /// Twice the area of the triangle at corner i.
     double turn(int i) const {
@@ -75,18 +101,40 @@ class EarClipper {
         return cross(p - m_points[at(m_ring[at(i)].before)], m_points[at(m_ring[at(i)].after)] - p);
     }
 
-    bool isEar(int i) const {
+    bool isEar(int i) {
         if (turn(i) <= 0) {
             return false;
         }
+        int& found = m_found[at(i)];
+        if (found == unknown || (found != nobody && !m_isReflex[at(found)])) {
+            found = someoneIn(i);
+        }
+        return found == nobody;
+    }
+
+    /// A reflex corner in the triangle at corner i, its own corners apart.
+    int someoneIn(int i) {
         const Vec2& a = m_points[at(m_ring[at(i)].before)];
         const Vec2& b = m_points[at(i)];
         const Vec2& c = m_points[at(m_ring[at(i)].after)];
-        return std::none_of(m_reflex.begin(), m_reflex.end(), [&](int j) {
-            const Vec2& p = m_points[at(j)];
-            return p != a && p != b && p != c && cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 &&
-                   cross(a - c, p - c) >= 0;
-        });
+        // Rounding takes what is hardly beside a triangle as in it, and in line with one that is hardly any, far away
+        // too.
+        constexpr double hardly = 1e-6;
+        const auto [least, most] = std::minmax({a.x(), b.x(), c.x()});
+        const double room = quality(i) > hardly ? hardly * (most - least) : std::numeric_limits<double>::infinity();
+        const double left = least - room;
+        const double right = most + room;
+        auto next = std::lower_bound(m_reflex.begin(), m_reflex.end(), left,
+                                     [this](int j, double x) { return m_points[at(j)].x() < x; });
+        for (; next != m_reflex.end() && m_points[at(*next)].x() <= right; ++next) {
+            const Vec2& p = m_points[at(*next)];
+            *m_looks += 1;
+            if (p != a && p != b && p != c && cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 &&
+                cross(a - c, p - c) >= 0) {
+                return *next;
+            }
+        }
+        return nobody;
     }
 
     /// Height of the triangle at corner i over its longest side in relation to that side: slivers score low.
@@ -98,7 +146,7 @@ class EarClipper {
     }
 
     /// Without any ear, as in an outline that crosses itself, the best convex corner, or any at all.
-    int bestEar(int start) const {
+    int bestEar(int start) {
         int best = start;
         double bestScore = -1e300;
         int i = start;
@@ -113,7 +161,7 @@ class EarClipper {
         return best;
     }
 
-    int nextEar(int start) const {
+    int nextEar(int start) {
         int i = start;
         do {
             if (isEar(i)) {
@@ -126,8 +174,11 @@ class EarClipper {
 
     std::span<const Vec2> m_points;
     std::vector<Link> m_ring;
-    std::vector<int> m_reflex;
+    std::vector<int> m_reflex; // from left to right
+    std::vector<bool> m_isReflex;
+    std::vector<int> m_found;
     std::size_t m_left = 0;
+    std::size_t* m_looks;
 };
 
 /// A side shared by two pieces: from → to in the first, to → from in the second.
@@ -217,19 +268,17 @@ std::vector<Vec2> cleanOutline(std::span<const Vec2> outline) {
     return kept.size() >= 3 ? kept : std::vector<Vec2>{};
 }
 
-std::vector<std::vector<int>> convexPieces(std::span<const Vec2> outline, int maxCorners) {
+std::vector<std::vector<int>> convexPieces(std::span<const Vec2> outline, int maxCorners, std::size_t* looks) {
     if (outline.size() < 3) {
         return {};
     }
-    if (outline.size() < 3) {
-        return {};
-    }
+    std::size_t uncounted = 0;
     Piece whole(outline.size());
     std::iota(whole.begin(), whole.end(), 0);
     if (outline.size() <= static_cast<std::size_t>(maxCorners) && isConvex(outline, whole) && isSimple(outline)) {
         return {whole};
     }
-    std::vector<Piece> pieces = EarClipper(outline).triangles();
+    std::vector<Piece> pieces = EarClipper(outline, looks != nullptr ? looks : &uncounted).triangles();
     std::vector<std::size_t> home(pieces.size()); // where a piece went, by following the numbers
     std::iota(home.begin(), home.end(), 0u);
     const auto find = [&home](std::size_t p) {

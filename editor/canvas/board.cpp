@@ -38,17 +38,31 @@ void Board::prepare(const BoardRequest& request) {
         }
         return;
     }
-    m_stillRevision += m_picture.follow(plan) ? 1 : 0;
+    if (m_picture.follow(plan)) {
+        changeStill({});
+    }
     if (free) {
         paintBeside(request);
     }
 }
 
 void Board::bring(const BoardPicture::Plan& plan) {
-    m_stillRevision += m_picture.touchesStill(plan) ? 1 : 0;
+    changeStill(m_picture.stillTouchedBy(plan, plan.request.frame));
     m_picture.bring(plan);
     m_flat.discard();
     m_complete = true;
+}
+
+void Board::changeStill(const std::optional<QRegion>& where) {
+    if (where && where->isEmpty()) {
+        return;
+    }
+    ++m_stillRevision;
+    if (where && m_stillChanges) {
+        *m_stillChanges += *where;
+    } else {
+        m_stillChanges.reset();
+    }
 }
 
 void Board::drawStill(QPainter& painter) {
@@ -79,7 +93,7 @@ void Board::paintBeside(const BoardRequest& request) {
             if (generation == m_generation) {
                 m_picture = std::move(*picture);
                 m_flat.discard();
-                ++m_stillRevision;
+                changeStill({});
                 m_complete = false;
             }
             m_refined();
@@ -89,7 +103,7 @@ void Board::paintBeside(const BoardRequest& request) {
 
 void Board::forget() {
     ++m_generation;
-    ++m_stillRevision;
+    changeStill({});
     m_picture = {};
     m_flat.discard();
     m_complete = false;

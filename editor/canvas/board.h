@@ -6,6 +6,8 @@
 #include "editor/canvas/board_picture.h"
 
 #include <functional>
+#include <optional>
+#include <utility>
 
 namespace spacetow {
 
@@ -21,6 +23,9 @@ class Board {
     void drawRest(QPainter& painter) const;
     /// Another number whenever what stands still has changed, other than by being shown in another frame.
     int stillRevision() const { return m_stillRevision; }
+    /// Where it has changed since this was asked last, in device pixels of the frame of the request, as long as that is
+    /// the same; nothing when it is everywhere.
+    std::optional<QRegion> takeStillChanges() { return std::exchange(m_stillChanges, QRegion()); }
 
     /// Forgets what was painted, so that the next picture shows nothing of it: another level has been opened.
     void forget();
@@ -29,6 +34,7 @@ class Board {
 
   private:
     void bring(const BoardPicture::Plan& plan);
+    void changeStill(const std::optional<QRegion>& where);
     void paintBeside(const BoardRequest& request);
     bool isScaled() const { return !m_picture.isOfScale(m_wanted.frame.view.scale); }
 
@@ -38,6 +44,7 @@ class Board {
     BoardRequest m_wanted;
     bool m_complete = false; // the picture is what is wanted
     int m_stillRevision = 0;
+    std::optional<QRegion> m_stillChanges;
     int m_generation = 0;
     BackgroundTask m_task; // last, so that it has ended before the rest goes
 };

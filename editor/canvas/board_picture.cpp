@@ -56,8 +56,8 @@ class BoardPicture::Planner {
         plan.request = m_request;
         plan.moving = moving();
         m_moving = &plan.moving;
-        for (const BoardLayer layer :
-             {BoardLayer::Rock, BoardLayer::Objects, BoardLayer::Moving, BoardLayer::Overlays, BoardLayer::Marks}) {
+        for (const BoardLayer layer : {BoardLayer::Rock, BoardLayer::Objects, BoardLayer::Moving, BoardLayer::Overlays,
+                                       BoardLayer::Marks, BoardLayer::Hover}) {
             Step& step = plan.steps[static_cast<std::size_t>(layer)];
             step = stepFor(layer);
             plan.work += step.work;
@@ -93,6 +93,8 @@ class BoardPicture::Planner {
             return !m_moving->empty();
         case BoardLayer::Overlays:
             return m_request.overlays.any();
+        case BoardLayer::Hover:
+            return m_request.hovered != 0;
         case BoardLayer::Marks:
             break;
         }
@@ -111,8 +113,9 @@ class BoardPicture::Planner {
         if (step.blank) {
             return step;
         }
+        step.other = isOther(layer);
         const bool fresh = !part.picture.canShiftTo(step.frame) || m_picture.m_shown.theme != m_request.theme ||
-                           !part.level || part.picture.isBlank();
+                           !part.level || part.picture.isBlank() || step.other;
         step.region = (fresh ? QRegion(step.frame.all()) : missing(part, step.frame)) & contents(layer, step);
         if (!fresh) {
             add(step.region, step.frame, changed(layer));
@@ -128,10 +131,10 @@ class BoardPicture::Planner {
     QRect contents(BoardLayer layer, const Step& step) const {
         constexpr std::size_t many = 1000;
         const bool areFewMarks = m_request.selection.keys().size() <= many && !isHighlighting(m_request);
-        if (layer != BoardLayer::Moving && (layer != BoardLayer::Marks || !areFewMarks)) {
+        if (!showsSome(layer) || (layer == BoardLayer::Marks && !areFewMarks)) {
             return step.frame.all();
         }
-        const std::vector<int> places = layer == BoardLayer::Moving ? *m_moving : placesMarked(*step.level, m_request);
+        const std::vector<int> places = shownBy(layer, *step.level);
         if (places.size() > many) {
             return step.frame.all();
         }
@@ -180,10 +183,16 @@ class BoardPicture::Planner {
         if (layer == BoardLayer::Objects && m_picture.m_moving != *m_moving) {
             addObjects(areas, after, symmetricDifference(m_picture.m_moving, *m_moving));
         }
-        if (layer == BoardLayer::Marks && !hasSameMarks()) {
-            areas.everything = true;
-        }
         return areas;
+    }
+    /// Whether it has to show other things than before.
+    bool isOther(BoardLayer layer) const {
+        return (layer == BoardLayer::Marks && !hasSameMarks()) ||
+               (layer == BoardLayer::Hover && m_picture.m_shown.hovered != m_request.hovered);
+    }
+    /// Whether it shows some objects alone.
+    static bool showsSome(BoardLayer layer) {
+        return layer == BoardLayer::Moving || layer == BoardLayer::Marks || layer == BoardLayer::Hover;
     }
     bool hasSameMarks() const {
         return m_picture.m_shown.selection == m_request.selection &&
@@ -207,9 +216,7 @@ class BoardPicture::Planner {
             return 0;
         }
         const LevelIndex& index = levelIndex(*step.level);
-        const std::vector<int> only = layer == BoardLayer::Moving  ? *m_moving
-                                      : layer == BoardLayer::Marks ? placesMarked(*step.level, m_request)
-                                                                   : std::vector<int>();
+        const std::vector<int> only = showsSome(layer) ? shownBy(layer, *step.level) : std::vector<int>();
         if (layer == BoardLayer::Overlays && m_request.overlays.quadtree && !m_picture.hasCellsOf(step.level)) {
             index.visitObjects(index.bounds(), [&](int place) {
                 work += work < enough ? index.segmentsNear(place, index.bounds()) : 0;
@@ -222,7 +229,7 @@ class BoardPicture::Planner {
                     work += index.segmentsNear(place, box);
                 }
             };
-            if (layer == BoardLayer::Moving || layer == BoardLayer::Marks) {
+            if (showsSome(layer)) {
                 std::ranges::for_each(only, count);
             } else {
                 index.visitObjects(box, count);
@@ -236,7 +243,7 @@ class BoardPicture::Planner {
         const Part& part = m_picture.part(layer);
         const bool same = layer == BoardLayer::Rock ||
                           (layer == BoardLayer::Moving && m_picture.m_moving == *m_moving) ||
-                          (layer == BoardLayer::Marks && hasSameMarks());
+                          layer == BoardLayer::Marks || layer == BoardLayer::Hover;
         if (!same || part.level == step.level) {
             return;
         }
@@ -256,6 +263,9 @@ class BoardPicture::Planner {
     std::vector<int> shownBy(BoardLayer layer, const Level& level) const {
         if (layer == BoardLayer::Moving) {
             return *m_moving;
+        }
+        if (layer == BoardLayer::Hover) {
+            return level.objects.indicesOf(withMembers(level, std::span(&m_request.hovered, 1)));
         }
         return layer == BoardLayer::Marks ? placesMarked(level, m_request) : rockMakers(level);
     }
@@ -305,6 +315,8 @@ void BoardPicture::bring(const Plan& plan) {
                 const std::span<const QuadtreeCell> cells = m_cells ? m_cells->cells : std::span<const QuadtreeCell>();
                 paintLevelOverlays(stage, *step.level, plan.request.overlays, cells);
             };
+        case BoardLayer::Hover:
+            return [&](const Stage& stage) { paintHovered(stage, *step.level, plan.request.hovered); };
         case BoardLayer::Marks:
             break;
         }
@@ -320,6 +332,8 @@ void BoardPicture::bring(const Plan& plan) {
         Part& part = m_parts[i];
         if (step.blank) {
             part.picture.erase();
+        } else if (step.other) {
+            part.picture.wipe();
         }
         part.picture.shiftTo(step.frame);
         part.picture.paint(step.region, *plan.request.theme, painter(static_cast<BoardLayer>(i), step));
@@ -337,16 +351,24 @@ void BoardPicture::drawStill(QPainter& painter, const Frame2D& frame) const {
 }
 
 void BoardPicture::drawRest(QPainter& painter, const Frame2D& frame) const {
-    for (const BoardLayer layer : {BoardLayer::Moving, BoardLayer::Overlays, BoardLayer::Marks}) {
+    for (const BoardLayer layer : {BoardLayer::Moving, BoardLayer::Overlays, BoardLayer::Marks, BoardLayer::Hover}) {
         part(layer).picture.draw(painter, frame, part(layer).moved);
     }
 }
 
-bool BoardPicture::touchesStill(const Plan& plan) const {
-    return std::ranges::any_of(std::array{BoardLayer::Rock, BoardLayer::Objects}, [&](BoardLayer layer) {
+std::optional<QRegion> BoardPicture::stillTouchedBy(const Plan& plan, const Frame2D& frame) const {
+    QRegion touched;
+    for (const BoardLayer layer : {BoardLayer::Rock, BoardLayer::Objects}) {
         const Step& step = plan.steps[static_cast<std::size_t>(layer)];
-        return !step.region.isEmpty() || step.moved != part(layer).moved || step.blank != part(layer).picture.isBlank();
-    });
+        const bool isKnown = step.moved == Vec2(0, 0) && part(layer).moved == Vec2(0, 0) &&
+                             step.blank == part(layer).picture.isBlank() && step.frame.view.scale == frame.view.scale &&
+                             step.frame.pixelRatio == frame.pixelRatio;
+        if (!isKnown) {
+            return {};
+        }
+        touched += step.region.translated(frame.rectOf(step.frame).topLeft());
+    }
+    return touched;
 }
 
 PictureLayer BoardPicture::flattened(const Theme& theme) const {

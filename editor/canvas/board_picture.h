@@ -1,8 +1,8 @@
 #pragma once
 // The picture of a level on the drawing board, in layers that change at different times: rock; the objects that stay
-// where they are; those that a gesture moves; marks of what is selected or highlighted; debug overlays. Each is painted
-// anew only where it must be, and what has merely moved is drawn elsewhere. A value: it may be brought up to date by
-// any thread.
+// where they are; those that a gesture moves; marks of what is selected or highlighted; debug overlays; a long
+// outline that the pointer is over. Each is painted anew only where it must be, and what has merely moved is drawn
+// elsewhere. A value: it may be brought up to date by any thread.
 
 #include "editor/canvas/level_cells.h"
 #include "editor/canvas/overlay_flags.h"
@@ -11,6 +11,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace spacetow {
 
@@ -22,13 +23,14 @@ struct BoardRequest {
     std::shared_ptr<const Level> base;  // from which a gesture in progress started; else the same
     bool live = false;                  // a gesture is in progress
     Selection selection;
+    Key hovered = 0; // what a click would select, where that takes time to paint; else 0
     std::shared_ptr<const std::vector<Key>> highlighted; // ascending; null for none
     OverlayFlags overlays;
 
     bool operator==(const BoardRequest&) const = default;
 };
 
-enum class BoardLayer : std::uint8_t { Rock, Objects, Moving, Overlays, Marks };
+enum class BoardLayer : std::uint8_t { Rock, Objects, Moving, Overlays, Marks, Hover };
 
 class BoardPicture {
   public:
@@ -39,12 +41,13 @@ class BoardPicture {
         std::shared_ptr<const Level> level; // to paint it from
         Vec2 moved{0, 0};                   // by how much what is painted is to be drawn elsewhere, world
         bool blank = false;                 // there is nothing to see
+        bool other = false;                 // than what is there, of which nothing stays
         int work = 0;                       // segments of outlines in the region
     };
     struct Plan {
         BoardRequest request;
         std::vector<int> moving;
-        std::array<Step, 5> steps; // one a layer
+        std::array<Step, 6> steps; // one a layer
         int work = 0;
     };
 
@@ -58,8 +61,8 @@ class BoardPicture {
     /// on top of it.
     void drawStill(QPainter& painter, const Frame2D& frame) const;
     void drawRest(QPainter& painter, const Frame2D& frame) const;
-    /// Whether the plan would change what stands still.
-    bool touchesStill(const Plan& plan) const;
+    /// Where in the frame the plan would change what stands still; nothing when it is everywhere.
+    std::optional<QRegion> stillTouchedBy(const Plan& plan, const Frame2D& frame) const;
 
     /// All layers in one, to be drawn larger or smaller.
     PictureLayer flattened(const Theme& theme) const;
@@ -85,7 +88,7 @@ class BoardPicture {
     bool hasCellsOf(const std::shared_ptr<const Level>& level) const { return m_cells && m_cells->level == level; }
     const Part& part(BoardLayer layer) const { return m_parts[static_cast<std::size_t>(layer)]; }
 
-    std::array<Part, 5> m_parts;
+    std::array<Part, 6> m_parts;
     std::shared_ptr<const Cells> m_cells;
     BoardRequest m_shown;
     std::vector<int> m_moving; // places in the level, ascending

@@ -192,6 +192,8 @@ void Canvas::finishPainting() {
 void Canvas::paintEvent(QPaintEvent*) {
     const Edit& shown = m_document.shown();
     const double ratio = devicePixelRatioF();
+    m_overlay = m_toolbox.overlay();
+    const bool isLong = isLongToHover(*shown.level, m_overlay.hovered, m_view.visible());
     BoardRequest request;
     request.frame = {alignedToPixels(m_view, ratio), ratio};
     request.theme = &editingTheme(shadeOf(palette()));
@@ -199,6 +201,7 @@ void Canvas::paintEvent(QPaintEvent*) {
     request.base = m_document.current().level;
     request.live = m_document.hasPreview();
     request.selection = shown.selection;
+    request.hovered = isLong ? m_overlay.hovered : 0;
     request.highlighted = m_highlighted;
     request.overlays = m_overlays;
     m_board.prepare(request);
@@ -220,8 +223,7 @@ void Canvas::paintEvent(QPaintEvent*) {
     if (m_overlays.problems && m_problems != nullptr) {
         drawProblems(painter, request.frame, *request.theme);
     }
-    m_overlay = m_toolbox.overlay();
-    if (m_overlay.hovered != 0) {
+    if (m_overlay.hovered != 0 && !isLong) {
         paintHovered(stage, *shown.level, m_overlay.hovered);
     }
     if (m_overlay.nodes) {
@@ -244,13 +246,22 @@ void Canvas::composeStill(const Still& wanted) {
     if (wanted == m_composed && !m_still.isNull()) {
         return;
     }
-    m_composed = wanted;
     const QSize size = wanted.frame.deviceSize();
-    if (m_still.size() != size || m_still.devicePixelRatio() != wanted.frame.pixelRatio) {
+    const double ratio = wanted.frame.pixelRatio;
+    m_composed.revision = wanted.revision;
+    std::optional<QRegion> changes = m_board.takeStillChanges();
+    if (m_still.size() != size || m_still.devicePixelRatio() != ratio) {
         m_still = QPixmap(size);
-        m_still.setDevicePixelRatio(wanted.frame.pixelRatio);
+        m_still.setDevicePixelRatio(ratio);
+        changes.reset();
     }
     QPainter painter(&m_still);
+    if (changes && m_composed == wanted) {
+        painter.scale(1 / ratio, 1 / ratio);
+        painter.setClipRegion(*changes);
+        painter.resetTransform();
+    }
+    m_composed = wanted;
     painter.fillRect(QRectF(0, 0, wanted.frame.view.size.x() + 1, wanted.frame.view.size.y() + 1),
                      wanted.theme->background);
     if (wanted.gridStep > 0) {

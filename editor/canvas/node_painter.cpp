@@ -3,9 +3,12 @@
 #include "core/level/level_index.h"
 
 #include <QPainter>
+#include <QPixmap>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace spacetow {
 
@@ -74,9 +77,55 @@ void paintDirections(const Stage& stage, const Level& level, int object, const A
     });
 }
 
+/// A square, a disc or a diamond, as it is painted at many nodes. Painting it anew each time would take ten times as
+/// long.
+class NodeStamp {
+  public:
+    NodeStamp(const Stage& stage, NodeMark mark, bool chosen) : m_ratio(stage.painter.device()->devicePixelRatioF()) {
+        const int side = static_cast<int>(std::ceil(2 * reach * m_ratio));
+        m_picture = QPixmap(side, side);
+        m_picture.setDevicePixelRatio(m_ratio);
+        m_picture.fill(Qt::transparent);
+        QPainter painter(&m_picture);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(stroke(chosen ? stage.theme.background : stage.theme.selection, 1.4));
+        painter.setBrush(chosen ? stage.theme.draft : stage.theme.background);
+        paintMark(painter, QPointF(reach, reach), mark, chosen ? size + 1 : size);
+    }
+
+    /// On whole pixels, where its sides are sharp.
+    void paint(QPainter& painter, const QPointF& at) const {
+        const auto whole = [this](double place) { return std::round((place - reach) * m_ratio) / m_ratio; };
+        painter.drawPixmap(QPointF(whole(at.x()), whole(at.y())), m_picture);
+    }
+
+  private:
+    static constexpr double reach = 10; // px
+    double m_ratio;                     // device pixels a logical one
+    QPixmap m_picture;
+};
+
+/// Made when they are first needed.
+class NodeStamps {
+  public:
+    explicit NodeStamps(const Stage& stage) : m_stage(stage) {}
+
+    void paint(const QPointF& at, NodeMark mark, bool chosen) {
+        std::optional<NodeStamp>& stamp = m_stamps[2 * static_cast<std::size_t>(mark) + (chosen ? 1 : 0)];
+        if (!stamp) {
+            stamp.emplace(m_stage, mark, chosen);
+        }
+        stamp->paint(m_stage.painter, at);
+    }
+
+  private:
+    const Stage& m_stage;
+    std::array<std::optional<NodeStamp>, 6> m_stamps; // by mark, each not chosen and chosen
+};
+
 void paintNodesOf(const Stage& stage, const Level& level, const Selection& selection, int object, const Aabb& view) {
-    QPainter& painter = stage.painter;
     const Object& of = level.objects[object];
+    NodeStamps stamps(stage);
     QPointF last(-1e9, -1e9);
     levelIndex(level).visitVerticesOf(object, view, [&](const VertexRef& ref, const Vec2& at) {
         const bool chosen = selection.contains(NodeRef{of.key, ref.shape, ref.vertex});
@@ -85,9 +134,7 @@ void paintNodesOf(const Stage& stage, const Level& level, const Selection& selec
             return;
         }
         last = place;
-        painter.setPen(stroke(chosen ? stage.theme.background : stage.theme.selection, 1.4));
-        painter.setBrush(chosen ? stage.theme.draft : stage.theme.background);
-        paintMark(painter, place, markOf(of, ref), chosen ? size + 1 : size);
+        stamps.paint(place, markOf(of, ref), chosen);
     });
 }
 

@@ -16,6 +16,18 @@ void clear(QImage& image, const QRegion& region) {
     }
 }
 
+constexpr int tile = 64; // pixels, the side of a square
+
+bool showsSomething(const QImage& image, const QRect& rect) {
+    for (int row = rect.top(); row <= rect.bottom(); ++row) {
+        const auto* pixels = reinterpret_cast<const QRgb*>(image.constScanLine(row)) + rect.left();
+        if (std::any_of(pixels, pixels + rect.width(), [](QRgb pixel) { return pixel != 0; })) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// Moves the picture within its own memory; what comes in from the border is left as it was.
 void scroll(QImage& image, const QPoint& by) {
     const int width = image.width() - std::abs(by.x());
@@ -103,18 +115,61 @@ void PictureLayer::shiftTo(const Frame2D& frame) {
     if (!canShiftTo(frame)) {
         erase();
     }
-    if (!m_image.isNull()) {
-        const QPoint by = frame.movedFrom(m_frame);
+    const QPoint by = m_valid ? frame.movedFrom(m_frame) : QPoint();
+    if (!m_image.isNull() && (m_image.size() != frame.deviceSize() || !by.isNull())) {
         m_used = m_used.translated(by) & frame.all();
         if (m_image.size() != frame.deviceSize()) {
             m_image = m_image.copy(QRect(-by, frame.deviceSize()));
-        } else if (!by.isNull()) {
+        } else {
             scroll(m_image, by);
             clear(m_image, QRegion(frame.all()) - m_image.rect().translated(by));
         }
+        m_tiles.clear();
+        lookAt(m_used);
     }
     m_frame = frame;
     m_valid = true;
+}
+
+void PictureLayer::wipe() {
+    if (!m_image.isNull()) {
+        clear(m_image, m_used);
+    }
+    m_used = {};
+    m_tiles.clear();
+}
+
+int PictureLayer::columns() const {
+    return (m_image.width() + tile - 1) / tile;
+}
+
+/// Which of its tiles show anything.
+void PictureLayer::lookAt(const QRect& device) {
+    m_tiles.resize(static_cast<std::size_t>(columns() * ((m_image.height() + tile - 1) / tile)));
+    if (device.isEmpty()) {
+        return;
+    }
+    for (int row = device.top() / tile; row <= device.bottom() / tile; ++row) {
+        for (int column = device.left() / tile; column <= device.right() / tile; ++column) {
+            const QRect rect = QRect(column * tile, row * tile, tile, tile) & m_image.rect();
+            m_tiles[static_cast<std::size_t>(row * columns() + column)] = showsSomething(m_image, rect);
+        }
+    }
+}
+
+std::vector<QRect> PictureLayer::spots() const {
+    std::vector<QRect> found;
+    for (std::size_t i = 0; i < m_tiles.size(); ++i) {
+        const int column = static_cast<int>(i) % columns();
+        const int row = static_cast<int>(i) / columns();
+        const QRect rect = QRect(column * tile, row * tile, tile, tile) & m_image.rect();
+        if (m_tiles[i] && column > 0 && m_tiles[i - 1]) {
+            found.back().setRight(rect.right());
+        } else if (m_tiles[i]) {
+            found.push_back(rect);
+        }
+    }
+    return found;
 }
 
 void PictureLayer::paint(const QRegion& region, const Theme& theme, const Paint& paint) {
@@ -139,6 +194,8 @@ void PictureLayer::paint(const QRegion& region, const Theme& theme, const Paint&
         painter.setClipRect(strip);
         painter.translate(strip.topLeft());
         paint(Stage{painter, view, theme});
+        painter.end();
+        lookAt(device);
     }
 }
 
@@ -152,8 +209,12 @@ void PictureLayer::draw(QPainter& painter, const Frame2D& frame, const Vec2& mov
     const Vec2 corner = frame.view.toScreen(m_frame.view.center + moved + Vec2(-half.x(), half.y()));
     if (zoom == 1 && frame.pixelRatio == m_frame.pixelRatio) {
         const auto whole = [&frame](double at) { return std::round(at * frame.pixelRatio) / frame.pixelRatio; };
-        const QPointF at(whole(corner.x()) + m_used.x() * toFrame, whole(corner.y()) + m_used.y() * toFrame);
-        painter.drawImage(at, m_image, m_used);
+        const QPointF at(whole(corner.x()), whole(corner.y()));
+        // Where a pixel is not a whole number of the image's, neighbours might not fit together.
+        const bool fits = frame.pixelRatio == std::floor(frame.pixelRatio);
+        for (const QRect& spot : fits ? spots() : std::vector<QRect>{m_used}) {
+            painter.drawImage(at + QPointF(spot.topLeft()) * toFrame, m_image, spot);
+        }
         return;
     }
     // Only what is in view, as a picture much enlarged is larger than coordinates of painters may be.

@@ -8,6 +8,7 @@
 #include <QRegion>
 
 #include <functional>
+#include <vector>
 
 namespace spacetow {
 
@@ -59,7 +60,10 @@ class PictureLayer {
     void erase() {
         m_image = {};
         m_used = {};
+        m_tiles.clear();
     }
+    /// The same, but what it was painted into is kept, to be painted into again.
+    void wipe();
     /// Erases the region and paints it, strip by strip, in a view of the strip alone.
     void paint(const QRegion& region, const Theme& theme, const Paint& paint);
 
@@ -67,9 +71,16 @@ class PictureLayer {
     /// another scale it is drawn larger or smaller.
     void draw(QPainter& painter, const Frame2D& frame, const Vec2& moved = {0, 0}) const;
 
+    /// The parts of the image that are drawn: outlines leave most of it transparent.
+    std::vector<QRect> spots() const;
+
   private:
+    int columns() const;
+    void lookAt(const QRect& device);
+
     QImage m_image;
-    QRect m_used; // elsewhere the image is transparent
+    QRect m_used;              // elsewhere the image is transparent
+    std::vector<bool> m_tiles; // row by row, whether anything is seen in it
     Frame2D m_frame;
     bool m_valid = false;
 };

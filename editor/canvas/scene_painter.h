@@ -30,6 +30,8 @@ void paintObjects(const Stage& stage, const Level& level, const PaintedPart& par
 void paintSelection(const Stage& stage, const Level& level, const Selection& selection);
 /// The outline of what a click would select: an object, or a group with its members.
 void paintHovered(const Stage& stage, const Level& level, Key hovered);
+/// Whether so much of that outline is in view that nobody may wait for it.
+bool isLongToHover(const Level& level, Key hovered, const Aabb& view);
 
 /// Statics, kinematics, dynamics, connectors, then the overlays that are switched on.
 void paintSnapshot(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);

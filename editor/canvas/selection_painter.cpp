@@ -80,6 +80,19 @@ void paintSelection(const Stage& stage, const Level& level, const Selection& sel
     painter.restore();
 }
 
+bool isLongToHover(const Level& level, Key hovered, const Aabb& view) {
+    constexpr int few = 250; // segments; 2 to 4 ms
+    if (hovered == 0) {
+        return false;
+    }
+    const LevelIndex& index = levelIndex(level);
+    int segments = 0;
+    for (const int place : level.objects.indicesOf(withMembers(level, std::span(&hovered, 1)))) {
+        segments += segments <= few && index.boundsOf(place).overlaps(view) ? index.segmentsNear(place, view) : 0;
+    }
+    return segments > few;
+}
+
 void paintHovered(const Stage& stage, const Level& level, Key hovered) {
     const Outlines outlines(level);
     QPainter& painter = stage.painter;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace spacetow {
 
@@ -159,39 +160,51 @@ void Form::setContent(const FormContent& content) {
     arrangeSections();
 }
 
-void Form::arrangeSections() {
-    setUpdatesEnabled(false);
-    FormRowState* header = nullptr;
+std::vector<Form::Seen> Form::arrangement() const {
+    std::vector<Seen> seen(m_rows.size());
+    std::size_t header = m_rows.size();
     bool isOpen = true;
-    for (const std::unique_ptr<FormRowState>& row : m_rows) {
-        if (row->header) {
-            header = row.get();
-            isOpen = !m_folded.contains(row->spec.section);
-            row->header->setVisible(false);
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const FormRowState& row = *m_rows[i];
+        if (row.header) {
+            header = i;
+            isOpen = !m_folded.contains(row.spec.section);
         }
-        const bool isThere = row->shown.has_value();
-        if (isThere && header != nullptr) {
-            header->header->setVisible(true);
-            header = nullptr;
+        const bool isThere = row.shown.has_value();
+        if (isThere && header < m_rows.size()) {
+            seen[std::exchange(header, m_rows.size())].header = true;
         }
-        const bool isSeen = isThere && isOpen;
-        row->editor->setVisible(isSeen);
-        if (row->label) {
-            row->label->setVisible(isSeen);
+        seen[i].editor = isThere && isOpen;
+        if (seen[i].editor && row.shown->hasStandard && !row.shown->isStandard) {
+            seen[row.pairStart != nullptr ? i - 1 : i].reset = true; // which stands beside the first part
         }
     }
-    for (const std::unique_ptr<FormRowState>& row : m_rows) {
-        if (row->reset) {
-            const bool isSeen = !row->editor->isHidden();
-            row->reset->setSizePolicy(resetPolicy(isSeen));
-            row->reset->setVisible(isSeen && row->shown && row->shown->hasStandard && !row->shown->isStandard);
-        } else if (row->pairStart != nullptr && row->shown && !row->editor->isHidden() && row->shown->hasStandard &&
-                   !row->shown->isStandard) {
-            row->pairStart->reset->setVisible(true);
+    return seen;
+}
+
+/// Showing and hiding has the whole form laid out and painted anew, even where nothing comes or goes.
+void Form::arrangeSections() {
+    std::vector<Seen> wanted = arrangement();
+    if (wanted != m_arrangement) {
+        setUpdatesEnabled(false);
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            const FormRowState& row = *m_rows[i];
+            if (row.header) {
+                row.header->setVisible(wanted[i].header);
+            }
+            row.editor->setVisible(wanted[i].editor);
+            if (row.label) {
+                row.label->setVisible(wanted[i].editor);
+            }
+            if (row.reset) {
+                row.reset->setSizePolicy(resetPolicy(wanted[i].editor));
+                row.reset->setVisible(wanted[i].reset);
+            }
         }
+        m_arrangement = std::move(wanted);
+        setUpdatesEnabled(true);
     }
     showFaults();
-    setUpdatesEnabled(true);
 }
 
 void Form::showFaults() {

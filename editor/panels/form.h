@@ -90,6 +90,15 @@ class Form : public QWidget {
 
     /// Shows the summary in the row's editor; null hides it.
     void showRow(FormRowState& row, const FieldSummary* summary, const FormContent& content);
+    /// Of a row.
+    struct Seen {
+        bool header = false;
+        bool editor = false;
+        bool reset = false;
+
+        bool operator==(const Seen&) const = default;
+    };
+    std::vector<Seen> arrangement() const;
     void arrangeSections();
     void showFaults();
     void tint();
@@ -105,6 +114,7 @@ class Form : public QWidget {
     int m_fullWidth = 0;
     std::set<std::string> m_folded;
     std::vector<std::unique_ptr<FormRowState>> m_rows; // rows stay where they are
+    std::vector<Seen> m_arrangement;                   // as they are shown
 };
 
 } // namespace spacetow

@@ -10,7 +10,8 @@
 
 namespace spacetow {
 
-void ProblemList::setProblems(std::shared_ptr<const Level> level, std::vector<Problem> problems) {
+void ProblemList::setProblems(std::shared_ptr<const Level> level,
+                              std::shared_ptr<const std::vector<Problem>> problems) {
     beginResetModel();
     m_level = std::move(level);
     m_problems = std::move(problems);
@@ -42,10 +43,10 @@ void ProblemList::setFilter(const ProblemFilter& filter) {
 }
 
 void ProblemList::fill() {
-    m_hidden = m_level == nullptr ? std::vector<bool>(m_problems.size()) : hiddenAmong(*m_level, m_problems);
+    m_hidden = m_level == nullptr ? std::vector<bool>(m_problems->size()) : hiddenAmong(*m_level, *m_problems);
     m_rows.clear();
-    for (std::size_t i = 0; i < m_problems.size(); ++i) {
-        const auto severity = static_cast<std::size_t>(m_problems[i].severity);
+    for (std::size_t i = 0; i < m_problems->size(); ++i) {
+        const auto severity = static_cast<std::size_t>((*m_problems)[i].severity);
         if (m_filter.severities[severity] && (m_filter.hidden || !m_hidden[i])) {
             m_rows.push_back(static_cast<int>(i));
         }
@@ -58,8 +59,8 @@ int ProblemList::problemAt(int row) const {
 
 int ProblemList::count(Severity severity) const {
     int count = 0;
-    for (std::size_t i = 0; i < m_problems.size(); ++i) {
-        count += !m_hidden[i] && m_problems[i].severity == severity ? 1 : 0;
+    for (std::size_t i = 0; i < m_problems->size(); ++i) {
+        count += !m_hidden[i] && (*m_problems)[i].severity == severity ? 1 : 0;
     }
     return count;
 }
@@ -94,7 +95,7 @@ QVariant ProblemList::data(const QModelIndex& index, int role) const {
     if (place < 0) {
         return {};
     }
-    const Problem& problem = m_problems[static_cast<std::size_t>(place)];
+    const Problem& problem = (*m_problems)[static_cast<std::size_t>(place)];
     const bool isHidden = m_hidden[static_cast<std::size_t>(place)];
     switch (role) {
     case Qt::DisplayRole:

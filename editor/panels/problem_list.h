@@ -36,11 +36,11 @@ class ProblemList : public QAbstractListModel {
         : QAbstractListModel(parent), m_sentence(std::move(sentence)), m_words(std::move(words)) {}
 
     /// The level in which they were found names their objects, and says which are hidden.
-    void setProblems(std::shared_ptr<const Level> level, std::vector<Problem> problems);
+    void setProblems(std::shared_ptr<const Level> level, std::shared_ptr<const std::vector<Problem>> problems);
     /// The same problems of a level whose objects may be elsewhere or have other names.
     void setLevel(std::shared_ptr<const Level> level);
     /// Hidden ones and those that are no rows among them.
-    const std::vector<Problem>& problems() const { return m_problems; }
+    const std::vector<Problem>& problems() const { return *m_problems; }
     const std::vector<bool>& hidden() const { return m_hidden; }
     const ProblemFilter& filter() const { return m_filter; }
     void setFilter(const ProblemFilter& filter);
@@ -66,7 +66,7 @@ class ProblemList : public QAbstractListModel {
     Sentence m_sentence;
     Words m_words;
     std::shared_ptr<const Level> m_level;
-    std::vector<Problem> m_problems;
+    std::shared_ptr<const std::vector<Problem>> m_problems = std::make_shared<const std::vector<Problem>>();
     std::vector<bool> m_hidden; // of each problem
     std::vector<int> m_rows;    // places in m_problems
     ProblemFilter m_filter;

@@ -1,7 +1,6 @@
 #include "editor/panels/problems_panel.h"
 
 #include "core/level/fixes.h"
-#include "core/level/lint.h"
 #include "editor/canvas/icons.h"
 #include "editor/canvas/palette.h"
 #include "editor/panels/list_keys.h"
@@ -12,7 +11,6 @@ namespace spacetow {
 
 namespace {
 
-constexpr int soon = 120;                  // ms after an edit
 constexpr int slow = 250;                  // ms after which people want to know that something is going on
 constexpr int rowsAtOnce = 100;            // laid out before the window goes on with something else
 constexpr int waitedFor = 2'000;           // objects of a level whose check one may wait for
@@ -20,17 +18,17 @@ constexpr int severityOrder[] = {2, 1, 0}; // errors first
 
 } // namespace
 
-ProblemsPanel::ProblemsPanel(Document& document, ProblemList::Sentence sentence, ProblemList::Words words,
+ProblemsPanel::ProblemsPanel(LevelCheck& check, ProblemList::Sentence sentence, ProblemList::Words words,
                              QWidget* parent)
-    : QWidget(parent), m_document(document), m_problems(std::move(sentence), std::move(words)), m_column(this) {
+    : QWidget(parent), m_check(check), m_document(check.document()), m_problems(std::move(sentence), std::move(words)),
+      m_column(this) {
     layOut();
     listen();
     tint();
-    check();
-}
-
-ProblemsPanel::~ProblemsPanel() {
-    m_document.changed.disconnect(m_listener);
+    if (m_check.found().level == nullptr) {
+        m_check.check();
+    }
+    take();
 }
 
 void ProblemsPanel::layOut() {
@@ -106,18 +104,11 @@ void ProblemsPanel::listen() {
         fixCurrent();
     });
     connect(&m_fixAll, &QPushButton::clicked, this, &ProblemsPanel::fixAll);
-    m_soon.setSingleShot(true);
-    m_soon.setInterval(soon);
-    connect(&m_soon, &QTimer::timeout, this, &ProblemsPanel::checkBeside);
     m_slow.setSingleShot(true);
     m_slow.setInterval(slow);
     connect(&m_slow, &QTimer::timeout, this, &ProblemsPanel::note);
-    m_listener = m_document.changed.connect([this](const Change& change) {
-        if (change.before.level != change.after.level) {
-            m_task.requestStop(); // what it finds is out of date
-            m_soon.start();
-        }
-    });
+    connect(&m_check, &LevelCheck::started, &m_slow, qOverload<>(&QTimer::start));
+    connect(&m_check, &LevelCheck::checked, this, &ProblemsPanel::take);
 }
 
 bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
@@ -125,52 +116,35 @@ bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ProblemsPanel::check() {
-    m_soon.stop();
-    m_task.finish();
-    checkBeside();
-    m_task.finish();
+    m_check.check();
 }
 
-void ProblemsPanel::checkBeside() {
-    const std::shared_ptr<const Level> level = m_document.current().level;
-    if (m_document.hasPreview() || m_task.isRunning()) {
-        m_soon.start(); // when the gesture, or the check of an older level, is over
-    } else if (level != m_checked) {
-        m_slow.start();
-        m_task.start([this, level](const std::stop_token& stop) -> BackgroundTask::Then {
-            const auto found = std::make_shared<Found>();
-            found->problems = lint(*level, stop);
-            if (stop.stop_requested()) {
-                return [] {}; // another check follows
-            }
-            found->marks =
-                std::make_shared<Marks>(marksOf(*level, found->problems, hiddenAmong(*level, found->problems)));
-            return [this, level, found] { take(level, std::move(*found)); };
-        });
+void ProblemsPanel::take() {
+    m_slow.stop();
+    if (m_check.found().level != m_checked) {
+        showFound(m_check.found());
+    }
+    if (const int steps = std::exchange(m_steps, 0); steps != 0) {
+        go(steps);
     }
 }
 
-void ProblemsPanel::take(const std::shared_ptr<const Level>& level, Found found) {
-    m_slow.stop();
-    const bool same = found.problems == m_problems.problems() &&
-                      (m_checked == nullptr || level->hiddenProblems == m_checked->hiddenProblems);
+void ProblemsPanel::showFound(const LevelCheck::Found& found) {
+    const bool same = *found.problems == m_problems.problems() &&
+                      (m_checked == nullptr || found.level->hiddenProblems == m_checked->hiddenProblems);
     const int row = m_list.currentIndex().row();
-    m_checked = level;
+    m_checked = found.level;
     if (same) {
-        m_problems.setLevel(level);
+        m_problems.setLevel(m_checked);
     } else {
-        m_problems.setProblems(level, std::move(found.problems));
+        m_problems.setProblems(m_checked, found.problems);
         m_list.setCurrentIndex(m_problems.index(std::min(row, m_problems.rowCount() - 1)));
     }
-    m_marks = std::move(found.marks);
     countAll();
     note();
     Q_EMIT marksChanged();
     if (!same) {
         Q_EMIT problemsChanged();
-    }
-    if (const int steps = std::exchange(m_steps, 0); steps != 0) {
-        go(steps);
     }
 }
 
@@ -192,7 +166,7 @@ void ProblemsPanel::countAll() {
 }
 
 void ProblemsPanel::note() {
-    const bool checking = m_task.isRunning();
+    const bool checking = m_check.isRunning() || m_fixing.isRunning();
     m_note.setText(checking             ? tr("Checking…")
                    : problems().empty() ? tr("Nothing to complain about.")
                                         : tr("Nothing else: the rest is filtered out or hidden."));
@@ -258,10 +232,10 @@ void ProblemsPanel::goTo(const Problem& problem) {
 }
 
 void ProblemsPanel::go(int by) {
-    if (m_document.current().level != m_checked && !m_document.hasPreview()) {
+    if (!m_check.isUpToDate() && !m_document.hasPreview()) {
         if (m_document.current().level->objects.size() > waitedFor) {
             m_steps += by;
-            m_soon.start(0);
+            m_check.hurry();
             return;
         }
         check();

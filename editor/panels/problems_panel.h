@@ -1,10 +1,9 @@
 #pragma once
-// What lint finds in the level, looked for anew shortly after each edit, by a thread beside the window. A click leads
-// to the object; what can be cured is cured by a button, and what is not to be seen is hidden.
+// What lint finds in the level (see level_check.h). A click leads to the object; what can be cured is cured by a
+// button, and what is not to be seen is hidden.
 
-#include "core/level/problem_place.h"
 #include "editor/canvas/background_task.h"
-#include "editor/editing/document.h"
+#include "editor/panels/level_check.h"
 #include "editor/panels/problem_delegate.h"
 #include "editor/panels/problem_list.h"
 
@@ -28,17 +27,16 @@ class ProblemsPanel : public QWidget {
     Q_OBJECT
 
   public:
-    using Marks = std::vector<ProblemMark>;
+    using Marks = LevelCheck::Marks;
 
-    /// The document must outlive the panel. `words` say what fixes are called.
-    ProblemsPanel(Document& document, ProblemList::Sentence sentence, ProblemList::Words words = {},
+    /// The check must outlive the panel. `words` say what fixes are called.
+    ProblemsPanel(LevelCheck& check, ProblemList::Sentence sentence, ProblemList::Words words = {},
                   QWidget* parent = nullptr);
-    ~ProblemsPanel() override;
 
     /// All of them, those that are hidden or filtered out among them.
     const std::vector<Problem>& problems() const { return m_problems.problems(); }
     /// Where those are that are not hidden; never null.
-    const std::shared_ptr<const Marks>& marks() const { return m_marks; }
+    const std::shared_ptr<const Marks>& marks() const { return m_check.found().marks; }
     /// The place of the current row's problem among all; −1 for none.
     int current() const { return m_problems.problemAt(m_list.currentIndex().row()); }
     /// Of what is not hidden.
@@ -86,21 +84,17 @@ class ProblemsPanel : public QWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    struct Found {
-        std::vector<Problem> problems;
-        std::shared_ptr<const Marks> marks;
-    };
-
     void layOut();
     void listen();
-    void checkBeside();
-    void take(const std::shared_ptr<const Level>& level, Found found);
+    void take();
+    void showFound(const LevelCheck::Found& found);
     void note();
     void countAll();
     void choose(const QModelIndex& row);
     const Problem* currentProblem() const;
     void showMenu(const QPoint& position);
 
+    LevelCheck& m_check;
     Document& m_document;
     ProblemList m_problems;
     ProblemDelegate m_delegate;
@@ -111,14 +105,11 @@ class ProblemsPanel : public QWidget {
     QLabel m_note; // instead of rows, or while checking takes its time
     QListView m_list;
     QPushButton m_fixAll;
-    QTimer m_soon;
     QTimer m_slow; // since a check began
     std::shared_ptr<const Level> m_checked;
-    std::shared_ptr<const Marks> m_marks = std::make_shared<Marks>();
     int m_safe = 0;
-    int m_steps = 0; // to go once the level has been checked
-    int m_listener = 0;
-    BackgroundTask m_task; // last, so that it has ended before the rest goes
+    int m_steps = 0;         // to go once the level has been checked
+    BackgroundTask m_fixing; // last, so that it has ended before the rest goes
 };
 
 } // namespace spacetow

@@ -34,15 +34,11 @@ void ProblemsPanel::fixCurrent() {
 
 void ProblemsPanel::fixAll() {
     const std::shared_ptr<const Level> level = m_document.current().level;
-    if (m_document.hasPreview()) {
-        return;
-    }
-    if (m_task.isRunning()) { // a check, which is not to be waited for
-        QTimer::singleShot(100, this, &ProblemsPanel::fixAll);
+    if (m_document.hasPreview() || m_fixing.isRunning()) {
         return;
     }
     m_slow.start();
-    m_task.start([this, level](const std::stop_token& stop) -> BackgroundTask::Then {
+    m_fixing.start([this, level](const std::stop_token& stop) -> BackgroundTask::Then {
         const auto result = std::make_shared<FixedLevel>(withSafeFixes(*level, stop));
         return [this, level, result] {
             m_slow.stop();

@@ -104,12 +104,23 @@ void PlayView::stop() {
     m_menu->hide();
     m_held.clear();
     m_dragging = false;
-    m_runner.reset();
+    std::erase_if(m_ending, [](const auto& task) { return !task->isRunning(); });
+    if (m_runner) {
+        m_ending.push_back(std::make_unique<BackgroundTask>());
+        m_ending.back()->start([game = std::shared_ptr<Runner>(std::move(m_runner))](const std::stop_token&) mutable {
+            game.reset();
+            return [] {};
+        });
+    }
     m_ground.forget();
     if (m_paused) {
         m_paused = false;
         Q_EMIT pausedChanged(false);
     }
+}
+
+int PlayView::ending() const {
+    return static_cast<int>(std::ranges::count_if(m_ending, [](const auto& task) { return task->isRunning(); }));
 }
 
 void PlayView::setPaused(bool paused) {

@@ -4,6 +4,7 @@
 // classic view, 13.33 × 10 m, can be seen.
 
 #include "core/game/runner.h"
+#include "editor/canvas/background_task.h"
 #include "editor/canvas/overlay_flags.h"
 #include "editor/editing/viewport.h"
 #include "editor/play/ground_picture.h"
@@ -14,6 +15,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace spacetow {
 
@@ -31,8 +33,11 @@ class PlayView : public QWidget {
     void start(const Level& level);
     /// The same as it was flown once; what is held down counts when the recording has ended.
     void start(const Level& level, const Replay& recorded);
-    /// Ends the game, if there is one. `finished` is not emitted.
+    /// Ends the game, if there is one. `finished` is not emitted. Of a level that is too much an update takes seconds;
+    /// nobody waits for the one that is running.
     void stop();
+    /// Games whose last update has not ended yet.
+    int ending() const;
     bool isRunning() const { return m_runner != nullptr; }
 
     /// Without the menu, so that the scene stays in sight.
@@ -45,6 +50,8 @@ class PlayView : public QWidget {
 
     /// Sandbox while nothing is played.
     Phase phase() const;
+    /// How many have been made that can be seen; 0 while nothing is played.
+    std::int64_t updates() const { return m_runner ? m_runner->frame()->now->update : 0; }
     /// Null while nothing is played.
     Runner* runner() { return m_runner.get(); }
     /// What the view would show of the world now.
@@ -90,6 +97,7 @@ class PlayView : public QWidget {
 
     const Runner::Mode m_mode;
     std::unique_ptr<Runner> m_runner;
+    std::vector<std::unique_ptr<BackgroundTask>> m_ending;
     PauseMenu* m_menu; // owned by Qt as a child
     QTimer m_frames;
     OverlayFlags m_overlays;

@@ -11,6 +11,8 @@
 #include <QPointer>
 #include <QScreen>
 
+#include <utility>
+
 namespace spacetow {
 
 MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* application)
@@ -20,7 +22,7 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
       m_frame(m_document, m_toolbox), m_canvas(m_frame.canvas()),
       m_inspector(m_document, [](const Error& error) { return sentence(error); }), m_tagMatrix(m_document),
       m_collisions(m_document, m_canvas), m_problems(
-                                              m_document, [](const Problem& problem) { return sentence(problem); },
+                                              m_open->check, [](const Problem& problem) { return sentence(problem); },
                                               [](const Label& label) { return sentence(label); }),
       m_nodes(m_document), m_outliner(m_document, m_toolbox),
       m_history(m_document, m_toolbox, [](const Label& label) { return sentence(label); }),
@@ -118,12 +120,8 @@ void MainWindow::enterGame(const Replay* recorded) {
     m_transform.hide();
     m_guideBar.dismiss();
     finishDrawing();
-    m_problems.check();
-    if (m_problems.errors() > 0) {
-        m_message.say(
-            MessageBar::Tone::Warning,
-            tr("The level has %n errors and may not play as it should; see Problems.", nullptr, m_problems.errors()));
-    }
+    m_errorsUntold = true;
+    m_open->check.hurry();
     m_recorded = recorded != nullptr;
     if (m_recorded) {
         m_play.start(*m_document.current().level, *recorded);
@@ -135,6 +133,19 @@ void MainWindow::enterGame(const Replay* recorded) {
     m_play.setFocus();
     updateTitle();
     updateMode();
+    tellErrors();
+}
+
+/// Of the level that is played; once it has been checked, which is not waited for.
+void MainWindow::tellErrors() {
+    if (!isPlaying() || !m_open->check.isUpToDate() || !std::exchange(m_errorsUntold, false)) {
+        return;
+    }
+    if (m_problems.errors() > 0) {
+        m_message.say(
+            MessageBar::Tone::Warning,
+            tr("The level has %n errors and may not play as it should; see Problems.", nullptr, m_problems.errors()));
+    }
 }
 
 void MainWindow::stopPlaying() {

@@ -197,6 +197,7 @@ class MainWindow : public QMainWindow {
     bool actByPlace(const QKeyEvent& stroke);
 
     void enterGame(const Replay* recorded);
+    void tellErrors();
     QString playedPhase() const;
     void updateTitle();
     void updateOrigin();
@@ -247,10 +248,11 @@ class MainWindow : public QMainWindow {
     OverlayFlags m_overlays;
     bool m_panelsHidden = false;
     ToolId m_shownTool = ToolId::Select;
-    bool m_shownBusy = false; // a shape was half drawn
-    bool m_recorded = false;  // what is played
-    int m_view = 0;           // its number among the views of the level
-    bool m_mayClose = false;  // without another question
+    bool m_shownBusy = false;    // a shape was half drawn
+    bool m_recorded = false;     // what is played
+    bool m_errorsUntold = false; // of what is played
+    int m_view = 0;              // its number among the views of the level
+    bool m_mayClose = false;     // without another question
     int m_documentListener = 0;
     int m_historyListener = 0;
     int m_fileListener = 0;

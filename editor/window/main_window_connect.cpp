@@ -72,6 +72,7 @@ void MainWindow::listenToPanels() {
     connect(&m_problems, &ProblemsPanel::problemsChanged, this,
             [this] { m_status.setProblems(m_problems.errors(), m_problems.warnings()); });
     connect(&m_problems, &ProblemsPanel::marksChanged, this, &MainWindow::updateProblems);
+    connect(&m_open->check, &LevelCheck::checked, this, &MainWindow::tellErrors);
     updateProblems();
     m_status.setProblems(m_problems.errors(), m_problems.warnings());
     connect(&m_status, &StatusLine::problemsClicked, this, [this] {

@@ -9,7 +9,8 @@
 namespace spacetow {
 
 OpenLevel::OpenLevel()
-    : files(document, dialogQuestions([this]() -> QWidget* { return front(); }),
+    : check(document),
+      files(document, dialogQuestions([this]() -> QWidget* { return front(); }),
             [this](MessageBar::Tone tone, const QString& text, const std::vector<MessageBar::Choice>& choices) {
                 if (MainWindow* const view = front()) {
                     view->messageBar().say(tone, text, choices);

@@ -2,6 +2,7 @@
 // A level that is open: its document and its file, and the windows that show it, which may be several.
 
 #include "editor/editing/document.h"
+#include "editor/panels/level_check.h"
 #include "editor/window/disk_changes.h"
 #include "editor/window/files.h"
 #include "editor/window/recovery.h"
@@ -17,6 +18,8 @@ class OpenLevel {
     OpenLevel();
 
     Document document;
+    /// For all views.
+    LevelCheck check;
     /// Asks and speaks through the view that was used last.
     Files files;
     DiskChanges disk;

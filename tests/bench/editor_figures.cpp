@@ -66,6 +66,7 @@ class Timing {
         dragNode();
         autosave();
         changeAll();
+        play();
         findLeaks();
         importDrawing();
     }
@@ -203,7 +204,7 @@ class Timing {
         return body.position + 0.5 * (vertices[middle - 1] + vertices[middle]);
     }
 
-    std::vector<double> dragFrames(const QPoint& from) {
+    std::vector<double> dragFrames(const std::string& what, const QPoint& from) {
         std::vector<double> times;
         mouse(from, Qt::NoButton);
         QTest::mousePress(&canvas(), Qt::LeftButton, {}, from);
@@ -211,14 +212,15 @@ class Timing {
             const QPoint place = from + QPoint(3 * i % 160 + 5, i % 90);
             times.push_back(frame([&] { mouse(place, Qt::LeftButton); }));
         }
+        say((what + ".first").c_str(), std::max(times[0], times[1]), 0, 0);
         times.erase(times.begin(), times.begin() + 2); // picking up is not dragging
-        say("drag.release", frame([&] { QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, from + QPoint(40, 30)); }),
-            0, 0);
+        say((what + ".release").c_str(),
+            frame([&] { QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, from + QPoint(40, 30)); }), 0, 0);
         return times;
     }
     void dragOne() {
         rest();
-        sayFrames("drag-one", dragFrames(at(grip())), 4, 8);
+        sayFrames("drag-one", dragFrames("drag-one", at(grip())), 4, 8);
         rest();
         say("undo-one", frame([&] { key(Qt::Key_Z, Qt::ControlModifier); }), 0, 0);
         rest();
@@ -234,7 +236,7 @@ class Timing {
         const ObjectList& objects = m_window.document().level().objects;
         const auto* body = std::get_if<BodyObject>(&objects.find(m_window.document().selection().keys().front())->data);
         const std::vector<Vec2>& vertices = std::get<EdgeChain>(body->shapes.front()).vertices;
-        sayFrames("drag-node", dragFrames(at(body->position + vertices[vertices.size() / 2 - 1])), 4, 8);
+        sayFrames("drag-node", dragFrames("drag-node", at(body->position + vertices[vertices.size() / 2 - 1])), 4, 8);
         rest();
         key(Qt::Key_Z, Qt::ControlModifier);
         canvasKey(Qt::Key_S);
@@ -269,7 +271,7 @@ class Timing {
         rest();
         say("move-all", frame([&] { canvasKey(Qt::Key_Right); }), 100, 700);
         rest();
-        const std::vector<double> times = dragFrames(at(grip()));
+        const std::vector<double> times = dragFrames("drag-all", at(grip()));
         say("drag-all.median", quantile(times, 0.5), 0, 0);
         rest();
         say("undo-move", frame([&] { key(Qt::Key_Z, Qt::ControlModifier); }), 100, 700);
@@ -279,6 +281,26 @@ class Timing {
         say("delete-all", frame([&] { canvasKey(Qt::Key_Delete); }), 100, 700);
         rest();
         say("undo-delete", frame([&] { key(Qt::Key_Z, Qt::ControlModifier); }), 100, 700);
+        rest();
+    }
+
+    /// From F5 to the first picture, a picture later, what the game takes, and back.
+    void play() {
+        const double before = residentMegabytes();
+        say("play.start", frame([&] { m_window.play(); }), 0, 0);
+        const PlayView& view = m_window.playView();
+        QElapsedTimer waiting;
+        waiting.start();
+        while (view.updates() < 5 && waiting.elapsed() < 60'000) {
+            QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+        }
+        std::vector<double> times;
+        for (int i = 0; i < frames / 4; ++i) {
+            times.push_back(frame([&] { m_window.playView().repaint(); }));
+        }
+        say("play.frame", quantile(times, 0.5), 8, 16);
+        m_report({"play.memory", residentMegabytes() - before, "MB", 0});
+        say("play.leave", frame([&] { m_window.stopPlaying(); }), 16, 16);
         rest();
     }
 

@@ -2,6 +2,7 @@
 
 #include "core/geometry/cast.h"
 #include "core/geometry/collide.h"
+#include "core/geometry/triangulate.h"
 #include "tests/geometry/random_parts.h"
 #include "tests/support/test_main.h"
 
@@ -95,6 +96,7 @@ class ConvexPartsTest : public QObject {
     void degenerateOutlinesDoNoHarm_data();
     void degenerateOutlinesDoNoHarm();
     void aLargeOutlineIsCutInReasonableTime();
+    void aSpiralIsCutWithFewLooksAtItsCorners();
     void edgesAreJoinedInTheirDirection();
     void linesAreJoinedInEitherDirection();
     void edgesAndLinesAreNotJoined();
@@ -207,6 +209,22 @@ void ConvexPartsTest::aLargeOutlineIsCutInReasonableTime() {
     timer.start();
     checkParts(randomStar(random, 3000), "star of 3000");
     QVERIFY(timer.elapsed() < 10000);
+}
+
+void ConvexPartsTest::aSpiralIsCutWithFewLooksAtItsCorners() {
+    // Every corner of the inner side is reflex. Held against each triangle that is tried they make ten million looks.
+    constexpr int turns = 512;
+    std::vector<Vec2> outline;
+    for (const double width : {0.0, 0.3}) {
+        for (int i = 0; i < turns; ++i) {
+            const double angle = 0.15 * (width > 0 ? turns - 1 - i : i);
+            outline.push_back((1 + 0.2 * angle - width) * Vec2(std::cos(angle), std::sin(angle)));
+        }
+    }
+    checkParts(outline, "spiral");
+    std::size_t looks = 0;
+    convexPieces(cleanOutline(outline), ConvexPart::maxCorners, &looks);
+    QVERIFY2(looks > 0 && looks < 60 * outline.size(), QByteArray::number(static_cast<qulonglong>(looks)));
 }
 
 void ConvexPartsTest::edgesAreJoinedInTheirDirection() {

@@ -5,6 +5,7 @@
 #include "tests/support/test_main.h"
 
 #include <algorithm>
+#include <numbers>
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -54,6 +55,7 @@ class StaticQuadtreeTest : public QObject {
     void cellsCoverTheBoundsWithoutOverlap();
     void theTreeIsTheSameEveryTime();
     void aHundredThousandBoxesAreDividedWell();
+    void boxesThatReachFarAreNotHeldTooOften();
 };
 
 void StaticQuadtreeTest::queriesEqualBruteForceEachBoxOnce() {
@@ -161,6 +163,31 @@ void StaticQuadtreeTest::aHundredThousandBoxesAreDividedWell() {
     }
     // Enough leaves that no query has to look at more than a small share of the boxes.
     QVERIFY(tree.cells().size() > 5000);
+}
+
+/// As those of the walls of a cave, behind which all is solid as far as the level goes.
+void StaticQuadtreeTest::boxesThatReachFarAreNotHeldTooOften() {
+    constexpr int count = 20000;
+    const Aabb level = boxAt(Vec2(0, 0), Vec2(75, 75));
+    std::vector<Aabb> boxes;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        const double radius = 60 * (1 + 0.2 * std::sin(5 * angle) + 0.04 * std::sin(61 * angle));
+        const Vec2 out(std::cos(angle), std::sin(angle));
+        Aabb box = boxAt(radius * out, Vec2(0.02, 0.02));
+        box.include((radius * out + 200 * out).cwiseMax(level.min).cwiseMin(level.max));
+        boxes.push_back(box);
+    }
+    const StaticQuadtree tree(boxes);
+    QVERIFY2(tree.held() < 8 * boxes.size(), QByteArray::number(static_cast<double>(tree.held()) / count));
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Random random(seed);
+        const Aabb area = boxAt(randomPoint(random, 70), Vec2(1, 1));
+        std::vector<std::uint32_t> found;
+        tree.query(area, found);
+        std::sort(found.begin(), found.end());
+        QVERIFY2(found == foundOneByOne(boxes, area), seedText(seed));
+    }
 }
 
 SPACETOW_TEST(StaticQuadtreeTest)

@@ -87,6 +87,22 @@ class ApplicationTest : public QObject {
         QCOMPARE(test.asked, QStringList());
     }
 
+    void allViewsOfALevelShareItsCheck() {
+        TestApplication test;
+        test.start({test.writtenLevel("a.json")});
+        test.application->newView(test.window(0));
+        QCOMPARE(test.count(), 2u);
+        const LevelCheck& check = test.window(0).openLevel()->check;
+        QTRY_VERIFY(check.isUpToDate());
+        const int before = check.checks();
+        Level level = *test.window(0).document().current().level;
+        level.objects.append({77, {}, BodyObject(), {}}); // without a shape
+        test.window(0).document().commit({"draw", 1}, {std::make_shared<const Level>(level), {}});
+        QTRY_VERIFY(test.window(1).problems().errors() > 0);
+        QCOMPARE(check.checks(), before + 1);
+        QCOMPARE(test.window(1).problems().marks(), test.window(0).problems().marks());
+    }
+
     void newLeavesAnEditedLevelWhereItIs() {
         TestApplication test;
         test.start({test.writtenLevel("a.json")});

@@ -4,6 +4,7 @@
 #include "core/level/bounds.h"
 #include "core/level/edits.h"
 #include "core/level/groups.h"
+#include "editor/canvas/scene_painter.h"
 #include "editor/editing/verbs.h"
 #include "tests/support/board.h"
 #include "tests/support/full_run.h"
@@ -113,7 +114,7 @@ void change(BoardRequest& request, Random& random) {
         request.live = true;
     };
     const Vec2 delta(random.uniform(-1, 1), random.uniform(-1, 1));
-    switch (random.below(13)) {
+    switch (random.below(14)) {
     case 0:
         request.frame.view = request.frame.view.panned(Vec2(random.below(40) - 20.0, random.below(40) - 20.0));
         break;
@@ -155,6 +156,11 @@ void change(BoardRequest& request, Random& random) {
     case 11:
         request.overlays.quadtree = random.below(3) == 0;
         break;
+    case 12: {
+        const std::vector<Key> keys = someKeys(random, level, 1 + random.below(9));
+        request.hovered = keys.empty() ? 0 : keys.front();
+        break;
+    }
     default:
         preview(random.below(2) == 0 ? moved(level, someKeys(random, level, 1 + random.below(20)), delta)
                                      : rotated(level, someKeys(random, level, 1 + random.below(20)), {1, 1}, 0.3));
@@ -175,6 +181,13 @@ Level largeLevel() {
         body.shapes.emplace_back(std::move(chain));
         level.objects.append({key, {}, std::move(body), {}});
     }
+    return level;
+}
+
+Level someLevelOfOne() {
+    Random random(1);
+    Level level;
+    level.objects.append(someObject(random, 1));
     return level;
 }
 
@@ -251,6 +264,90 @@ class BoardTest : public QObject {
         request.base = request.level;
         request.live = false;
         QCOMPARE(differences(finishedBy(board, request), fromScratch(request)), 0);
+    }
+
+    void aLongOutlineUnderThePointerIsPaintedBesideTheWindow() {
+        Board board([] {});
+        Level level;
+        BodyObject body;
+        EdgeChain chain;
+        for (int i = 0; i <= 5000; ++i) {
+            chain.vertices.emplace_back(0.002 * i - 5, 0.4 * std::sin(0.1 * i));
+        }
+        body.shapes.emplace_back(std::move(chain));
+        level.objects.append({1, {}, std::move(body), {}});
+        BoardRequest request = requestFor(level, 1);
+        QVERIFY(isLongToHover(level, 1, request.frame.view.visible()));
+        const QImage before = shownBy(board, request);
+        request.hovered = 1;
+        QCOMPARE(differences(shownBy(board, request), before), 0);
+        board.finish();
+        const QImage hovered = shownBy(board, request);
+        QVERIFY(differences(hovered, before) > 1000);
+        QCOMPARE(differences(hovered, fromScratch(request)), 0);
+        request.hovered = 0;
+        QCOMPARE(differences(shownBy(board, request), before), 0);
+        QVERIFY(!isLongToHover(someLevelOfOne(), 1, request.frame.view.visible()));
+    }
+
+    void whatStandsStillSaysWhereItHasChanged() {
+        Random random(7);
+        Board board([] {});
+        BoardRequest request = requestFor(someLevel(random, 12), 1);
+        const QImage before = shownBy(board, request);
+        board.takeStillChanges();
+        QVERIFY(board.takeStillChanges()->isEmpty());
+        request.level = request.base =
+            std::make_shared<const Level>(moved(*request.base, std::array{Key{2}}, {0.5, 0}));
+        const QImage after = shownBy(board, request);
+        const std::optional<QRegion> changes = board.takeStillChanges();
+        QVERIFY(changes && !changes->isEmpty());
+        QVERIFY(changes->boundingRect().width() < before.width() / 2);
+        QVERIFY(differences(before, after) > 0);
+        QImage outside = before;
+        QPainter painter(&outside);
+        painter.setClipRegion(*changes);
+        painter.drawImage(0, 0, after);
+        painter.end();
+        QCOMPARE(differences(outside, after), 0);
+        board.forget();
+        QVERIFY(!board.takeStillChanges());
+    }
+
+    void ofAPictureThatIsMostlyEmptyOnlyWhatShowsSomethingIsDrawn() {
+        PictureLayer layer;
+        Frame2D frame;
+        frame.view.size = Vec2(640, 512);
+        layer.shiftTo(frame);
+        layer.paint(frame.all(), editingTheme(), [](const Stage& stage) {
+            stage.painter.fillRect(QRect(30, 20, 2, 400), Qt::red);
+            stage.painter.fillRect(QRect(30, 420, 500, 3), Qt::red);
+        });
+        const auto drawnBy = [](const PictureLayer& picture, const Frame2D& shown) {
+            QImage image(640, 512, QImage::Format_ARGB32_Premultiplied);
+            image.fill(Qt::transparent);
+            QPainter painter(&image);
+            picture.draw(painter, shown);
+            return image;
+        };
+        const auto drawn = [&layer] {
+            int pixels = 0;
+            for (const QRect& spot : layer.spots()) {
+                pixels += spot.width() * spot.height();
+            }
+            return pixels;
+        };
+        QCOMPARE(drawn(), 64 * 64 * (6 + 9));
+        const QImage before = drawnBy(layer, frame);
+        QCOMPARE(before.pixelColor(30, 20), QColor(Qt::red));
+        QCOMPARE(before.pixelColor(529, 422), QColor(Qt::red));
+        Frame2D shifted = frame;
+        shifted.view = alignedToPixels(shifted.view.panned(Vec2(-40, 0)), 1);
+        layer.shiftTo(shifted);
+        QCOMPARE(drawnBy(layer, shifted), before.copy(-shifted.movedFrom(frame).x(), 0, 640, 512));
+        QCOMPARE(layer.spots().front().left(), 0);
+        layer.wipe();
+        QVERIFY(layer.spots().empty());
     }
 
     void afterForgettingNothingOfTheOldLevelIsShown() {

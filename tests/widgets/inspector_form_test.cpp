@@ -19,10 +19,43 @@
 using namespace spacetow;
 using namespace spacetow::test;
 
+namespace {
+
+class EventCount : public QObject {
+  public:
+    EventCount(QWidget& widget, QEvent::Type type) : m_type(type) { widget.installEventFilter(this); }
+    int count = 0;
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        count += event->type() == m_type ? 1 : 0;
+        return QObject::eventFilter(watched, event);
+    }
+
+  private:
+    QEvent::Type m_type;
+};
+
+} // namespace
+
 class InspectorFormTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void aNumberThatChangesLaysNothingElseOutAnew() {
+        InspectorFixture test({circleObject(1, 1, 0.5)}, {1});
+        EventCount layouts(*test.number("angle").parentWidget(), QEvent::LayoutRequest);
+        EventCount paints(test.number("angle"), QEvent::Paint);
+        for (int i = 1; i < 10; ++i) {
+            const Level& level = *test.document.current().level;
+            test.document.preview({std::make_shared<const Level>(moved(level, std::array{Key{1}}, Vec2(0.25 * i, 0))),
+                                   test.document.selection()});
+            QApplication::processEvents();
+        }
+        QCOMPARE(test.number("position.x").value(), std::optional(3.25));
+        QCOMPARE(layouts.count, 0);
+        QCOMPARE(paints.count, 0);
+    }
     void everyFieldKeepsItsOwnTextInEveryLocale_data() {
         QTest::addColumn<QString>("locale");
         for (const char* name : {"fa_IR", "ar_EG", "sv_SE", "de_DE", "fr_FR", "ne_NP", "my_MM", "he_IL", "en_US"}) {

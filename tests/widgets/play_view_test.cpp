@@ -52,6 +52,17 @@ class PlayViewTest : public QObject {
         game.run(2);
         QVERIFY(game.picture()->controls == idle);
     }
+    void aGameIsLeftWithoutWaitingForItsUpdate() {
+        PlayView view;
+        view.start(ballAlone(1));
+        QCOMPARE(view.ending(), 0);
+        view.stop();
+        QVERIFY(!view.isRunning());
+        QCOMPARE(view.ending(), 1); // it ends beside
+        view.start(ballAlone(2));
+        QVERIFY(view.isRunning());
+        QTRY_COMPARE(view.ending(), 0);
+    }
     void lettingGoOfOneOfTwoKeysKeepsSteering() {
         Game game;
         QTest::keyPress(&game.view(), Qt::Key_Left);

@@ -45,7 +45,8 @@ class ProblemsPanelTest : public QObject {
   private slots:
     void whatLintFindsIsListedAfterAnEdit() {
         Document document;
-        ProblemsPanel panel(document, code);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code);
         QCOMPARE(panel.errors(), 0);
         QSignalSpy changed(&panel, &ProblemsPanel::problemsChanged);
         Level level;
@@ -63,7 +64,8 @@ class ProblemsPanelTest : public QObject {
 
     void anObjectWithoutANameIsToldByKindAndPlace() {
         Document document;
-        ProblemsPanel panel(document, [](const Problem& problem) { return sentence(problem); });
+        LevelCheck check(document);
+        ProblemsPanel panel(check, [](const Problem& problem) { return sentence(problem); });
         BodyObject body;
         body.shapes = {Circle{Vec2(0, 0), 1}};
         body.position = Vec2(0.5, -0.25);
@@ -88,7 +90,8 @@ class ProblemsPanelTest : public QObject {
 
     void theCheckFollowsAnEditByItself() {
         Document document;
-        ProblemsPanel panel(document, code);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code);
         Level level;
         level.objects.append(crossed(5));
         document.commit({"draw-polygon", 1}, {std::make_shared<Level>(level), Selection()});
@@ -97,7 +100,8 @@ class ProblemsPanelTest : public QObject {
 
     void goingRoundLeadsToEachObjectInTurn() {
         Document document;
-        ProblemsPanel panel(document, code);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code);
         Level level;
         level.objects.append(crossed(5));
         level.objects.append(crossed(6));
@@ -119,7 +123,8 @@ class ProblemsPanelTest : public QObject {
 
     void keysThatMoveInTheListAreNotTheWindows() {
         Document document;
-        ProblemsPanel panel(document, code);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code);
         Level level;
         level.objects.append(crossed(5));
         level.objects.append(crossed(6));
@@ -141,7 +146,8 @@ class ProblemsPanelTest : public QObject {
     void fiftyThousandProblemsTakeUpNoTimeUntilTheyAreLookedAt() {
         Document document;
         int sentences = 0;
-        ProblemsPanel panel(document, [&sentences](const Problem& problem) {
+        LevelCheck check(document);
+        ProblemsPanel panel(check, [&sentences](const Problem& problem) {
             ++sentences;
             return code(problem);
         });
@@ -161,7 +167,8 @@ class ProblemsPanelTest : public QObject {
 
     void aFixIsOneStepThatCanBeUndone() {
         Document document;
-        ProblemsPanel panel(document, code, labelCode);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code, labelCode);
         document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         panel.check();
         QVERIFY(!panel.canFixCurrent());
@@ -179,7 +186,8 @@ class ProblemsPanelTest : public QObject {
 
     void theButtonInARowFixesThatRow() {
         Document document;
-        ProblemsPanel panel(document, code, labelCode);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code, labelCode);
         document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         panel.check();
         panel.resize(320, 240);
@@ -196,7 +204,8 @@ class ProblemsPanelTest : public QObject {
 
     void allThatIsSafeIsFixedInOneStep() {
         Document document;
-        ProblemsPanel panel(document, code, labelCode);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code, labelCode);
         document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         panel.check();
         QCOMPARE(panel.safeFixes(), 2);
@@ -209,7 +218,8 @@ class ProblemsPanelTest : public QObject {
 
     void aHiddenProblemIsShownOnlyOnDemand() {
         Document document;
-        ProblemsPanel panel(document, code, labelCode);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code, labelCode);
         document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         panel.check();
         auto& list = *panel.findChild<QListView*>();
@@ -234,7 +244,8 @@ class ProblemsPanelTest : public QObject {
 
     void errorsAndWarningsCanBeFilteredOut() {
         Document document;
-        ProblemsPanel panel(document, code, labelCode);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code, labelCode);
         Level level = tidyable();
         level.objects.append(crossed(9));
         document.commit({"draw", 1}, {std::make_shared<Level>(level), Selection()});
@@ -251,7 +262,8 @@ class ProblemsPanelTest : public QObject {
 
     void whereAProblemIsIsMarkedAndGoneTo() {
         Document document;
-        ProblemsPanel panel(document, code, labelCode);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code, labelCode);
         document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         panel.check();
         QCOMPARE(panel.marks()->size(), std::size_t{2});
@@ -269,7 +281,8 @@ class ProblemsPanelTest : public QObject {
 
     void anEditDuringACheckIsCheckedAfterIt() {
         Document document;
-        ProblemsPanel panel(document, code);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code);
         for (Key key = 1; key < 40; ++key) {
             Level level = *document.current().level;
             level.objects.append(crossed(key));
@@ -279,9 +292,29 @@ class ProblemsPanelTest : public QObject {
         QTRY_COMPARE(panel.problems(), lint(*document.current().level));
     }
 
+    void eachLevelIsCheckedOnceForAllThatShowIt() {
+        Document document;
+        LevelCheck check(document);
+        ProblemsPanel one(check, code);
+        ProblemsPanel two(check, code);
+        QCOMPARE(check.checks(), 1);
+        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        QTRY_COMPARE(one.warnings(), 2);
+        QCOMPARE(check.checks(), 2);
+        QCOMPARE(two.warnings(), 2);
+        QCOMPARE(&two.problems(), &one.problems());
+        QCOMPARE(two.marks(), one.marks());
+        two.check();
+        QCOMPARE(check.checks(), 2);
+        const ProblemsPanel late(check, code);
+        QCOMPARE(late.warnings(), 2);
+        QCOMPARE(check.checks(), 2);
+    }
+
     void aPreviewIsNotCheckedBeforeItEnds() {
         Document document;
-        ProblemsPanel panel(document, code);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code);
         Level level;
         level.objects.append(crossed(5));
         document.preview({std::make_shared<Level>(level), Selection()});
