@@ -156,6 +156,13 @@ void PlayView::setOverlays(const OverlayFlags& overlays) {
     update();
 }
 
+void PlayView::setKeys(const PlayKeys& keys) {
+    m_keys = keys;
+    m_menu->setKeys(keys);
+    letGo(); // what is held may mean something else now
+    update();
+}
+
 double PlayView::fittingScale() const {
     return std::min(width() / m_extent.x(), height() / m_extent.y());
 }
@@ -213,7 +220,7 @@ void PlayView::paintEvent(QPaintEvent*) {
         painter.fillRect(rect(), QColor(4, 8, 18, 130));
         return;
     }
-    paintHud(painter, hudLayout({snapshot.phase, snapshot.hud, m_paused}, size(), font()));
+    paintHud(painter, hudLayout({snapshot.phase, snapshot.hud, m_paused, m_keys}, size(), font()));
 }
 
 void PlayView::paintScene(QPainter& painter, const Snapshot& snapshot) {

@@ -42,6 +42,7 @@ class PlayView : public QWidget {
     void stepOnce();
     void restart();
     void setOverlays(const OverlayFlags& overlays);
+    void setKeys(const PlayKeys& keys);
 
     /// Sandbox while nothing is played.
     Phase phase() const;
@@ -94,6 +95,7 @@ class PlayView : public QWidget {
     QTimer m_frames;
     OverlayFlags m_overlays;
     GroundPicture m_ground;
+    PlayKeys m_keys;
     HeldKeys m_held;
     QString m_background;
     double m_towRange = 0;        // m

@@ -201,6 +201,7 @@ void MainWindow::updateKeys() {
     const KeyBindings bindings = m_files.preferences.keyBindings();
     m_actions.setKeys(bindings);
     m_panels->setKeys(bindings);
+    m_play.setKeys(playKeysOf(bindings));
     updateTool(); // the hint names some of them
 }
 

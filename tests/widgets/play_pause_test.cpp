@@ -18,12 +18,33 @@ class PlayPauseTest : public QObject {
         QVERIFY(!game.menu()->isVisible());
         game.run(5);
         QTest::keyClick(&game.view(), Qt::Key_O);
-        QTest::keyClick(&game.view(), Qt::Key_F10);
+        QTest::keyClick(&game.view(), Qt::Key_O);
         QCOMPARE(game.picture()->update, at + 2);
-        QTest::keyClick(&game.view(), Qt::Key_F9);
+        QTest::keyClick(&game.view(), Qt::Key_P);
         QVERIFY(!game.view().isPaused());
         game.run(1);
         QCOMPARE(game.picture()->update, at + 3);
+    }
+    void otherKeysThanTheUsualOnesPlayAndAreNamed() {
+        Game game;
+        PlayKeys keys;
+        keys.set(PlayKey::Thrust, {QKeySequence("I")});
+        keys.set(PlayKey::Pause, {QKeySequence("K")});
+        keys.set(PlayKey::Restart, {QKeySequence("L")});
+        game.view().setKeys(keys);
+        game.tap(Qt::Key_W); // nobody's now
+        QCOMPARE(game.phase(), Phase::AwaitingInput);
+        game.tap(Qt::Key_I);
+        QCOMPARE(game.phase(), Phase::Flying);
+        QTest::keyClick(&game.view(), Qt::Key_K);
+        QVERIFY(game.view().isPaused());
+        QTest::keyClick(&game.view(), Qt::Key_K);
+        QVERIFY(!game.view().isPaused());
+        QTest::keyClick(&game.view(), Qt::Key_Escape);
+        QVERIFY(game.menu()->isVisible());
+        QVERIFY(game.button("Restart")->toolTip().contains("(L)"));
+        QTest::keyClick(game.menu(), Qt::Key_L);
+        QCOMPARE(game.phase(), Phase::AwaitingInput);
     }
     void aKeyHeldWhilePausedCountsInSteps() {
         Game game;
