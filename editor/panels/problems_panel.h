@@ -67,9 +67,6 @@ class ProblemsPanel : public QWidget {
     /// Fills the menu of a row.
     void fillMenu(QMenu& menu);
 
-    /// Draws the marks in colours that are read on the palette.
-    void tint();
-
     QSize sizeHint() const override { return {310, 150}; }
     QSize minimumSizeHint() const override { return {200, 70}; }
 
@@ -84,6 +81,7 @@ class ProblemsPanel : public QWidget {
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
   private:
     struct Found {
@@ -93,6 +91,8 @@ class ProblemsPanel : public QWidget {
 
     void layOut();
     void listen();
+    /// Draws the marks in colours that are read on the palette.
+    void tint();
     void checkBeside();
     void take(const std::shared_ptr<const Level>& level, Found found);
     void note();

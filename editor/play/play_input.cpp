@@ -124,7 +124,7 @@ void PlayView::focusOutEvent(QFocusEvent* event) {
     letGo();
     // Going to the menu, or to a menu of the window that will give the focus back, is not going away.
     const bool away = event->reason() != Qt::PopupFocusReason && event->reason() != Qt::OtherFocusReason;
-    if (m_runner && away && !m_menu->isVisible()) {
+    if (m_runner && away && !m_waiting && !m_menu->isVisible()) {
         openMenu();
     }
 }

@@ -104,6 +104,7 @@ void PlayView::stop() {
     m_menu->hide();
     m_held.clear();
     m_dragging = false;
+    m_waiting = false;
     m_runner.reset();
     m_ground.forget();
     if (m_paused) {
@@ -122,11 +123,30 @@ void PlayView::setPaused(bool paused) {
     } else {
         m_menu->hide();
         setFocus(Qt::OtherFocusReason);
-        m_runner->hold(m_held.controls());
-        m_runner->resume();
+        goOn();
     }
     Q_EMIT pausedChanged(paused);
     update();
+}
+
+void PlayView::goOn() {
+    m_runner->hold(m_held.controls());
+    if (!m_waiting) {
+        m_runner->resume();
+    }
+}
+
+void PlayView::setWaiting(bool waiting) {
+    if (!m_runner || m_waiting == waiting) {
+        return;
+    }
+    m_waiting = waiting;
+    if (waiting) {
+        letGo(); // the releases go elsewhere
+        m_runner->pause();
+    } else if (!m_paused) {
+        goOn();
+    }
 }
 
 void PlayView::stepOnce() {

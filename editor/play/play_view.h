@@ -38,6 +38,8 @@ class PlayView : public QWidget {
     /// Without the menu, so that the scene stays in sight.
     void setPaused(bool paused);
     bool isPaused() const { return m_paused; }
+    /// The game waits while something else in the window has the keyboard, and then is as it was before.
+    void setWaiting(bool waiting);
     /// Pauses and makes one update.
     void stepOnce();
     void restart();
@@ -84,6 +86,7 @@ class PlayView : public QWidget {
     void openMenu();
     void closeMenu();
     void letGo();
+    void goOn();
     void follow();
     double fittingScale() const;
     Viewport viewport(const Snapshot& snapshot) const;
@@ -102,6 +105,7 @@ class PlayView : public QWidget {
     Vec2 m_extent{13.333333, 10}; // m, seen at least
     Phase m_shownPhase = Phase::Sandbox;
     bool m_paused = false;
+    bool m_waiting = false; // though not paused
     Aabb m_bounds; // of the level; empty where nothing is to be followed
     double m_zoom = 1;
     std::optional<Vec2> m_lookedAt; // world point in the middle, when the player has moved the view

@@ -267,8 +267,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
         m_actions.tint(palette());
-        m_problems.tint();
-        m_differences.tint();
         m_actions.refresh();
     } else if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
         m_open->bringToFront(*this);
@@ -383,6 +381,7 @@ void MainWindow::updateMode() {
     }
     m_menus.at(MenuId::Recent)->setEnabled(!isPlaying());
     m_menus.at(MenuId::Backups)->setEnabled(editing);
+    m_status.setBoardShown(editing);
     m_actions.refresh();
     updateTool();
 }
