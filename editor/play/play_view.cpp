@@ -12,6 +12,7 @@
 #include <QScreen>
 
 #include <algorithm>
+#include <new>
 
 namespace spacetow {
 namespace {
@@ -73,12 +74,19 @@ void PlayView::start(const Level& level) {
 
 void PlayView::start(const Level& level, const Replay& recorded) {
     begin(level, recorded.seed);
-    m_runner->follow(recorded.runs);
+    if (m_runner) {
+        m_runner->follow(recorded.runs);
+    }
 }
 
 void PlayView::begin(const Level& level, std::uint64_t seed) {
     stop();
-    m_runner = std::make_unique<Runner>(level, m_mode, seed);
+    try {
+        m_runner = std::make_unique<Runner>(level, m_mode, seed);
+    } catch (const std::bad_alloc&) {
+        fail(RunnerFault::Memory);
+        return;
+    }
     m_background = QString::fromStdString(level.rules.background);
     m_towRange = level.rules.towRange;
     m_extent = classicView;
@@ -91,6 +99,8 @@ void PlayView::begin(const Level& level, std::uint64_t seed) {
         m_bounds = {};
     }
     m_runner->wantQuadtree(m_overlays.quadtree);
+    m_lost = 0;
+    m_paceTime.start();
     m_shownPhase = phase();
     follow();
     const double rate = screen() != nullptr ? std::clamp(screen()->refreshRate(), 30.0, 240.0) : 60.0;
@@ -105,6 +115,7 @@ void PlayView::stop() {
     m_held.clear();
     m_dragging = false;
     m_waiting = false;
+    m_behind = 0;
     m_runner.reset();
     m_ground.forget();
     if (m_paused) {
@@ -211,11 +222,41 @@ Vec2 PlayView::framed(const Snapshot& snapshot, double scale) const {
 }
 
 void PlayView::showFrame() {
+    if (const RunnerFault fault = m_runner->fault(); fault != RunnerFault::None) {
+        fail(fault);
+        return;
+    }
+    m_runner->attend();
+    watchPace();
     update();
     if (phase() != m_shownPhase) {
         m_shownPhase = phase();
         Q_EMIT phaseChanged();
     }
+}
+
+/// A moment's hold-up is nothing to speak of.
+void PlayView::watchPace() {
+    constexpr qint64 interval = 1000; // ms
+    constexpr double bearable = 0.1;  // of the time that has passed
+    if (m_paceTime.elapsed() < interval) {
+        return;
+    }
+    const double passed = static_cast<double>(m_paceTime.restart()) / 1000;
+    const double lost = m_runner->frame()->lost;
+    const double behind = lost - m_lost > bearable * passed ? lost : 0;
+    m_lost = lost;
+    if (behind != m_behind) {
+        m_behind = behind;
+        Q_EMIT paceChanged();
+    }
+}
+
+/// Once whoever has called is done.
+void PlayView::fail(RunnerFault fault) {
+    stop();
+    QMetaObject::invokeMethod(
+        this, [this, fault] { Q_EMIT failed(fault); }, Qt::QueuedConnection);
 }
 
 Phase PlayView::phase() const {

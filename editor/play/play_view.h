@@ -9,6 +9,7 @@
 #include "editor/play/ground_picture.h"
 #include "editor/play/key_map.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -48,6 +49,8 @@ class PlayView : public QWidget {
 
     /// Sandbox while nothing is played.
     Phase phase() const;
+    /// By how many seconds the game is behind real time, while it falls back further; 0 while it keeps up.
+    double behind() const { return m_behind; }
     /// Null while nothing is played.
     Runner* runner() { return m_runner.get(); }
     /// What the view would show of the world now.
@@ -62,6 +65,10 @@ class PlayView : public QWidget {
     void pausedChanged(bool paused);
     /// Seen at the display's rate.
     void phaseChanged();
+    /// Seen once a second.
+    void paceChanged();
+    /// The game could not go on, and has been stopped.
+    void failed(spacetow::RunnerFault fault);
 
   protected:
     bool event(QEvent* event) override;
@@ -81,6 +88,8 @@ class PlayView : public QWidget {
     void begin(const Level& level, std::uint64_t seed);
     Snapshot picture() const;
     void showFrame();
+    void watchPace();
+    void fail(RunnerFault fault);
     void paintScene(QPainter& painter, const Snapshot& snapshot);
     void tapIfOver();
     void openMenu();
@@ -104,9 +113,12 @@ class PlayView : public QWidget {
     double m_towRange = 0;        // m
     Vec2 m_extent{13.333333, 10}; // m, seen at least
     Phase m_shownPhase = Phase::Sandbox;
+    QElapsedTimer m_paceTime; // since it was looked at
+    double m_lost = 0;        // s, at that time
+    double m_behind = 0;      // s
     bool m_paused = false;
     bool m_waiting = false; // though not paused
-    Aabb m_bounds; // of the level; empty where nothing is to be followed
+    Aabb m_bounds;          // of the level; empty where nothing is to be followed
     double m_zoom = 1;
     std::optional<Vec2> m_lookedAt; // world point in the middle, when the player has moved the view
     QPointF m_dragged;

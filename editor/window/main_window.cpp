@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QPointer>
 #include <QScreen>
 
@@ -346,7 +347,10 @@ void MainWindow::updateOrigin() {
 void MainWindow::updateTool() {
     const QString back = m_actions[Act::Stop].shortcut().toString(QKeySequence::NativeText);
     m_status.setHint(
-        isPlaying() && m_recorded
+        isPlaying() && m_play.behind() > 0
+            ? tr("Too much for this computer: the game is %1 s behind real time · %2: back to the editor")
+                  .arg(QLocale().toString(m_play.behind(), 'f', 1), back)
+        : isPlaying() && m_recorded
             ? tr("Playing a recorded flight · keys count when it has ended · %1: back to the editor").arg(back)
         : isPlaying()   ? tr("Playing a copy of the level · %1: back to the editor · Esc: menu").arg(back)
         : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")

@@ -1,6 +1,7 @@
 // A game that stands still: what its keys do meanwhile.
 #include "tests/support/game_view.h"
 #include "tests/support/test_main.h"
+#include "tests/support/window.h"
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -24,6 +25,31 @@ class PlayPauseTest : public QObject {
         QVERIFY(!game.view().isPaused());
         game.run(1);
         QCOMPARE(game.picture()->update, at + 3);
+    }
+    void aGameThatTheComputerCannotHoldEndsWithASentence() {
+        TestWindow test;
+        Level level = openSpace();
+        for (int i = 0; i < 2000; ++i) {
+            addBall(level, Vec2(5, 5), 1, Vec2(0, 0));
+        }
+        test.document().reset(level);
+        test.trigger(Act::Play);
+        QTRY_VERIFY(!test.window->isPlaying());
+        QVERIFY2(test.window->messageBar().text().contains("memory"), qPrintable(test.window->messageBar().text()));
+        QVERIFY(test.level() == level);
+    }
+    void aGameThatIsTooMuchForTheComputerSaysHowFarBehindItIs() {
+        TestWindow test;
+        Level level = openSpace();
+        level.updateSeconds = 1e-5; // a hundred thousand updates a second
+        test.document().reset(level);
+        test.trigger(Act::Play);
+        QTest::keyPress(&test.window->playView(), Qt::Key_W);
+        QTRY_VERIFY(test.window->playView().behind() > 0);
+        const QString hint = test.window->statusLine().hint();
+        QVERIFY2(hint.contains("behind real time"), qPrintable(hint));
+        test.trigger(Act::Stop);
+        QCOMPARE(test.window->playView().behind(), 0.0);
     }
     void otherKeysThanTheUsualOnesPlayAndAreNamed() {
         Game game;
