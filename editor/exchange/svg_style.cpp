@@ -22,7 +22,7 @@ class StyleReader {
   public:
     explicit StyleReader(const SvgStyle& parent) : m_style(parent) {
         m_style.displayed = true;
-        m_style.clipped = m_style.filtered = false;
+        m_style.clipped = m_style.filtered = m_style.overflows = false;
     }
 
     void declare(std::string_view name, std::string_view value) {
@@ -51,6 +51,10 @@ class StyleReader {
             m_style.strokeOpaque = !isZero(value);
         } else if (name == "stroke-width") {
             m_style.strokeWide = !isZero(value);
+            m_style.strokeWidth =
+                lengthFromText(value, {m_style.fontSize, m_style.fontSize}).value_or(m_style.strokeWidth);
+        } else if (name == "overflow") {
+            m_style.overflows = value == "visible" || value == "auto";
         }
     }
     /// "fill:none; stroke:#000 !important"

@@ -33,11 +33,13 @@ struct SvgStyle {
     bool fillOpaque = true, strokeOpaque = true, strokeWide = true; // else what is painted cannot be seen
     bool evenOdd = false;
     bool visible = true;
-    double fontSize = 16; // px
+    double fontSize = 16;   // px
+    double strokeWidth = 1; // units of the place
     // Of the element alone:
     bool displayed = true;
     bool clipped = false; // by a clip path or a mask
     bool filtered = false;
+    bool overflows = false; // what lies beyond its window is seen
 
     bool isFilled() const { return fillPaint && fillOpaque; }
     bool isStroked() const { return strokePaint && strokeOpaque && strokeWide; }

@@ -194,6 +194,7 @@ class MainWindow : public QMainWindow {
     void listenToDisk();
     void showNotice();
     bool restoreWork(const JournalEntry& entry);
+    void showRecovered(const JournalEntry& entry, const std::shared_ptr<const Level>& found);
     void restore();
     /// A stroke that is nobody's key may be one by its place.
     bool actByPlace(const QKeyEvent& stroke);

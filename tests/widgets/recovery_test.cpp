@@ -61,6 +61,8 @@ class RecoveryTest : public QObject {
         RecoveryRow& row = *bar.rows().front();
         QVERIFY(row.details().contains("never saved") && row.details().contains("1 objects"));
         QVERIFY(!row.found().picture.isNull());
+        row.compare.click(); // beside nothing, as there is no file
+        QVERIFY(test.window->differences().isComparing());
         QCOMPARE(test.level().objects.size(), 0);
         row.restore.click();
         QVERIFY(test.level() == drawn);
@@ -83,6 +85,10 @@ class RecoveryTest : public QObject {
         row.compare.click();
         QVERIFY2(row.explanation().contains("One-way wall"), qPrintable(row.explanation()));
         QCOMPARE(cutOffTexts(*test.window), QStringList());
+        // And it is shown, beside the file.
+        QCOMPARE(test.window->files().path(), path);
+        QVERIFY(test.level() == saved);
+        QVERIFY(test.window->differences().isComparing());
         row.restore.click();
         QVERIFY(test.level() == drawn && test.window->isWindowModified());
         QCOMPARE(test.window->files().path(), path);
