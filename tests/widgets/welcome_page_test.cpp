@@ -171,6 +171,13 @@ class WelcomePageTest : public QObject {
         QVERIFY(test.window(0).isWelcoming() && !test.window(0).welcome().atStart().isChecked());
     }
 
+    void noLetterOfANameIsAKey() {
+        const LevelCard card(QStringLiteral("/levels/salt&pepper.json"), QStringLiteral("salt&pepper"), QString(),
+                             nullptr);
+        QVERIFY(card.shortcut().isEmpty());
+        QCOMPARE(card.accessibleName(), QStringLiteral("salt&pepper"));
+    }
+
     void theBottomLineSaysNothingOfABoardThatIsNotThere() {
         TestApplication test;
         test.start();
