@@ -97,6 +97,7 @@ class SvgReader {
             m_report.refuse("import-style", element.line);
         }
         for (const XmlElement& child : element.children) {
+            m_sheet.place(child, element);
             survey(child);
         }
     }
