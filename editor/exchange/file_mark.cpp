@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view markBlanks = " \t\r\n";
 
 /// Goes through the members of the outermost object only.
 class MemberScan {
@@ -43,7 +43,7 @@ class MemberScan {
     }
 
     bool isNext(char wanted) {
-        m_at = std::min(m_text.find_first_not_of(blanks, m_at), m_text.size());
+        m_at = std::min(m_text.find_first_not_of(markBlanks, m_at), m_text.size());
         return m_at < m_text.size() && m_text[m_at] == wanted;
     }
 
@@ -104,7 +104,7 @@ FileMark markOf(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf")) {
         text.remove_prefix(3);
     }
-    const std::size_t first = text.find_first_not_of(blanks);
+    const std::size_t first = text.find_first_not_of(markBlanks);
     if (first == std::string_view::npos) {
         return FileMark::None;
     }

@@ -334,7 +334,7 @@ class FinderTest : public QObject {
         play.setPaused(true);
         test.trigger(Act::CommandPalette);
         pressIn(finder, Qt::Key_Escape);
-        QVERIFY(play.isPaused() && play.runner()->frame()->paused);
+        QTRY_VERIFY(play.isPaused() && play.runner()->frame()->paused);
         // And an action of the game does what it says.
         pressIn(searchFor(test, ">pause"), Qt::Key_Return);
         QVERIFY(!play.isPaused());
