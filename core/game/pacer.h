@@ -20,10 +20,14 @@ class Pacer {
             ++count;
         }
         if (m_next <= now) {
+            m_lost += now + m_period - m_next;
             restart(now);
         }
         return count;
     }
+
+    /// What was given up so far.
+    double lost() const { return m_lost; }
 
     /// When `due` will next be positive.
     double next() const { return m_next; }
@@ -33,6 +37,7 @@ class Pacer {
     double m_period;
     int m_catchUp;
     double m_next = 0;
+    double m_lost = 0;
 };
 
 } // namespace spacetow

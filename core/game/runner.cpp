@@ -1,6 +1,10 @@
 #include "core/game/runner.h"
 
+#include "core/game/crowd.h"
+
 #include <future>
+#include <new>
+#include <stdexcept>
 
 namespace spacetow {
 namespace {
@@ -9,6 +13,14 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::time_point time) {
     return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+constexpr auto patience = std::chrono::milliseconds(500); // after which nobody looks
+constexpr auto glance = std::chrono::milliseconds(50);    // between two looks whether somebody does
+constexpr std::int64_t crowdInterval = 50;                // updates
+
+std::int64_t ticks(Clock::time_point time) {
+    return time.time_since_epoch().count();
 }
 
 Clock::time_point timePoint(double time) {
@@ -33,6 +45,15 @@ void Runner::hold(const Controls& controls) {
     const std::uint8_t bits = toBits(controls);
     const std::uint8_t before = m_held.exchange(bits);
     m_latched.fetch_or(static_cast<std::uint8_t>(bits & ~before)); // what is held already needs no latch
+}
+
+void Runner::attend() {
+    m_attended = ticks(Clock::now());
+}
+
+bool Runner::isUnattended() const {
+    const std::int64_t last = m_attended;
+    return last != 0 && Clock::now() - Clock::time_point(Clock::duration(last)) > patience;
 }
 
 void Runner::pause() {
@@ -71,6 +92,7 @@ void Runner::beginAnew() {
     m_followedRun = 0;
     m_followedTime = 0;
     m_latched.store(0);
+    m_pacer = Pacer(m_pacer.period());
     m_pacer.restart(seconds(Clock::now()));
     m_last = m_session.snapshot(m_quadtree);
     post(m_last);
@@ -87,24 +109,33 @@ void Runner::wantQuadtree(bool wanted) {
 Replay Runner::recording() {
     auto promise = std::make_shared<std::promise<Replay>>();
     std::future<Replay> answer = promise->get_future();
-    command([this, promise] { promise->set_value(m_recording); });
-    return answer.get();
+    command([this, promise = std::move(promise)] { promise->set_value(m_recording); });
+    try {
+        return answer.get();
+    } catch (const std::future_error&) { // nobody is there to answer
+        return {};
+    }
 }
 
 void Runner::advance(int updates) {
     EXPECTS(m_mode == Mode::Manual);
-    for (int i = 0; i < updates && !m_paused; ++i) {
-        update();
+    for (int i = 0; i < updates && !m_paused && fault() == RunnerFault::None; ++i) {
+        guarded([this] { update(); });
     }
 }
 
 void Runner::command(Command command) {
     if (m_mode == Mode::Manual) {
-        command();
+        if (fault() == RunnerFault::None) {
+            guarded(command);
+        }
         return;
     }
     {
         const std::lock_guard lock(m_mutex);
+        if (fault() != RunnerFault::None) {
+            return;
+        }
         m_commands.push_back(std::move(command));
     }
     m_wake.notify_one();
@@ -121,21 +152,44 @@ void Runner::obeyCommands() {
     }
 }
 
+template <class Do>
+void Runner::guarded(const Do& work) {
+    try {
+        work();
+    } catch (const std::bad_alloc&) {
+        m_fault = RunnerFault::Memory;
+    } catch (const std::length_error&) { // more than there could ever be room for
+        m_fault = RunnerFault::Memory;
+    }
+}
+
 void Runner::run(const std::stop_token& stop) {
     m_pacer.restart(seconds(Clock::now()));
-    while (!stop.stop_requested()) {
-        obeyCommands();
-        const int due = m_paused ? 0 : m_pacer.due(seconds(Clock::now()));
-        for (int i = 0; i < due && !stop.stop_requested(); ++i) {
-            update();
-        }
-        std::unique_lock lock(m_mutex);
-        const auto called = [this] { return !m_commands.empty(); };
-        if (m_paused) {
-            m_wake.wait(lock, stop, called);
-        } else {
-            m_wake.wait_until(lock, stop, timePoint(m_pacer.next()), called);
-        }
+    while (!stop.stop_requested() && fault() == RunnerFault::None) {
+        guarded([&] { turn(stop); });
+    }
+    const std::lock_guard lock(m_mutex); // nobody waits for an answer that never comes
+    m_commands.clear();
+}
+
+/// Makes what is due, and waits for the next update or command.
+void Runner::turn(const std::stop_token& stop) {
+    obeyCommands();
+    if (const bool unattended = !m_paused && isUnattended(); unattended != m_unattended) {
+        m_unattended = unattended;
+        m_pacer.restart(seconds(Clock::now()));
+        post(m_last);
+    }
+    const int due = m_paused || m_unattended ? 0 : m_pacer.due(seconds(Clock::now()));
+    for (int i = 0; i < due && !stop.stop_requested() && fault() == RunnerFault::None; ++i) {
+        update();
+    }
+    std::unique_lock lock(m_mutex);
+    const auto called = [this] { return !m_commands.empty(); };
+    if (m_paused) {
+        m_wake.wait(lock, stop, called);
+    } else {
+        m_wake.wait_until(lock, stop, m_unattended ? Clock::now() + glance : timePoint(m_pacer.next()), called);
     }
 }
 
@@ -153,6 +207,10 @@ Controls Runner::nextControls() {
 }
 
 void Runner::update() {
+    if (m_session.updates() % crowdInterval == 0 && isCrowded(m_session.world())) {
+        m_fault = RunnerFault::Crowd;
+        return;
+    }
     const Controls controls = nextControls();
     m_session.step(controls);
     if (m_session.updates() <= maxReplayUpdates) {
@@ -165,8 +223,8 @@ void Runner::update() {
 }
 
 void Runner::post(std::shared_ptr<const Snapshot> before) {
-    m_frames.post(std::make_shared<const Frame>(
-        Frame{std::move(before), m_last, Clock::now(), m_session.updateSeconds(), m_paused}));
+    m_frames.post(std::make_shared<const Frame>(Frame{
+        std::move(before), m_last, Clock::now(), m_session.updateSeconds(), m_paused || m_unattended, m_pacer.lost()}));
 }
 
 } // namespace spacetow

@@ -24,7 +24,11 @@ struct Frame {
     std::chrono::steady_clock::time_point at;    // when `now` was taken
     double period = 0.02;                        // s, simulated between the two
     bool paused = false;
+    double lost = 0; // s, by which the game has fallen behind real time since it began or went on
 };
+
+/// Why a game has ended by itself.
+enum class RunnerFault : std::uint8_t { None, Memory, Crowd };
 
 class Runner {
   public:
@@ -50,10 +54,17 @@ class Runner {
     void follow(std::vector<Replay::Run> recorded);
     void wantQuadtree(bool wanted);
 
+    /// Somebody looks. Who has once said so and then is silent for half a second does not see what happens, nor can
+    /// they let go of a key: the game waits for them.
+    void attend();
+    /// When it is not None, nothing moves any more.
+    RunnerFault fault() const { return m_fault; }
+
     std::shared_ptr<const Frame> frame() const { return m_frames.latest(); }
     /// Sound bits of all updates since the last call.
     std::uint32_t takeSounds() { return m_sounds.exchange(0); }
-    /// The flight so far. Waits for the running update to end; the name of the level is left to the caller.
+    /// The flight so far. Waits for the running update to end; the name of the level is left to the caller. Empty after
+    /// a fault.
     Replay recording();
 
     /// Of a manual runner: makes updates unless paused.
@@ -65,6 +76,11 @@ class Runner {
     void command(Command command);
     void obeyCommands();
     void run(const std::stop_token& stop);
+    void turn(const std::stop_token& stop);
+    bool isUnattended() const;
+    /// Does it, and remembers when it could not be done.
+    template <class Do>
+    void guarded(const Do& work);
     void beginAnew();
     Controls nextControls();
     void update();
@@ -82,12 +98,15 @@ class Runner {
     std::int64_t m_followedTime = 0; // updates it has been held
     Pacer m_pacer;
     bool m_paused = false;
+    bool m_unattended = false;
     bool m_quadtree = false;
 
     // Between the threads.
     Mailbox<Frame> m_frames;
     std::atomic<std::uint8_t> m_held = 0, m_latched = 0; // bits of Controls
     std::atomic<std::uint32_t> m_sounds = 0;
+    std::atomic<std::int64_t> m_attended = 0; // when; 0: never
+    std::atomic<RunnerFault> m_fault = RunnerFault::None;
     std::mutex m_mutex;
     std::condition_variable_any m_wake;
     std::vector<Command> m_commands; // guarded by m_mutex

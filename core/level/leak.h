@@ -4,7 +4,9 @@
 // A leak is reported where the walls around the ship would enclose it but for walls that are solid on the wrong side,
 // or openings that are small against what surrounds it: at most a third of the way round. A level without a cave has
 // none, nor has one whose payload or finish is beyond the openings: these are the way then. What is narrower than the
-// ship is no opening.
+// ship is no opening. The outside is what goes on for ever: a room with a door within a closed cave is no leak, however
+// its walls face, for a hangar looks like that; a shaft that is open at the top is one, for nobody can tell it from a
+// cave whose roof is missing, and there is no coming back. Where it is meant, the problem can be hidden.
 
 #include "core/level/level.h"
 

@@ -2,6 +2,7 @@
 
 #include "core/level/key_text.h"
 #include "core/level/lint_findings.h"
+#include "core/level/unknown_fields.h"
 
 #include <algorithm>
 #include <array>
@@ -145,7 +146,18 @@ std::vector<bool> hiddenAmong(const Level& level, const std::vector<Problem>& pr
 }
 
 Level withProblemHidden(Level level, const Problem& problem, bool hidden) {
-    std::erase(level.hiddenProblems, HiddenProblem{problem.code, problem.object});
+    const HiddenProblem entry{problem.code, problem.object};
+    std::vector<int> lost;
+    for (std::size_t i = 0; i < level.hiddenProblems.size(); ++i) {
+        if (level.hiddenProblems[i] == entry) {
+            lost.push_back(static_cast<int>(i));
+        }
+    }
+    if (hidden && !lost.empty()) {
+        return level; // with what its entry says besides
+    }
+    std::erase(level.hiddenProblems, entry);
+    level.unknownFields = withoutEntries(level.unknownFields, "/hiddenProblems", lost);
     if (hidden) {
         level.hiddenProblems.push_back({problem.code, problem.object});
     }

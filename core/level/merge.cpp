@@ -3,6 +3,7 @@
 #include "core/base/overloaded.h"
 #include "core/level/groups.h"
 #include "core/level/merge_fields.h"
+#include "core/level/unknown_fields.h"
 
 #include <algorithm>
 #include <map>
@@ -67,14 +68,30 @@ class Merge {
         FieldMerger fields(m_preferred, 0, m_result.conflicts);
         fields.mergeSimpleFields(m_result.level, m_base, m_theirs);
         mergeTags(fields);
-        m_result.level.guides = mergedSet(m_base.guides, m_ours.guides, m_theirs.guides);
-        m_result.level.hiddenProblems =
-            mergedSet(m_base.hiddenProblems, m_ours.hiddenProblems, m_theirs.hiddenProblems);
+        mergeList(&Level::guides, "/guides");
+        mergeList(&Level::hiddenProblems, "/hiddenProblems");
         mergeObjects();
         return std::move(m_result);
     }
 
   private:
+    /// Unknown fields stay with the entries that are ours.
+    template <class T>
+    void mergeList(std::vector<T> Level::*list, const std::string& place) {
+        std::vector<T>& merged = m_result.level.*list;
+        merged = mergedSet(m_base.*list, m_ours.*list, m_theirs.*list);
+        std::vector<int> lost;
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < (m_ours.*list).size(); ++i) {
+            if (kept < merged.size() && merged[kept] == (m_ours.*list)[i]) {
+                ++kept;
+            } else {
+                lost.push_back(static_cast<int>(i));
+            }
+        }
+        m_result.level.unknownFields = withoutEntries(m_result.level.unknownFields, place, lost);
+    }
+
     // Tags
 
     /// Tags of theirs come to stand where ours has those of the same names, and those that only they have made where

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace spacetow {
@@ -13,6 +14,7 @@ namespace spacetow {
 namespace {
 
 constexpr double svgMetresPerPixel = 0.01; // an A4 page is then 8 m wide
+constexpr double wideStroke = 3;           // px; what is narrower looks like a wall without thickness
 constexpr int maxSvgElements = 250'000;    // those that "use" draws again counted each time
 constexpr int maxPieces = 2'000'000;       // of all paths, likewise
 constexpr int maxSvgDepth = 250;           // likewise
@@ -95,6 +97,7 @@ class SvgReader {
             m_report.refuse("import-style", element.line);
         }
         for (const XmlElement& child : element.children) {
+            m_sheet.place(child, element);
             survey(child);
         }
     }
@@ -201,13 +204,53 @@ class SvgReader {
         const Vec2 corner(svgLength(element, "x", LengthAxis::X, place.window).value_or(0),
                           svgLength(element, "y", LengthAxis::Y, place.window).value_or(0));
         place.map = place.map * Affine::translation(corner);
+        const Affine window = place.map;
         place.window = size;
         if (const std::optional<ViewBox> box = viewBoxFromText(element.attribute("viewBox"))) {
             place.map = place.map * viewBoxMap(*box, size, element.attribute("preserveAspectRatio"));
             place.window = box->size;
         }
         const std::string name = svgName(sized);
+        const std::size_t first = m_drawing.items.size();
         readChildren(element, inFolder(element, name.empty() ? svgName(element) : name, place));
+        if (!styleOf(element, m_sheet, {}).overflows && reachesBeyond(first, window, size)) {
+            m_report.refuse("import-window", element.line, name.empty() ? svgName(element) : name);
+        }
+    }
+
+    /// Whether anything drawn since that item lies outside of the window, which reaches from its corner to `size`.
+    bool reachesBeyond(std::size_t first, const Affine& window, const Vec2& size) const {
+        const double area = window.determinant();
+        const double slack = 1e-6 * size.maxCoeff();
+        const auto outside = [&](const Vec2& point) {
+            const Vec2 away = point - window.origin;
+            const Vec2 inside(cross(away, window.y) / area, cross(window.x, away) / area);
+            return (inside.array() < -slack).any() || (inside.array() > size.array() + slack).any();
+        };
+        return area != 0 && std::any_of(m_drawing.items.begin() + static_cast<std::ptrdiff_t>(first),
+                                        m_drawing.items.end(), [&](const DrawnItem& item) {
+                                            const auto* figure = std::get_if<Figure>(&item.what);
+                                            return figure != nullptr && anyCorner(*figure, outside);
+                                        });
+    }
+
+    /// Of what is drawn: ends of pieces, and what is furthest out of circles.
+    template <class Test>
+    static bool anyCorner(const Figure& figure, const Test& test) {
+        for (const DrawnPath& path : figure.paths) {
+            const bool found = test(path.start) || std::ranges::any_of(path.pieces, [&](const PathPiece& piece) {
+                                   return std::visit([&](const auto& one) { return test(one.to); }, piece);
+                               });
+            if (found) {
+                return true;
+            }
+        }
+        return std::ranges::any_of(figure.circles, [&](const Circle& circle) {
+            const Vec2 right(circle.radius, 0);
+            const Vec2 up(0, circle.radius);
+            return test(circle.center + right) || test(circle.center - right) || test(circle.center + up) ||
+                   test(circle.center - up);
+        });
     }
 
     void readUse(const XmlElement& element, SvgPlace place) {
@@ -251,6 +294,9 @@ class SvgReader {
         if (!place.style.visible || (!figure.filled && !figure.stroked)) {
             m_report.refuse("import-unpainted", element.line, name);
             return;
+        }
+        if (figure.stroked && place.style.strokeWidth * std::sqrt(std::abs(place.map.determinant())) > wideStroke) {
+            m_report.refuse("import-stroke-width", element.line, name);
         }
         if (shape.circle) {
             const Circle& circle = *shape.circle;

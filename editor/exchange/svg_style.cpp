@@ -22,7 +22,7 @@ class StyleReader {
   public:
     explicit StyleReader(const SvgStyle& parent) : m_style(parent) {
         m_style.displayed = true;
-        m_style.clipped = m_style.filtered = false;
+        m_style.clipped = m_style.filtered = m_style.overflows = false;
     }
 
     void declare(std::string_view name, std::string_view value) {
@@ -51,6 +51,10 @@ class StyleReader {
             m_style.strokeOpaque = !isZero(value);
         } else if (name == "stroke-width") {
             m_style.strokeWide = !isZero(value);
+            m_style.strokeWidth =
+                lengthFromText(value, {m_style.fontSize, m_style.fontSize}).value_or(m_style.strokeWidth);
+        } else if (name == "overflow") {
+            m_style.overflows = value == "visible" || value == "auto";
         }
     }
     /// "fill:none; stroke:#000 !important"
@@ -123,36 +127,83 @@ bool StyleSheet::add(std::string_view css) {
     return understood;
 }
 
+bool StyleSheet::addCompound(std::string_view text, bool isRightBelow, Rule& rule) {
+    constexpr std::string_view odd = "~:[]()@*+";
+    Compound compound;
+    compound.isRightBelow = isRightBelow;
+    const std::size_t mark = std::min(text.find_first_of(".#"), text.size());
+    compound.element = text.substr(0, mark) == "*" ? std::string_view() : text.substr(0, mark);
+    text.remove_prefix(mark);
+    bool understood = compound.element.find_first_of(odd) == std::string::npos;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of(".#", 1), text.size());
+        const std::string_view name = text.substr(1, end - 1);
+        understood = understood && !name.empty() && name.find_first_of(odd) == std::string_view::npos;
+        if (text[0] == '.') {
+            compound.classes.emplace_back(name);
+        } else {
+            compound.id = name;
+        }
+        text.remove_prefix(end);
+    }
+    rule.weight += (compound.id.empty() ? 0 : 10'000) + 100 * static_cast<int>(compound.classes.size()) +
+                   (compound.element.empty() ? 0 : 1);
+    rule.compounds.push_back(std::move(compound));
+    return understood;
+}
+
 bool StyleSheet::addSelector(std::string_view selector, std::string_view declarations) {
     constexpr std::size_t mostRules = 2000; // each element is compared with all of them
-    if (m_rules.size() >= mostRules) {
-        return false;
-    }
-    const std::size_t mark = std::min(selector.find_first_of(".#"), selector.size());
-    const std::string_view name = selector.substr(0, mark);
-    const std::string_view rest = selector.substr(std::min(mark + 1, selector.size()));
-    constexpr std::string_view odd = " \t\n\r\f>+~:[]()@.#*";
-    if ((name.find_first_of(odd) != std::string_view::npos && name != "*") ||
-        rest.find_first_of(odd) != std::string_view::npos) {
-        return false;
-    }
+    constexpr std::size_t mostCompounds = 8;
+    constexpr std::string_view between = " \t\n\r\f>";
     Rule rule;
-    rule.element = name == "*" ? std::string_view() : name;
-    if (mark < selector.size()) {
-        (selector[mark] == '.' ? rule.className : rule.id) = rest;
+    bool isRightBelow = false;
+    while (!selector.empty()) {
+        const std::size_t begin = std::min(selector.find_first_not_of(between), selector.size());
+        isRightBelow = selector.substr(0, begin).find('>') != std::string_view::npos;
+        const std::size_t end = std::min(selector.find_first_of(between, begin), selector.size());
+        const std::string_view compound = selector.substr(begin, end - begin);
+        const bool isFirst = rule.compounds.empty();
+        if (compound.empty() || (isFirst && isRightBelow) || rule.compounds.size() == mostCompounds ||
+            !addCompound(compound, isRightBelow, rule)) {
+            return false;
+        }
+        selector.remove_prefix(end);
+    }
+    if (rule.compounds.empty() || m_rules.size() >= mostRules) {
+        return false;
     }
     rule.declarations = declarations;
-    rule.weight = (rule.id.empty() ? 0 : 100) + (rule.className.empty() ? 0 : 10) + (rule.element.empty() ? 0 : 1);
     m_rules.push_back(std::move(rule));
     return true;
+}
+
+StyleSheet::Match StyleSheet::match(const Rule& rule, std::size_t at, const XmlElement& element) const {
+    const Compound& compound = rule.compounds[at];
+    const bool isThis = (compound.element.empty() || compound.element == element.name) &&
+                        (compound.id.empty() || compound.id == element.attribute("id")) &&
+                        std::ranges::all_of(compound.classes, [&](const std::string& name) {
+                            return hasClass(element.attribute("class"), name);
+                        });
+    if (!isThis || at == 0) {
+        return isThis ? Match::Yes : Match::No;
+    }
+    for (auto parent = m_parents.find(&element); parent != m_parents.end(); parent = m_parents.find(parent->second)) {
+        const Match around = match(rule, at - 1, *parent->second);
+        if (around != Match::No) {
+            return around; // the nearest leaves the most for the rest
+        }
+        if (compound.isRightBelow) {
+            return Match::No;
+        }
+    }
+    return Match::Exhausted;
 }
 
 std::vector<std::string_view> StyleSheet::declarationsFor(const XmlElement& element) const {
     std::vector<std::string_view> found;
     for (const Rule& rule : m_rules) {
-        if ((rule.element.empty() || rule.element == element.name) &&
-            (rule.className.empty() || hasClass(element.attribute("class"), rule.className)) &&
-            (rule.id.empty() || rule.id == element.attribute("id"))) {
+        if (match(rule, rule.compounds.size() - 1, element) == Match::Yes) {
             found.push_back(rule.declarations);
         }
     }

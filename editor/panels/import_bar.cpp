@@ -3,6 +3,7 @@
 #include "core/base/whole_file.h"
 #include "core/level/bounds.h"
 #include "core/level/file.h"
+#include "editor/panels/names.h"
 
 #include <QFileInfo>
 #include <QKeyEvent>
@@ -161,7 +162,7 @@ void ImportBar::begin(const QString& path) {
     m_hasAppeared = m_isWanted = false;
     m_scale.setValue({});
     m_title.setText(tr("Import %1").arg(QFileInfo(path).fileName()));
-    m_title.setToolTip(path);
+    m_title.setToolTip(plainToolTip(path));
     m_summary.setText(tr("Reading…"));
     m_report.hide();
     m_progress.hide();

@@ -173,6 +173,14 @@ void ProblemsPanel::note() {
     m_note.setVisible(checking || m_problems.rowCount() == 0);
 }
 
+/// By itself: when the window hears of new colours, its panels may still have the old ones.
+void ProblemsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        tint();
+    }
+    QWidget::changeEvent(event);
+}
+
 void ProblemsPanel::tint() {
     const MarkColors colors = markColors(shadeOf(palette()));
     const std::array icons{icon(QStringLiteral("info"), palette()), icon(QStringLiteral("warning"), colors.warning),

@@ -65,9 +65,6 @@ class ProblemsPanel : public QWidget {
     /// Fills the menu of a row.
     void fillMenu(QMenu& menu);
 
-    /// Draws the marks in colours that are read on the palette.
-    void tint();
-
     QSize sizeHint() const override { return {310, 150}; }
     QSize minimumSizeHint() const override { return {200, 70}; }
 
@@ -82,10 +79,13 @@ class ProblemsPanel : public QWidget {
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
   private:
     void layOut();
     void listen();
+    /// Draws the marks in colours that are read on the palette.
+    void tint();
     void take();
     void showFound(const LevelCheck::Found& found);
     void note();

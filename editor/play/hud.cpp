@@ -24,6 +24,24 @@ struct Message {
     QString title, advice;
 };
 
+/// A key in words, and what it does.
+using KeyMeaning = std::pair<QString, QString>;
+
+KeyMeaning escape() {
+    return {QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText), HudWords::tr("menu")};
+}
+
+/// "Space: fly again · Esc: menu", without what no key leads to.
+QString keyAdvice(std::initializer_list<KeyMeaning> meanings) {
+    QStringList parts;
+    for (const auto& [key, meaning] : meanings) {
+        if (!key.isEmpty()) {
+            parts << HudWords::tr("%1: %2", "a key and what it does").arg(key, meaning);
+        }
+    }
+    return parts.join(QStringLiteral(" · "));
+}
+
 Message messageOf(const HudInput& input) {
     if (input.paused) {
         return {}; // nothing covers what one paused to look at; see addPaused
@@ -36,7 +54,9 @@ Message messageOf(const HudInput& input) {
     case Phase::GameOver:
         return {HudWords::tr("Game over"), HudWords::tr("No life is left. Press any key to start the level over")};
     case Phase::Won:
-        return {HudWords::tr("You made it!"), HudWords::tr("The payload is home. Space: fly again · Esc: menu")};
+        return {HudWords::tr("You made it!"),
+                HudWords::tr("The payload is home.") + QLatin1Char(' ') +
+                    keyAdvice({{input.keys.shown(PlayKey::Tow), HudWords::tr("fly again")}, escape()})};
     case Phase::Sandbox:
     case Phase::Flying:
     case Phase::Towing:
@@ -130,8 +150,11 @@ class Layout {
     }
 
     /// One line along the lower edge.
-    void addPaused() {
-        addCentred(HudText::Role::Paused, HudWords::tr("Paused · P: go on · O: one step · Esc: menu"), {0.94, 0.05},
+    void addPaused(const PlayKeys& keys) {
+        const QString advice = keyAdvice({{keys.shown(PlayKey::Pause), HudWords::tr("go on")},
+                                          {keys.shown(PlayKey::Step), HudWords::tr("one step")},
+                                          escape()});
+        addCentred(HudText::Role::Paused, HudWords::tr("Paused") + QStringLiteral(" · ") + advice, {0.94, 0.05},
                    std::clamp(0.3 * m_unit, 9.0, 20.0));
     }
 
@@ -177,9 +200,10 @@ std::vector<HudText> hudLayout(const HudInput& input, const QSizeF& size, const 
                           std::clamp(0.5 * layout.unit(), 11.0, 38.0));
     }
     if (input.paused) {
-        layout.addPaused();
+        layout.addPaused(input.keys);
     } else if (input.hud.towInRange) {
-        layout.addCentred(HudText::Role::Hint, HudWords::tr("In range. Space: tow"), {0.84, 0.12},
+        const QString advice = keyAdvice({{input.keys.shown(PlayKey::Tow), HudWords::tr("tow")}});
+        layout.addCentred(HudText::Role::Hint, HudWords::tr("In range.") + QLatin1Char(' ') + advice, {0.84, 0.12},
                           std::clamp(0.4 * layout.unit(), 10.0, 30.0));
     }
     return layout.take();

@@ -3,6 +3,7 @@
 // are logical pixels; whatever the window, no text leaves it and no two texts overlap.
 
 #include "core/game/snapshot.h"
+#include "editor/play/key_map.h"
 
 #include <QColor>
 #include <QFont>
@@ -28,6 +29,7 @@ struct HudInput {
     Phase phase = Phase::Sandbox;
     Hud hud{};
     bool paused = false; // by the pause key: the menu has words of its own
+    PlayKeys keys = {};  // that the advice names
 };
 
 /// Where every text goes in a view of this size.

@@ -43,6 +43,10 @@ QString titleFor(Phase phase) {
     }
 }
 
+QString withKey(const QString& text, const QString& key) {
+    return key.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, key);
+}
+
 } // namespace
 
 PauseMenu::PauseMenu(QWidget* parent) : QFrame(parent) {
@@ -52,18 +56,25 @@ PauseMenu::PauseMenu(QWidget* parent) : QFrame(parent) {
     m_title->setTextFormat(Qt::PlainText);
     m_title->setAlignment(Qt::AlignCenter);
     layout->addWidget(m_title);
-    m_resume = addButton(tr("Resume"), tr("Go on playing (Esc)"));
-    m_restart = addButton(tr("Restart"), tr("Start the level over (R)"));
-    QPushButton* leave = addButton(tr("Back to the editor"), tr("Stop playing (F8)"));
+    m_resume = addButton(tr("Resume"));
+    m_restart = addButton(tr("Restart"));
+    QPushButton* leave = addButton(tr("Back to the editor"));
+    leave->setToolTip(tr("Stop playing"));
     connect(m_resume, &QPushButton::clicked, this, &PauseMenu::resumed);
     connect(m_restart, &QPushButton::clicked, this, &PauseMenu::restarted);
     connect(leave, &QPushButton::clicked, this, &PauseMenu::left);
+    setKeys({});
     hide();
 }
 
-QPushButton* PauseMenu::addButton(const QString& text, const QString& tip) {
+void PauseMenu::setKeys(const PlayKeys& keys) {
+    m_keys = keys;
+    m_resume->setToolTip(withKey(tr("Go on playing"), QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText)));
+    m_restart->setToolTip(withKey(tr("Start the level over"), keys.shown(PlayKey::Restart)));
+}
+
+QPushButton* PauseMenu::addButton(const QString& text) {
     auto* button = new QPushButton(text, this);
-    button->setToolTip(tip);
     button->setAutoDefault(false);
     button->setFocusPolicy(Qt::StrongFocus);
     layout()->addWidget(button);
@@ -111,31 +122,25 @@ bool PauseMenu::event(QEvent* event) {
 }
 
 void PauseMenu::keyPressEvent(QKeyEvent* event) {
-    switch (latinKey(*event)) {
-    case Qt::Key_Escape:
-    case Qt::Key_P:
-        Q_EMIT resumed(); // after a win as well: back to the message
-        break;
-    case Qt::Key_R:
-        Q_EMIT restarted();
-        break;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
+    const int key = latinKey(*event);
+    const PlayKey meaning = m_keys.meaningOf(*event);
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
         if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {
             button->click();
         }
-        break;
-    case Qt::Key_Up:
-    case Qt::Key_W:
+    } else if (key == Qt::Key_Up) {
         focusPreviousChild();
-        break;
-    case Qt::Key_Down:
-    case Qt::Key_S:
+    } else if (key == Qt::Key_Down) {
         focusNextChild();
-        break;
-    default: // nothing reaches the game behind the menu
-        break;
-    }
+    } else if (meaning == PlayKey::Menu || meaning == PlayKey::Pause) {
+        Q_EMIT resumed(); // after a win as well: back to the message
+    } else if (meaning == PlayKey::Restart) {
+        Q_EMIT restarted();
+    } else if (meaning == PlayKey::Thrust) {
+        focusPreviousChild();
+    } else if (key == Qt::Key_S) {
+        focusNextChild();
+    } // nothing reaches the game behind the menu
 }
 
 } // namespace spacetow

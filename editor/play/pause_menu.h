@@ -2,6 +2,7 @@
 // The menu over a game that is held: go on, start again, back to the editor. Works with mouse and keyboard.
 
 #include "core/game/snapshot.h"
+#include "editor/play/key_map.h"
 
 #include <QFrame>
 
@@ -21,6 +22,7 @@ class PauseMenu : public QFrame {
     void openFor(Phase phase);
     /// As large as its words need, or smaller with smaller type where the parent has no room.
     void placeIn(const QSize& room);
+    void setKeys(const PlayKeys& keys);
 
   signals:
     void resumed();
@@ -32,8 +34,9 @@ class PauseMenu : public QFrame {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    QPushButton* addButton(const QString& text, const QString& tip);
+    QPushButton* addButton(const QString& text);
 
+    PlayKeys m_keys;
     QLabel* m_title;
     QPushButton* m_resume;
     QPushButton* m_restart;

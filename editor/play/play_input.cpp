@@ -30,7 +30,7 @@ bool PlayView::event(QEvent* event) {
     // While a game runs its keys are the game's, even where the window has a shortcut on the same letter.
     if (event->type() == QEvent::ShortcutOverride && m_runner) {
         const auto* key = static_cast<QKeyEvent*>(event);
-        if (!isFunctionKey(key->key()) && playKey(*key) != PlayKey::None) {
+        if (!isFunctionKey(key->key()) && m_keys.meaningOf(*key) != PlayKey::None) {
             event->accept();
             return true;
         }
@@ -39,7 +39,7 @@ bool PlayView::event(QEvent* event) {
 }
 
 void PlayView::keyPressEvent(QKeyEvent* event) {
-    const PlayKey meaning = playKey(*event);
+    const PlayKey meaning = m_keys.meaningOf(*event);
     if (!m_runner) {
         QWidget::keyPressEvent(event);
         return;
@@ -69,10 +69,10 @@ void PlayView::keyPressEvent(QKeyEvent* event) {
         break;
     }
     if (m_paused) {
-        m_held.press(*event); // for the steps that follow, and when the game goes on
+        m_held.press(*event, m_keys); // for the steps that follow, and when the game goes on
     } else if (phase() == Phase::Won && (meaning == PlayKey::Tow || event->key() == Qt::Key_Return)) {
         restart();
-    } else if (m_held.press(*event)) {
+    } else if (m_held.press(*event, m_keys)) {
         m_runner->hold(m_held.controls());
     } else if (plain && !isModifier(event->key()) && !isFunctionKey(event->key())) {
         tapIfOver();
@@ -124,7 +124,7 @@ void PlayView::focusOutEvent(QFocusEvent* event) {
     letGo();
     // Going to the menu, or to a menu of the window that will give the focus back, is not going away.
     const bool away = event->reason() != Qt::PopupFocusReason && event->reason() != Qt::OtherFocusReason;
-    if (m_runner && away && !m_menu->isVisible()) {
+    if (m_runner && away && !m_waiting && !m_menu->isVisible()) {
         openMenu();
     }
 }

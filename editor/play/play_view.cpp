@@ -12,6 +12,7 @@
 #include <QScreen>
 
 #include <algorithm>
+#include <new>
 
 namespace spacetow {
 namespace {
@@ -73,12 +74,19 @@ void PlayView::start(const Level& level) {
 
 void PlayView::start(const Level& level, const Replay& recorded) {
     begin(level, recorded.seed);
-    m_runner->follow(recorded.runs);
+    if (m_runner) {
+        m_runner->follow(recorded.runs);
+    }
 }
 
 void PlayView::begin(const Level& level, std::uint64_t seed) {
     stop();
-    m_runner = std::make_unique<Runner>(level, m_mode, seed);
+    try {
+        m_runner = std::make_unique<Runner>(level, m_mode, seed);
+    } catch (const std::bad_alloc&) {
+        fail(RunnerFault::Memory);
+        return;
+    }
     m_background = QString::fromStdString(level.rules.background);
     m_towRange = level.rules.towRange;
     m_extent = classicView;
@@ -91,6 +99,8 @@ void PlayView::begin(const Level& level, std::uint64_t seed) {
         m_bounds = {};
     }
     m_runner->wantQuadtree(m_overlays.quadtree);
+    m_lost = 0;
+    m_paceTime.start();
     m_shownPhase = phase();
     follow();
     const double rate = screen() != nullptr ? std::clamp(screen()->refreshRate(), 30.0, 240.0) : 60.0;
@@ -104,6 +114,8 @@ void PlayView::stop() {
     m_menu->hide();
     m_held.clear();
     m_dragging = false;
+    m_waiting = false;
+    m_behind = 0;
     std::erase_if(m_ending, [](const auto& task) { return !task->isRunning(); });
     if (m_runner) {
         m_ending.push_back(std::make_unique<BackgroundTask>());
@@ -133,11 +145,30 @@ void PlayView::setPaused(bool paused) {
     } else {
         m_menu->hide();
         setFocus(Qt::OtherFocusReason);
-        m_runner->hold(m_held.controls());
-        m_runner->resume();
+        goOn();
     }
     Q_EMIT pausedChanged(paused);
     update();
+}
+
+void PlayView::goOn() {
+    m_runner->hold(m_held.controls());
+    if (!m_waiting) {
+        m_runner->resume();
+    }
+}
+
+void PlayView::setWaiting(bool waiting) {
+    if (!m_runner || m_waiting == waiting) {
+        return;
+    }
+    m_waiting = waiting;
+    if (waiting) {
+        letGo(); // the releases go elsewhere
+        m_runner->pause();
+    } else if (!m_paused) {
+        goOn();
+    }
 }
 
 void PlayView::stepOnce() {
@@ -164,6 +195,13 @@ void PlayView::setOverlays(const OverlayFlags& overlays) {
     if (m_runner) {
         m_runner->wantQuadtree(overlays.quadtree);
     }
+    update();
+}
+
+void PlayView::setKeys(const PlayKeys& keys) {
+    m_keys = keys;
+    m_menu->setKeys(keys);
+    letGo(); // what is held may mean something else now
     update();
 }
 
@@ -195,11 +233,41 @@ Vec2 PlayView::framed(const Snapshot& snapshot, double scale) const {
 }
 
 void PlayView::showFrame() {
+    if (const RunnerFault fault = m_runner->fault(); fault != RunnerFault::None) {
+        fail(fault);
+        return;
+    }
+    m_runner->attend();
+    watchPace();
     update();
     if (phase() != m_shownPhase) {
         m_shownPhase = phase();
         Q_EMIT phaseChanged();
     }
+}
+
+/// A moment's hold-up is nothing to speak of.
+void PlayView::watchPace() {
+    constexpr qint64 interval = 1000; // ms
+    constexpr double bearable = 0.1;  // of the time that has passed
+    if (m_paceTime.elapsed() < interval) {
+        return;
+    }
+    const double passed = static_cast<double>(m_paceTime.restart()) / 1000;
+    const double lost = m_runner->frame()->lost;
+    const double behind = lost - m_lost > bearable * passed ? lost : 0;
+    m_lost = lost;
+    if (behind != m_behind) {
+        m_behind = behind;
+        Q_EMIT paceChanged();
+    }
+}
+
+/// Once whoever has called is done.
+void PlayView::fail(RunnerFault fault) {
+    stop();
+    QMetaObject::invokeMethod(
+        this, [this, fault] { Q_EMIT failed(fault); }, Qt::QueuedConnection);
 }
 
 Phase PlayView::phase() const {
@@ -224,7 +292,7 @@ void PlayView::paintEvent(QPaintEvent*) {
         painter.fillRect(rect(), QColor(4, 8, 18, 130));
         return;
     }
-    paintHud(painter, hudLayout({snapshot.phase, snapshot.hud, m_paused}, size(), font()));
+    paintHud(painter, hudLayout({snapshot.phase, snapshot.hud, m_paused, m_keys}, size(), font()));
 }
 
 void PlayView::paintScene(QPainter& painter, const Snapshot& snapshot) {

@@ -10,6 +10,7 @@
 #include "editor/play/ground_picture.h"
 #include "editor/play/key_map.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -43,15 +44,20 @@ class PlayView : public QWidget {
     /// Without the menu, so that the scene stays in sight.
     void setPaused(bool paused);
     bool isPaused() const { return m_paused; }
+    /// The game waits while something else in the window has the keyboard, and then is as it was before.
+    void setWaiting(bool waiting);
     /// Pauses and makes one update.
     void stepOnce();
     void restart();
     void setOverlays(const OverlayFlags& overlays);
+    void setKeys(const PlayKeys& keys);
 
     /// Sandbox while nothing is played.
     Phase phase() const;
     /// How many have been made that can be seen; 0 while nothing is played.
     std::int64_t updates() const { return m_runner ? m_runner->frame()->now->update : 0; }
+    /// By how many seconds the game is behind real time, while it falls back further; 0 while it keeps up.
+    double behind() const { return m_behind; }
     /// Null while nothing is played.
     Runner* runner() { return m_runner.get(); }
     /// What the view would show of the world now.
@@ -66,6 +72,10 @@ class PlayView : public QWidget {
     void pausedChanged(bool paused);
     /// Seen at the display's rate.
     void phaseChanged();
+    /// Seen once a second.
+    void paceChanged();
+    /// The game could not go on, and has been stopped.
+    void failed(spacetow::RunnerFault fault);
 
   protected:
     bool event(QEvent* event) override;
@@ -85,11 +95,14 @@ class PlayView : public QWidget {
     void begin(const Level& level, std::uint64_t seed);
     Snapshot picture() const;
     void showFrame();
+    void watchPace();
+    void fail(RunnerFault fault);
     void paintScene(QPainter& painter, const Snapshot& snapshot);
     void tapIfOver();
     void openMenu();
     void closeMenu();
     void letGo();
+    void goOn();
     void follow();
     double fittingScale() const;
     Viewport viewport(const Snapshot& snapshot) const;
@@ -102,13 +115,18 @@ class PlayView : public QWidget {
     QTimer m_frames;
     OverlayFlags m_overlays;
     GroundPicture m_ground;
+    PlayKeys m_keys;
     HeldKeys m_held;
     QString m_background;
     double m_towRange = 0;        // m
     Vec2 m_extent{13.333333, 10}; // m, seen at least
     Phase m_shownPhase = Phase::Sandbox;
+    QElapsedTimer m_paceTime; // since it was looked at
+    double m_lost = 0;        // s, at that time
+    double m_behind = 0;      // s
     bool m_paused = false;
-    Aabb m_bounds; // of the level; empty where nothing is to be followed
+    bool m_waiting = false; // though not paused
+    Aabb m_bounds;          // of the level; empty where nothing is to be followed
     double m_zoom = 1;
     std::optional<Vec2> m_lookedAt; // world point in the middle, when the player has moved the view
     QPointF m_dragged;

@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QScopedValueRollback>
 
+#include <algorithm>
 #include <vector>
 
 namespace spacetow {
@@ -127,6 +128,11 @@ void Actions::connectRow(const ActionRow& row) {
             }
         });
     });
+}
+
+bool Actions::has(const QAction& action) const {
+    return std::any_of(m_actions.begin(), m_actions.end(),
+                       [&](const auto& entry) { return entry.second.get() == &action; });
 }
 
 QAction* Actions::withKey(QKeyCombination key) const {

@@ -37,6 +37,7 @@ class Actions {
     explicit Actions(MainWindow& window);
 
     QAction& operator[](ActionId id) const { return *m_actions.at(id); }
+    bool has(const QAction& action) const;
     /// The action that has this key; null when none has.
     QAction* withKey(QKeyCombination key) const;
     /// Actions that were made elsewhere, whose keys are to be found as well; they must outlive this.

@@ -1,5 +1,6 @@
 // New, open, save, close, quit.
 #include "editor/window/application.h"
+#include "editor/window/dropped_files.h"
 #include "editor/window/main_window.h"
 
 namespace spacetow {
@@ -8,7 +9,7 @@ namespace {
 
 void openFile(MainWindow& window) {
     window.enterTyping();
-    window.openFiles(window.files().chosen());
+    openDropped(window.files().chosen(), window);
 }
 
 void reopenClosed(MainWindow& window) {

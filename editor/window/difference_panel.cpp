@@ -4,6 +4,8 @@
 #include "core/level/bounds.h"
 #include "editor/canvas/icons.h"
 
+#include <QEvent>
+
 #include <algorithm>
 
 namespace spacetow {
@@ -209,6 +211,13 @@ void DifferencePanel::showObject(const QModelIndex& row) {
     if (!box.isEmpty()) {
         m_canvas.setView(m_canvas.view().showing(box.grown(0.5 * box.size().maxCoeff())));
     }
+}
+
+void DifferencePanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        tint();
+    }
+    QWidget::changeEvent(event);
 }
 
 void DifferencePanel::tint() {

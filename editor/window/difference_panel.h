@@ -52,9 +52,6 @@ class DifferencePanel : public QWidget {
     void finish();
     /// The objects of the rows that are selected, as they are in the other level: one undo step.
     void takeOver();
-    /// Draws the marks in colours that are read on the palette.
-    void tint();
-
     QSize sizeHint() const override { return {310, 180}; }
     QSize minimumSizeHint() const override { return {200, 90}; }
 
@@ -62,7 +59,12 @@ class DifferencePanel : public QWidget {
     /// The user would like to choose a level to compare with.
     void levelWanted();
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
+    /// Draws the marks in colours that are read on the palette.
+    void tint();
     void lookBeside();
     void take(const std::shared_ptr<const Level>& level, std::vector<DifferenceLine> lines,
               std::shared_ptr<const ShownDifference> shown);

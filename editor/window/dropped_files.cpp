@@ -1,6 +1,8 @@
 #include "editor/window/dropped_files.h"
 
 #include "core/game/replay.h"
+#include "core/level/file.h"
+#include "editor/exchange/file_mark.h"
 #include "editor/window/application.h"
 #include "editor/window/main_window.h"
 #include "editor/window/messages.h"
@@ -9,7 +11,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QRegularExpression>
 
 namespace spacetow {
 
@@ -105,19 +106,38 @@ void flyDropped(const QString& path, MainWindow& window) {
     }
 }
 
+/// Our own files say at once what they are, so only of others all is read.
+FileMark markOfFile(const QString& path) {
+    constexpr qint64 looked = 4096; // bytes
+    QFile file(path);
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly)) {
+        return FileMark::None;
+    }
+    QByteArray text = file.read(looked);
+    FileMark mark = markOf({text.constData(), static_cast<std::size_t>(text.size())});
+    if (mark == FileMark::None && !file.atEnd() && file.size() <= static_cast<qint64>(maxLevelBytes)) {
+        text += file.readAll();
+        mark = markOf({text.constData(), static_cast<std::size_t>(text.size())});
+    }
+    return mark;
+}
+
 } // namespace
 
 FileKind kindOfFile(const QString& path) {
-    if (Exchange::isForeign(path)) {
+    switch (markOfFile(path)) {
+    case FileMark::Level:
+        return FileKind::Level;
+    case FileMark::Replay:
+        return FileKind::Replay;
+    case FileMark::Foreign:
         return FileKind::Foreign;
+    case FileMark::None:
+        break;
     }
-    constexpr qint64 looked = 4096; // bytes
-    static const QRegularExpression beginning(QStringLiteral("^\\x{feff}?\\s*\\{\\s*\"replay\"\\s*:"));
-    QFile file(path);
-    const QString text = file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.read(looked)) : QString();
-    const bool named = path.endsWith(QStringLiteral(".replay.json"), Qt::CaseInsensitive);
-    const bool isLevel = text.contains(QStringLiteral("\"schema\""));
-    return beginning.match(text).hasMatch() || (named && !isLevel) ? FileKind::Replay : FileKind::Level;
+    return Exchange::isForeign(path)                                            ? FileKind::Foreign
+           : path.endsWith(QStringLiteral(".replay.json"), Qt::CaseInsensitive) ? FileKind::Replay
+                                                                                : FileKind::Level;
 }
 
 void openDropped(const QStringList& paths, MainWindow& window) {

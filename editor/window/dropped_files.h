@@ -1,6 +1,7 @@
 #pragma once
-// What becomes of files that are dropped on a window or named on the command line: levels are opened, recorded flights
-// are flown in their level, drawings are imported. What a file of ours is, its content says, whatever it is called.
+// What becomes of files that are dropped on a window, chosen in it or named on the command line: levels are opened,
+// recorded flights are flown in their level, drawings are imported. What a file is, its content says, whatever it is
+// called.
 
 #include <QStringList>
 
@@ -12,6 +13,7 @@ class MainWindow;
 
 enum class FileKind : std::uint8_t { Level, Replay, Foreign };
 
+/// By its name where its content says nothing.
 FileKind kindOfFile(const QString& path);
 
 /// What cannot be done with them, the window says in its bar.

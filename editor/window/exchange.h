@@ -40,7 +40,7 @@ class Exchange : public QObject {
     ImportBar& importBar() { return m_import; }
     ExportBar& exportBar() { return m_export; }
 
-    /// By the end of its name: a file that is imported rather than opened.
+    /// By the end of its name: a file that is imported rather than opened, unless its content says otherwise.
     static bool isForeign(const QString& path);
     void chooseAndImport();
     void importFile(const QString& path);

@@ -74,6 +74,7 @@ class Files {
 
     Signal<> conflict; // saving would replace what somebody else has written
     Signal<> changed;  // path or name
+    Signal<> saving;   // is about to
     Signal<> saved;
     Signal<> opened; // the document holds another level
     Preferences preferences;

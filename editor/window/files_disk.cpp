@@ -30,6 +30,7 @@ void Files::sayNotSaved(const Error& error) {
 
 bool Files::writeTo(const QString& path, const std::optional<FileStamp>& known) {
     const std::filesystem::path file = path.toStdString();
+    saving.emit();
     // Without a copy of what was there it is saved all the same.
     [[maybe_unused]] const std::optional<Error> noBackup = backUp(backupFolder(), file);
     const Result<FileStamp> written = savedLevel(file, *m_document.current().level, known);

@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QPointer>
 
 #include <algorithm>
 
@@ -47,6 +48,7 @@ FinderRows::FinderRows(MainWindow& window) : m_window(window), m_level(window.do
     }
     addActions();
     addPanels();
+    addEntries();
     addLevels();
 }
 
@@ -85,6 +87,29 @@ void FinderRows::addPanels() {
                              dock.raise();
                              dock.widget()->setFocus(Qt::ShortcutFocusReason);
                          }});
+    }
+}
+
+/// What menus list besides the actions of the table: languages, steps of the grid, windows, former versions. The files
+/// that were open lately are among the levels.
+void FinderRows::addEntries() {
+    for (const MenuRow& row : menuRows()) {
+        if (row.id == MenuId::Recent) {
+            continue;
+        }
+        for (QAction* const entry : m_window.listedIn(row.id)) {
+            m_few.push_back({.kind = FindKind::Action,
+                             .name = withoutMnemonics(entry->text()),
+                             .place = menuPath(row.id),
+                             .tip = entry->statusTip(),
+                             .icon = entry->icon(),
+                             .isOn = entry->isChecked(),
+                             .run = [entry = QPointer<QAction>(entry)] {
+                                 if (entry) { // menus are filled anew when they open
+                                     entry->trigger();
+                                 }
+                             }});
+        }
     }
 }
 

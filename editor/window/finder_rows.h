@@ -50,6 +50,7 @@ class FinderRows {
   private:
     void addActions();
     void addPanels();
+    void addEntries();
     void addLevels();
     void addLevel(const QString& path, const QString& place);
     int problemCount() const { return static_cast<int>(m_problems.size()); }

@@ -35,6 +35,15 @@ std::vector<KeyOwner> makeKeyOwners() {
                           .place = menuPath(MenuId::Panels),
                           .usual = keysIn(row.keys)});
     }
+    for (const PlayKeyRow& row : playKeyRows()) {
+        owners.push_back({.code = QLatin1String(row.code),
+                          .name = QCoreApplication::translate("Keys", row.text),
+                          .place = KeyTexts::tr("In the game"),
+                          .usual = PlayKeys().of(row.meaning),
+                          .whileEditing = false,
+                          .whilePlaying = true,
+                          .inGame = row.meaning});
+    }
     return owners;
 }
 
@@ -64,6 +73,17 @@ bool isCanvasKey(QKeyCombination stroke) {
 bool isPlainKey(QKeyCombination stroke) {
     const bool isFunctionKey = stroke.key() >= Qt::Key_F1 && stroke.key() <= Qt::Key_F35;
     return (stroke.keyboardModifiers() & ~Qt::ShiftModifier & ~Qt::KeypadModifier) == Qt::NoModifier && !isFunctionKey;
+}
+
+QString objectionInGame(QKeyCombination stroke, const QString& shown) {
+    if (!isPlainKey(stroke) || stroke.keyboardModifiers() != Qt::NoModifier) {
+        return KeyTexts::tr("%1 cannot be a key of the game: choose one without Ctrl and Alt that is no function key.")
+            .arg(shown);
+    }
+    if (stroke.key() == Qt::Key_Escape) {
+        return KeyTexts::tr("%1 always shows the menu of the game.").arg(shown);
+    }
+    return {};
 }
 
 } // namespace
@@ -136,11 +156,32 @@ void KeyBindings::take(const KeyOwner& owner, const QKeySequence& key) {
     setKeys(owner, left);
 }
 
+PlayKeys playKeysOf(const KeyBindings& bindings) {
+    PlayKeys keys;
+    for (const KeyOwner& owner : keyOwners()) {
+        if (owner.inGame != PlayKey::None) {
+            keys.set(owner.inGame, bindings.keys(owner));
+        }
+    }
+    return keys;
+}
+
+QKeySequence spelledFor(const KeyOwner& owner, const QKeySequence& key) {
+    if (owner.inGame == PlayKey::None || key.count() != 1) {
+        return key;
+    }
+    constexpr auto meansNothing = Qt::ShiftModifier | Qt::KeypadModifier; // to the game
+    return QKeySequence(QKeyCombination(key[0].keyboardModifiers() & ~meansNothing, key[0].key()));
+}
+
 QString objectionTo(const QKeySequence& key, const KeyOwner& owner) {
     if (key.count() != 1 || key[0].key() == Qt::Key_unknown) {
         return KeyTexts::tr("That is no single key.");
     }
     const QString shown = key.toString(QKeySequence::NativeText);
+    if (owner.inGame != PlayKey::None && key[0].key() != Qt::Key_Tab) {
+        return objectionInGame(key[0], shown);
+    }
     if (isCanvasKey(key[0])) {
         return KeyTexts::tr("%1 belongs to the drawing board and cannot be given away.").arg(shown);
     }

@@ -2,6 +2,7 @@
 // Which keys lead to which action, where somebody wants other ones than the program comes with. A value: the shortcut
 // editor changes a copy and puts it on the windows.
 
+#include "editor/play/key_map.h"
 #include "editor/window/act.h"
 
 #include <QKeySequence>
@@ -14,7 +15,7 @@
 
 namespace spacetow {
 
-/// Who can have keys: an action of the table, or a panel.
+/// Who can have keys: an action of the table, a panel, or what a key of the game does.
 struct KeyOwner {
     QString code;              // by which it is remembered
     QString name;              // translated
@@ -22,12 +23,13 @@ struct KeyOwner {
     QList<QKeySequence> usual; // the keys it comes with, the first is the one that is shown
     bool whileEditing = true;
     bool whilePlaying = false;
+    PlayKey inGame = PlayKey::None; // of the game itself
 };
 
 /// Whether one key for both would leave open what it means: what rests while the other works is not in its way.
 bool meet(const KeyOwner& one, const KeyOwner& other);
 
-/// Of all actions, in the order of the menus, and of all panels.
+/// Of all actions, in the order of the menus, of all panels, and of the game.
 const std::vector<KeyOwner>& keyOwners();
 const KeyOwner* keyOwner(const QString& code);
 
@@ -54,6 +56,11 @@ class KeyBindings {
     std::map<QString, QList<QKeySequence>> m_changed; // by code
 };
 
+/// Those of the game itself.
+PlayKeys playKeysOf(const KeyBindings& bindings);
+
+/// As the owner's keys are spelled: those of the game go without Shift and the keypad.
+QKeySequence spelledFor(const KeyOwner& owner, const QKeySequence& key);
 /// A sentence that says why no action, or not this one, may have the key; empty when it may.
 QString objectionTo(const QKeySequence& key, const KeyOwner& owner);
 

@@ -3,7 +3,6 @@
 #include "editor/canvas/palette.h"
 #include "editor/window/fuzzy_query.h"
 #include "editor/window/main_window.h"
-#include "editor/window/play_keys.h"
 
 #include <QApplication>
 #include <QHeaderView>
@@ -42,7 +41,7 @@ KeyEditor::KeyEditor(QWidget* parent)
     connect(&m_tree, &QTreeWidget::currentItemChanged, this, [this] { showChosen(); });
     connect(&m_tree, &QTreeWidget::itemActivated, &m_recorder, [this] { m_recorder.setFocus(); });
     connect(&m_recorder, &KeyRecorder::recorded, this, &KeyEditor::consider);
-    connect(&m_takeOver, &QPushButton::clicked, this, [this] { give(QKeySequence(m_recorder.key())); });
+    connect(&m_takeOver, &QPushButton::clicked, this, [this] { give(spelledFor(*chosen(), m_recorder.key())); });
     connect(&m_resetOne, &QPushButton::clicked, this, [this] {
         KeyBindings bindings = m_bindings;
         bindings.reset(*chosen());
@@ -145,21 +144,19 @@ void KeyEditor::fill() {
         auto* const row = new QTreeWidgetItem(group, {owner.name});
         row->setData(0, codeRole, owner.code);
     }
-    addGameKeys();
+    addMenuKey(*group); // the keys of the game come last
     m_tree.expandAll();
     apply(m_bindings);
     m_tree.setCurrentItem(m_tree.topLevelItem(0)->child(0));
 }
 
-/// Those of the game can be seen but not given away.
-void KeyEditor::addGameKeys() {
-    auto* const group = new QTreeWidgetItem(&m_tree, {tr("In the game")});
-    group->setFlags(Qt::ItemIsEnabled);
-    for (const PlayKeyLine& line : playKeyLines()) {
-        auto* const row = new QTreeWidgetItem(group, {line.meaning, line.keys});
-        row->setFlags(Qt::ItemIsEnabled);
-        row->setToolTip(0, tr("Keys of the game hold while one is running, and cannot be changed."));
-    }
+/// The only one that stays as it is.
+void KeyEditor::addMenuKey(QTreeWidgetItem& game) {
+    auto* const row =
+        new QTreeWidgetItem(&game, {QCoreApplication::translate("Keys", "Hold the game and show the menu"),
+                                    QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText)});
+    row->setFlags(Qt::ItemIsEnabled);
+    row->setToolTip(0, tr("This key cannot be changed, so that there is always a way out of the game."));
 }
 
 void KeyEditor::showKeys(const KeyOwner& owner, QTreeWidgetItem& row) const {
@@ -231,12 +228,13 @@ void KeyEditor::showChosen() {
 }
 
 /// A key that is free is given at once.
-void KeyEditor::consider(const QKeySequence& key) {
+void KeyEditor::consider(const QKeySequence& pressed) {
     const KeyOwner* const owner = chosen();
     m_takeOver.hide();
     if (owner == nullptr) {
         return;
     }
+    const QKeySequence key = spelledFor(*owner, pressed);
     if (const QString objection = objectionTo(key, *owner); !objection.isEmpty()) {
         say(objection, true);
         return;

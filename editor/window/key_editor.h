@@ -58,12 +58,12 @@ class KeyEditor : public QDialog {
     void layOut();
     void layOutKeys();
     void fill();
-    void addGameKeys();
+    void addMenuKey(QTreeWidgetItem& game);
     void showKeys(const KeyOwner& owner, QTreeWidgetItem& row) const;
     void showFiltered();
     void showChosen();
     const KeyOwner* chosen() const;
-    void consider(const QKeySequence& key);
+    void consider(const QKeySequence& pressed);
     void give(const QKeySequence& key);
     /// Puts the keys on all windows.
     void change(const KeyBindings& bindings);

@@ -30,7 +30,8 @@ std::optional<QList<QKeySequence>> keysOfEntry(const KeyOwner& owner, const QJso
     }
     QList<QKeySequence> keys;
     for (const QJsonValue& word : entry.toArray()) {
-        const QKeySequence key = QKeySequence::fromString(word.toString(), QKeySequence::PortableText);
+        const QKeySequence key =
+            spelledFor(owner, QKeySequence::fromString(word.toString(), QKeySequence::PortableText));
         if (key.count() != 1 || key[0].key() == Qt::Key_unknown) {
             faults << KeyFileTexts::tr("“%1” of “%2” is no key.").arg(word.toVariant().toString(), owner.code);
             return {};

@@ -1,7 +1,5 @@
 #include "editor/window/keys_dialog.h"
 
-#include "editor/window/play_keys.h"
-
 #include <QCoreApplication>
 
 #include <array>
@@ -36,6 +34,10 @@ QString translatedKeys(const char* words) {
     return QCoreApplication::translate("Keys", words);
 }
 
+QString escapeKey() {
+    return QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText);
+}
+
 QString heading(const QString& words) {
     return QStringLiteral("<tr><td colspan=\"2\"><h3>%1</h3></td></tr>").arg(words.toHtmlEscaped());
 }
@@ -53,10 +55,6 @@ QString KeysDialog::overview(const KeyBindings& bindings) {
     for (const KeyLine& each : canvasLines) {
         html += line(translatedKeys(each.keys), translatedKeys(each.meaning));
     }
-    html += heading(translatedKeys(QT_TRANSLATE_NOOP("Keys", "In the game")));
-    for (const PlayKeyLine& each : playKeyLines()) {
-        html += line(each.keys, each.meaning);
-    }
     QString place;
     for (const KeyOwner& owner : keyOwners()) {
         QStringList keys;
@@ -72,6 +70,8 @@ QString KeysDialog::overview(const KeyBindings& bindings) {
         }
         html += line(keys.join(QStringLiteral(" · ")), owner.name);
     }
+    // The game comes last; this one cannot be changed.
+    html += line(escapeKey(), translatedKeys(QT_TRANSLATE_NOOP("Keys", "Hold the game and show the menu")));
     return html + QStringLiteral("</table>");
 }
 

@@ -32,7 +32,7 @@ QFont nameFont(const QFont& font) {
 
 LevelCard::LevelCard(const QString& path, const QString& name, const QString& place, QWidget* parent)
     : QAbstractButton(parent), m_path(path), m_place(place) {
-    setText(name);
+    setText(menuSafe(name)); // no letter of it is a key
     setAccessibleName(name);
     setAccessibleDescription(place);
     setFocusPolicy(Qt::StrongFocus);
@@ -92,7 +92,7 @@ void LevelCard::paintEvent(QPaintEvent*) {
                          metrics.elidedText(text, elide, words.width()));
         words.translate(0, metrics.height());
     };
-    write(nameFont(font()), ink, text(), Qt::ElideRight);
+    write(nameFont(font()), ink, accessibleName(), Qt::ElideRight);
     write(placeFont(font()), mixed(window, ink, 0.75), m_place, Qt::ElideMiddle);
 }
 

@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QPointer>
 #include <QScreen>
 
@@ -212,6 +213,7 @@ void MainWindow::updateKeys() {
     const KeyBindings bindings = m_files.preferences.keyBindings();
     m_actions.setKeys(bindings);
     m_panels->setKeys(bindings);
+    m_play.setKeys(playKeysOf(bindings));
     updateTool(); // the hint names some of them
 }
 
@@ -277,8 +279,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
         m_actions.tint(palette());
-        m_problems.tint();
-        m_differences.tint();
         m_actions.refresh();
     } else if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
         m_open->bringToFront(*this);
@@ -358,7 +358,10 @@ void MainWindow::updateOrigin() {
 void MainWindow::updateTool() {
     const QString back = m_actions[Act::Stop].shortcut().toString(QKeySequence::NativeText);
     m_status.setHint(
-        isPlaying() && m_recorded
+        isPlaying() && m_play.behind() > 0
+            ? tr("Too much for this computer: the game is %1 s behind real time · %2: back to the editor")
+                  .arg(QLocale().toString(m_play.behind(), 'f', 1), back)
+        : isPlaying() && m_recorded
             ? tr("Playing a recorded flight · keys count when it has ended · %1: back to the editor").arg(back)
         : isPlaying()   ? tr("Playing a copy of the level · %1: back to the editor · Esc: menu").arg(back)
         : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")
@@ -393,6 +396,7 @@ void MainWindow::updateMode() {
     }
     m_menus.at(MenuId::Recent)->setEnabled(!isPlaying());
     m_menus.at(MenuId::Backups)->setEnabled(editing);
+    m_status.setBoardShown(editing);
     m_actions.refresh();
     updateTool();
 }

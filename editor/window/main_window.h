@@ -157,6 +157,8 @@ class MainWindow : public QMainWindow {
     MessageBar& diskBar() { return m_diskBar; }
     GuideBar& guideBar() { return m_guideBar; }
     Finder& finder() { return *m_finder; }
+    /// The entries of a menu that are possible and neither actions of the table nor panels.
+    QList<QAction*> listedIn(MenuId menu);
     StatusLine& statusLine() { return m_status; }
 
     /// Of a window that has no remembered size, frame excluded, on a screen with so much room; logical pixels.
@@ -192,6 +194,7 @@ class MainWindow : public QMainWindow {
     void listenToDisk();
     void showNotice();
     bool restoreWork(const JournalEntry& entry);
+    void showRecovered(const JournalEntry& entry, const std::shared_ptr<const Level>& found);
     void restore();
     /// A stroke that is nobody's key may be one by its place.
     bool actByPlace(const QKeyEvent& stroke);

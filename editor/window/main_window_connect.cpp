@@ -96,7 +96,17 @@ void MainWindow::listenToPanels() {
     });
     connect(&m_play, &PlayView::pausedChanged, this, [this] { m_actions.refresh(); });
     connect(&m_play, &PlayView::phaseChanged, this, &MainWindow::updateTitle);
+    connect(&m_play, &PlayView::paceChanged, this, &MainWindow::updateTool);
     connect(&m_play, &PlayView::finished, this, &MainWindow::stopPlaying);
+    connect(&m_play, &PlayView::failed, this, [this](RunnerFault fault) {
+        stopPlaying();
+        m_message.say(MessageBar::Tone::Error,
+                      fault == RunnerFault::Crowd
+                          ? tr("The game was ended: so many bodies lie in the same place that the computer's memory "
+                               "would not hold what happens between them. Move them apart, and play again.")
+                          : tr("The game was ended: there is not enough memory for this level. Nothing of the level is "
+                               "lost."));
+    });
 }
 
 void MainWindow::updateProblems() {

@@ -1,9 +1,11 @@
 // What the window does about files that others change, and about work that was left unsaved.
+#include "core/level/bounds.h"
 #include "editor/window/application.h"
 #include "editor/window/main_window.h"
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QFileInfo>
 
 namespace spacetow {
 
@@ -11,6 +13,9 @@ void MainWindow::listenToDisk() {
     m_noticeListener = m_open->disk.noticed.connect([this] { showNotice(); });
     connect(&m_diskBar, &MessageBar::dismissed, this, [this] { m_open->disk.dismiss(); });
     connect(&m_recoveryBar, &RecoveryBar::closed, this, [this] { m_canvas.setFocus(); });
+    m_recoveryBar.setShow([this](const JournalEntry& entry, const std::shared_ptr<const Level>& found) {
+        showRecovered(entry, found);
+    });
     showNotice();
 }
 
@@ -42,6 +47,21 @@ void MainWindow::compareWith(std::shared_ptr<const Level> other, const QString& 
     if (auto* const dock = findChild<QDockWidget*>(QStringLiteral("differences"))) {
         dock->show();
         dock->raise();
+    }
+}
+
+/// Beside its file, in the window that has it or is free for it; what never had one, beside an empty level.
+void MainWindow::showRecovered(const JournalEntry& entry, const std::shared_ptr<const Level>& found) {
+    const QString path = QString::fromStdString(entry.path);
+    const bool hasFile = !path.isEmpty() && QFileInfo::exists(path);
+    MainWindow* const room = hasFile ? openAside(path) : m_open->isUntouched() ? this : nullptr;
+    if (room != nullptr) {
+        room->stopPlaying();
+        room->leaveWelcome();
+        room->compareWith(found, tr("what was not saved of %1").arg(QString::fromStdString(entry.name)));
+        if (const Aabb box = boundsOf(*found); !hasFile && !box.isEmpty()) {
+            room->m_canvas.setView(room->m_canvas.view().showing(box));
+        }
     }
 }
 

@@ -17,7 +17,7 @@ bool MainWindow::open(const QString& path) {
     enterTyping();
     finishDrawing();
     m_message.dismiss();
-    if (Exchange::isForeign(path)) {
+    if (kindOfFile(path) == FileKind::Foreign) {
         leaveWelcome();
         m_exchange.importFile(path);
         return true;

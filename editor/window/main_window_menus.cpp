@@ -217,6 +217,24 @@ void MainWindow::fillBackups() {
     }
 }
 
+QList<QAction*> MainWindow::listedIn(MenuId id) {
+    if (id == MenuId::Window) {
+        fillWindows();
+    } else if (id == MenuId::Backups) {
+        fillBackups();
+    }
+    QMenu& menu = *m_menus.at(id);
+    QList<QAction*> listed;
+    for (QAction* const action : menu.actions()) {
+        const bool plain = !action->isSeparator() && action->menu() == nullptr;
+        if (plain && action->isEnabled() && menu.isEnabled() && !m_actions.has(*action) &&
+            !m_panels->actions().contains(action)) {
+            listed << action;
+        }
+    }
+    return listed;
+}
+
 void MainWindow::openMenuAt(const QPoint& global) {
     const std::vector<GroupPick> under =
         pickedMembers(m_document.current(), {.world = m_canvas.pointerPosition(), .pixel = m_canvas.view().pixel()});

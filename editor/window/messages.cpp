@@ -49,6 +49,20 @@ QString sentenceOf(std::span<const MessageText> texts, const std::string& code,
     return text == nullptr ? spokenCode(code) : filled(QCoreApplication::translate("messages", text->text), arguments);
 }
 
+/// "3 times, in lines 4, 7 …": how often something came up in a file, and where.
+QString placesOf(const std::string& count, const std::string& lines) {
+    const int times = QString::fromStdString(count).toInt();
+    const QString often = times == 1 ? QCoreApplication::translate("messages", "once")
+                                     : QCoreApplication::translate("messages", "%n times", nullptr, times);
+    if (lines.empty()) {
+        return often;
+    }
+    const bool isOne = lines.find_first_not_of("0123456789") == std::string::npos;
+    return (isOne ? QCoreApplication::translate("messages", "%1, in line %2")
+                  : QCoreApplication::translate("messages", "%1, in lines %2"))
+        .arg(often, QString::fromStdString(lines));
+}
+
 } // namespace
 
 QString sentence(const Problem& problem) {
@@ -63,8 +77,14 @@ QString sentence(const Problem& problem) {
 }
 
 QString sentence(const Error& error) {
-    const bool isOfExchange = textOf(exchangeTexts(), error.code) != nullptr;
-    return sentenceOf(isOfExchange ? exchangeTexts() : problemTexts(), error.code, error.arguments);
+    if (textOf(exchangeTexts(), error.code) == nullptr) {
+        return sentenceOf(problemTexts(), error.code, error.arguments);
+    }
+    std::vector<std::string> told = error.arguments;
+    if (told.size() == 3) { // what a report has of each kind
+        told.push_back(placesOf(told[0], told[1]).toStdString());
+    }
+    return sentenceOf(exchangeTexts(), error.code, told);
 }
 
 QString sentence(const Hint& hint) {

@@ -51,6 +51,9 @@ void OpenLevel::listen() {
                     .arg(files.name()));
         }
     });
+    // A file that has to be written in place is neither the old nor the new one for a moment: should the program end
+    // then, the journal has the new one, and the backups the old.
+    files.saving.connect([this] { recovery.flush(); });
     files.saved.connect([this] {
         if (front() != nullptr) {
             front()->messageBar().dismiss(); // what kept it from being saved is no longer true

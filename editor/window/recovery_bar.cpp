@@ -146,6 +146,9 @@ void RecoveryBar::compare(RecoveryRow& row) {
     const QString beside = readable ? tr("Beside the file as it is now:") : tr("There is no file to compare it with:");
     row.explain(readable && words.isEmpty() ? tr("It is the same as the file.") : beside + QLatin1Char('\n') + words);
     fitHeight();
+    if (m_show && !words.isEmpty()) {
+        m_show(entry, row.found().level);
+    }
 }
 
 void RecoveryBar::discard(RecoveryRow& row) {

@@ -25,7 +25,11 @@ class RecoveryBar : public QWidget {
     /// keep what is open.
     using Restore = std::function<bool(const JournalEntry&)>;
 
+    /// Shows on a canvas what differs between the file of the entry and the level that was found.
+    using Show = std::function<void(const JournalEntry&, const std::shared_ptr<const Level>& found)>;
+
     RecoveryBar(std::filesystem::path folder, Restore restore);
+    void setShow(Show show) { m_show = std::move(show); }
 
     /// Looks for what there is, by a thread beside, and comes up when there is something; the keyboard goes there if
     /// it was called for.
@@ -58,6 +62,7 @@ class RecoveryBar : public QWidget {
     bool m_calledFor = false;
     std::filesystem::path m_folder;
     Restore m_restore;
+    Show m_show;
     QVBoxLayout m_column;
     QHBoxLayout m_header;
     QLabel m_icon;

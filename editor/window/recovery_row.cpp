@@ -57,7 +57,7 @@ RecoveryRow::RecoveryRow(FoundWork found) : m_found(std::move(found)), m_row(thi
         m_buttons.addWidget(button);
     }
     restore.setToolTip(tr("Go on with this level; its file stays as it is until you save"));
-    compare.setToolTip(tr("Say what differs from the file"));
+    compare.setToolTip(tr("Say and show what differs from the file"));
     discard.setToolTip(tr("Do not offer this any more"));
     restore.setEnabled(m_found.level != nullptr);
     compare.setEnabled(m_found.level != nullptr);

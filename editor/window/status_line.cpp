@@ -135,7 +135,8 @@ void StatusLine::fit() {
     // The hint is what the line is for, and shortens itself.
     const int hint = std::min(m_hintLabel.fontMetrics().horizontalAdvance(m_hint) + 16, width() * 2 / 5);
     const int room = width() - grip - hint - widthOf(m_problems);
-    const bool selected = !m_selectionCount.isEmpty();
+    const bool selected = m_boardShown && !m_selectionCount.isEmpty();
+    m_problems.setVisible(m_boardShown);
     m_selection.setText(m_selectionCount + m_selectionSize);
     const int whole = widthOf(m_zoom) + widthOf(m_snap) + widthOf(m_pointer) + (selected ? widthOf(m_selection) : 0);
     if (whole > room) {
@@ -143,7 +144,7 @@ void StatusLine::fit() {
     }
     int taken = 0;
     const std::array<std::pair<QWidget*, bool>, 4> parts{
-        {{&m_zoom, true}, {&m_selection, selected}, {&m_snap, true}, {&m_pointer, true}}};
+        {{&m_zoom, m_boardShown}, {&m_selection, selected}, {&m_snap, m_boardShown}, {&m_pointer, m_boardShown}}};
     for (const auto& [part, wanted] : parts) {
         taken += wanted ? widthOf(*part) : 0;
         part->setVisible(wanted && taken <= room);
@@ -205,6 +206,11 @@ void StatusLine::setProblems(int errors, int warnings) {
                          : warnings > 0 ? tr("%n warnings", nullptr, warnings)
                                         : tr("No problems");
     m_problems.setText(text);
+    fit();
+}
+
+void StatusLine::setBoardShown(bool shown) {
+    m_boardShown = shown;
     fit();
 }
 

@@ -32,6 +32,8 @@ class StatusLine : public QStatusBar {
     void setSnap(const SnapSettings& snap);
     void setZoom(double zoom); // 1 is the original size
     void setProblems(int errors, int warnings);
+    /// Without a board that is drawn on, nothing is said about one.
+    void setBoardShown(bool shown);
 
     QString hint() const { return m_hint; }
     /// The distances at which points may snap.
@@ -76,6 +78,7 @@ class StatusLine : public QStatusBar {
     QToolButton m_problems;
     QString m_selectionCount; // "3 selected"
     QString m_selectionSize;  // ", 2.00 × 1.00 m"
+    bool m_boardShown = true;
     int m_errors = 0;
     int m_warnings = 0;
 };

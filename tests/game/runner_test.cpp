@@ -2,7 +2,14 @@
 #include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
 
+#include <fstream>
 #include <thread>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -20,6 +27,17 @@ bool comesTrue(Condition condition) {
         std::this_thread::yield();
     }
     return true;
+}
+
+Level ballsAtOnePoint(int count) {
+    Level level;
+    for (int i = 0; i < count; ++i) {
+        Object ball;
+        ball.key = static_cast<Key>(i + 1);
+        ball.data = BodyObject{.kind = BodyKind::Dynamic, .shapes = {Circle{{0, 0}, 0.5}}};
+        level.objects.append(ball);
+    }
+    return level;
 }
 
 } // namespace
@@ -149,6 +167,56 @@ class RunnerTest : public QObject {
         runner.restart();
         QVERIFY(comesTrue([&] { return runner.frame()->now->phase == Phase::AwaitingInput; }));
     }
+    void aGameThatNobodyLooksAtWaits() {
+        Runner runner(openSpace());
+        runner.hold(thrust);
+        runner.attend();
+        QVERIFY(comesTrue([&] { return runner.frame()->now->update > 0; }));
+        QVERIFY(comesTrue([&] { return runner.frame()->paused; })); // half a second later
+        const std::int64_t at = runner.frame()->now->update;
+        QVERIFY(at < 200);
+        QVERIFY(comesTrue([&] {
+            runner.attend();
+            return runner.frame()->now->update > at + 1;
+        }));
+        QVERIFY(!runner.frame()->paused);
+    }
+    void bodiesInOnePlaceEndTheGameBeforeTheyFillTheMemory() {
+        for (const Runner::Mode mode : {Runner::Mode::Manual, Runner::Mode::Threaded}) {
+            Runner runner(ballsAtOnePoint(2500), mode);
+            if (mode == Runner::Mode::Manual) {
+                runner.advance(3);
+            }
+            QVERIFY(comesTrue([&] { return runner.fault() != RunnerFault::None; }));
+            QVERIFY(runner.fault() == RunnerFault::Crowd);
+            QCOMPARE(runner.frame()->now->update, std::int64_t(0));
+            runner.hold(thrust); // in vain, but harmless
+            runner.stepOnce();
+            runner.restart();
+            QVERIFY(runner.recording() == Replay{});
+        }
+    }
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    void aGameWithoutMemoryEndsAndTheProgramDoesNot() {
+        const pid_t child = fork();
+        if (child == 0) {
+            std::ifstream pages("/proc/self/statm");
+            rlim_t used = 0;
+            pages >> used;
+            constexpr rlim_t room = 100'000'000; // bytes
+            const rlim_t most = used * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + room;
+            const rlimit limit{most, most};
+            setrlimit(RLIMIT_AS, &limit);
+            Runner runner(ballsAtOnePoint(1500), Runner::Mode::Manual);
+            runner.advance(1);
+            _exit(runner.fault() == RunnerFault::Memory ? 0 : 1);
+        }
+        int status = -1;
+        QCOMPARE(waitpid(child, &status, 0), child);
+        QVERIFY(WIFEXITED(status));
+        QCOMPARE(WEXITSTATUS(status), 0);
+    }
+#endif
     void anyNumberOfThreadsMayAskAtOnce() {
         Runner runner(openSpace());
         std::atomic<bool> stop = false;

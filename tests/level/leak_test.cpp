@@ -249,6 +249,26 @@ class LeakTest : public QObject {
         QVERIFY(leaksIn(level).empty());
     }
 
+    void anInnerRoomMayOpenIntoAClosedCave() {
+        const std::vector<Vec2> hangar{{-1, 2}, {-3, 2}, {-3, -2}, {3, -2}, {3, 2}, {1, 2}};
+        const std::vector<Vec2> cave{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}};
+        QCOMPARE(leaksIn(aroundTheShip({LineChain{hangar, false}})).size(), std::size_t{1});
+        QVERIFY(leaksIn(aroundTheShip({LineChain{hangar, false}, EdgeChain{cave, true, 1}})).empty());
+    }
+
+    /// Whoever flies up there is gone for good; whoever wants that hides the problem.
+    void aShaftThatIsOpenAtTheTopIsALeak() {
+        const Level level = aroundTheShip({EdgeChain{{{-1, 9}, {-1, -1}, {1, -1}, {1, 9}}, false, 1}});
+        const std::vector<Leak> leaks = leaksIn(level);
+        QCOMPARE(leaks.size(), std::size_t{1});
+        QVERIFY(areAt(leaks[0], {-1, 9}, {1, 9}, 1e-5));
+        const std::vector<Problem> problems = lint(level);
+        const auto leak = std::ranges::find(problems, "leak-not-closed", &Problem::code);
+        QVERIFY(leak != problems.end());
+        const Level hidden = withProblemHidden(level, *leak, true);
+        QVERIFY(hiddenAmong(hidden, problems)[static_cast<std::size_t>(leak - problems.begin())]);
+    }
+
     void whatTheShipDoesNotTouchDoesNotKeepItIn() {
         Level level = aroundTheShip(
             {LineChain{{room[0], room[1], room[2], room[3]}, false}, LineChain{{room[3], room[0]}, false}});

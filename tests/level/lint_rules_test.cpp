@@ -186,6 +186,25 @@ class LintRulesTest : public QObject {
         QVERIFY(parseLevel(levelText(level)).level == level);
         QVERIFY(withProblemHidden(level, problems[0], false).hiddenProblems.empty());
     }
+
+    void unknownFieldsStayWithTheirHiddenProblem() {
+        Level level;
+        level.hiddenProblems = {{"a", 1}, {"b", 2}, {"c", 3}};
+        level.unknownFields = R"({"/x": 1, "/hiddenProblems/0/why": "A", "/hiddenProblems/2/why": "C"})";
+        const auto problem = [](const char* rule, Key object) {
+            Problem found;
+            found.code = rule;
+            found.object = object;
+            return found;
+        };
+        const Level without = withProblemHidden(level, problem("b", 2), false);
+        QCOMPARE(without.unknownFields,
+                 std::string(R"({"/x": 1, "/hiddenProblems/0/why": "A", "/hiddenProblems/1/why": "C"})"));
+        QCOMPARE(withProblemHidden(level, problem("a", 1), false).unknownFields,
+                 std::string(R"({"/x": 1, "/hiddenProblems/1/why": "C"})"));
+        QVERIFY(withProblemHidden(level, problem("a", 1), true) == level); // it is already
+        QCOMPARE(withProblemHidden(level, problem("d", 4), true).unknownFields, level.unknownFields);
+    }
 };
 
 SPACETOW_TEST(LintRulesTest)

@@ -263,6 +263,18 @@ class MergeTest : public QObject {
         QCOMPARE(result.level.rules.lives, 7);
         QCOMPARE(result.level.guides.size(), std::size_t(2));
     }
+
+    void unknownFieldsStayWithTheEntriesTheyStoodIn() {
+        Level base;
+        base.guides = {{{1, 1}, 0, "a"}, {{2, 2}, 0, "b"}};
+        base.hiddenProblems = {{"x", 1}, {"y", 2}};
+        base.unknownFields = R"({"/guides/1/glow": 1, "/hiddenProblems/1/why": "y"})";
+        Level theirs = base;
+        theirs.guides.erase(theirs.guides.begin());
+        theirs.hiddenProblems.erase(theirs.hiddenProblems.begin());
+        const MergedLevel result = merged(base, base, theirs);
+        QCOMPARE(result.level.unknownFields, std::string(R"({"/guides/0/glow": 1, "/hiddenProblems/0/why": "y"})"));
+    }
 };
 
 SPACETOW_TEST(MergeTest)

@@ -377,6 +377,33 @@ class ApplicationTest : public QObject {
         QVERIFY2(said.contains("one.svg"), qPrintable(said));
     }
 
+    void aForeignFileIsImportedWhateverItIsCalledAndHoweverItIsOpened() {
+        TestApplication test;
+        const QString scene = test.file("scene.json");
+        QVERIFY(QFile::copy(spacetow::test::sourceFolder() + "/tests/golden/import/rube_scene/in.json", scene));
+        QCOMPARE(kindOfFile(scene), FileKind::Foreign);
+        test.start({scene}); // the command line
+        QVERIFY(!test.window(0).exchange().importBar().isHidden());
+        QCOMPARE(test.window(0).files().path(), QString());
+        test.window(0).exchange().cancel();
+        drop(test.window(0), {scene});
+        QVERIFY(!test.window(0).exchange().importBar().isHidden());
+        test.window(0).exchange().cancel();
+        test.window(0).files().questions.whichToOpen = [&](const QString&) { return QStringList{scene}; };
+        test.trigger(0, Act::Open);
+        QVERIFY(!test.window(0).exchange().importBar().isHidden());
+        test.window(0).exchange().cancel();
+    }
+
+    void aLevelIsOneWhateverItIsCalled() {
+        TestApplication test;
+        const QString path = test.writtenLevel("a.json") + ".svg";
+        QVERIFY(QFile::rename(test.file("a.json"), path));
+        QCOMPARE(kindOfFile(path), FileKind::Level);
+        test.start({path});
+        QCOMPARE(test.window(0).files().path(), path);
+    }
+
     void severalLevelsAreDroppedAtOnce() {
         TestApplication test;
         test.start();

@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QImage>
+#include <QLabel>
 #include <QSignalSpy>
 
 using namespace spacetow;
@@ -98,6 +99,14 @@ class ExchangeTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void theNameOfAFileIsNoMarkup() {
+        Importing test(foreignPicture, "<b>rocks.svg");
+        test.begin();
+        for (const QLabel* label : test.bar().findChildren<QLabel*>()) {
+            QVERIFY2(!label->toolTip().contains("<b>rocks"), qPrintable(label->toolTip()));
+        }
+    }
+
     void whatWouldComeIsShownAndEnterMakesItOneEntry() {
         Importing test;
         const Level empty = test.level();

@@ -1,8 +1,10 @@
 #include "editor/window/finder.h"
 
 #include "core/level/file.h"
+#include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
+#include "tests/support/windows.h"
 
 #include <QDockWidget>
 
@@ -284,6 +286,58 @@ class FinderTest : public QObject {
         QTest::keyClicks(&finder.field(), "8"); // while it may be searching
         finder.model().finish();
         QVERIFY(namesFound(finder).isEmpty());
+    }
+
+    void whatMenusListIsFoundAsWell() {
+        TestWindow test;
+        SnapSettings snap = test.window->toolbox().snap;
+        snap.step = 2;
+        test.window->setSnap(snap);
+        Finder& finder = searchFor(test, ">grid step 0.5");
+        QVERIFY2(namesFound(finder).contains("0.5 m"), qPrintable(namesFound(finder).join(", ")));
+        QCOMPARE(namesFound(finder).front(), QString("0.5 m"));
+        pressIn(finder, Qt::Key_Return);
+        QCOMPARE(test.window->toolbox().snap.step, 0.5);
+    }
+
+    void theLanguagesAreFound() {
+        spacetow::test::TestApplication test;
+        test.start();
+        const FinderRows rows(test.window(0));
+        QStringList languages;
+        for (int i = 0; i < rows.few(); ++i) {
+            if (rows.row(i).place == menuPath(MenuId::Language)) {
+                languages << rows.row(i).name;
+            }
+        }
+        QVERIFY2(languages.contains("Deutsch") && languages.contains("Like the Desktop"),
+                 qPrintable(languages.join(", ")));
+    }
+
+    void aGameWaitsWhileThePaletteIsOpenAndGoesOnAfterwards() {
+        TestWindow test;
+        test.document().reset(spacetow::test::openSpace());
+        test.trigger(Act::Play);
+        PlayView& play = test.window->playView();
+        const auto updates = [&] { return play.runner()->frame()->now->update; };
+        QTest::keyPress(&play, Qt::Key_Up);
+        QTRY_VERIFY(updates() > 2);
+        Finder& finder = searchFor(test, "fit");
+        QVERIFY(finder.isVisible() && !play.isPaused());
+        QVERIFY(!play.findChild<QWidget*>("pauseMenu")->isVisible());
+        QTRY_VERIFY(play.runner()->frame()->paused);
+        pressIn(finder, Qt::Key_Escape);
+        QVERIFY(play.isVisible() && play.hasFocus() && !play.isPaused());
+        const auto before = updates();
+        QTRY_VERIFY(updates() > before + 2);
+        // What was paused stays so.
+        play.setPaused(true);
+        test.trigger(Act::CommandPalette);
+        pressIn(finder, Qt::Key_Escape);
+        QTRY_VERIFY(play.isPaused() && play.runner()->frame()->paused);
+        // And an action of the game does what it says.
+        pressIn(searchFor(test, ">pause"), Qt::Key_Return);
+        QVERIFY(!play.isPaused());
     }
 
     void everyActionIsRememberedByACodeOfItsOwn() {

@@ -28,6 +28,11 @@ void addPresets() {
     }
 }
 
+const KeyOwner* ownerInGame(PlayKey meaning) {
+    const auto found = std::ranges::find(keyOwners(), meaning, &KeyOwner::inGame);
+    return meaning == PlayKey::None || found == keyOwners().end() ? nullptr : &*found;
+}
+
 /// What some stroke on the keyboard leads to, as toolkit and window find it.
 std::set<QString> ownersReached(const Keyboard& board, const Actions& actions, const KeyBindings& bindings) {
     std::set<QString> reached;
@@ -46,6 +51,9 @@ std::set<QString> ownersReached(const Keyboard& board, const Actions& actions, c
             if (addAll(QKeySequence(candidate))) {
                 return;
             }
+        }
+        if (const KeyOwner* const inGame = ownerInGame(playKeysOf(bindings).meaningOf(stroke.event()))) {
+            reached.insert(inGame->code);
         }
         if (const std::optional<QKeyCombination> key = actions.keyByPlace(stroke.event())) {
             addAll(QKeySequence(*key));
@@ -135,6 +143,44 @@ class KeyBindingsTest : public QObject {
         QCOMPARE(firstKey(bindings, "play/restart"), QString("F12"));
         bindings.give(ownerNamed("view/full-screen"), QKeySequence("F12")); // works in both
         QVERIFY(firstKey(bindings, "play/restart") != QString("F12"));
+    }
+
+    void theGameHasKeysOfItsOwnThatMeetNoneOfTheEditors() {
+        KeyBindings bindings;
+        const KeyOwner& tow = ownerNamed("game/tow");
+        bindings.give(tow, QKeySequence("S")); // the select tool's as well, which rests meanwhile
+        QCOMPARE(firstKey(bindings, "insert/select"), QString("S"));
+        QCOMPARE(playKeysOf(bindings).shown(PlayKey::Tow), QString("S"));
+        QCOMPARE(bindings.ownerBeside(tow, QKeySequence("W"))->code, QString("game/thrust"));
+        bindings.give(tow, QKeySequence("W"));
+        QCOMPARE(firstKey(bindings, "game/thrust"), QString("Up"));
+        bindings.reset(ownerNamed("game/thrust"));
+        QCOMPARE(firstKey(bindings, "game/thrust"), QString("W"));
+        QVERIFY(!bindings.keys(tow).contains(QKeySequence("W")));
+    }
+
+    void theGameTakesPlainKeysOnly() {
+        const KeyOwner& tow = ownerNamed("game/tow");
+        for (const char* key : {"Q", "Return", "Space", "Backspace", "Down", "B", "!"}) {
+            QCOMPARE(objectionTo(QKeySequence(key), tow), QString());
+        }
+        for (const char* key : {"Ctrl+Q", "Alt+Q", "F6", "Esc", "Tab"}) {
+            QVERIFY2(!objectionTo(QKeySequence(key), tow).isEmpty(), key);
+        }
+        QCOMPARE(spelledFor(tow, QKeySequence("Shift+K")), QKeySequence("K"));
+        QCOMPARE(spelledFor(tow, QKeySequence("Num+4")), QKeySequence("4"));
+        QCOMPARE(spelledFor(ownerNamed("view/grid"), QKeySequence("Shift+K")), QKeySequence("Shift+K"));
+    }
+
+    void theKeysOfTheGameGoIntoAFileAndBack() {
+        KeyBindings bindings;
+        bindings.give(ownerNamed("game/thrust"), QKeySequence("I"));
+        const ReadKeys read = readKeys(keysText(bindings, false));
+        QVERIFY2(read.bindings, qPrintable(read.faults.join('\n')));
+        QVERIFY(*read.bindings == bindings);
+        const ReadKeys twice = readKeys("{\"keys\": {\"game/left\": [\"X\"], \"game/right\": [\"Shift+X\"]}}");
+        QVERIFY(!twice.bindings);
+        QVERIFY2(twice.faults.join('\n').contains("Turn right"), qPrintable(twice.faults.join('\n')));
     }
 
     void everyActionKeepsAKeyInEveryPreset_data() { addPresets(); }

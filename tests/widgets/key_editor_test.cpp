@@ -1,6 +1,7 @@
 #include "editor/window/key_editor.h"
 
 #include "editor/window/keys_dialog.h"
+#include "tests/support/game_levels.h"
 #include "tests/support/keyboards.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
@@ -143,7 +144,31 @@ class KeyEditorTest : public QObject {
             QVERIFY2(open.editor->tree().currentItem()->text(0) == plainText(row), row.text);
         }
         const QTreeWidget& tree = open.editor->tree();
-        QCOMPARE(tree.topLevelItem(tree.topLevelItemCount() - 1)->child(0)->text(1), QString("W or Up"));
+        const QTreeWidgetItem& game = *tree.topLevelItem(tree.topLevelItemCount() - 1);
+        QCOMPARE(game.child(0)->text(0), QString("Thrust"));
+        QVERIFY(game.child(0)->text(1).startsWith("W"));
+        QCOMPARE(game.child(game.childCount() - 1)->text(1), QKeySequence("Esc").toString(QKeySequence::NativeText));
+    }
+
+    void theKeysOfTheGameAreChangedLikeTheOthers() {
+        OpenEditor open;
+        open.press("game/tow", Qt::Key_K, Qt::ShiftModifier);
+        QVERIFY2(open.editor->note().contains("K leads to"), qPrintable(open.editor->note()));
+        open.press("game/tow", Qt::Key_W);
+        QVERIFY2(open.editor->note().contains("Thrust"), qPrintable(open.editor->note()));
+        QVERIFY(open.editor->takeOver().isVisible());
+        open.editor->takeOver().click();
+        const KeyBindings bindings = open.test.window->files().preferences.keyBindings();
+        QCOMPARE(playKeysOf(bindings).shown(PlayKey::Tow), QString("W"));
+        QCOMPARE(playKeysOf(bindings).shown(PlayKey::Thrust), QKeySequence("Up").toString(QKeySequence::NativeText));
+        const QString help = KeysDialog::overview(bindings);
+        QVERIFY(help.contains("In the game") && help.contains("W · K"));
+        // The game that is started now listens to them.
+        open.test.document().reset(openSpace());
+        open.test.trigger(Act::Play);
+        QTest::keyPress(&open.test.window->playView(), Qt::Key_Up);
+        QTRY_COMPARE(open.test.window->playView().phase(), Phase::Flying);
+        open.test.window->stopPlaying();
     }
 
     void keysGoIntoAFileAndBack() {

@@ -50,6 +50,28 @@ class KeyMapTest : public QObject {
         QVERIFY(held.controls() == Controls{});
     }
 
+    void aKeyThatWasChosenIsTheOneWithThatOnIt() {
+        const Keyboard& french = keyboardNamed("fr");
+        PlayKeys keys;
+        keys.set(PlayKey::Tow, {QKeySequence("Q")}); // where A is on a US keyboard
+        QCOMPARE(keys.meaningOf(french.press('A').event()), PlayKey::Tow);
+        QCOMPARE(keys.meaningOf(french.press('Q').event()), PlayKey::Left); // by its letter, A
+        QCOMPARE(keys.meaningOf(keyboardNamed("us").press('A').event()), PlayKey::Left);
+        QCOMPARE(keys.meaningOf(keyboardNamed("ru").press('Q').event()), PlayKey::Tow);
+    }
+
+    void aSignIsTheSameKeyWithShiftHeld() {
+        PlayKeys keys;
+        keys.set(PlayKey::Tow, {QKeySequence("1")});
+        QCOMPARE(keys.meaningOf(keyboardNamed("us").press('1').event()), PlayKey::Tow);
+        QCOMPARE(keys.meaningOf(keyboardNamed("us").press('1', Qt::ShiftModifier).event()), PlayKey::Tow);
+    }
+
+    void escAlwaysShowsTheMenu() {
+        const QKeyEvent event(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QCOMPARE(playKey(event), PlayKey::Menu);
+    }
+
     void withoutScanCodesLettersDo() {
         const QKeyEvent event(QEvent::KeyPress, Qt::Key_W, Qt::NoModifier, "w");
         QVERIFY(!keyAtPlace(event));

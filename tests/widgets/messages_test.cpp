@@ -152,6 +152,22 @@ class MessagesTest : public QObject {
         QCOMPARE(sentence(problem), text);
     }
 
+    void aReportSaysHowOftenAndWhere_data() {
+        QTest::addColumn<QString>("count");
+        QTest::addColumn<QString>("lines");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("one") << "1" << "3" << "Filters were not applied (once, in line 3).";
+        QTest::newRow("two lines") << "2" << "3, 5" << "Filters were not applied (2 times, in lines 3, 5).";
+        QTest::newRow("many") << "9" << "3, 5 …" << "Filters were not applied (9 times, in lines 3, 5 …).";
+        QTest::newRow("no lines") << "2" << "" << "Filters were not applied (2 times).";
+    }
+    void aReportSaysHowOftenAndWhere() {
+        QFETCH(QString, count);
+        QFETCH(QString, lines);
+        QFETCH(QString, text);
+        QCOMPARE(sentence(Error{"import-filter", {count.toStdString(), lines.toStdString(), ""}}), text);
+    }
+
     void labelsCountTheirObjects() {
         QCOMPARE(sentence(Label{"move", 1}), QString("Move object"));
         QCOMPARE(sentence(Label{"move", 3}), QString("Move 3 objects"));

@@ -69,6 +69,23 @@ class PlayHudTest : public QObject {
         QVERIFY2(all.contains("1.50"), qPrintable(all));
         QVERIFY2(all.contains("1:01.2"), qPrintable(all));
     }
+    void adviceNamesTheKeysThatThePlayerHas() {
+        PlayKeys keys;
+        keys.set(PlayKey::Tow, {QKeySequence("K")});
+        keys.set(PlayKey::Step, {});
+        const auto words = [&](const HudInput& input) {
+            QString all;
+            for (const HudText& text : hudLayout(input, {880, 660}, QFont())) {
+                all += text.text + '\n';
+            }
+            return all;
+        };
+        QVERIFY(words({Phase::Flying, {3, 0, 0, true, -1}, false}).contains("Space: tow"));
+        QVERIFY(words({Phase::Flying, {3, 0, 0, true, -1}, false, keys}).contains("K: tow"));
+        QVERIFY(words({Phase::Won, {3, 0, 0, false, -1}, false, keys}).contains("K: fly again"));
+        const QString paused = words({Phase::Flying, {3, 0, 0, false, -1}, true, keys});
+        QVERIFY2(paused.contains("P: go on") && !paused.contains("one step"), qPrintable(paused));
+    }
     void theTowHintShowsInRangeOnly() {
         const auto hints = [](bool inRange) {
             int found = 0;

@@ -1,6 +1,7 @@
 // A game that stands still: what its keys do meanwhile.
 #include "tests/support/game_view.h"
 #include "tests/support/test_main.h"
+#include "tests/support/window.h"
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -18,12 +19,58 @@ class PlayPauseTest : public QObject {
         QVERIFY(!game.menu()->isVisible());
         game.run(5);
         QTest::keyClick(&game.view(), Qt::Key_O);
-        QTest::keyClick(&game.view(), Qt::Key_F10);
+        QTest::keyClick(&game.view(), Qt::Key_O);
         QCOMPARE(game.picture()->update, at + 2);
-        QTest::keyClick(&game.view(), Qt::Key_F9);
+        QTest::keyClick(&game.view(), Qt::Key_P);
         QVERIFY(!game.view().isPaused());
         game.run(1);
         QCOMPARE(game.picture()->update, at + 3);
+    }
+    void aGameThatTheComputerCannotHoldEndsWithASentence() {
+        TestWindow test;
+        Level level = openSpace();
+        for (int i = 0; i < 2000; ++i) {
+            addBall(level, Vec2(5, 5), 1, Vec2(0, 0));
+        }
+        test.document().reset(level);
+        test.trigger(Act::Play);
+        QTRY_VERIFY(!test.window->isPlaying());
+        QVERIFY2(test.window->messageBar().text().contains("memory"), qPrintable(test.window->messageBar().text()));
+        QVERIFY(test.level() == level);
+    }
+    void aGameThatIsTooMuchForTheComputerSaysHowFarBehindItIs() {
+        TestWindow test;
+        Level level = openSpace();
+        level.updateSeconds = 1e-5; // a hundred thousand updates a second
+        test.document().reset(level);
+        test.trigger(Act::Play);
+        QTest::keyPress(&test.window->playView(), Qt::Key_W);
+        QTRY_VERIFY(test.window->playView().behind() > 0);
+        const QString hint = test.window->statusLine().hint();
+        QVERIFY2(hint.contains("behind real time"), qPrintable(hint));
+        test.trigger(Act::Stop);
+        QCOMPARE(test.window->playView().behind(), 0.0);
+    }
+    void otherKeysThanTheUsualOnesPlayAndAreNamed() {
+        Game game;
+        PlayKeys keys;
+        keys.set(PlayKey::Thrust, {QKeySequence("I")});
+        keys.set(PlayKey::Pause, {QKeySequence("K")});
+        keys.set(PlayKey::Restart, {QKeySequence("L")});
+        game.view().setKeys(keys);
+        game.tap(Qt::Key_W); // nobody's now
+        QCOMPARE(game.phase(), Phase::AwaitingInput);
+        game.tap(Qt::Key_I);
+        QCOMPARE(game.phase(), Phase::Flying);
+        QTest::keyClick(&game.view(), Qt::Key_K);
+        QVERIFY(game.view().isPaused());
+        QTest::keyClick(&game.view(), Qt::Key_K);
+        QVERIFY(!game.view().isPaused());
+        QTest::keyClick(&game.view(), Qt::Key_Escape);
+        QVERIFY(game.menu()->isVisible());
+        QVERIFY(game.button("Restart")->toolTip().contains("(L)"));
+        QTest::keyClick(game.menu(), Qt::Key_L);
+        QCOMPARE(game.phase(), Phase::AwaitingInput);
     }
     void aKeyHeldWhilePausedCountsInSteps() {
         Game game;

@@ -1,11 +1,13 @@
 #include "editor/panels/problems_panel.h"
 
 #include "core/level/lint.h"
+#include "editor/canvas/palette.h"
 #include "editor/window/messages.h"
 #include "tests/support/test_main.h"
 
 #include <QListView>
 #include <QSignalSpy>
+#include <QToolButton>
 
 using namespace spacetow;
 
@@ -43,6 +45,28 @@ class ProblemsPanelTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void theMarksAreSeenInLightAndInDark() {
+        Document document;
+        ProblemsPanel panel(document, code);
+        for (const Shade shade : {Shade::Dark, Shade::Light, Shade::Dark}) {
+            panel.setPalette(panelPalette(shade));
+            QCoreApplication::processEvents();
+            for (const QToolButton* button : panel.findChildren<QToolButton*>()) {
+                const QImage mark = button->icon().pixmap(64, 64).toImage();
+                int ink = 0;
+                int onGround = 0; // of light marks on dark ground, and the other way round
+                for (int y = 0; y < mark.height(); ++y) {
+                    for (int x = 0; x < mark.width(); ++x) {
+                        const QColor color = mark.pixelColor(x, y);
+                        ink += color.alpha() > 200 ? 1 : 0;
+                        onGround += color.alpha() > 200 && (color.lightness() > 140) == (shade == Shade::Dark) ? 1 : 0;
+                    }
+                }
+                QVERIFY2(ink > 50 && onGround == ink, qPrintable(button->toolTip()));
+            }
+        }
+    }
+
     void whatLintFindsIsListedAfterAnEdit() {
         Document document;
         LevelCheck check(document);

@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QSignalSpy>
 
+#include <array>
 #include <csignal>
 #include <filesystem>
 
@@ -61,6 +62,8 @@ class RecoveryTest : public QObject {
         RecoveryRow& row = *bar.rows().front();
         QVERIFY(row.details().contains("never saved") && row.details().contains("1 objects"));
         QVERIFY(!row.found().picture.isNull());
+        row.compare.click(); // beside nothing, as there is no file
+        QVERIFY(test.window->differences().isComparing());
         QCOMPARE(test.level().objects.size(), 0);
         row.restore.click();
         QVERIFY(test.level() == drawn);
@@ -83,6 +86,10 @@ class RecoveryTest : public QObject {
         row.compare.click();
         QVERIFY2(row.explanation().contains("One-way wall"), qPrintable(row.explanation()));
         QCOMPARE(cutOffTexts(*test.window), QStringList());
+        // And it is shown, beside the file.
+        QCOMPARE(test.window->files().path(), path);
+        QVERIFY(test.level() == saved);
+        QVERIFY(test.window->differences().isComparing());
         row.restore.click();
         QVERIFY(test.level() == drawn && test.window->isWindowModified());
         QCOMPARE(test.window->files().path(), path);
@@ -92,6 +99,40 @@ class RecoveryTest : public QObject {
         test.trigger(Act::Redo);
         test.trigger(Act::Save);
         QVERIFY(readLevel(path.toStdString()).value().level == drawn);
+    }
+
+    void whileAFileIsWrittenTheJournalHoldsWhatGoesIntoItAndTheBackupsWhatWasThere() {
+        TestWindow test;
+        const QString path = openBall(test);
+        const Level before = test.level();
+        // Another name of the same file, so that it is written in place.
+        std::filesystem::create_hard_link(path.toStdString(), test.file("other.json").toStdString());
+        const std::array keys{before.objects[0].key};
+        test.document().commit({"edit"}, {std::make_shared<const Level>(moved(before, keys, {1, 0})), {}});
+        const Level drawn = test.level();
+        QVERIFY(test.window->recovery().isBehind()); // no time has passed
+        bool saving = false;
+        test.window->files().saving.connect([&] {
+            saving = true;
+            QVERIFY(!test.window->recovery().isBehind());
+        });
+        QVERIFY(test.window->files().save());
+        QVERIFY(saving && readLevel(path.toStdString()).value().level == drawn);
+        // As if it had ended in the middle of the writing.
+        test.document().undo();
+        test.document().redo();
+        QFile file(path);
+        test.window->files().saving.connect([&] {
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{\"schema\": 2, \"na") > 0);
+            file.close();
+            std::filesystem::remove_all(test.file("copy").toStdString());
+            std::filesystem::copy(journalFolder(), test.file("copy").toStdString());
+        });
+        test.document().commit({"edit"}, {std::make_shared<const Level>(before), {}});
+        QVERIFY(test.window->files().overwrite());
+        const std::vector<Orphan> left = orphans(test.file("copy").toStdString());
+        QCOMPARE(left.size(), std::size_t{1});
+        QVERIFY(parseLevel(left[0].entry.text).level == before);
     }
 
     void aFileThatWasChangedSinceIsNotOverwrittenUnasked() {

@@ -45,6 +45,26 @@ class StatusLineTest : public QObject {
         QCOMPARE(label->toolTip(), hint);
     }
 
+    void withoutABoardNothingIsSaidAboutOne() {
+        StatusLine line;
+        line.resize(2000, line.height());
+        line.show();
+        line.setSelection(2, Aabb{});
+        const auto shown = [&] {
+            return line.findChild<QToolButton*>("snap")->isVisible() && line.findChild<ZoomField*>()->isVisible();
+        };
+        QVERIFY(shown());
+        line.setBoardShown(false);
+        int visible = 0;
+        for (const QWidget* part : line.findChildren<QWidget*>()) {
+            visible += part->isVisible() && part->objectName() != "hint" && part->inherits("QToolButton") ? 1 : 0;
+        }
+        QCOMPARE(visible, 0);
+        QVERIFY(!line.findChild<ZoomField*>()->isVisible());
+        line.setBoardShown(true);
+        QVERIFY(shown());
+    }
+
     void aPercentageIsReadAsPeopleWriteIt_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("zoom"); // 0: none

@@ -171,6 +171,23 @@ class WelcomePageTest : public QObject {
         QVERIFY(test.window(0).isWelcoming() && !test.window(0).welcome().atStart().isChecked());
     }
 
+    void noLetterOfANameIsAKey() {
+        const LevelCard card(QStringLiteral("/levels/salt&pepper.json"), QStringLiteral("salt&pepper"), QString(),
+                             nullptr);
+        QVERIFY(card.shortcut().isEmpty());
+        QCOMPARE(card.accessibleName(), QStringLiteral("salt&pepper"));
+    }
+
+    void theBottomLineSaysNothingOfABoardThatIsNotThere() {
+        TestApplication test;
+        test.start();
+        QVERIFY(test.window(0).isWelcoming());
+        const auto* zoom = test.window(0).statusLine().findChild<ZoomField*>();
+        QVERIFY(!zoom->isVisible());
+        test.trigger(0, Act::New);
+        QVERIFY(zoom->isVisible());
+    }
+
     void nothingIsCutOffInAnySize_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("small") << QSize(800, 600);
