@@ -2,6 +2,8 @@
 
 #include "core/level/key_text.h"
 #include "core/level/lint_findings.h"
+#include "core/level/lint_walls.h"
+#include "core/level/unknown_fields.h"
 
 #include <algorithm>
 #include <array>
@@ -129,6 +131,14 @@ std::vector<Problem> buildingProblems(const Level& level) {
     return std::move(findings).sorted();
 }
 
+std::vector<Problem> placingProblems(const Level& level) {
+    Findings findings;
+    run(buildingChecks, level, findings);
+    checkStart(level, findings);
+    checkCaves(level, Walls(wallChains(level, findings)), findings);
+    return std::move(findings).sorted();
+}
+
 std::vector<bool> hiddenAmong(const Level& level, const std::vector<Problem>& problems) {
     std::vector<std::pair<Key, std::string>> wanted;
     for (const HiddenProblem& hidden : level.hiddenProblems) {
@@ -145,9 +155,20 @@ std::vector<bool> hiddenAmong(const Level& level, const std::vector<Problem>& pr
 }
 
 Level withProblemHidden(Level level, const Problem& problem, bool hidden) {
-    std::erase(level.hiddenProblems, HiddenProblem{problem.code, problem.object});
+    const HiddenProblem entry{problem.code, problem.object};
+    if (hidden && std::ranges::find(level.hiddenProblems, entry) != level.hiddenProblems.end()) {
+        return level;
+    }
+    std::vector<int> shown;
+    for (int i = 0; i < static_cast<int>(level.hiddenProblems.size()); ++i) {
+        if (level.hiddenProblems[static_cast<std::size_t>(i)] == entry) {
+            shown.push_back(i);
+        }
+    }
+    level.unknownFields = withoutEntries(level.unknownFields, "/hiddenProblems", shown);
+    std::erase(level.hiddenProblems, entry);
     if (hidden) {
-        level.hiddenProblems.push_back({problem.code, problem.object});
+        level.hiddenProblems.push_back(entry);
     }
     return level;
 }
