@@ -13,6 +13,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 
 using namespace spacetow;
 using spacetow::test::cutOffTexts;
@@ -32,6 +33,16 @@ void killAndRestart(TestWindow& test) {
 
 std::size_t entriesLeft() {
     return orphans(journalFolder()).size();
+}
+
+std::vector<std::filesystem::path> entriesOfAll() {
+    std::vector<std::filesystem::path> journals;
+    for (const auto& entry : std::filesystem::directory_iterator(journalFolder())) {
+        if (entry.path().extension() == ".journal") {
+            journals.push_back(entry.path());
+        }
+    }
+    return journals;
 }
 
 /// A level file with one ball, opened.
@@ -192,6 +203,26 @@ class RecoveryTest : public QObject {
         QVERIFY(!test.window->recovery().flush());
         QVERIFY(test.window->messageBar().isVisible());
         QVERIFY(test.window->messageBar().text().contains("lost"));
+    }
+
+    void aJournalIsWrittenAsSoonAsItCanBeAgain() {
+        TestWindow test;
+        test.drawWalls();
+        QVERIFY(test.window->recovery().flush());
+        QCOMPARE(entriesOfAll().size(), std::size_t{1});
+        const std::filesystem::path journal = entriesOfAll().front();
+        // Something is in the way, as a full disk is, and then no more.
+        const std::filesystem::path obstacle = journal.string() + ".new";
+        std::filesystem::create_directory(obstacle);
+        test.drawWalls();
+        QVERIFY(!test.window->recovery().flush());
+        std::filesystem::remove(obstacle);
+        QVERIFY(test.window->recovery().isBehind());
+        QVERIFY(test.window->recovery().flush());
+        QVERIFY(!test.window->recovery().isBehind());
+        std::ifstream file(journal, std::ios::binary);
+        const std::string text(std::istreambuf_iterator<char>(file), {});
+        QVERIFY(*parseLevel(parsedJournal(text)->text).level == test.level());
     }
 
     void askingWhenThereIsNothingSaysSo() {
