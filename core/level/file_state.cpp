@@ -40,7 +40,7 @@ FileState fileState(const std::filesystem::path& path, const FileState& known) {
         return known;
     }
     const Result<ReadText> found = readFile(path, maxLevelBytes);
-    return found ? FileState{found.value().stamp, contentHash(found.value().text)} : FileState();
+    return found ? FileState{found.value().stamp, contentHash(found.value().text)} : FileState{stamp, 0};
 }
 
 } // namespace spacetow
