@@ -32,7 +32,8 @@ bool Files::writeTo(const QString& path, const std::optional<FileStamp>& known) 
     const std::filesystem::path file = path.toStdString();
     // Without a copy of what was there it is saved all the same.
     [[maybe_unused]] const std::optional<Error> noBackup = backUp(backupFolder(), file);
-    const Result<FileStamp> written = savedLevel(file, *m_document.current().level, known);
+    const Result<std::string> text = savableText(*m_document.current().level);
+    const Result<FileStamp> written = text ? writeFile(file, text.value(), known) : Result<FileStamp>(text.error());
     if (!written) {
         if (written.error().code == "changed-on-disk") {
             conflict.emit();
@@ -42,7 +43,7 @@ bool Files::writeTo(const QString& path, const std::optional<FileStamp>& known) 
         return false;
     }
     m_path = path;
-    m_disk = fileState(file);
+    m_disk = {written.value(), contentHash(text.value())}; // not what somebody may have written since
     m_untitled.clear();
     preferences.addRecent(path);
     m_document.markSaved();
@@ -114,23 +115,24 @@ bool Files::restore(const JournalEntry& entry) {
     return true;
 }
 
-std::vector<MessageBar::Choice> Files::backupChoices() {
-    const std::string path = m_readPath.toStdString();
-    const auto backups = path.empty() ? std::vector<Backup>() : backupsOf(backupFolder(), path);
-    if (backups.empty()) {
+std::vector<MessageBar::Choice> Files::backupChoices(const QString& path, std::function<void()> open) {
+    if (path.isEmpty() || backupsOf(backupFolder(), path.toStdString()).empty()) {
         return {};
     }
-    return {{DiskWords::tr("Open Newest Backup"), [this, path, hash = m_read.hash, backup = backups.front().file] {
-                 const Result<LevelFile> file = readLevel(backup, Checks::FileOnly);
-                 if (file && file.value().level && mayLeave()) {
-                     restore({path, QFileInfo(QString::fromStdString(path)).fileName().toStdString(), hash, 0,
-                              levelText(*file.value().level)});
-                     m_tell(MessageBar::Tone::Info,
-                            DiskWords::tr("This is the newest backup of %1. The file stays as it is until you save.")
-                                .arg(name()),
-                            {});
-                 }
-             }}};
+    return {{DiskWords::tr("Open Newest Backup"), std::move(open)}};
+}
+
+void Files::openNewestBackup(const QString& path) {
+    const std::vector<Backup> backups = backupsOf(backupFolder(), path.toStdString());
+    const Result<LevelFile> file =
+        backups.empty() ? Result<LevelFile>(Error()) : readLevel(backups.front().file, Checks::FileOnly);
+    if (file && file.value().level && mayLeave()) {
+        restore({path.toStdString(), QFileInfo(path).fileName().toStdString(), fileState(path.toStdString()).hash, 0,
+                 levelText(*file.value().level)});
+        m_tell(MessageBar::Tone::Info,
+               DiskWords::tr("This is the newest backup of %1. The file stays as it is until you save.").arg(name()),
+               {});
+    }
 }
 
 bool Files::openBackup(const std::filesystem::path& backup) {
