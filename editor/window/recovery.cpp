@@ -146,6 +146,7 @@ void Recovery::close() {
     if (m_slot) {
         m_slot->erase();
     }
+    m_isToRetry = false;
     m_kept = wanted(); // so that nothing is written any more
     m_keptPath = m_files.path();
 }
