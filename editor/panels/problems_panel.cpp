@@ -131,6 +131,20 @@ void ProblemsPanel::check() {
     m_task.finish();
 }
 
+int ProblemsPanel::errorsNow() const {
+    const Level& level = *m_document.current().level;
+    if (m_document.current().level == m_checked) {
+        return errors();
+    }
+    const std::vector<Problem> found = placingProblems(level);
+    const std::vector<bool> hidden = hiddenAmong(level, found);
+    int count = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        count += found[i].severity == Severity::Error && !hidden[i] ? 1 : 0;
+    }
+    return count;
+}
+
 void ProblemsPanel::checkBeside() {
     const std::shared_ptr<const Level> level = m_document.current().level;
     if (m_document.hasPreview() || m_task.isRunning()) {

@@ -43,6 +43,9 @@ class ProblemsPanel : public QWidget {
     int current() const { return m_problems.problemAt(m_list.currentIndex().row()); }
     /// Of what is not hidden.
     int errors() const { return m_problems.count(Severity::Error); }
+    /// Of the level as it is, without waiting: where that has not been checked yet, those that keep objects from being
+    /// built, and ship and payload from starting.
+    int errorsNow() const;
     int warnings() const { return m_problems.count(Severity::Warning); }
     const ProblemFilter& filter() const { return m_problems.filter(); }
     void setFilter(const ProblemFilter& filter);
@@ -74,6 +77,8 @@ class ProblemsPanel : public QWidget {
     QSize minimumSizeHint() const override { return {200, 70}; }
 
   Q_SIGNALS:
+    /// The user should hear of this.
+    void said(const QString& text);
     void problemsChanged();
     /// Other marks, or another problem is the current one.
     void marksChanged();

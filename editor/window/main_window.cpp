@@ -118,11 +118,9 @@ void MainWindow::enterGame(const Replay* recorded) {
     m_transform.hide();
     m_guideBar.dismiss();
     finishDrawing();
-    m_problems.check();
-    if (m_problems.errors() > 0) {
-        m_message.say(
-            MessageBar::Tone::Warning,
-            tr("The level has %n errors and may not play as it should; see Problems.", nullptr, m_problems.errors()));
+    if (const int errors = m_problems.errorsNow(); errors > 0) {
+        m_message.say(MessageBar::Tone::Warning,
+                      tr("The level has %n errors and may not play as it should; see Problems.", nullptr, errors));
     }
     m_recorded = recorded != nullptr;
     if (m_recorded) {
