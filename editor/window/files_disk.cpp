@@ -123,12 +123,18 @@ std::vector<MessageBar::Choice> Files::backupChoices(const QString& path, std::f
 }
 
 void Files::openNewestBackup(const QString& path) {
-    const std::vector<Backup> backups = backupsOf(backupFolder(), path.toStdString());
-    const Result<LevelFile> file =
-        backups.empty() ? Result<LevelFile>(Error()) : readLevel(backups.front().file, Checks::FileOnly);
-    if (file && file.value().level && mayLeave()) {
-        restore({path.toStdString(), QFileInfo(path).fileName().toStdString(), fileState(path.toStdString()).hash, 0,
-                 levelText(*file.value().level)});
+    std::optional<Level> found;
+    for (const Backup& backup : backupsOf(backupFolder(), path.toStdString())) {
+        Result<LevelFile> file = readLevel(backup.file, Checks::FileOnly);
+        if (file && file.value().level) {
+            found = std::move(std::move(file).value().level);
+            break;
+        }
+    }
+    if (!found) {
+        m_tell(MessageBar::Tone::Error, DiskWords::tr("This backup cannot be opened."), {});
+    } else if (mayLeave() && restore({path.toStdString(), QFileInfo(path).fileName().toStdString(),
+                                      fileState(path.toStdString()).hash, 0, levelText(*found)})) {
         m_tell(MessageBar::Tone::Info,
                DiskWords::tr("This is the newest backup of %1. The file stays as it is until you save.").arg(name()),
                {});

@@ -296,6 +296,11 @@ class RecoveryTest : public QObject {
         out.close();
         QVERIFY(!test.window->open(path));
         QCOMPARE(test.window->messageBar().buttons().size(), std::size_t{1});
+        { // one that is broken itself is passed over
+            const std::filesystem::path newest = backupsOf(backupFolder(), path.toStdString()).front().file;
+            const std::string later = std::to_string(std::stoll(newest.stem().string()) + 1) + ".json";
+            std::ofstream(newest.parent_path() / later) << "{";
+        }
         test.window->messageBar().buttons().front()->click();
         QVERIFY(test.level() == first && test.window->isWindowModified());
         QCOMPARE(test.window->files().path(), path);
