@@ -3,6 +3,7 @@
 #include "editor/window/messages_compare.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace spacetow {
 
@@ -13,6 +14,12 @@ constexpr auto noFile = "/dev/null";
 
 std::optional<Level> comparedLevel(const QString& file) {
     return file == QLatin1String(noFile) ? Level{} : loadedLevel(file);
+}
+
+/// Git gives an empty file for what both sides have made of nothing.
+std::optional<Level> baseLevel(const QString& file) {
+    const Result<ReadText> read = readFile(toPath(file), 0);
+    return read && read.value().text.empty() ? Level{} : comparedLevel(file);
 }
 
 QChar markOf(const DifferenceLine& line) {
@@ -30,6 +37,39 @@ QChar markOf(const DifferenceLine& line) {
     return u'~';
 }
 
+/// Whether there is any.
+bool printDifference(const Level& before, const Level& after) {
+    const LevelDifference difference = differenceBetween(before, after);
+    for (const DifferenceLine& each : differenceLines(before, after, difference)) {
+        // A number may not be parted from its unit in a window; here people search for what they see.
+        printLine(markOf(each) + QStringLiteral(" ") + QString(each.text).replace(QChar::Nbsp, QLatin1Char(' ')));
+    }
+    return !difference.empty();
+}
+
+/// Anything but success ends git's whole diff: what is no level is said, and git goes on.
+int diffForGit(const QStringList& given) {
+    if (given.size() != 1 && given.size() < 7) {
+        complain(QStringLiteral("diff --git wants the seven arguments of an external diff of git"));
+        return exit_status::unusable;
+    }
+    printLine(QStringLiteral("level ") + given[0]);
+    if (given.size() == 1) {
+        printLine(QStringLiteral("! not merged yet"));
+        return exit_status::good;
+    }
+    std::fflush(stdout); // complaints come behind
+    const std::optional<Level> before = comparedLevel(given[1]);
+    const std::optional<Level> after = comparedLevel(given[4]);
+    if (before && after) {
+        printDifference(*before, *after);
+    } else {
+        printLine(QStringLiteral("! cannot be compared: %1 is no level")
+                      .arg(before ? QStringLiteral("what it is now") : QStringLiteral("what it was")));
+    }
+    return exit_status::good;
+}
+
 } // namespace
 
 int diffCommand(const QStringList& arguments) {
@@ -38,8 +78,8 @@ int diffCommand(const QStringList& arguments) {
         QStringLiteral("Tells in words what is different between two levels, by the keys of their objects. "
                        "Exit status: 0 when nothing is, 1 when something is, 2 when a file cannot be "
                        "read."));
-    line.parser.addOption({QStringLiteral("git"), QStringLiteral("Takes the seven arguments that git gives to an "
-                                                                 "external diff, and exits with 0.")});
+    line.parser.addOption({QStringLiteral("git"), QStringLiteral("Takes the arguments that git gives to an external "
+                                                                 "diff, and exits with 0.")});
     line.parser.addPositionalArgument(QStringLiteral("before"), QStringLiteral("The one level."));
     line.parser.addPositionalArgument(QStringLiteral("after"), QStringLiteral("The other level."));
     if (!line.read(arguments, 0, 9)) {
@@ -50,26 +90,19 @@ int diffCommand(const QStringList& arguments) {
         return exit_status::good;
     }
     const QStringList given = line.parser.positionalArguments();
-    const bool git = line.parser.isSet(QStringLiteral("git"));
-    if (git ? given.size() < 7 : given.size() != 2) {
-        complain(git ? QStringLiteral("diff --git wants the seven arguments of an external diff of git")
-                     : QStringLiteral("diff wants two files"));
+    if (line.parser.isSet(QStringLiteral("git"))) {
+        return diffForGit(given);
+    }
+    if (given.size() != 2) {
+        complain(QStringLiteral("diff wants two files"));
         return exit_status::unusable;
     }
-    const std::optional<Level> before = comparedLevel(git ? given[1] : given[0]);
-    const std::optional<Level> after = comparedLevel(git ? given[4] : given[1]);
+    const std::optional<Level> before = comparedLevel(given[0]);
+    const std::optional<Level> after = comparedLevel(given[1]);
     if (!before || !after) {
         return exit_status::unusable;
     }
-    if (git) {
-        printLine(QStringLiteral("level ") + given[0]);
-    }
-    const LevelDifference difference = differenceBetween(*before, *after);
-    for (const DifferenceLine& each : differenceLines(*before, *after, difference)) {
-        // A number may not be parted from its unit in a window; here people search for what they see.
-        printLine(markOf(each) + QStringLiteral(" ") + QString(each.text).replace(QChar::Nbsp, QLatin1Char(' ')));
-    }
-    return git || difference.empty() ? exit_status::good : exit_status::bad;
+    return printDifference(*before, *after) ? exit_status::bad : exit_status::good;
 }
 
 int mergeCommand(const QStringList& arguments) {
@@ -91,7 +124,7 @@ int mergeCommand(const QStringList& arguments) {
         return exit_status::good;
     }
     const QStringList given = line.parser.positionalArguments();
-    const std::optional<Level> base = comparedLevel(given[0]);
+    const std::optional<Level> base = baseLevel(given[0]);
     const std::optional<Level> ours = comparedLevel(given[1]);
     const std::optional<Level> theirs = comparedLevel(given[2]);
     if (!base || !ours || !theirs) {

@@ -41,13 +41,13 @@ std::optional<ImportOptions> importOptions(const QCommandLineParser& parser) {
     return options;
 }
 
-Result<Import> importedFile(const QString& path, const ImportOptions& options) {
+Result<Import> importedFile(const QString& path, const ImportOptions& options, std::vector<Error>& leftOut) {
     const Result<ReadText> bytes = readFile(toPath(path), maxLevelBytes, Sources::Any);
     if (!bytes) {
         return bytes.error();
     }
     const Result<Drawing> drawing = readDrawing(bytes.value().text);
-    return drawing ? importOf(drawing.value(), options) : drawing.error();
+    return drawing ? importOf(drawing.value(), options, {}, &leftOut) : drawing.error();
 }
 
 void tellNotes(const QString& file, const std::vector<Error>& notes) {
@@ -98,8 +98,10 @@ int importCommand(const QStringList& arguments) {
         return exit_status::unusable;
     }
     const QString file = line.parser.positionalArguments().front();
-    Result<Import> import = importedFile(file, *options);
+    std::vector<Error> leftOut;
+    Result<Import> import = importedFile(file, *options, leftOut);
     if (!import) {
+        tellNotes(file, leftOut);
         complain(QStringLiteral("%1: %2").arg(file, sentence(import.error())));
         return exit_status::unusable;
     }

@@ -67,12 +67,20 @@ class Replacement {
         return m_failure;
     }
 
+    /// Of what was written, which somebody may have replaced since.
+    const FileStamp& written() const {
+        return m_written;
+    }
+
+  private:
     FileStamp stamp() const {
         struct stat info {};
         return statAt(m_folder, m_name, info) == 0 ? stampOf(info) : FileStamp();
     }
-
-  private:
+    void noteWritten(const Descriptor& file) {
+        struct stat info {};
+        m_written = ::fstat(file.number(), &info) == 0 ? stampOf(info) : FileStamp();
+    }
     bool failed() const {
         return m_failure.step != Step::None;
     }
@@ -121,6 +129,7 @@ class Replacement {
         }
         int code = writeAll(file, m_text, 0);
         code = code != 0 ? code : flush(file);
+        noteWritten(file);
         if (code != 0) {
             fail(Step::Write, code);
         } else if (isAnother()) {
@@ -186,6 +195,7 @@ class Replacement {
             return;
         }
         code = fill(file, m_text);
+        noteWritten(file);
         if (code != 0) {
             fail(known && fill(file, old) == 0 ? Step::Write : Step::Damaged, code);
         }
@@ -223,6 +233,7 @@ class Replacement {
     Descriptor m_folder;
     bool m_exists = false;
     struct stat m_info {};
+    FileStamp m_written;
     WriteFailure m_failure;
 };
 
@@ -254,7 +265,7 @@ FileStamp replaced(const fs::path& path, std::string_view text, const std::optio
                    WriteFailure& failure) {
     Replacement replacement(path, text, known);
     failure = replacement.run();
-    return failure.step == Step::None ? replacement.stamp() : FileStamp();
+    return failure.step == Step::None ? replacement.written() : FileStamp();
 }
 
 } // namespace spacetow::disk

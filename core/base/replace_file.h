@@ -26,7 +26,7 @@ struct WriteFailure {
 FileStamp stampOf(const struct stat& info);
 
 /// Replaces the content of the file, which is no link. Files that a writer who was killed has left beside it are
-/// removed. Gives what the file is then.
+/// removed. Gives what the file is then, by the hand of this writer.
 FileStamp replaced(const std::filesystem::path& path, std::string_view text, const std::optional<FileStamp>& known,
                    WriteFailure& failure);
 

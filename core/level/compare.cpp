@@ -1,10 +1,15 @@
 #include "core/level/compare.h"
 
 #include "core/base/overloaded.h"
+#include "core/level/adopt_tags.h"
 #include "core/level/edits.h"
 #include "core/level/field_survey.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <set>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -172,6 +177,29 @@ std::vector<Guide> missingIn(std::vector<Guide> others, const std::vector<Guide>
     return result;
 }
 
+/// The keys, and those of what these objects of `other` refer to and `level` does not have.
+std::set<Key> withNeeded(const Level& level, const Level& other, std::span<const Key> keys) {
+    std::set<Key> all(keys.begin(), keys.end());
+    std::vector<Key> open(keys.begin(), keys.end());
+    while (!open.empty()) {
+        const Object* const object = other.objects.find(open.back());
+        open.pop_back();
+        if (object == nullptr) {
+            continue;
+        }
+        std::vector<Key> needed{object->parent};
+        if (const auto* connector = std::get_if<ConnectorObject>(&object->data)) {
+            needed.insert(needed.end(), {connector->a, connector->b});
+        }
+        for (const Key key : needed) {
+            if (level.objects.find(key) == nullptr && other.objects.find(key) != nullptr && all.insert(key).second) {
+                open.push_back(key);
+            }
+        }
+    }
+    return all;
+}
+
 } // namespace
 
 std::optional<Vec2> commonWay(const std::vector<LevelShape>& before, const std::vector<LevelShape>& after) {
@@ -213,24 +241,49 @@ LevelDifference differenceBetween(const Level& before, const Level& after) {
 }
 
 Level takenOver(Level level, const Level& other, std::span<const Key> keys) {
+    const std::set<Key> wanted = withNeeded(level, other, keys);
+    ForeignObjects foreign{{}, other.tags};
     std::vector<Key> gone;
-    for (const Key key : keys) {
-        const int at = level.objects.indexOf(key);
-        const int there = other.objects.indexOf(key);
-        if (there < 0) {
-            gone.push_back(key);
-        } else if (at >= 0) {
-            level.objects.replace(at, other.objects[there]);
-        } else {
-            int before = there - 1;
-            while (before >= 0 && level.objects.indexOf(other.objects[before].key) < 0) {
-                --before;
-            }
-            level.objects.insert(before < 0 ? 0 : level.objects.indexOf(other.objects[before].key) + 1,
-                                 other.objects[there]);
+    for (const Object& object : other.objects) {
+        if (wanted.contains(object.key)) {
+            foreign.objects.push_back(object);
         }
     }
-    return removed(std::move(level), gone);
+    std::ranges::copy_if(keys, std::back_inserter(gone), [&other](Key key) { return other.objects.indexOf(key) < 0; });
+    AdoptedObjects adopted{std::move(level), std::move(foreign.objects), {}};
+    if (!(adopted.level.tags == other.tags)) {
+        adopted = withTagsAdopted(std::move(adopted.level), {std::move(adopted.objects), other.tags});
+    }
+    std::map<Key, std::vector<Object>> behind; // of an object that is there; 0: before all
+    std::map<Key, Object> instead;
+    auto next = adopted.objects.begin();
+    Key last = 0;
+    for (const Object& object : other.objects) {
+        const bool isThere = adopted.level.objects.indexOf(object.key) >= 0;
+        last = isThere ? object.key : last;
+        if (next != adopted.objects.end() && next->key == object.key) {
+            if (isThere) {
+                instead.emplace(object.key, std::move(*next));
+            } else {
+                behind[last].push_back(std::move(*next));
+            }
+            ++next;
+        }
+    }
+    ObjectList objects;
+    const auto append = [&objects](std::vector<Object>& some) {
+        std::ranges::for_each(some, [&objects](Object& object) { objects.append(std::move(object)); });
+    };
+    append(behind[0]);
+    for (const Object& object : adopted.level.objects) {
+        const auto found = instead.find(object.key);
+        objects.append(found == instead.end() ? object : std::move(found->second));
+        if (const auto after = behind.find(object.key); after != behind.end()) {
+            append(after->second);
+        }
+    }
+    adopted.level.objects = std::move(objects);
+    return removed(std::move(adopted.level), gone);
 }
 
 } // namespace spacetow

@@ -68,8 +68,8 @@ struct LevelDifference {
 LevelDifference differenceBetween(const Level& before, const Level& after);
 
 /// The objects with these keys as `other` has them: what it does not have goes, what only it has comes to stand behind
-/// what it follows there. What hangs on one that
-/// goes, goes with it, as when it is deleted.
+/// what it follows there, with the groups and bodies that it refers to. Tags are known by their names. What hangs on
+/// one that goes, goes with it, as when it is deleted.
 Level takenOver(Level level, const Level& other, std::span<const Key> keys);
 
 /// How all vertices have moved, when the shapes are the same but for that; circles by their centres.

@@ -40,7 +40,11 @@ FileState fileState(const std::filesystem::path& path, const FileState& known) {
         return known;
     }
     const Result<ReadText> found = readFile(path, maxLevelBytes);
-    return found ? FileState{found.value().stamp, contentHash(found.value().text)} : FileState();
+    if (found) {
+        return {found.value().stamp, contentHash(found.value().text)};
+    }
+    std::error_code unknown;
+    return std::filesystem::is_regular_file(path, unknown) ? FileState{stamp, 0} : FileState();
 }
 
 } // namespace spacetow

@@ -11,9 +11,8 @@ namespace spacetow {
 
 struct FileState {
     FileStamp stamp;
-    std::uint64_t hash = 0; // of the bytes
+    std::uint64_t hash = 0; // of the bytes; 0 where they cannot be read
 
-    /// As a file that can be read.
     bool exists() const { return stamp.exists; }
     bool sameContent(const FileState& other) const {
         return exists() == other.exists() && stamp.size == other.stamp.size && hash == other.hash;

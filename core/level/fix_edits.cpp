@@ -9,6 +9,7 @@
 #include "core/level/lint_findings.h"
 #include "core/level/nodes.h"
 #include "core/level/object_geometry.h"
+#include "core/level/unknown_fields.h"
 
 #include <algorithm>
 #include <array>
@@ -116,7 +117,7 @@ bool canBeBuilt(const LevelShape& shape) {
 }
 
 bool startsWell(const Level& level, Key key) {
-    return std::ranges::none_of(lint(level), [key](const Problem& problem) {
+    return std::ranges::none_of(placingProblems(level), [key](const Problem& problem) {
         return problem.object == key && (problem.code.ends_with("-in-wall") || problem.code.ends_with("-outside"));
     });
 }
@@ -259,15 +260,19 @@ Level withoutUnbuildable(Level level, Key key) {
             return false;
         }
         std::vector<LevelShape> kept;
-        for (const LevelShape& shape : std::as_const(body->shapes)) {
+        std::vector<int> lost;
+        for (int i = 0; const LevelShape& shape : std::as_const(body->shapes)) {
             if (canBeBuilt(shape)) {
                 kept.push_back(shape);
+            } else {
+                lost.push_back(i);
             }
+            ++i;
         }
         isEmpty = kept.empty();
-        const bool isChanged = kept.size() != std::as_const(body->shapes).size();
         body->shapes = std::move(kept);
-        return isChanged;
+        object.unknownFields = withoutEntries(object.unknownFields, "/shapes", lost);
+        return !lost.empty();
     });
     const std::array keys{key};
     return isEmpty ? removed(std::move(level), keys) : level;

@@ -57,7 +57,8 @@ std::vector<LeakWall> leakWalls(const Level& level, const std::function<bool(int
     std::vector<LeakWall> walls;
     for (int i = 0; i < level.objects.size(); ++i) {
         const auto* body = std::get_if<BodyObject>(&level.objects[i].data);
-        if (body == nullptr || body->kind == BodyKind::Dynamic || !mayTouch(ship, body->filter) || isBad(i)) {
+        const bool isPushedAway = body != nullptr && body->kind == BodyKind::Dynamic && !body->frozen;
+        if (body == nullptr || isPushedAway || !body->tangible || !mayTouch(ship, body->filter) || isBad(i)) {
             continue;
         }
         AddLeakWalls adder{walls, {body->position, Rot::fromAngle(body->angle)}, i};

@@ -2,6 +2,7 @@
 
 #include "core/level/key_text.h"
 #include "core/level/lint_findings.h"
+#include "core/level/lint_walls.h"
 #include "core/level/unknown_fields.h"
 
 #include <algorithm>
@@ -130,6 +131,14 @@ std::vector<Problem> buildingProblems(const Level& level) {
     return std::move(findings).sorted();
 }
 
+std::vector<Problem> placingProblems(const Level& level) {
+    Findings findings;
+    run(buildingChecks, level, findings);
+    checkStart(level, findings);
+    checkCaves(level, Walls(wallChains(level, findings)), findings);
+    return std::move(findings).sorted();
+}
+
 std::vector<bool> hiddenAmong(const Level& level, const std::vector<Problem>& problems) {
     std::vector<std::pair<Key, std::string>> wanted;
     for (const HiddenProblem& hidden : level.hiddenProblems) {
@@ -159,7 +168,7 @@ Level withProblemHidden(Level level, const Problem& problem, bool hidden) {
     std::erase(level.hiddenProblems, entry);
     level.unknownFields = withoutEntries(level.unknownFields, "/hiddenProblems", lost);
     if (hidden) {
-        level.hiddenProblems.push_back({problem.code, problem.object});
+        level.hiddenProblems.push_back(entry);
     }
     return level;
 }

@@ -14,6 +14,8 @@ namespace spacetow {
 std::vector<Problem> lint(const Level& level, const std::stop_token& stop = {});
 /// Only what tells whether each object can be built.
 std::vector<Problem> buildingProblems(const Level& level);
+/// These, and what is wrong with where ship, payload and finish are: for those who try many places.
+std::vector<Problem> placingProblems(const Level& level);
 
 /// For each problem whether the author of the level does not want to see it.
 std::vector<bool> hiddenAmong(const Level& level, const std::vector<Problem>& problems);

@@ -17,7 +17,8 @@ namespace {
 struct SegmentMark {
     std::array<std::int64_t, 4> ends{};
     std::array<std::uint32_t, 2> filter{};
-    int party = 0; // what moves together; −1 for all that stands still
+    std::array<double, 3> surface{}; // restitution, friction, depth
+    int party = 0;                   // what moves together; −1 for all that stands still
     bool oneWay = false;
 
     auto operator<=>(const SegmentMark&) const = default;
@@ -40,6 +41,7 @@ SegmentMark markOf(const WallChain& chain, int segment) {
     const Vec2& b = chain.end(segment);
     SegmentMark mark{{rounded(a.x()), rounded(a.y()), rounded(b.x()), rounded(b.y())},
                      {chain.body->filter.tags.bits, chain.body->filter.touches.bits},
+                     {chain.body->restitution, chain.body->friction, chain.depth},
                      chain.isStill() ? -1 : chain.object,
                      chain.oneWay};
     // Two-sided walls may run either way.

@@ -3,6 +3,8 @@
 #include "core/base/overloaded.h"
 #include "core/level/groups.h"
 #include "core/level/merge_fields.h"
+#include "core/level/tag_edits.h"
+#include "core/level/tag_spelling.h"
 #include "core/level/unknown_fields.h"
 
 #include <algorithm>
@@ -24,6 +26,7 @@ void swapTags(Level& level, int a, int b) {
     const TagInfo kept = level.tags[a];
     level.tags.set(a, level.tags[b]);
     level.tags.set(b, kept);
+    level.unknownFields = withEntriesSwapped(level.unknownFields, "/tags", a, b);
     for (int i = 0; i < level.objects.size(); ++i) {
         const auto* body = std::get_if<BodyObject>(&level.objects[i].data);
         const Filter filter = body != nullptr ? body->filter : Filter{};
@@ -36,24 +39,20 @@ void swapTags(Level& level, int a, int b) {
     }
 }
 
-/// The merge of what both have in a list, each entry counted once.
-template <class T>
-std::vector<T> mergedSet(const std::vector<T>& base, const std::vector<T>& ours, const std::vector<T>& theirs) {
-    std::vector<T> result;
-    const auto has = [](const std::vector<T>& list, const T& entry) {
-        return std::ranges::find(list, entry) != list.end();
-    };
-    for (const T& entry : ours) {
-        if (has(theirs, entry) || !has(base, entry)) {
-            result.push_back(entry);
+/// The level without the tag on any body: what stands in its place means something else.
+void dropTag(Level& level, int tag) {
+    for (int i = 0; i < level.objects.size(); ++i) {
+        const auto* body = std::get_if<BodyObject>(&level.objects[i].data);
+        if (body != nullptr && tagsInUse(level.objects[i]).contains(tag)) {
+            const std::uint32_t bit = TagMask::bit(tag).bits;
+            const bool isException = isSpelledByExceptions(body->filter.touches);
+            Object object = level.objects[i];
+            Filter& filter = std::get<BodyObject>(object.data).filter;
+            filter.tags.bits &= ~bit;
+            filter.touches.bits = isException ? filter.touches.bits | bit : filter.touches.bits & ~bit;
+            level.objects.replace(i, std::move(object));
         }
     }
-    for (const T& entry : theirs) {
-        if (!has(base, entry) && !has(ours, entry)) {
-            result.push_back(entry);
-        }
-    }
-    return result;
 }
 
 /// Puts the merge together.
@@ -68,72 +67,72 @@ class Merge {
         FieldMerger fields(m_preferred, 0, m_result.conflicts);
         fields.mergeSimpleFields(m_result.level, m_base, m_theirs);
         mergeTags(fields);
-        mergeList(&Level::guides, "/guides");
-        mergeList(&Level::hiddenProblems, "/hiddenProblems");
+        fields.mergeLists(m_result.level, m_base, m_theirs);
         mergeObjects();
         return std::move(m_result);
     }
 
   private:
-    /// Unknown fields stay with the entries that are ours.
-    template <class T>
-    void mergeList(std::vector<T> Level::*list, const std::string& place) {
-        std::vector<T>& merged = m_result.level.*list;
-        merged = mergedSet(m_base.*list, m_ours.*list, m_theirs.*list);
-        std::vector<int> lost;
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < (m_ours.*list).size(); ++i) {
-            if (kept < merged.size() && merged[kept] == (m_ours.*list)[i]) {
-                ++kept;
-            } else {
-                lost.push_back(static_cast<int>(i));
-            }
-        }
-        m_result.level.unknownFields = withoutEntries(m_result.level.unknownFields, place, lost);
-    }
-
     // Tags
 
     /// Tags of theirs come to stand where ours has those of the same names, and those that only they have made where
     /// there is room. What is known to the base stays.
     void placeTheirTags() {
         for (int i = 0; i < TagTable::size; ++i) {
-            const std::string name = m_theirs.tags[i].name;
-            if (name.empty() || !m_base.tags[i].name.empty()) {
-                continue;
-            }
-            const std::optional<int> same = m_ours.tags.indexOf(name);
-            if (same && *same != i && m_base.tags[*same].name.empty()) {
-                swapTags(m_theirs, i, *same);
-            } else if (!same && !m_ours.tags[i].name.empty()) {
-                move(i);
+            while (isNew(i)) {
+                const std::optional<int> same = m_ours.tags.indexOf(m_theirs.tags[i].name);
+                if (same && *same != i && m_base.tags[*same].name.empty()) {
+                    swapTags(m_theirs, i, *same); // what was there may have to go elsewhere, too
+                    continue;
+                }
+                if (!same && !m_ours.tags[i].name.empty()) {
+                    move(i);
+                }
+                break;
             }
         }
     }
+    bool isNew(int tag) const { return !m_theirs.tags[tag].name.empty() && m_base.tags[tag].name.empty(); }
     void move(int from) {
+        const TagMask taken =
+            m_base.tags.named() | m_ours.tags.named() | m_theirs.tags.named() | tagsInUse(m_ours) | tagsInUse(m_theirs);
         for (int to = 0; to < TagTable::size; ++to) {
-            if (m_ours.tags[to].name.empty() && m_theirs.tags[to].name.empty() && m_base.tags[to].name.empty()) {
+            if (!taken.contains(to)) {
                 swapTags(m_theirs, from, to);
                 return;
             }
         }
         m_result.conflicts.push_back({ConflictKind::TagsFull, 0, m_theirs.tags[from].name});
         m_theirs.tags.set(from, m_base.tags[from]);
+        dropTag(m_theirs, from);
     }
     void mergeTags(FieldMerger& fields) {
         TagTable& tags = m_result.level.tags;
         for (int i = 0; i < TagTable::size; ++i) {
-            const auto field = "tag " + (m_base.tags[i].name.empty() ? m_ours.tags[i].name : m_base.tags[i].name);
+            const std::string field =
+                "tag " + (m_base.tags[i].name.empty() ? m_ours.tags[i].name : m_base.tags[i].name);
             TagInfo info;
             info.name = fields.choose(field.c_str(), m_base.tags[i].name, m_ours.tags[i].name, m_theirs.tags[i].name);
             info.color =
                 fields.choose(field.c_str(), m_base.tags[i].color, m_ours.tags[i].color, m_theirs.tags[i].color);
-            if (!info.name.empty() && tags.indexOf(info.name).value_or(i) < i) {
-                info.name = m_ours.tags[i].name; // two tags of one name: theirs keeps ours' name
-                m_result.conflicts.push_back({ConflictKind::Field, 0, field});
-            }
             tags.set(i, info);
         }
+        while (const std::optional<int> twice = tagNamedTwice()) { // ends: each time one more is called as ours is
+            m_result.conflicts.push_back({ConflictKind::Field, 0, "tag " + tags[*twice].name});
+            tags.set(*twice, {m_ours.tags[*twice].name, tags[*twice].color});
+        }
+    }
+    /// A tag that has, from theirs, a name that another one has as well: they keep ours' names.
+    std::optional<int> tagNamedTwice() const {
+        const TagTable& tags = m_result.level.tags;
+        for (int i = 0; i < TagTable::size; ++i) {
+            for (int j = 0; j < TagTable::size && !tags[i].name.empty(); ++j) {
+                if (i != j && tags[j].name == tags[i].name && tags[i].name != m_ours.tags[i].name) {
+                    return i;
+                }
+            }
+        }
+        return {};
     }
 
     // Objects
@@ -142,7 +141,7 @@ class Merge {
         decideWhoStays();
         m_result.level.objects = {};
         for (const Key key : mergedOrder()) {
-            if (std::optional<Object> object = mergedObject(key)) {
+            if (std::optional<Object> object = mergedObject(key, m_result.conflicts)) {
                 m_result.level.objects.append(std::move(*object));
             }
         }
@@ -163,12 +162,11 @@ class Merge {
                 keep(object.key);
             }
         }
+        const std::vector<Key> all = woven(keysOf(m_ours), keysOf(m_theirs));
         for (bool more = true; more;) {
             more = false;
-            for (const Level* level : std::initializer_list<const Level*>{&m_ours, &m_theirs}) {
-                for (const Object& object : level->objects) {
-                    more = (stays(object.key) && keepNeeded(object)) || more;
-                }
+            for (const Key key : all) {
+                more = keepNeeded(key) || more;
             }
         }
     }
@@ -176,15 +174,32 @@ class Merge {
         return m_kept.contains(key) ||
                ((ours(key) != nullptr || base(key) == nullptr) && (theirs(key) != nullptr || base(key) == nullptr));
     }
-    bool keepNeeded(const Object& object) {
-        std::vector<Key> needed{object.parent};
-        if (const auto* connector = std::get_if<ConnectorObject>(&object.data)) {
-            needed.insert(needed.end(), {connector->a, connector->b});
+    bool isAboutToGo(Key key) const {
+        return key != 0 && base(key) != nullptr && !stays(key) && (ours(key) != nullptr || theirs(key) != nullptr);
+    }
+    static std::vector<Key> neededBy(const Object* object) {
+        std::vector<Key> needed;
+        if (object != nullptr) {
+            needed.push_back(object->parent);
+            if (const auto* connector = std::get_if<ConnectorObject>(&object->data)) {
+                needed.insert(needed.end(), {connector->a, connector->b});
+            }
         }
+        return needed;
+    }
+    /// What the merged object refers to, which need not be what either side's does.
+    bool keepNeeded(Key key) {
+        bool isMatter = false;
+        for (const Object* object : {ours(key), theirs(key)}) {
+            const std::vector<Key> needed = neededBy(object);
+            isMatter = isMatter || std::ranges::any_of(needed, [this](Key other) { return isAboutToGo(other); });
+        }
+        std::vector<MergeConflict> untold;
+        const std::optional<Object> object = isMatter ? mergedObject(key, untold) : std::nullopt;
         bool any = false;
-        for (const Key key : needed) {
-            if (key != 0 && base(key) != nullptr && !stays(key) && (ours(key) != nullptr || theirs(key) != nullptr)) {
-                keep(key);
+        for (const Key needed : neededBy(object ? &*object : nullptr)) {
+            if (isAboutToGo(needed)) {
+                keep(needed);
                 any = true;
             }
         }
@@ -192,13 +207,12 @@ class Merge {
     }
     void keep(Key key) { m_kept.insert(key); }
 
-    std::optional<Object> mergedObject(Key key) {
+    std::optional<Object> mergedObject(Key key, std::vector<MergeConflict>& conflicts) const {
         const Object* old = base(key);
         const Object* mine = ours(key);
         const Object* other = theirs(key);
         if (m_kept.contains(key)) {
-            m_result.conflicts.push_back(
-                {mine == nullptr ? ConflictKind::RemovedOurs : ConflictKind::RemovedTheirs, key, {}});
+            conflicts.push_back({mine == nullptr ? ConflictKind::RemovedOurs : ConflictKind::RemovedTheirs, key, {}});
             return mine == nullptr ? *other : *mine;
         }
         if (!stays(key)) {
@@ -209,14 +223,14 @@ class Merge {
         }
         if (old == nullptr) {
             if (!(*mine == *other)) {
-                m_result.conflicts.push_back({ConflictKind::AddedTwice, key, {}});
+                conflicts.push_back({ConflictKind::AddedTwice, key, {}});
             }
             return m_preferred == MergeSide::Ours ? *mine : *other;
         }
         if (*mine == *other || *other == *old) {
             return *mine;
         }
-        return *mine == *old ? *other : FieldMerger(m_preferred, key, m_result.conflicts).merged(*old, *mine, *other);
+        return *mine == *old ? *other : FieldMerger(m_preferred, key, conflicts).merged(*old, *mine, *other);
     }
 
     // Order

@@ -99,7 +99,6 @@ Object FieldMerger::merged(const Object& base, const Object& ours, const Object&
 void FieldMerger::mergeSimpleFields(Level& ours, const Level& base, const Level& theirs) {
     mergeFields(ours, base, theirs);
     mergeFields(ours.rules, base.rules, theirs.rules);
-    ours.unknownFields = choose("unknown fields", base.unknownFields, ours.unknownFields, theirs.unknownFields);
 }
 
 } // namespace spacetow

@@ -14,6 +14,8 @@ class FieldMerger {
     Object merged(const Object& base, const Object& ours, const Object& theirs);
     /// The simple fields and rules of the level; everything else as ours has it.
     void mergeSimpleFields(Level& ours, const Level& base, const Level& theirs);
+    /// Guides, hidden problems, and the fields that nobody understands, of all but objects.
+    void mergeLists(Level& ours, const Level& base, const Level& theirs);
 
     /// The value that the merge has of one that is a whole.
     template <class T>

@@ -1,6 +1,7 @@
 #include "core/level/unknown_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <unordered_set>
@@ -90,6 +91,22 @@ std::string unknownFieldsText(std::span<const UnknownField> fields) {
         addSpelled(members, field.place, pointerSegment(field.name), field.value);
     }
     return inBraces(members);
+}
+
+std::string withEntriesSwapped(const std::string& text, const std::string& list, int a, int b) {
+    const std::array places{list + '/' + std::to_string(a), list + '/' + std::to_string(b)};
+    std::vector<UnknownField> fields = unknownFields(text);
+    for (UnknownField& field : fields) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const std::string& place = places[i];
+            if (field.place.starts_with(place) && (field.place + '/')[place.size()] == '/') {
+                field.place.replace(0, place.size(), places[1 - i]);
+                break;
+            }
+        }
+    }
+    std::ranges::stable_sort(fields, {}, &UnknownField::place); // as a reader has them
+    return unknownFieldsText(fields);
 }
 
 std::string withoutEntries(const std::string& text, const std::string& list, std::span<const int> lost) {

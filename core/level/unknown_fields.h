@@ -37,6 +37,9 @@ std::string unknownFieldsText(std::span<const UnknownField> fields);
 /// Of an owner whose list ("/shapes") has lost entries, at these places, ascending: those after them have moved up.
 std::string withoutEntries(const std::string& text, const std::string& list, std::span<const int> lost);
 
+/// Of an owner in whose list two entries have changed places.
+std::string withEntriesSwapped(const std::string& text, const std::string& list, int a, int b);
+
 /// Puts the fields back where they were; `moved` tells where a place is now, empty for no more. What has a known field
 /// of that name by now, or no place, is left out.
 void insertUnknownFields(JsonText& out, const std::string& text,

@@ -51,16 +51,20 @@ class ImportMaker {
             }
         }
         dropEmptyGroups();
-        Import import;
-        import.notes = m_drawing.notes;
-        std::ranges::move(m_report.notes(), std::back_inserter(import.notes));
         if (m_objects.empty()) {
             return Error{"import-nothing", {}};
         }
+        Import import;
+        import.notes = notes();
         import.foreign = {std::move(m_objects), m_tags.table()};
         import.vertices = static_cast<int>(m_vertices);
         import.scale = m_options.scale;
         return import;
+    }
+    std::vector<Error> notes() const {
+        std::vector<Error> all = m_drawing.notes;
+        std::ranges::move(m_report.notes(), std::back_inserter(all));
+        return all;
     }
 
   private:
@@ -199,8 +203,14 @@ Vec2 shiftOf(const ForeignObjects& foreign, const ImportPlace& place) {
 
 } // namespace
 
-Result<Import> importOf(const Drawing& drawing, const ImportOptions& options, const Watch& watch) {
-    return ImportMaker(drawing, options, watch).made();
+Result<Import> importOf(const Drawing& drawing, const ImportOptions& options, const Watch& watch,
+                        std::vector<Error>* leftOut) {
+    ImportMaker maker(drawing, options, watch);
+    Result<Import> import = maker.made();
+    if (!import && leftOut != nullptr) {
+        *leftOut = maker.notes();
+    }
+    return import;
 }
 
 Imported imported(Level level, ForeignObjects foreign, const ImportPlace& place) {

@@ -36,8 +36,9 @@ struct Import {
 Result<Drawing> readDrawing(std::string_view bytes, const Watch& watch = {});
 
 /// Codes: "import-too-far" (metres allowed), "import-too-many-vertices" (number allowed), "import-nothing",
-/// "import-stopped".
-Result<Import> importOf(const Drawing& drawing, const ImportOptions& options, const Watch& watch = {});
+/// "import-stopped". `leftOut` is told what was not taken over even where that is all there is.
+Result<Import> importOf(const Drawing& drawing, const ImportOptions& options, const Watch& watch = {},
+                        std::vector<Error>* leftOut = nullptr);
 
 /// Where what comes is to be in a level.
 struct ImportPlace {

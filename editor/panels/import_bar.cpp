@@ -224,7 +224,7 @@ void ImportBar::start() {
             }
         }
         if (outcome.drawing) {
-            Result<Import> import = importOf(*outcome.drawing, wanted, watch);
+            Result<Import> import = importOf(*outcome.drawing, wanted, watch, &outcome.notes);
             if (!import) {
                 outcome.error = import.error();
             } else {

@@ -69,6 +69,8 @@ class ProblemsPanel : public QWidget {
     QSize minimumSizeHint() const override { return {200, 70}; }
 
   Q_SIGNALS:
+    /// The user should hear of this.
+    void said(const QString& text);
     void problemsChanged();
     /// Other marks, or another problem is the current one.
     void marksChanged();

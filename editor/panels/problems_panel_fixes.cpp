@@ -24,10 +24,14 @@ void ProblemsPanel::fixCurrent() {
     // What was found in another level may be somewhere else in this one.
     const Edit& now = m_document.current();
     if (now.level != m_checked) {
-        check();
+        checkBeside();
         return;
     }
     auto level = std::make_shared<Level>(fixed(*now.level, *problem));
+    if (*level == *now.level) {
+        Q_EMIT said(tr("Nothing was found that would cure this by itself."));
+        return;
+    }
     Selection selection = now.selection.within(*level);
     m_document.commit({std::string(fix->label), 1}, {std::move(level), std::move(selection)});
 }

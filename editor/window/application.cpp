@@ -144,6 +144,11 @@ void Application::startNew(MainWindow& from) {
 
 void Application::openAll(const QStringList& paths, MainWindow& from) {
     MessageBar& bar = from.messageBar();
+    if (paths.size() == 1) {
+        bar.dismiss();
+        open(paths.front(), from); // what is said of it may offer a way out
+        return;
+    }
     QStringList said;
     MessageBar::Tone worst = MessageBar::Tone::Info;
     for (const QString& path : paths) {
@@ -170,7 +175,16 @@ MainWindow* Application::open(const QString& path, MainWindow& from) {
         return &window;
     }
     if (&window != &from) {
-        from.messageBar().say(window.messageBar().tone(), window.messageBar().text());
+        std::vector<MessageBar::Choice> choices;
+        if (!window.messageBar().buttons().empty()) {
+            const QString file = QFileInfo(path).absoluteFilePath();
+            choices = Files::backupChoices(file, [this, file, &from] {
+                MainWindow& room = roomFor(from);
+                room.files().openNewestBackup(file);
+                room.comeForward();
+            });
+        }
+        from.messageBar().say(window.messageBar().tone(), window.messageBar().text(), choices);
         m_windows.pop_back(); // the one that nobody has seen
     }
     return nullptr;

@@ -181,7 +181,7 @@ std::optional<LevelFile> Files::readable(const QString& path) {
 bool Files::holdsLevel(const LevelFile& file, const QString& shownName) {
     if (!file.level) {
         m_tell(MessageBar::Tone::Error, FileWords::tr("%1 cannot be opened.").arg(shownName) + listed(file.problems),
-               backupChoices());
+               backupChoices(m_readPath, [this, path = m_readPath] { openNewestBackup(path); }));
     }
     return file.level.has_value();
 }

@@ -62,6 +62,10 @@ class Files {
     bool restore(const JournalEntry& entry);
     /// A former version of the file, as one edit.
     bool openBackup(const std::filesystem::path& backup);
+    /// The newest former version of a file that holds no level any more; the file stays as it is.
+    void openNewestBackup(const QString& path);
+    /// Where there is one, a choice that calls `open`.
+    static std::vector<MessageBar::Choice> backupChoices(const QString& path, std::function<void()> open);
     /// Offers to save what is modified; false when the user would rather stay.
     bool mayLeave();
 
@@ -88,8 +92,6 @@ class Files {
     /// With `known`, only while the file is still that one.
     bool writeTo(const QString& path, const std::optional<FileStamp>& known = {});
     void sayNotSaved(const Error& error);
-    /// A former version of the file that was read last, where there is one.
-    std::vector<MessageBar::Choice> backupChoices();
     QString suggestion() const;
 
     Document& m_document;

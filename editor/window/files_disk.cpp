@@ -33,7 +33,8 @@ bool Files::writeTo(const QString& path, const std::optional<FileStamp>& known) 
     saving.emit();
     // Without a copy of what was there it is saved all the same.
     [[maybe_unused]] const std::optional<Error> noBackup = backUp(backupFolder(), file);
-    const Result<FileStamp> written = savedLevel(file, *m_document.current().level, known);
+    const Result<std::string> text = savableText(*m_document.current().level);
+    const Result<FileStamp> written = text ? writeFile(file, text.value(), known) : Result<FileStamp>(text.error());
     if (!written) {
         if (written.error().code == "changed-on-disk") {
             conflict.emit();
@@ -43,7 +44,7 @@ bool Files::writeTo(const QString& path, const std::optional<FileStamp>& known) 
         return false;
     }
     m_path = path;
-    m_disk = fileState(file);
+    m_disk = {written.value(), contentHash(text.value())}; // not what somebody may have written since
     m_untitled.clear();
     preferences.addRecent(path);
     m_document.markSaved();
@@ -115,23 +116,30 @@ bool Files::restore(const JournalEntry& entry) {
     return true;
 }
 
-std::vector<MessageBar::Choice> Files::backupChoices() {
-    const std::string path = m_readPath.toStdString();
-    const auto backups = path.empty() ? std::vector<Backup>() : backupsOf(backupFolder(), path);
-    if (backups.empty()) {
+std::vector<MessageBar::Choice> Files::backupChoices(const QString& path, std::function<void()> open) {
+    if (path.isEmpty() || backupsOf(backupFolder(), path.toStdString()).empty()) {
         return {};
     }
-    return {{DiskWords::tr("Open Newest Backup"), [this, path, hash = m_read.hash, backup = backups.front().file] {
-                 const Result<LevelFile> file = readLevel(backup, Checks::FileOnly);
-                 if (file && file.value().level && mayLeave()) {
-                     restore({path, QFileInfo(QString::fromStdString(path)).fileName().toStdString(), hash, 0,
-                              levelText(*file.value().level)});
-                     m_tell(MessageBar::Tone::Info,
-                            DiskWords::tr("This is the newest backup of %1. The file stays as it is until you save.")
-                                .arg(name()),
-                            {});
-                 }
-             }}};
+    return {{DiskWords::tr("Open Newest Backup"), std::move(open)}};
+}
+
+void Files::openNewestBackup(const QString& path) {
+    std::optional<Level> found;
+    for (const Backup& backup : backupsOf(backupFolder(), path.toStdString())) {
+        Result<LevelFile> file = readLevel(backup.file, Checks::FileOnly);
+        if (file && file.value().level) {
+            found = std::move(std::move(file).value().level);
+            break;
+        }
+    }
+    if (!found) {
+        m_tell(MessageBar::Tone::Error, DiskWords::tr("This backup cannot be opened."), {});
+    } else if (mayLeave() && restore({path.toStdString(), QFileInfo(path).fileName().toStdString(),
+                                      fileState(path.toStdString()).hash, 0, levelText(*found)})) {
+        m_tell(MessageBar::Tone::Info,
+               DiskWords::tr("This is the newest backup of %1. The file stays as it is until you save.").arg(name()),
+               {});
+    }
 }
 
 bool Files::openBackup(const std::filesystem::path& backup) {

@@ -66,6 +66,8 @@ void MainWindow::listenToPanels() {
     m_outliner.addButtons({&m_actions[Act::NewLayer], &m_actions[Act::Group], &m_actions[Act::Ungroup],
                            &m_actions[Act::Forward], &m_actions[Act::Backward], &m_actions[Act::Delete]});
     connect(&m_differences, &DifferencePanel::levelWanted, &m_actions[Act::Compare], &QAction::trigger);
+    connect(&m_problems, &ProblemsPanel::said, this,
+            [this](const QString& text) { m_message.say(MessageBar::Tone::Info, text); });
     connect(&m_problems, &ProblemsPanel::objectWanted, this, &MainWindow::showObject);
     connect(&m_problems, &ProblemsPanel::placeWanted, this,
             [this](const std::vector<Vec2>& place) { m_canvas.showPlace(place); });

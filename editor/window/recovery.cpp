@@ -59,7 +59,7 @@ std::shared_ptr<const Level> Recovery::wanted() const {
 
 bool Recovery::isBehind() const {
     const std::shared_ptr<const Level> level = wanted();
-    return m_task.isRunning() || level != m_kept || (level && m_keptPath != m_files.path());
+    return m_task.isRunning() || m_isToRetry || level != m_kept || (level && m_keptPath != m_files.path());
 }
 
 bool Recovery::isFileOpenElsewhere() const {
@@ -115,13 +115,16 @@ void Recovery::keep(std::shared_ptr<const Level> level) {
         }
         return [this, level, error] {
             kept(level, error);
-            note(); // what has come meanwhile
+            if (!m_isToRetry || wanted() != level) {
+                note(); // what has come meanwhile
+            }
         };
     });
 }
 
 void Recovery::kept(const std::shared_ptr<const Level>& level, const std::optional<Error>& error) {
-    m_kept = level; // also when it failed: the same would fail again
+    m_kept = level;                                       // also when it failed: a level that cannot be saved never can
+    m_isToRetry = error && error->code == "cannot-write"; // but a disk may have room again
     if (error && !std::exchange(m_broken, true)) {
         failed.emit(*error);
     } else if (!error) {
@@ -143,6 +146,7 @@ void Recovery::close() {
     if (m_slot) {
         m_slot->erase();
     }
+    m_isToRetry = false;
     m_kept = wanted(); // so that nothing is written any more
     m_keptPath = m_files.path();
 }

@@ -47,6 +47,7 @@ class Recovery : public QObject {
     std::shared_ptr<const Level> m_kept; // what the journal holds; null: nothing
     QString m_keptPath;
     bool m_broken = false; // could not be written the last time
+    bool m_isToRetry = false;
     int m_historyListener = 0;
     int m_fileListener = 0;
     QTimer m_soon;         // once the events that are there are through

@@ -72,6 +72,22 @@ class LevelcCompareTest : public QObject {
         QVERIFY(told.out.contains("+ roof (One-way wall): added"));
     }
 
+    void diffDoesNotEndGitsWholeDiffWhereSomethingIsNoLevel() {
+        const QString b = saved("b.json", cave());
+        const QString broken = path("broken.json");
+        writeFile(broken.toStdString(), "<<<<<<< ours").value();
+        for (const auto& [from, to] : {std::pair(b, broken), std::pair(broken, b)}) {
+            const Ended told = ended({"diff", "--git", "x.json", from, "abc", "100644", to, "abd", "100644"});
+            QCOMPARE(told.status, 0);
+            QVERIFY2(told.out.contains("! cannot be compared"), qPrintable(told.out));
+            QVERIFY2(told.err.contains("broken.json:1"), qPrintable(told.err));
+        }
+        // Of a file that is in conflict git gives the name alone.
+        const Ended torn = ended({"diff", "--git", "x.json"});
+        QCOMPARE(torn.status, 0);
+        QCOMPARE(torn.out, QString("level x.json\n! not merged yet\n"));
+    }
+
     void mergePutsBothSidesTogetherAndNamesConflicts() {
         const QString base = saved("base.json", cave());
         const QString ours = saved("ours.json", moved(cave(), KeysToMove{1}, {2, 0}));
@@ -89,6 +105,18 @@ class LevelcCompareTest : public QObject {
         QCOMPARE(ended({"merge", base, ours, other, "--theirs"}).status, 1);
         QVERIFY(*readLevel(ours.toStdString()).value().level == moved(cave(), KeysToMove{1}, {0, 3}));
         QCOMPARE(ended({"merge", base, ours, path("none.json")}).status, 2);
+    }
+
+    void whatBothSidesHaveAddedIsMergedToo() {
+        const QString nothing = path("empty.json"); // as git gives it for a base that is not there
+        writeFile(nothing.toStdString(), "").value();
+        const QString ours = saved("ours.json", cave());
+        const QString theirs = saved("theirs.json", renamed(cave(), 2, "ceiling"));
+        QCOMPARE(ended({"merge", nothing, ours, ours, "-o", path("same.json")}).status, 0);
+        const Ended torn = ended({"merge", nothing, ours, theirs});
+        QCOMPARE(torn.status, 1);
+        QVERIFY2(torn.err.contains("conflict"), qPrintable(torn.err));
+        QCOMPARE(ended({"merge", ours, nothing, theirs}).status, 2);
     }
 
   private:

@@ -69,6 +69,18 @@ class HostileFilesTest : public QObject {
                  "import-too-far");
     }
 
+    void whatWasLeftOutIsToldEvenWhereThatIsAllThereIs() {
+        const Result<Drawing> map =
+            readDrawing(R"(<map width="1" height="1" tilewidth="8" tileheight="8"><layer name="Ground"><data )"
+                        R"(encoding="base64" compression="zlib">eJxjYAAAAAEAAQ==</data></layer></map>)");
+        QVERIFY(bool(map));
+        std::vector<Error> leftOut;
+        const Result<Import> import = importOf(map.value(), {}, {}, &leftOut);
+        QCOMPARE(codeOf(import), "import-nothing");
+        QCOMPARE(leftOut.size(), std::size_t{1});
+        QCOMPARE(leftOut.front().code, std::string("import-tiles"));
+    }
+
     void usesThatMultiplyAreStopped() {
         std::string defs = "<defs><rect id='l0' width='1' height='1'/>";
         for (int i = 1; i <= 30; ++i) {

@@ -4,6 +4,7 @@
 #include "core/level/edits.h"
 #include "core/level/file.h"
 #include "core/level/groups.h"
+#include "tests/support/cpu_time.h"
 #include "tests/support/random_level.h"
 #include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
@@ -147,6 +148,42 @@ class CompareTest : public QObject {
             plain = full;
         }
         QVERIFY(differenceBetween(full, plain).empty());
+    }
+
+    void whatIsTakenOverBringsWhatItRefersToAndMeansTheSame() {
+        Level level = withTag(Level(), 9, {"lava"});
+        level.objects.append({1, "floor", BodyObject{.shapes = {Circle{}}}, {}});
+        Level other = withTag(Level(), 9, {"ice"});
+        other.objects.append({5, "first", BodyObject{.shapes = {Circle{}}}, {}});
+        other.objects.append({1, "floor", BodyObject{.shapes = {Circle{}}}, {}});
+        other.objects.append({2, "group", GroupObject{}, {}});
+        other.objects.append({3, "ball", BodyObject{.shapes = {Circle{}}}, {}, 2});
+        other.objects.append({4, "rope", ConnectorObject{.a = 1, .b = 3}, {}});
+        Object ball = *other.objects.find(3);
+        std::get<BodyObject>(ball.data).filter.tags = TagMask::bit(9);
+        other.objects.replace(other.objects.indexOf(3), ball);
+        const Level result = takenOver(level, other, std::vector<Key>{4, 5});
+        std::vector<Key> keys;
+        for (const Object& object : result.objects) {
+            keys.push_back(object.key);
+        }
+        QCOMPARE(keys, (std::vector<Key>{5, 1, 2, 3, 4}));
+        const auto ice = result.tags.indexOf("ice");
+        QVERIFY(ice && *ice != 9 && result.tags[9].name == "lava");
+        QCOMPARE(std::get<BodyObject>(result.objects.find(3)->data).filter.tags, TagMask::bit(*ice));
+        QVERIFY(takenOver(result, level, std::vector<Key>{2, 3, 4, 5}).objects == level.objects);
+    }
+
+    void manyObjectsAreTakenOverInTime() {
+        Level other;
+        std::vector<Key> keys;
+        for (Key key = 1; key <= 20'000; ++key) {
+            other.objects.append({key, {}, BodyObject{.shapes = {Circle{}}}, {}});
+            keys.push_back(key);
+        }
+        const CpuTimer timer;
+        QVERIFY(takenOver(Level(), other, keys).objects == other.objects);
+        QVERIFY2(timer.seconds() < 1, qPrintable(QString::number(timer.seconds())));
     }
 };
 

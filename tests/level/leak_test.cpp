@@ -278,9 +278,16 @@ class LeakTest : public QObject {
         level.objects.replace(2, changed);
         QCOMPARE(leaksIn(level).size(), std::size_t{1});
         std::get<BodyObject>(changed.data).filter = {};
+        std::get<BodyObject>(changed.data).tangible = false;
+        level.objects.replace(2, changed);
+        QCOMPARE(leaksIn(level).size(), std::size_t{1});
+        std::get<BodyObject>(changed.data).tangible = true;
         std::get<BodyObject>(changed.data).kind = BodyKind::Dynamic;
         level.objects.replace(2, changed);
         QCOMPARE(leaksIn(level).size(), std::size_t{1});
+        std::get<BodyObject>(changed.data).frozen = true; // stays where it is
+        level.objects.replace(2, changed);
+        QVERIFY(leaksIn(level).empty());
     }
 
     void whatIsMissingOrReversedIsCuredInOneStep() {

@@ -50,6 +50,9 @@ class LintRulesTest : public QObject {
         row("a wall twice", "wall-twice@8", withMore(cave, bodyOf(edgesOf({{0, 0}, {10, 0}}, false, noBack))));
         row("a wall that turns its back on another", "",
             withMore(squareCave(0.5), bodyOf(edgesOf({{10, 0}, {0, 0}}, false, 0.5))));
+        BodyObject pad = bodyOf(edgesOf({{0, 0}, {10, 0}}, false, noBack));
+        pad.restitution = 0.9;
+        row("a wall of another surface on a wall", "", withMore(cave, pad));
         row("a part of a chain on another wall", "walls-overlap@8",
             withMore(cave, bodyOf(edgesOf({{0, 0}, {10, 0}, {12, -3}}, false, noBack))));
         row("a line there and back", "walls-overlap-themselves@1", [] {

@@ -37,6 +37,13 @@ Level changedBall(Level level, Key key, Change change) {
     return level;
 }
 
+Level withParentOf(Level level, Key key, Key parent) {
+    Object object = *level.objects.find(key);
+    object.parent = parent;
+    level.objects.replace(level.objects.indexOf(key), object);
+    return level;
+}
+
 const BodyObject& ballOf(const Level& level, Key key) {
     return std::get<BodyObject>(level.objects.find(key)->data);
 }
@@ -70,6 +77,16 @@ Level editedAtRandom(const Level& level, Random& random, int parity) {
             body.filter.tags.bits ^= 1u << (random.next() % 5);
         });
     }
+}
+
+std::set<std::string> namesOfTags(const Level& level, Key ball) {
+    std::set<std::string> names;
+    for (int i = 0; i < TagTable::size; ++i) {
+        if (ballOf(level, ball).filter.tags.contains(i)) {
+            names.insert(level.tags[i].name);
+        }
+    }
+    return names;
 }
 
 std::set<Key> keySet(const Level& level) {
@@ -181,17 +198,36 @@ class MergeTest : public QObject {
         QVERIFY(result.level.objects.find(1) != nullptr && result.level.objects.find(50) != nullptr);
     }
 
+    void whatNothingOfTheMergeNeedsAnyMoreGoes() {
+        Level base = rowOfBalls();
+        base.objects.append({50, "group", GroupObject{}, {}});
+        base.objects.append({60, "rope", ConnectorObject{.a = 1, .b = 2}, {}});
+        base = withParentOf(base, 1, 50);
+        // One side dissolves the group; the other has done nothing, or moved a member.
+        const Level dissolved = removed(withParentOf(base, 1, 0), MergedKeys{50});
+        for (const Level& other : {base, moved(base, MergedKeys{1}, {0, 1})}) {
+            for (const MergedLevel& result : {merged(base, dissolved, other), merged(base, other, dissolved)}) {
+                QVERIFY(result.conflicts.empty());
+                QVERIFY(result.level.objects.find(50) == nullptr);
+                QCOMPARE(result.level.objects.find(1)->parent, Key(0));
+            }
+        }
+        // One side ties the rope to another ball and removes the one that it was tied to.
+        Object rope = *base.objects.find(60);
+        std::get<ConnectorObject>(rope.data).b = 3;
+        Level tied = base;
+        tied.objects.replace(tied.objects.indexOf(60), rope);
+        tied.objects.erase(tied.objects.indexOf(2));
+        QVERIFY(merged(base, base, tied).conflicts.empty());
+        QVERIFY(merged(base, base, tied).level == tied);
+        QVERIFY(merged(base, tied, base).level == tied);
+    }
+
     void groupsThatWouldBeInEachOtherStayAsOursHasThem() {
         Level base;
         base.objects.append({1, "a", GroupObject{}, {}});
         base.objects.append({2, "b", GroupObject{}, {}});
-        const auto in = [](Level level, Key key, Key parent) {
-            Object object = *level.objects.find(key);
-            object.parent = parent;
-            level.objects.replace(level.objects.indexOf(key), object);
-            return level;
-        };
-        const MergedLevel result = merged(base, in(base, 1, 2), in(base, 2, 1));
+        const MergedLevel result = merged(base, withParentOf(base, 1, 2), withParentOf(base, 2, 1));
         QCOMPARE(result.conflicts, (std::vector{MergeConflict{ConflictKind::Circle, 2, {}}}));
         QCOMPARE(result.level.objects.find(1)->parent, Key(2));
         QCOMPARE(result.level.objects.find(2)->parent, Key(0));
@@ -227,6 +263,78 @@ class MergeTest : public QObject {
         const MergedLevel none = merged(full, lava(full, 9, "lava", 1), lava(full, 9, "ice", 2));
         QCOMPARE(none.conflicts, (std::vector{MergeConflict{ConflictKind::TagsFull, 0, "ice"}}));
         QCOMPARE(none.level.tags[9].name, std::string("lava"));
+        QCOMPARE(ballOf(none.level, 2).filter.tags, TagMask()); // not lava
+    }
+
+    void newTagsFindRoomHoweverTheyStandInEachOthersWay() {
+        const Level base = rowOfBalls();
+        for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+            Random random(seed);
+            // Each side gives names to some of the same few tags, and each of its balls one of them.
+            const auto tagged = [&](Key first) {
+                Level level = base;
+                std::vector<int> own;
+                for (int tag = 8; tag < 13; ++tag) {
+                    const std::string name(1, static_cast<char>('a' + random.next() % 8));
+                    if (random.next() % 2 == 0 && !level.tags.indexOf(name)) {
+                        level.tags.set(tag, {name});
+                        own.push_back(tag);
+                    }
+                }
+                for (Key key = first; key < first + 2 && !own.empty(); ++key) {
+                    const TagMask tag = TagMask::bit(own[random.next() % own.size()]);
+                    level = changedBall(level, key, [tag](BodyObject& ball) { ball.filter.tags = tag; });
+                }
+                return level;
+            };
+            const Level ours = tagged(1);
+            const Level theirs = tagged(3);
+            const MergedLevel result = merged(base, ours, theirs);
+            QVERIFY2(result.conflicts.empty(), seedText(seed));
+            QVERIFY2(!notWritable(result.level), seedText(seed));
+            for (Key key = 1; key <= 4; ++key) {
+                const Level& side = key < 3 ? ours : theirs;
+                QVERIFY2(namesOfTags(result.level, key) == namesOfTags(side, key), seedText(seed));
+            }
+        }
+    }
+
+    void noTwoTagsComeToHaveOneName() {
+        const Level base = withTag(rowOfBalls(), 10, {"rock"});
+        const Level renamedIt = withTag(base, 10, {"stone"});
+        for (const int place : {8, 12}) {
+            const Level addedIt = withTag(base, place, {"stone"});
+            for (const MergeSide side : {MergeSide::Ours, MergeSide::Theirs}) {
+                for (const MergedLevel& result :
+                     {merged(base, renamedIt, addedIt, side), merged(base, addedIt, renamedIt, side)}) {
+                    QVERIFY(!notWritable(result.level));
+                    QVERIFY(!result.conflicts.empty());
+                }
+            }
+        }
+    }
+
+    void fieldsThatNobodyKnowsStayWithWhatTheyBelongTo() {
+        Level base = rowOfBalls();
+        base.guides = {{{1, 1}, 0, "a"}, {{2, 2}, 0, "b"}, {{3, 3}, 0, "c"}};
+        base.unknownFields = R"({"/glow": 0, "/guides/1/glow": 1, "/guides/2/glow": 2})";
+        Level ours = base;
+        ours.guides.erase(ours.guides.begin());
+        ours.unknownFields = R"({"/glow": 0, "/guides/0/glow": 1, "/guides/1/glow": 2})";
+        Level theirs = withTag(base, 9, {"ice"});
+        theirs.guides.insert(theirs.guides.begin(), {{0, 0}, 0, "new"});
+        theirs.unknownFields =
+            R"({"/glow": 5, "/guides/0/glow": 7, "/guides/2/glow": 1, "/guides/3/glow": 9, "/tags/9/slip": 1.50})";
+        ours = withTag(ours, 9, {"lava"});
+        const MergedLevel result = merged(base, ours, theirs);
+        QVERIFY(result.conflicts.empty());
+        QCOMPARE(result.level.guides.size(), std::size_t(3));
+        QCOMPARE(result.level.guides[2].name, std::string("new"));
+        const auto ice = result.level.tags.indexOf("ice");
+        QVERIFY(ice && *ice != 9);
+        QCOMPARE(result.level.unknownFields, R"({"/glow": 5, "/guides/0/glow": 1, "/guides/1/glow": 9, )"
+                                             R"("/guides/2/glow": 7, "/tags/)" +
+                                                 std::to_string(*ice) + R"(/slip": 1.50})");
     }
 
     void theOrderIsThatOfTheSideThatChangedItAndNewObjectsFollowTheirNeighbours() {

@@ -2,8 +2,10 @@
 
 #include "core/level/fields.h"
 #include "core/level/file.h"
+#include "core/level/fix_edits.h"
 #include "core/level/guides.h"
 #include "core/level/key_text.h"
+#include "core/level/lint.h"
 #include "tests/support/cpu_time.h"
 #include "tests/support/full_run.h"
 #include "tests/support/random_level.h"
@@ -153,6 +155,26 @@ class UnknownFieldsTest : public QObject {
         const Level level = guideRemoved(*parseLevel(text).level, 0);
         QVERIFY(levelText(level).find(R"({"point": [1, 0], "x": 2.0})") != std::string::npos);
         QCOMPARE(guidesCleared(level).unknownFields, std::string(R"({"/x": 3})"));
+    }
+
+    void fieldsOfHiddenProblemsStayWithThem() {
+        const std::string text = R"({"schema": 2, "hiddenProblems": [{"rule": "a", "x": 1}, {"rule": "b", "x": 2.0}],)"
+                                 R"( "objects": []})";
+        const Problem first{Severity::Warning, "a"};
+        const Level level = *parseLevel(text).level;
+        QVERIFY(withProblemHidden(level, first, true) == level);
+        const std::string shown = levelText(withProblemHidden(level, first, false));
+        QVERIFY2(shown.find(R"({"rule": "b", "x": 2.0})") != std::string::npos, shown.c_str());
+        QVERIFY(withProblemHidden(withProblemHidden(level, first, false), first, true).hiddenProblems.size() == 2);
+    }
+
+    void fieldsOfShapesStayWithThemWhenOthersCannotBeBuilt() {
+        const std::string text = R"({"schema": 2, "objects": [{"key": "00000001", "type": "body", "shapes": [)"
+                                 R"({"type": "lines", "vertices": [[0, 0], [0, 0]], "x": 1},)"
+                                 R"( {"type": "circle", "radius": 2, "x": 2.0}]}]})";
+        const Level level = withoutUnbuildable(*parseLevel(text).level, 1);
+        const std::string written = levelText(level);
+        QVERIFY2(written.find(R"({"type": "circle", "radius": 2, "x": 2.0})") != std::string::npos, written.c_str());
     }
 
     void aFieldThatHasBecomeAKnownOneIsNotWrittenTwice() {

@@ -74,6 +74,30 @@ class ApplicationTest : public QObject {
         QVERIFY2(said.contains("gone.json") && said.contains("lost.json"), qPrintable(said));
     }
 
+    void aBrokenFileOffersItsNewestBackupBesideOtherWorkToo() {
+        TestApplication test;
+        const QString a = test.writtenLevel("a.json");
+        test.start({a});
+        const Level first = test.window(0).document().level();
+        QVERIFY(test.window(0).files().overwrite()); // which puts aside what was there
+        test.window(0).files().startOver();
+        const QString b = test.writtenLevel("b.json");
+        QVERIFY(test.window(0).open(b));
+        QFile out(a);
+        QVERIFY(out.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        out.write("{ nonsense");
+        out.close();
+        test.toOpen = {a};
+        test.trigger(0, Act::Open);
+        QCOMPARE(test.count(), 1u);
+        QVERIFY(test.window(0).messageBar().text().contains("a.json"));
+        QCOMPARE(test.window(0).messageBar().buttons().size(), std::size_t{1});
+        test.window(0).messageBar().buttons().front()->click();
+        QCOMPARE(test.count(), 2u);
+        QCOMPARE(test.window(0).files().path(), b);
+        QVERIFY(test.window(1).document().level() == first && test.window(1).isWindowModified());
+    }
+
     void openReusesAWindowInWhichNothingWasDone() {
         TestApplication test;
         test.start();

@@ -1,3 +1,4 @@
+#include "core/base/disk_calls.h"
 #include "core/level/edits.h"
 #include "core/level/file.h"
 #include "tests/support/disk_scene.h"
@@ -6,6 +7,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 
 #include <cerrno>
 
@@ -129,6 +131,48 @@ class DiskChangesTest : public QObject {
         file.press(0);
         QVERIFY(file.onDisk() == mine);
         QVERIFY(!file.bar().isVisible() && !file.test.window->isWindowModified());
+    }
+
+    void whatCannotBeReadIsNotOverwrittenUnasked() {
+        OpenFile file;
+        file.test.drawWalls();
+        const auto size = static_cast<qint64>(maxLevelBytes) + 1;
+        QVERIFY(QFile::resize(file.path, size));
+        file.test.trigger(Act::Save);
+        QCOMPARE(QFileInfo(file.path).size(), size);
+        QVERIFY(file.bar().isVisible() && file.bar().text().contains("Not saved"));
+    }
+
+    void whatCannotBeReadIsNotTakenForMissing() {
+        OpenFile file;
+        QVERIFY(QFile::resize(file.path, static_cast<qint64>(maxLevelBytes) + 1));
+        file.test.window->openLevel()->disk.look();
+        QTRY_VERIFY(file.bar().isVisible());
+        QVERIFY2(file.bar().text().contains("cannot be read any more"), qPrintable(file.bar().text()));
+    }
+
+    void whatAnotherWritesWhileItIsBeingSavedIsNotOverwrittenLater() {
+        OpenFile file;
+        file.test.drawWalls();
+        static QString path;
+        path = file.path;
+        spacetow::disk::setFault([](std::string_view call) {
+            static int flushed = 0;
+            if (call == "fsync" && ++flushed == 2) { // the folder: the file is in its place
+                QFile other(path);
+                if (other.open(QIODevice::WriteOnly | QIODevice::Truncate)) {
+                    other.write(levelText(ballAt(7)).c_str());
+                }
+            }
+            return 0;
+        });
+        file.test.trigger(Act::Save);
+        spacetow::disk::setFault(nullptr);
+        QVERIFY(file.onDisk() == ballAt(7));
+        file.test.drawWalls();
+        file.test.trigger(Act::Save);
+        QVERIFY(file.onDisk() == ballAt(7));
+        QVERIFY(file.bar().isVisible() && file.bar().text().contains("Not saved"));
     }
 
     void closingWithSaveStaysWhenThatWouldOverwriteAnothersChange() {

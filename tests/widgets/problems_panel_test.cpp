@@ -1,15 +1,18 @@
 #include "editor/panels/problems_panel.h"
 
+#include "core/base/random.h"
 #include "core/level/lint.h"
 #include "editor/canvas/palette.h"
 #include "editor/window/messages.h"
 #include "tests/support/test_main.h"
+#include "tests/support/window.h"
 
 #include <QListView>
 #include <QSignalSpy>
 #include <QToolButton>
 
 using namespace spacetow;
+using spacetow::test::TestWindow;
 
 namespace {
 
@@ -187,6 +190,40 @@ class ProblemsPanelTest : public QObject {
         QVERIFY(panel.errors() >= 50'000);
         QCoreApplication::processEvents();
         QVERIFY2(sentences < 5000, QByteArray::number(sentences));
+    }
+
+    void whatCannotBeCuredIsSaid() {
+        Document document;
+        LevelCheck check(document);
+        ProblemsPanel panel(document, check, code, labelCode);
+        QSignalSpy said(&panel, &ProblemsPanel::said);
+        Random random(3);
+        Polygon scribble;
+        for (int i = 0; i < 300; ++i) {
+            scribble.vertices.emplace_back(random.uniform(-5, 5), random.uniform(-5, 5));
+        }
+        Level level;
+        level.objects.append({1, {}, BodyObject{.shapes = {scribble}}, {}});
+        document.commit({"draw", 1}, {std::make_shared<Level>(level), Selection()});
+        panel.check();
+        panel.go(1);
+        QVERIFY(panel.canFixCurrent());
+        const int before = document.position();
+        panel.fixCurrent();
+        QCOMPARE(document.position(), before);
+        QCOMPARE(said.count(), 1);
+    }
+
+    void aGameStartsWithoutWaitingForTheCheck() {
+        TestWindow test;
+        Level level;
+        level.objects.append(crossed(5));
+        test.window->document().commit({"draw", 1}, {std::make_shared<Level>(level), Selection()});
+        test.trigger(Act::Play);
+        QVERIFY(test.window->problems().problems().empty()); // nobody has waited for them
+        test.window->problems().check();
+        QCOMPARE(test.window->problems().errors(), 1);
+        QVERIFY(test.window->messageBar().text().contains("may not play"));
     }
 
     void aFixIsOneStepThatCanBeUndone() {

@@ -14,6 +14,7 @@
 #include <array>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 
 using namespace spacetow;
 using spacetow::test::cutOffTexts;
@@ -33,6 +34,16 @@ void killAndRestart(TestWindow& test) {
 
 std::size_t entriesLeft() {
     return orphans(journalFolder()).size();
+}
+
+std::vector<std::filesystem::path> entriesOfAll() {
+    std::vector<std::filesystem::path> journals;
+    for (const auto& entry : std::filesystem::directory_iterator(journalFolder())) {
+        if (entry.path().extension() == ".journal") {
+            journals.push_back(entry.path());
+        }
+    }
+    return journals;
 }
 
 /// A level file with one ball, opened.
@@ -235,6 +246,26 @@ class RecoveryTest : public QObject {
         QVERIFY(test.window->messageBar().text().contains("lost"));
     }
 
+    void aJournalIsWrittenAsSoonAsItCanBeAgain() {
+        TestWindow test;
+        test.drawWalls();
+        QVERIFY(test.window->recovery().flush());
+        QCOMPARE(entriesOfAll().size(), std::size_t{1});
+        const std::filesystem::path journal = entriesOfAll().front();
+        // Something is in the way, as a full disk is, and then no more.
+        const std::filesystem::path obstacle = journal.string() + ".new";
+        std::filesystem::create_directory(obstacle);
+        test.drawWalls();
+        QVERIFY(!test.window->recovery().flush());
+        std::filesystem::remove(obstacle);
+        QVERIFY(test.window->recovery().isBehind());
+        QVERIFY(test.window->recovery().flush());
+        QVERIFY(!test.window->recovery().isBehind());
+        std::ifstream file(journal, std::ios::binary);
+        const std::string text(std::istreambuf_iterator<char>(file), {});
+        QVERIFY(*parseLevel(parsedJournal(text)->text).level == test.level());
+    }
+
     void askingWhenThereIsNothingSaysSo() {
         TestWindow test;
         test.trigger(Act::Recover);
@@ -306,6 +337,11 @@ class RecoveryTest : public QObject {
         out.close();
         QVERIFY(!test.window->open(path));
         QCOMPARE(test.window->messageBar().buttons().size(), std::size_t{1});
+        { // one that is broken itself is passed over
+            const std::filesystem::path newest = backupsOf(backupFolder(), path.toStdString()).front().file;
+            const std::string later = std::to_string(std::stoll(newest.stem().string()) + 1) + ".json";
+            std::ofstream(newest.parent_path() / later) << "{";
+        }
         test.window->messageBar().buttons().front()->click();
         QVERIFY(test.level() == first && test.window->isWindowModified());
         QCOMPARE(test.window->files().path(), path);
