@@ -87,6 +87,7 @@ class Files {
     /// With `known`, only while the file is still that one.
     bool writeTo(const QString& path, const std::optional<FileStamp>& known = {});
     void sayNotSaved(const Error& error);
+    void sayNoBackup(const std::optional<Error>& error);
     /// A former version of the file that was read last, where there is one.
     std::vector<MessageBar::Choice> backupChoices();
     QString suggestion() const;
@@ -98,6 +99,7 @@ class Files {
     QString m_readPath;
     FileState m_read;   // of the file that was read last
     QString m_untitled; // suggested file name while there is no path
+    bool m_lacksBackup = false;
 };
 
 } // namespace spacetow
