@@ -39,7 +39,9 @@ class ProblemsPanel : public QWidget {
     const std::vector<Problem>& problems() const { return m_problems.problems(); }
     /// Where those are that are not hidden; never null.
     const std::shared_ptr<const Marks>& marks() const { return m_marks; }
-    /// The place of the current row's problem among all; −1 for none.
+    /// That of the current row; null for none.
+    const Problem* currentProblem() const;
+    /// Its place among all; −1 for none.
     int current() const { return m_problems.problemAt(m_list.currentIndex().row()); }
     /// Of what is not hidden.
     int errors() const { return m_problems.count(Severity::Error); }
@@ -98,7 +100,6 @@ class ProblemsPanel : public QWidget {
     void note();
     void countAll();
     void choose(const QModelIndex& row);
-    const Problem* currentProblem() const;
     void showMenu(const QPoint& position);
 
     Document& m_document;
