@@ -266,15 +266,35 @@ class LeakSearch {
         };
         Leak leak{Leak::Kind::Reversed, place(first.a), place(first.b)};
         leak.walls = static_cast<int>(walls.size());
-        const auto ofShape = std::ranges::count_if(m_walls, [&first](const LeakWall& other) {
-            return other.object == first.object && other.shape == first.shape;
-        });
-        leak.isWhole = ofShape == leak.walls;
+        leak.isWhole = areWholeShape(walls);
+        if (leak.isWhole) {
+            const auto isOfShape = [&](const LeakWall& other) {
+                return other.object == first.object && other.shape == first.shape;
+            };
+            leak.walls = static_cast<int>(std::ranges::count_if(m_walls, isOfShape));
+        }
         for (const int i : walls) {
             leak.width += (wall(i).b - wall(i).a).norm();
         }
         leak.path = way.points;
         return leak;
+    }
+
+    /// Whether they are of one shape, of which the ship, kept in by them, meets no other wall: what is behind rocks
+    /// may be turned with the rest.
+    bool areWholeShape(const std::set<int>& walls) const {
+        const auto shape = shapeOf(*walls.begin());
+        if (std::ranges::any_of(walls, [&](int i) { return shapeOf(i) != shape; })) {
+            return false;
+        }
+        const Reach reach = reachOf(m_mesh, m_stop);
+        for (int edge = 0; edge < m_mesh.net().edgeCount(); ++edge) {
+            const int i = reach.triangles[static_cast<std::size_t>(edge / 3)] != 0 ? m_mesh.wallOn(edge) : -1;
+            if (i >= 0 && shapeOf(i) == shape && !walls.contains(i)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     std::pair<int, int> shapeOf(int i) const { return {wall(i).object, wall(i).shape}; }

@@ -35,7 +35,7 @@ struct Leak {
     Kind kind = Kind::Opening;
     LeakPlace from, to;     // the first wall from end to end, or the two sides of the opening
     int walls = 0;          // how many are reversed
-    bool isWhole = false;   // and they are all that their shape has
+    bool isWhole = false;   // and they are all that their shape has, but for what is behind others
     double width = 0;       // m, of the opening or the walls
     std::vector<Vec2> path; // world, m: the short way from the ship to the outside
 

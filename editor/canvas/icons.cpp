@@ -99,7 +99,11 @@ QIcon livingIcon(const QString& name) {
 }
 
 QIcon icon(const QString& name, const QColor& color) {
-    return lineIcon(name, Inks{color, color, color});
+    return icon(name, color, color);
+}
+
+QIcon icon(const QString& name, const QColor& color, const QColor& onSelection) {
+    return lineIcon(name, Inks{color, color, onSelection});
 }
 
 QIcon applicationIcon() {

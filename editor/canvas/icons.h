@@ -13,6 +13,8 @@ QIcon icon(const QString& name, const QPalette& palette);
 QIcon livingIcon(const QString& name);
 /// In one colour, for marks such as warnings.
 QIcon icon(const QString& name, const QColor& color);
+/// The same in a list, where a row that is selected has a colour of its own behind it.
+QIcon icon(const QString& name, const QColor& color, const QColor& onSelection);
 /// The picture of the program itself, in its own colours.
 QIcon applicationIcon();
 

@@ -80,13 +80,12 @@ void ArrayBar::layOut() {
     m_turns.setText(tr("Turn copies"));
     m_row.addWidget(&m_turns);
     m_refusal.setObjectName(QStringLiteral("refusal"));
-    m_row.addStretch(1);
     m_apply.setText(tr("Apply"));
     m_apply.setToolTip(tr("Make the copies (Enter)"));
     m_cancel.setText(tr("Cancel"));
     m_cancel.setToolTip(tr("Make no copies (Escape)"));
-    m_row.addWidget(&m_apply);
-    m_row.addWidget(&m_cancel);
+    m_row.addAtEnd(&m_apply);
+    m_row.addAtEnd(&m_cancel);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     hide();
 }
@@ -94,7 +93,7 @@ void ArrayBar::layOut() {
 void ArrayBar::add(ScrubLabel& label, const QString& text, NumberField& field) {
     label.setText(text);
     m_row.addWidget(&label);
-    m_row.addWidget(&field);
+    m_row.addBeside(&field);
 }
 
 void ArrayBar::begin(Kind kind) {

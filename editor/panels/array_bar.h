@@ -7,9 +7,9 @@
 #include "editor/panels/fault_label.h"
 #include "editor/panels/number_field.h"
 #include "editor/panels/scrub_label.h"
+#include "editor/panels/wrapping_row.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QTimer>
 #include <QToolButton>
@@ -74,7 +74,7 @@ class ArrayBar : public QWidget {
     RadialArray m_radial;
 
     QVBoxLayout m_column;
-    QHBoxLayout m_row;
+    WrappingRow m_row;
     QLabel m_title;
     NumberField m_copies, m_x, m_y, m_angle;
     ScrubLabel m_copiesLabel, m_xLabel, m_yLabel, m_angleLabel;

@@ -37,14 +37,13 @@ ExportBar::ExportBar(QWidget* parent) : QWidget(parent), m_column(this), m_scale
     for (QWidget* const widget : std::initializer_list<QWidget*>{&m_title, &m_size}) {
         m_top.addWidget(widget);
     }
-    m_top.addStretch(1);
-    m_top.addWidget(&m_apply);
-    m_top.addWidget(&m_cancel);
-    for (QWidget* const widget :
-         std::initializer_list<QWidget*>{&m_area, &m_scaleLabel, &m_scale, &m_transparent, &m_grid}) {
-        m_fields.addWidget(widget);
-    }
-    m_fields.addStretch(1);
+    m_top.addAtEnd(&m_apply);
+    m_top.addAtEnd(&m_cancel);
+    m_fields.addWidget(&m_area);
+    m_fields.addWidget(&m_scaleLabel);
+    m_fields.addBeside(&m_scale);
+    m_fields.addWidget(&m_transparent);
+    m_fields.addWidget(&m_grid);
     m_fault.setObjectName(QStringLiteral("refusal"));
     connect(&m_scale, &NumberField::entered, this, &ExportBar::refresh);
     connect(&m_scale, &NumberField::faultChanged, this, &ExportBar::refresh);

@@ -5,10 +5,10 @@
 #include "editor/panels/fault_label.h"
 #include "editor/panels/number_field.h"
 #include "editor/panels/scrub_label.h"
+#include "editor/panels/wrapping_row.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSize>
 #include <QToolButton>
@@ -60,7 +60,7 @@ class ExportBar : public QWidget {
     std::function<std::optional<QSize>(const ExportSettings&)> m_measure;
     ExportSettings m_settings;
     QVBoxLayout m_column;
-    QHBoxLayout m_top, m_fields;
+    WrappingRow m_top, m_fields;
     QLabel m_title, m_size;
     QComboBox m_area;
     NumberField m_scale;

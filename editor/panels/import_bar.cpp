@@ -132,16 +132,16 @@ void ImportBar::layOutFields() {
     m_center.setText(tr("Center in view"));
     m_center.setToolTip(tr("Put it into the middle of the view, else where the file has it"));
     m_center.setChecked(true);
-    const auto lineUp = [](QHBoxLayout& row, std::initializer_list<QWidget*> widgets) {
-        row.setSpacing(6);
-        for (QWidget* const widget : widgets) {
-            row.addWidget(widget);
-        }
-        row.addStretch(1);
-    };
-    // In rows that a narrow window has room for.
-    lineUp(m_fields, {&m_scaleLabel, &m_scale, &m_toleranceLabel, &m_tolerance, &m_summary});
-    lineUp(m_choices, {&m_walls, &m_fills, &m_layer, &m_center});
+    m_fields.setSpacing(6);
+    m_fields.addWidget(&m_scaleLabel);
+    m_fields.addBeside(&m_scale);
+    m_fields.addWidget(&m_toleranceLabel);
+    m_fields.addBeside(&m_tolerance);
+    m_fields.addWidget(&m_summary);
+    m_choices.setSpacing(6);
+    for (QWidget* const widget : std::initializer_list<QWidget*>{&m_walls, &m_fills, &m_layer, &m_center}) {
+        m_choices.addWidget(widget);
+    }
 }
 
 void ImportBar::setWords(const std::function<QString(const Error&)>& words) {

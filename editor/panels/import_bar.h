@@ -9,6 +9,7 @@
 #include "editor/panels/fault_label.h"
 #include "editor/panels/number_field.h"
 #include "editor/panels/scrub_label.h"
+#include "editor/panels/wrapping_row.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -99,7 +100,8 @@ class ImportBar : public QWidget {
     QTimer m_tick;
 
     QVBoxLayout m_column;
-    QHBoxLayout m_top, m_fields, m_choices;
+    QHBoxLayout m_top;
+    WrappingRow m_fields, m_choices;
     QLabel m_title, m_summary, m_report;
     QProgressBar m_progress;
     NumberField m_scale, m_tolerance;

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QTextDocument>
 
 #include <array>
@@ -89,6 +90,15 @@ QString listedName(const Level& level, const Object& object) {
 
 QString menuSafe(const QString& name) {
     return QString(name).replace(QLatin1Char('&'), QStringLiteral("&&"));
+}
+
+QString withoutMnemonic(QString text) {
+    static const QRegularExpression appended(QStringLiteral("\\s*\\(&[^&)]\\)"));
+    text.remove(appended);
+    for (qsizetype i = text.indexOf(QLatin1Char('&')); i >= 0; i = text.indexOf(QLatin1Char('&'), i + 1)) {
+        text.remove(i, 1); // of two, one is meant as it stands
+    }
+    return text;
 }
 
 QString plainToolTip(const QString& text) {

@@ -23,6 +23,10 @@ QString listedName(const Level& level, const Object& object);
 QString menuSafe(const QString& name);
 /// For tooltips, where a name with < in it would be taken for rich text.
 QString plainToolTip(const QString& text);
+
+/// The text of a menu as it reads elsewhere: without the mark of the letter that is pressed, and, as Chinese has it,
+/// without that letter: "&Open…" and "打开(&O)…".
+QString withoutMnemonic(QString text);
 /// Its kind and where it is, as in "Circle at (1.5, 2)".
 QString placedKind(const Object& object);
 

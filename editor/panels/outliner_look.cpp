@@ -26,11 +26,17 @@ QIcon swatch(std::uint32_t color, const QPalette& palette) {
 }
 
 /// A third of the way from the ground to the ink; icons know no transparency.
-QColor faint(const QPalette& palette) {
-    const QColor ink = palette.color(QPalette::Text);
-    const QColor ground = palette.color(QPalette::Base);
+QColor faint(const QColor& ink, const QColor& ground) {
     const auto mixed = [](int one, int other) { return (one + 2 * other) / 3; };
     return QColor(mixed(ink.red(), ground.red()), mixed(ink.green(), ground.green()), mixed(ink.blue(), ground.blue()));
+}
+
+/// What is as usual is faint, so that what is not is seen.
+QIcon switchIcon(const QString& name, bool isOff, const QPalette& palette) {
+    const auto color = [&](QPalette::ColorRole ink, QPalette::ColorRole ground) {
+        return isOff ? palette.color(ink) : faint(palette.color(ink), palette.color(ground));
+    };
+    return icon(name, color(QPalette::Text, QPalette::Base), color(QPalette::HighlightedText, QPalette::Highlight));
 }
 
 } // namespace
@@ -61,7 +67,7 @@ QVariant OutlinerModel::nameData(const OutlinerNode& node, const Object& object,
     case Qt::EditRole:
         return QString::fromStdString(object.name);
     case Qt::DecorationRole:
-        return icon(kindIcon(object), ink(node));
+        return icon(kindIcon(object), ink(node), m_palette.color(QPalette::HighlightedText));
     case Qt::ForegroundRole:
         return ink(node);
     case Qt::ToolTipRole:
@@ -90,9 +96,9 @@ QVariant OutlinerModel::switchData(const Object& object, int column, int role) c
     const bool isOff = isEye ? !object.visible : object.locked;
     switch (role) {
     case Qt::DecorationRole:
-        return icon(isEye ? (isOff ? QStringLiteral("eye-off") : QStringLiteral("eye"))
-                          : (isOff ? QStringLiteral("lock") : QStringLiteral("unlock")),
-                    isOff ? m_palette.color(QPalette::Text) : faint(m_palette));
+        return switchIcon(isEye ? (isOff ? QStringLiteral("eye-off") : QStringLiteral("eye"))
+                                : (isOff ? QStringLiteral("lock") : QStringLiteral("unlock")),
+                          isOff, m_palette);
     case Qt::ToolTipRole:
         return isEye ? (isOff ? tr("Hidden in the editor; played all the same. Click to show it")
                               : tr("Visible. Click to hide it in the editor"))

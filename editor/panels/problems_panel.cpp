@@ -183,8 +183,10 @@ void ProblemsPanel::changeEvent(QEvent* event) {
 
 void ProblemsPanel::tint() {
     const MarkColors colors = markColors(shadeOf(palette()));
-    const std::array icons{icon(QStringLiteral("info"), palette()), icon(QStringLiteral("warning"), colors.warning),
-                           icon(QStringLiteral("error"), colors.error)};
+    const QColor selected = palette().color(QPalette::HighlightedText);
+    const std::array icons{icon(QStringLiteral("info"), palette()),
+                           icon(QStringLiteral("warning"), colors.warning, selected),
+                           icon(QStringLiteral("error"), colors.error, selected)};
     m_problems.setMarks(icons, palette().color(QPalette::Disabled, QPalette::Text));
     for (std::size_t i = 0; i < icons.size(); ++i) {
         m_severities[i].setIcon(icons[i]);

@@ -37,7 +37,9 @@ class ProblemsPanel : public QWidget {
     const std::vector<Problem>& problems() const { return m_problems.problems(); }
     /// Where those are that are not hidden; never null.
     const std::shared_ptr<const Marks>& marks() const { return m_check.found().marks; }
-    /// The place of the current row's problem among all; −1 for none.
+    /// That of the current row; null for none.
+    const Problem* currentProblem() const;
+    /// Its place among all; −1 for none.
     int current() const { return m_problems.problemAt(m_list.currentIndex().row()); }
     /// Of what is not hidden.
     int errors() const { return m_problems.count(Severity::Error); }
@@ -93,7 +95,6 @@ class ProblemsPanel : public QWidget {
     void note();
     void countAll();
     void choose(const QModelIndex& row);
-    const Problem* currentProblem() const;
     void showMenu(const QPoint& position);
 
     LevelCheck& m_check;

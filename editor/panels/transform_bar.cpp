@@ -79,15 +79,14 @@ void TransformBar::layOut() {
         m_labels[i].setText(names[i]);
         m_fields[i].setAccessibleName(names[i]);
         m_row.addWidget(&m_labels[i]);
-        m_row.addWidget(&m_fields[i]);
+        m_row.addBeside(&m_fields[i]);
     }
     m_relative.setText(tr("Relative"));
     m_relative.setToolTip(tr("Move by metres and scale by percent instead of to a place and size"));
     m_row.addWidget(&m_relative);
-    m_row.addStretch(1);
     m_close.setText(tr("Close"));
     m_close.setToolTip(tr("Close this bar (Escape)"));
-    m_row.addWidget(&m_close);
+    m_row.addAtEnd(&m_close);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     dressFields();
     hide();

@@ -7,9 +7,9 @@
 #include "editor/panels/fault_label.h"
 #include "editor/panels/number_field.h"
 #include "editor/panels/scrub_label.h"
+#include "editor/panels/wrapping_row.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -54,7 +54,7 @@ class TransformBar : public QWidget {
     Toolbox& m_toolbox;
     int m_connection = 0;
     QVBoxLayout m_column;
-    QHBoxLayout m_row;
+    WrappingRow m_row;
     QLabel m_title;
     std::array<NumberField, fields> m_fields;
     std::array<ScrubLabel, fields> m_labels;

@@ -19,7 +19,7 @@ QString styleFor(int type) {
                           " border-radius: %1px; }"
                           "QLabel { color: #ffffff; font-size: %2px; font-weight: bold; background: transparent; }"
                           "QPushButton { color: #e2e8f2; background: #22304c; border: 2px solid #4a5f86;"
-                          " border-radius: %3px; padding: %3px %4px; font-size: %5px; }"
+                          " border-radius: %3px; padding: %3px %4px; font-size: %5px; outline: none; }"
                           "QPushButton:hover { background: #2c4068; }"
                           "QPushButton:focus { border: 2px solid #54b4ff; background: #2c4068; }"
                           "QPushButton:pressed { background: #1a2740; }")

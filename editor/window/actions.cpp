@@ -2,6 +2,7 @@
 
 #include "editor/canvas/icons.h"
 #include "editor/canvas/key_place.h"
+#include "editor/panels/names.h"
 #include "editor/window/key_bindings.h"
 #include "editor/window/main_window.h"
 
@@ -48,10 +49,7 @@ std::span<const ActionRow> actionRows() {
 }
 
 QString plainText(const ActionRow& row) {
-    QString text = translated(row.text);
-    text.remove(QLatin1Char('&'));
-    text.remove(QChar(0x2026));
-    return text;
+    return withoutMnemonic(translated(row.text)).remove(QChar(0x2026));
 }
 
 QString codeOf(const ActionRow& row) {
@@ -76,6 +74,7 @@ QList<QKeySequence> keysIn(const char* keys) {
 Actions::Actions(MainWindow& window) : m_window(window), m_tools(nullptr) {
     for (const ActionRow& row : actionRows()) {
         auto action = std::make_unique<QAction>(translated(row.text));
+        action->setIconText(plainText(row)); // of buttons
         action->setShortcutContext((row.flags & KeyOfCanvas) != 0 ? Qt::WidgetShortcut : Qt::WindowShortcut);
         action->setStatusTip(translated(row.tip));
         action->setCheckable(row.isOn != nullptr || isTool(row));

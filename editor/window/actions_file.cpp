@@ -39,7 +39,6 @@ template <bool (Files::*save)()>
 void saveWith(MainWindow& window) {
     window.enterTyping();
     if ((window.files().*save)()) {
-        window.messageBar().dismiss();
         window.statusLine().showMessage(MainWindow::tr("Saved %1").arg(window.files().path()), 4000);
     }
 }

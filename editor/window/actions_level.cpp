@@ -1,9 +1,26 @@
 // The level as a whole.
 #include "editor/window/main_window.h"
+#include "editor/window/messages.h"
+
+#include <QDockWidget>
 
 namespace spacetow {
 
 namespace {
+
+/// With what it says in sight, and not the mark alone.
+void goToProblem(MainWindow& window, int by) {
+    if (!window.arePanelsHidden()) {
+        QDockWidget& dock = window.panels().dock(QStringLiteral("problems"));
+        dock.show();
+        dock.raise();
+    }
+    window.problems().go(by);
+    const Problem* const problem = window.problems().currentProblem();
+    if (window.arePanelsHidden() && problem != nullptr) {
+        window.statusLine().showMessage(sentence(*problem), 10000);
+    }
+}
 
 constexpr ActionRow levelMenuRows[] = {
     {.id = Act::NextProblem,
@@ -12,13 +29,13 @@ constexpr ActionRow levelMenuRows[] = {
      .icon = "warning",
      .keys = "F4",
      .tip = QT_TRANSLATE_NOOP("Actions", "Go to the next problem of the level"),
-     .run = [](MainWindow& window) { window.problems().go(1); }},
+     .run = [](MainWindow& window) { goToProblem(window, 1); }},
     {.id = Act::PreviousProblem,
      .menu = MenuId::Level,
      .text = QT_TRANSLATE_NOOP("Actions", "&Previous Problem"),
      .keys = "Shift+F4",
      .tip = QT_TRANSLATE_NOOP("Actions", "Go to the problem before"),
-     .run = [](MainWindow& window) { window.problems().go(-1); }},
+     .run = [](MainWindow& window) { goToProblem(window, -1); }},
     {.id = Act::FixProblem,
      .menu = MenuId::Level,
      .text = QT_TRANSLATE_NOOP("Actions", "&Fix Problem"),

@@ -22,10 +22,10 @@ void DifferenceList::setLines(std::vector<DifferenceLine> lines) {
     endResetModel();
 }
 
-void DifferenceList::setMarks(const MarkColors& colors) {
-    m_added = icon(QStringLiteral("diff-added"), colors.good);
-    m_removed = icon(QStringLiteral("diff-removed"), colors.error);
-    m_changed = icon(QStringLiteral("diff-changed"), colors.warning);
+void DifferenceList::setMarks(const MarkColors& colors, const QColor& selected) {
+    m_added = icon(QStringLiteral("diff-added"), colors.good, selected);
+    m_removed = icon(QStringLiteral("diff-removed"), colors.error, selected);
+    m_changed = icon(QStringLiteral("diff-changed"), colors.warning, selected);
     if (!m_lines.empty()) {
         Q_EMIT dataChanged(index(0), index(rowCount() - 1), {Qt::DecorationRole});
     }
@@ -221,7 +221,7 @@ void DifferencePanel::changeEvent(QEvent* event) {
 }
 
 void DifferencePanel::tint() {
-    m_list.setMarks(markColors(shadeOf(palette())));
+    m_list.setMarks(markColors(shadeOf(palette())), palette().color(QPalette::HighlightedText));
 }
 
 } // namespace spacetow

@@ -24,7 +24,7 @@ class DifferenceList : public QAbstractListModel {
 
     void setLines(std::vector<DifferenceLine> lines);
     const std::vector<DifferenceLine>& lines() const { return m_lines; }
-    void setMarks(const MarkColors& colors);
+    void setMarks(const MarkColors& colors, const QColor& selected);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

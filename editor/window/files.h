@@ -92,6 +92,7 @@ class Files {
     /// With `known`, only while the file is still that one.
     bool writeTo(const QString& path, const std::optional<FileStamp>& known = {});
     void sayNotSaved(const Error& error);
+    void sayNoBackup(const std::optional<Error>& error);
     QString suggestion() const;
 
     Document& m_document;
@@ -101,6 +102,7 @@ class Files {
     QString m_readPath;
     FileState m_read;   // of the file that was read last
     QString m_untitled; // suggested file name while there is no path
+    bool m_lacksBackup = false;
 };
 
 } // namespace spacetow

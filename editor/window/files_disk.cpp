@@ -32,7 +32,7 @@ bool Files::writeTo(const QString& path, const std::optional<FileStamp>& known) 
     const std::filesystem::path file = path.toStdString();
     saving.emit();
     // Without a copy of what was there it is saved all the same.
-    [[maybe_unused]] const std::optional<Error> noBackup = backUp(backupFolder(), file);
+    const std::optional<Error> noBackup = backUp(backupFolder(), file);
     const Result<std::string> text = savableText(*m_document.current().level);
     const Result<FileStamp> written = text ? writeFile(file, text.value(), known) : Result<FileStamp>(text.error());
     if (!written) {
@@ -50,7 +50,19 @@ bool Files::writeTo(const QString& path, const std::optional<FileStamp>& known) 
     m_document.markSaved();
     changed.emit();
     saved.emit();
+    sayNoBackup(noBackup);
     return true;
+}
+
+/// Once, until it works again, as a disk may be full for long.
+void Files::sayNoBackup(const std::optional<Error>& error) {
+    if (error && !m_lacksBackup) {
+        m_tell(MessageBar::Tone::Warning,
+               DiskWords::tr("%1 is saved, but of the version before no backup could be made:").arg(name()) +
+                   QLatin1Char('\n') + sentence(*error),
+               {});
+    }
+    m_lacksBackup = error.has_value();
 }
 
 bool Files::save() {

@@ -5,7 +5,9 @@
 #include "editor/panels/names.h"
 #include "editor/window/main_window.h"
 #include "editor/window/messages.h"
+#include "editor/window/welcome_page.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -18,18 +20,6 @@ namespace spacetow {
 namespace {
 
 constexpr int mostFiles = 500; // of a folder
-constexpr auto resourceLevels = ":/levels";
-
-QString withoutMnemonics(const QString& text) {
-    QString plain;
-    for (qsizetype i = 0; i < text.size(); ++i) {
-        if (text[i] == QLatin1Char('&') && i + 1 < text.size()) {
-            ++i;
-        }
-        plain += text[i];
-    }
-    return plain;
-}
 
 QString codeOfPlace(const QString& path) {
     return QStringLiteral("level:") + path;
@@ -56,7 +46,7 @@ void FinderRows::addActions() {
     for (const ActionRow& row : actionRows()) {
         QAction& action = m_window.actions()[row.id];
         FinderRow found{.kind = FindKind::Action,
-                        .name = withoutMnemonics(action.text()),
+                        .name = withoutMnemonic(action.text()),
                         .place = menuPath(row.menu),
                         .key = action.shortcut().toString(QKeySequence::NativeText),
                         .tip = action.statusTip(),
@@ -73,6 +63,7 @@ void FinderRows::addActions() {
 }
 
 void FinderRows::addPanels() {
+    const char* const why = m_window.isPlaying() ? "Not while a game is running." : "Open a level first.";
     for (const PanelRow& row : panelRows()) {
         QDockWidget& dock = m_window.panels().dock(QLatin1String(row.name));
         m_few.push_back({.kind = FindKind::Panel,
@@ -80,8 +71,10 @@ void FinderRows::addPanels() {
                          .place = menuPath(MenuId::Panels),
                          .key = dock.toggleViewAction()->shortcut().toString(QKeySequence::NativeText),
                          .code = codeOf(row),
+                         .whyNot = QCoreApplication::translate("Actions", why),
                          .icon = icon(QStringLiteral("panels"), m_window.palette()),
                          .isOn = !dock.isHidden(),
+                         .isPossible = dock.toggleViewAction()->isEnabled(),
                          .run = [&dock] {
                              dock.show();
                              dock.raise();
@@ -131,9 +124,8 @@ void FinderRows::addLevels() {
             }
         }
     }
-    const QDir shipped{QLatin1String(resourceLevels)};
-    for (const QString& name : shipped.entryList(spelling, QDir::Files, QDir::Name)) {
-        addLevel(shipped.filePath(name), MainWindow::tr("comes with the program"));
+    for (const QString& resource : shippedLevels()) {
+        addLevel(resource, MainWindow::tr("comes with the program"));
     }
 }
 

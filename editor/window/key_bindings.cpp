@@ -1,5 +1,6 @@
 #include "editor/window/key_bindings.h"
 
+#include "editor/panels/names.h"
 #include "editor/window/actions.h"
 #include "editor/window/panels.h"
 
@@ -15,10 +16,6 @@ struct KeyTexts {
     Q_DECLARE_TR_FUNCTIONS(KeyTexts)
 };
 
-QString plainTitle(QString text) {
-    return text.remove(QLatin1Char('&'));
-}
-
 std::vector<KeyOwner> makeKeyOwners() {
     std::vector<KeyOwner> owners;
     for (const ActionRow& row : actionRows()) {
@@ -31,7 +28,7 @@ std::vector<KeyOwner> makeKeyOwners() {
     }
     for (const PanelRow& row : panelRows()) {
         owners.push_back({.code = codeOf(row),
-                          .name = plainTitle(QCoreApplication::translate("Panels", row.title)),
+                          .name = withoutMnemonic(QCoreApplication::translate("Panels", row.title)),
                           .place = menuPath(MenuId::Panels),
                           .usual = keysIn(row.keys)});
     }

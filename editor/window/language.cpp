@@ -27,19 +27,29 @@ QTranslator* installed(const QLocale& locale, const QString& name, const QString
     return translator;
 }
 
+/// In the language itself.
+QString nameOf(const QString& code) {
+    // Without a country in the code it is not one of its kinds, as Qt has it for these.
+    if (code == QLatin1String("en")) {
+        return QStringLiteral("English");
+    }
+    if (code == QLatin1String("es")) {
+        return QString::fromUtf8("Español");
+    }
+    QString name = QLocale(code).nativeLanguageName();
+    if (!name.isEmpty()) {
+        name[0] = name[0].toUpper();
+    }
+    return name;
+}
+
 } // namespace
 
 std::vector<Language> languages() {
     std::vector<Language> all;
     for (const QString& file : QDir(QLatin1String(textsFolder)).entryList({QStringLiteral("*.qm")}, QDir::Files)) {
         const QString code = file.section(QLatin1Char('.'), 0, 0).mid(static_cast<qsizetype>(qstrlen(textsName)) + 1);
-        QString name = QLocale(code).nativeLanguageName();
-        if (code == QLatin1String("en")) {
-            name = QStringLiteral("English"); // not one of its kinds
-        } else if (!name.isEmpty()) {
-            name[0] = name[0].toUpper();
-        }
-        all.push_back({code, name});
+        all.push_back({code, nameOf(code)});
     }
     std::ranges::sort(all, {}, &Language::name);
     return all;

@@ -394,6 +394,9 @@ void MainWindow::updateMode() {
                                                           &m_outliner, &m_history, &m_levelPanel, &m_differences}) {
         panel->setEnabled(editing);
     }
+    for (QAction* action : m_panels->actions()) {
+        action->setEnabled(editing); // there is nothing that they could show
+    }
     m_menus.at(MenuId::Recent)->setEnabled(!isPlaying());
     m_menus.at(MenuId::Backups)->setEnabled(editing);
     m_status.setBoardShown(editing);

@@ -1,5 +1,7 @@
 #include "editor/window/menus.h"
 
+#include "editor/panels/names.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -49,7 +51,7 @@ QString menuText(const MenuRow& row) {
 
 QString menuPath(MenuId id) {
     const MenuRow& row = menuRow(id);
-    const QString name = menuText(row).remove(QLatin1Char('&'));
+    const QString name = withoutMnemonic(menuText(row));
     return row.parent ? QStringLiteral("%1 ▸ %2").arg(menuPath(*row.parent), name) : name;
 }
 

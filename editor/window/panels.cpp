@@ -1,5 +1,6 @@
 #include "editor/window/panels.h"
 
+#include "editor/panels/names.h"
 #include "editor/window/key_bindings.h"
 #include "editor/window/main_window.h"
 
@@ -115,7 +116,7 @@ void Panels::setKeys(const KeyBindings& bindings) {
 }
 
 void Panels::add(const PanelRow& row) {
-    auto* const dock = new QDockWidget(translatedTitle(row.title).remove(QLatin1Char('&')), &m_window); // owned by it
+    auto* const dock = new QDockWidget(withoutMnemonic(translatedTitle(row.title)), &m_window); // owned by it
     dock->setObjectName(QLatin1String(row.name));
     dock->setWidget(row.make(m_window));
     m_window.addDockWidget(row.area, dock);

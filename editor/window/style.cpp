@@ -41,6 +41,7 @@ constexpr std::array sizes{
     Size{QStyle::PM_DefaultFrameWidth, 1},
     Size{QStyle::PM_DockWidgetFrameWidth, 0},
     Size{QStyle::PM_DockWidgetSeparatorExtent, 5},
+    Size{QStyle::PM_TabBarTabHSpace, 10}, // at least; five panels in one place are then still named in full
     Size{QStyle::PM_DockWidgetTitleMargin, 6},
     Size{QStyle::PM_DockWidgetTitleBarButtonMargin, 3},
     Size{QStyle::PM_SplitterWidth, 5},
@@ -184,7 +185,7 @@ QSize Style::sizeFromContents(ContentsType type, const QStyleOption* option, con
     case CT_ItemViewItem:
         return {wanted.width(), std::max(wanted.height(), row - 3)};
     case CT_TabBarTab:
-        return {wanted.width() + 6, row + 2};
+        return {wanted.width() + 20, row + 2};
     case CT_HeaderSection:
         return {wanted.width(), row};
     default:

@@ -44,6 +44,8 @@ QString nameIn(const QString& resource) {
     return QFileInfo(resource).completeBaseName();
 }
 
+} // namespace
+
 QStringList shippedLevels() {
     QStringList levels;
     for (const QString& folder : {QStringLiteral(":/levels"), QStringLiteral(":/levels/sandbox")}) {
@@ -53,8 +55,6 @@ QStringList shippedLevels() {
     }
     return levels;
 }
-
-} // namespace
 
 WelcomePage::WelcomePage(QWidget* parent) : QScrollArea(parent), m_column(&m_page) {
     layOut();

@@ -12,6 +12,9 @@
 
 namespace spacetow {
 
+/// The resources with the levels that come with the program.
+QStringList shippedLevels();
+
 class WelcomePage : public QScrollArea {
     Q_OBJECT
 

@@ -204,6 +204,33 @@ class LeakTest : public QObject {
         QVERIFY(leaks[0].kind == Leak::Kind::Reversed && leaks[0].walls == 4 && leaks[0].isWhole);
     }
 
+    void aReversedChainIsWholeThoughRocksHideSomeOfItsWalls() {
+        const std::vector<Vec2> around{room[3], {-2, 3}, {2, 3}, room[2], room[1], room[0]}; // clockwise
+        const Polygon rock{{{-3, 2}, {3, 2}, {3, 3.5}, {-3, 3.5}}};
+        const Level level = aroundTheShip({EdgeChain{around, true, 0.1}, rock});
+        const std::vector<Leak> leaks = leaksIn(level);
+        QCOMPARE(leaks.size(), std::size_t{1});
+        QVERIFY(leaks[0].kind == Leak::Kind::Reversed && leaks[0].isWhole);
+        QCOMPARE(leaks[0].walls, 6);
+        const std::vector<Problem> problems = lint(level);
+        const auto turns = [](const Problem& problem) {
+            const Fix* const fix = fixFor(problem);
+            return fix != nullptr && fix->label == "fix-reverse";
+        };
+        const auto found = std::ranges::find_if(problems, turns);
+        QVERIFY(found != problems.end());
+        QVERIFY(leaksIn(fixed(level, *found)).empty());
+    }
+
+    void aChainWithWallsThatAreRightIsNotWhole() {
+        const std::vector<LevelShape> shapes{
+            EdgeChain{{room[1], room[2], room[3], room[0]}, false, 0.5},
+            EdgeChain{{room[1], room[0], {-3, -2.5}, {-3, -1.5}}, false, 0.1}}; // and stands in the room
+        const std::vector<Leak> leaks = leaksIn(aroundTheShip(shapes));
+        QCOMPARE(leaks.size(), std::size_t{1});
+        QVERIFY(leaks[0].kind == Leak::Kind::Reversed && leaks[0].walls == 1 && !leaks[0].isWhole);
+    }
+
     void aReversedWallNarrowerThanTheShipIsNone() {
         const auto leaksWith = [](double width, std::vector<Vec2> between) {
             const Vec2 corner(-4 + width, -3);

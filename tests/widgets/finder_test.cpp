@@ -225,7 +225,7 @@ class FinderTest : public QObject {
         QVERIFY(!all.contains("deep_cave.json")); // is open
         QCOMPARE(all.count("wide_cave.json"), 1);
         QVERIFY(!all.contains("flight.replay.json"));
-        QVERIFY(all.contains("01_first_haul"));
+        QVERIFY(all.contains("01_first_haul") && all.contains("01_workbench"));
         QTest::keyClicks(&finder.field(), "wicav");
         pressIn(finder, Qt::Key_Return);
         QCOMPARE(test.level().name, std::string("wide_cave"));

@@ -13,6 +13,16 @@ class LanguageTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void eachLanguageIsNamedByItselfWithoutACountry() {
+        QStringList names;
+        for (const Language& language : languages()) {
+            names << language.name;
+        }
+        for (const char* name : {"Deutsch", "English", "Español", "Français", "简体中文"}) {
+            QVERIFY2(names.contains(QString::fromUtf8(name)), name);
+        }
+    }
+
     void aLanguageIsSpokenInAllWindowsAtOnceAndNothingElseChanges() {
         TestApplication test;
         test.start({test.writtenLevel("a.json")});

@@ -74,6 +74,14 @@ class NamesTest : public QObject {
         QCOMPARE(format, Qt::PlainText);
     }
 
+    void elsewhereTextsOfMenusAreWithoutTheMarkOfTheLetter() {
+        QCOMPARE(withoutMnemonic(QStringLiteral("&Open…")), QStringLiteral("Open…"));
+        QCOMPARE(withoutMnemonic(QString::fromUtf8("打开(&O)…")), QString::fromUtf8("打开…"));
+        QCOMPARE(withoutMnemonic(QStringLiteral("Save (&S)")), QStringLiteral("Save"));
+        QCOMPARE(withoutMnemonic(QStringLiteral("Undo: a&&b (&&c) (d)")), QStringLiteral("Undo: a&b (&c) (d)"));
+        QCOMPARE(withoutMnemonic(QStringLiteral("&")), QString());
+    }
+
     void tooltipsAreNoRichText() {
         QCOMPARE(plainToolTip("Click: select"), QString("Click: select"));
         QVERIFY(plainToolTip("<img src=\"/etc/passwd\">").contains("&lt;img"));

@@ -232,6 +232,37 @@ class OutlinerModelTest : public QObject {
         }));
     }
 
+    void iconsAreReadOnASelectedRow_data() {
+        QTest::addColumn<int>("column");
+        QTest::newRow("kind") << int(OutlinerModel::Name);
+        QTest::newRow("eye") << int(OutlinerModel::Eye);
+        QTest::newRow("lock") << int(OutlinerModel::Lock);
+    }
+    void iconsAreReadOnASelectedRow() {
+        QFETCH(int, column);
+        Listed listed(layered());
+        QPalette palette;
+        palette.setColor(QPalette::Text, Qt::black);
+        palette.setColor(QPalette::Base, Qt::white);
+        palette.setColor(QPalette::Highlight, Qt::black);
+        palette.setColor(QPalette::HighlightedText, Qt::white);
+        listed.model.setPalette(palette);
+        const auto drawn = [&](QIcon::Mode mode) {
+            const auto icon = listed.model.indexOf(5, column).data(Qt::DecorationRole).value<QIcon>();
+            return icon.pixmap(QSize(16, 16), mode).toImage();
+        };
+        const QImage plain = drawn(QIcon::Normal);
+        QImage selected = drawn(QIcon::Selected);
+        QVERIFY(plain != selected);
+        selected.invertPixels(QImage::InvertRgb); // with black for white and white for black it would be the other
+        for (int y = 0; y < plain.height(); ++y) {
+            for (int x = 0; x < plain.width(); ++x) {
+                const QColor one = plain.pixelColor(x, y);
+                QVERIFY(one.alpha() < 255 || std::abs(one.lightness() - selected.pixelColor(x, y).lightness()) <= 2);
+            }
+        }
+    }
+
     void aFilterShowsWhatItFindsWithItsGroups() {
         Listed listed(layered());
         listed.model.setFilter(ObjectFilter("LEFT"));

@@ -1,12 +1,18 @@
 #include "editor/window/panels.h"
 
+#include "editor/window/finder_rows.h"
+#include "editor/window/messages.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QStyleOptionTab>
+#include <QTabBar>
 #include <QToolBar>
+
+#include <algorithm>
 
 using namespace spacetow;
 using spacetow::test::TestWindow;
@@ -98,6 +104,29 @@ class PanelsTest : public QObject {
         QVERIFY(test.window->focusWidget() != nullptr && test.window->focusWidget() != &test.canvas());
     }
 
+    void severalPanelsInOnePlaceAreNamedInFull() {
+        TestWindow test;
+        for (const char* name : {"outliner", "problems", "history", "nodes", "minimap"}) {
+            dockOf(test, name).show();
+        }
+        test.window->resize(1280, 800);
+        QApplication::processEvents();
+        int named = 0;
+        for (const QTabBar* bar : test.window->findChildren<QTabBar*>()) {
+            for (int i = 0; i < (bar->isVisible() ? bar->count() : 0); ++i) {
+                QStyleOptionTab option;
+                option.initFrom(bar);
+                option.rect = bar->tabRect(i);
+                option.shape = bar->shape();
+                option.text = bar->tabText(i);
+                const int room = bar->style()->subElementRect(QStyle::SE_TabBarTabText, &option, bar).width();
+                QVERIFY2(room >= bar->fontMetrics().horizontalAdvance(option.text), qPrintable(option.text));
+                ++named;
+            }
+        }
+        QCOMPARE(named, 5);
+    }
+
     void playLeavesThePanelsOutOfTheWay() {
         TestWindow test;
         test.window->openExample();
@@ -109,6 +138,52 @@ class PanelsTest : public QObject {
         test.trigger(Act::Stop);
         QVERIFY(placesOf(test) == before);
         QVERIFY(test.window->findChild<QToolBar*>("tools")->isVisible());
+    }
+
+    void whereThereIsNoBoardNoPanelIsShown() {
+        TestWindow test;
+        const auto possible = [&test] {
+            const QList<QAction*> actions = test.window->panels().actions();
+            const FinderRows rows(*test.window);
+            const auto count = std::ranges::count_if(actions, &QAction::isEnabled);
+            for (int i = 0; i < rows.few(); ++i) {
+                if (rows.kind(i) == FindKind::Panel && rows.row(i).isPossible != (count > 0)) {
+                    return qsizetype(-1);
+                }
+            }
+            return qsizetype(count);
+        };
+        const qsizetype all = qsizetype(panelRows().size());
+        test.window->showWelcome();
+        QCOMPARE(possible(), 0);
+        test.window->openExample();
+        QCOMPARE(possible(), all);
+        test.trigger(Act::Play);
+        QCOMPARE(possible(), 0);
+        test.trigger(Act::Stop);
+        QCOMPARE(possible(), all);
+    }
+
+    void goingToAProblemBringsWhatItSaysIntoSight() {
+        TestWindow test;
+        test.document().reset(TestWindow::twoBallsAtOneSpot());
+        const QDockWidget& problems = dockOf(test, "problems");
+        const auto isInFront = [&problems] {
+            QApplication::processEvents();
+            return problems.isVisible() && !problems.visibleRegion().isEmpty();
+        };
+        QVERIFY(!isInFront());
+        test.trigger(Act::NextProblem);
+        QVERIFY(isInFront());
+        dockOf(test, "problems").close();
+        test.trigger(Act::PreviousProblem);
+        QVERIFY(isInFront());
+        test.trigger(Act::HidePanels);
+        test.trigger(Act::NextProblem);
+        QVERIFY(!isInFront());
+        const Problem* const problem = test.window->problems().currentProblem();
+        QVERIFY(problem != nullptr);
+        QCOMPARE(test.window->statusLine().currentMessage(), sentence(*problem));
     }
 
     void theActionOfAPanelBringsItToTheFront() {

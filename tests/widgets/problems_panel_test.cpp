@@ -50,7 +50,8 @@ class ProblemsPanelTest : public QObject {
   private slots:
     void theMarksAreSeenInLightAndInDark() {
         Document document;
-        ProblemsPanel panel(document, code);
+        LevelCheck check(document);
+        ProblemsPanel panel(check, code);
         for (const Shade shade : {Shade::Dark, Shade::Light, Shade::Dark}) {
             panel.setPalette(panelPalette(shade));
             QCoreApplication::processEvents();
@@ -195,7 +196,7 @@ class ProblemsPanelTest : public QObject {
     void whatCannotBeCuredIsSaid() {
         Document document;
         LevelCheck check(document);
-        ProblemsPanel panel(document, check, code, labelCode);
+        ProblemsPanel panel(check, code, labelCode);
         QSignalSpy said(&panel, &ProblemsPanel::said);
         Random random(3);
         Polygon scribble;

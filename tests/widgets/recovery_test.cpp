@@ -324,6 +324,36 @@ class RecoveryTest : public QObject {
         QVERIFY(test.level() == second && !test.window->isWindowModified());
     }
 
+    void whereNoBackupCanBeMadeItIsSavedAndSaysSoOnce() {
+        TestWindow test;
+        const QString path = openBall(test);
+        std::filesystem::create_directories(stateFolder());
+        std::filesystem::remove_all(backupFolder());
+        QFile inTheWay(QString::fromStdString(backupFolder().string()));
+        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        inTheWay.close();
+        const MessageBar& bar = test.window->messageBar();
+        const auto saveAnother = [&test] {
+            test.drawWalls();
+            test.trigger(Act::Save);
+        };
+        saveAnother();
+        QVERIFY(!test.document().isModified());
+        QVERIFY2(bar.isVisible() && bar.text().contains("backup"), qPrintable(bar.text()));
+        QVERIFY(bar.tone() == MessageBar::Tone::Warning);
+        saveAnother();
+        QVERIFY(!bar.isVisible());
+        QVERIFY(inTheWay.remove());
+        saveAnother();
+        QVERIFY(!bar.isVisible());
+        QCOMPARE(backupsOf(backupFolder(), path.toStdString()).size(), std::size_t{1});
+        QVERIFY(QFile::rename(QString::fromStdString(backupFolder().string()), test.file("elsewhere")));
+        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        inTheWay.close();
+        saveAnother();
+        QVERIFY(bar.isVisible());
+    }
+
     void aFileThatIsBrokenOffersItsNewestBackup() {
         TestWindow test;
         const QString path = openBall(test);

@@ -1,4 +1,5 @@
 #include "editor/panels/form_rows.h"
+#include "editor/window/key_bindings.h"
 #include "editor/window/messages.h"
 #include "editor/window/messages_table.h"
 #include "tests/support/folders.h"
@@ -6,12 +7,14 @@
 #include "tests/support/window.h"
 
 #include <QDir>
+#include <QDockWidget>
 #include <QFile>
 #include <QLibraryInfo>
 #include <QMenuBar>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QSet>
+#include <QToolButton>
 #include <QTranslator>
 #include <QXmlStreamReader>
 
@@ -279,6 +282,31 @@ class TranslationsTest : public QObject {
         }
     }
 
+    void lettersOfMenusAreShownInMenusOnly_data() {
+        QTest::addColumn<QString>("locale");
+        for (const QString& locale : spokenLocales) {
+            QTest::addRow("%s", qPrintable(locale)) << locale;
+        }
+    }
+    void lettersOfMenusAreShownInMenusOnly() {
+        QFETCH(QString, locale);
+        const Spoken spoken(locale);
+        TestWindow test;
+        QStringList texts;
+        for (const QDockWidget* dock : test.window->findChildren<QDockWidget*>()) {
+            texts << dock->windowTitle();
+        }
+        for (const QToolButton* button : test.window->findChildren<QToolButton*>()) {
+            texts << button->text();
+        }
+        for (const KeyOwner& owner : keyOwners()) {
+            texts << owner.name << owner.place;
+        }
+        QVERIFY(texts.size() > 100);
+        static const QRegularExpression letter(QStringLiteral("&|\\([A-Z0-9]\\)"));
+        QCOMPARE(texts.filter(letter), QStringList());
+    }
+
     void nothingIsCutOffInASmallWindow_data() {
         QTest::addColumn<QString>("locale");
         QTest::addColumn<QList<Act>>("acts");
@@ -289,6 +317,10 @@ class TranslationsTest : public QObject {
             add("level", {});
             add("wall", {Act::SelectAll});
             add("two objects", {Act::Duplicate, Act::SelectAll});
+            add("linear array", {Act::LinearArray});
+            add("radial array", {Act::RadialArray});
+            add("transform", {Act::TypeTransform});
+            add("export", {Act::ExportAs});
             add("game", {Act::Play});
             add("held game", {Act::Play, Act::Pause});
         }
@@ -316,6 +348,31 @@ class TranslationsTest : public QObject {
             QVERIFY(test.window->playView().findChild<QWidget*>("pauseMenu")->isVisible());
             QCOMPARE(cutOffTexts(*test.window), QStringList());
         }
+    }
+
+    void anImportFitsASmallWindow_data() {
+        QTest::addColumn<QString>("locale");
+        for (const QString& locale : spokenLocales + QStringList{"long"}) {
+            QTest::addRow("%s", qPrintable(locale)) << locale;
+        }
+    }
+    void anImportFitsASmallWindow() {
+        QFETCH(QString, locale);
+        const Spoken spoken(locale);
+        TestWindow test;
+        QFile drawing(test.file("cave.svg"));
+        QVERIFY(drawing.open(QIODevice::WriteOnly));
+        drawing.write("<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0 C9 90 90 9 99 99 L50 0' fill='none' "
+                      "stroke='black'/></svg>");
+        drawing.close();
+        test.window->resize(800, 600);
+        test.window->open(drawing.fileName());
+        ImportBar& bar = test.window->exchange().importBar();
+        bar.finishWork();
+        QApplication::processEvents();
+        QVERIFY(bar.isVisible() && test.level().objects.size() == 1);
+        QCOMPARE(test.window->size(), QSize(800, 600));
+        QCOMPARE(cutOffTexts(*test.window), QStringList());
     }
 };
 
