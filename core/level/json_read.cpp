@@ -122,7 +122,7 @@ std::optional<Object> readObject(ReadState& state, JsonView json, const Place& p
     return object;
 }
 
-/// Calls `take(object)` for each object of the member "objects" that could be read without an error.
+/// Calls `take(item, object)` for each object of the member "objects" that could be read without an error.
 template <class Take>
 void readObjectList(ReadState& state, FieldReader& document, JsonView list, const Take& take) {
     const Place place{&documentPlace, "objects"};
@@ -138,7 +138,7 @@ void readObjectList(ReadState& state, FieldReader& document, JsonView list, cons
             }
         }
         if (object && !state.hasErrors) {
-            take(std::move(*object));
+            take(item, std::move(*object));
         }
         state.hasErrors = state.hasErrors || errorsBefore;
     });
@@ -195,7 +195,8 @@ LevelReading readTree(const JsonTree& tree) {
     level.unknownFields = state.unknownFields.take();
     level.tags = state.tags;
     if (objects) {
-        readObjectList(state, reader, *objects, [&level](Object object) { level.objects.append(std::move(object)); });
+        readObjectList(state, reader, *objects,
+                       [&level](JsonView, Object object) { level.objects.append(std::move(object)); });
     }
     LevelReading reading;
     reading.problems = std::move(state.problems);
@@ -215,8 +216,14 @@ ForeignObjects readObjects(const JsonTree& tree, std::vector<Problem>& problems)
         FieldReader reader(state, tree.root(), documentPlace);
         readTags(state, reader, documentPlace);
         if (const auto objects = reader.list("objects", true, {&documentPlace, "objects"})) {
-            readObjectList(state, reader, *objects,
-                           [&result](Object object) { result.objects.push_back(std::move(object)); });
+            std::vector<std::uint32_t> duplicates = tree.duplicateMembers();
+            std::ranges::sort(duplicates);
+            readObjectList(state, reader, *objects, [&result, &duplicates](JsonView item, Object object) {
+                const auto first = std::ranges::lower_bound(duplicates, item.index());
+                if (first == duplicates.end() || *first >= item.node().end) {
+                    result.objects.push_back(std::move(object));
+                }
+            });
         }
     }
     result.tags = state.tags;

@@ -21,8 +21,8 @@ struct LevelReading {
 
 LevelReading readTree(const JsonTree& tree);
 
-/// The "objects" of a tree, for the clipboard, with what the tree says of their tags: an object with an error is left
-/// out and reported. A tag that is only named is given a place.
+/// The "objects" of a tree, for the clipboard, with what the tree says of their tags: an object with an error, or
+/// that says a field twice, is left out and reported. A tag that is only named is given a place.
 ForeignObjects readObjects(const JsonTree& tree, std::vector<Problem>& problems);
 
 } // namespace spacetow

@@ -170,11 +170,10 @@ std::string_view JsonView::spelledName() const {
     return text.substr(begin + 1, end - begin - 1);
 }
 
-std::vector<Problem> JsonTree::duplicateNames() const {
-    constexpr std::size_t enough = 1000;
-    std::vector<Problem> problems;
+std::vector<std::uint32_t> JsonTree::duplicateMembers() const {
+    std::vector<std::uint32_t> duplicates;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> members; // name, index
-    for (std::uint32_t i = 0; i < m_nodes.size() && problems.size() < enough; ++i) {
+    for (std::uint32_t i = 0; i < m_nodes.size(); ++i) {
         if (m_nodes[i].kind != JsonKind::Object) {
             continue;
         }
@@ -185,14 +184,26 @@ std::vector<Problem> JsonTree::duplicateNames() const {
         std::ranges::sort(members);
         for (std::size_t j = 1; j < members.size(); ++j) {
             if (members[j].first == members[j - 1].first) {
-                Problem problem;
-                problem.code = "duplicate-field";
-                problem.arguments = {m_names[members[j].first]};
-                problem.pointer = pointerTo(members[j].second);
-                problem.line = static_cast<int>(m_nodes[members[j].second].line);
-                problems.push_back(std::move(problem));
+                duplicates.push_back(members[j].second);
             }
         }
+    }
+    return duplicates;
+}
+
+std::vector<Problem> JsonTree::duplicateNames() const {
+    constexpr std::size_t enough = 1000;
+    std::vector<Problem> problems;
+    for (const std::uint32_t member : duplicateMembers()) {
+        if (problems.size() == enough) {
+            break;
+        }
+        Problem problem;
+        problem.code = "duplicate-field";
+        problem.arguments = {m_names[m_nodes[member].name]};
+        problem.pointer = pointerTo(member);
+        problem.line = static_cast<int>(m_nodes[member].line);
+        problems.push_back(std::move(problem));
     }
     return problems;
 }

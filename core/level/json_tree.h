@@ -92,7 +92,9 @@ class JsonTree {
     JsonView root() const { return {*this, 0}; }
     /// Number of values, all in all.
     std::size_t size() const { return m_nodes.size(); }
-    /// Names that occur twice in the same object.
+    /// The values whose name another value of the same object had before them.
+    std::vector<std::uint32_t> duplicateMembers() const;
+    /// The same as problems; no more than a thousand.
     std::vector<Problem> duplicateNames() const;
     /// The line of the value at this JSON pointer, or of the innermost value around it that there is.
     int lineAt(std::string_view pointer) const;

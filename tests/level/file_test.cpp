@@ -257,6 +257,19 @@ class FileTest : public QObject {
         QCOMPARE(problems.back().code, std::string("not-json"));
     }
 
+    void pastingLeavesOutWhatSaysAFieldTwice() {
+        std::vector<Problem> problems;
+        const std::string text = withObjects(R"({"key": "00000001", "type": "ship", "glow": 1, "glow": 2},
+                                                {"key": "00000002", "type": "ship"},
+                                                {"key": "00000003", "type": "body", "shapes": [
+                                                 {"type": "circle", "radius": 1, "radius": 2}]})");
+        const std::vector<Object> objects = parseObjects(text, problems).objects;
+        QCOMPARE(objects.size(), std::size_t{1});
+        QCOMPARE(objects[0].key, Key{2});
+        QCOMPARE(problems.size(), std::size_t{2});
+        QCOMPARE(problems[0].code, std::string("duplicate-field"));
+    }
+
     void everyProblemIsFoundInOnePass() {
         const LevelFile file = parseLevel(withObjects(R"({"key": "1", "type": "ship"},
 {"key": "00000002", "type": "boat"},
