@@ -2,7 +2,7 @@
 // Whether so many bodies lie in the same place that the pairs of them would not fit into memory: n bodies at one point
 // are n²/2 pairs, of almost a kilobyte each.
 
-#include "core/physics/world.h"
+#include "core/physics/world/world.h"
 
 #include <cstdint>
 

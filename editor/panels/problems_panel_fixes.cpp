@@ -24,7 +24,7 @@ void ProblemsPanel::fixCurrent() {
     // What was found in another level may be somewhere else in this one.
     const Edit& now = m_document.current();
     if (now.level != m_checked) {
-        checkBeside();
+        m_check.hurry();
         return;
     }
     auto level = std::make_shared<Level>(fixed(*now.level, *problem));

@@ -92,7 +92,7 @@ void FinderRows::addEntries() {
         }
         for (QAction* const entry : m_window.listedIn(row.id)) {
             m_few.push_back({.kind = FindKind::Action,
-                             .name = withoutMnemonics(entry->text()),
+                             .name = withoutMnemonic(entry->text()),
                              .place = menuPath(row.id),
                              .tip = entry->statusTip(),
                              .icon = entry->icon(),
