@@ -266,8 +266,7 @@ class FileTest : public QObject {
         const std::vector<Object> objects = parseObjects(text, problems).objects;
         QCOMPARE(objects.size(), std::size_t{1});
         QCOMPARE(objects[0].key, Key{2});
-        QCOMPARE(problems.size(), std::size_t{2});
-        QCOMPARE(problems[0].code, std::string("duplicate-field"));
+        QCOMPARE(std::ranges::count(problems, std::string("duplicate-field"), &Problem::code), 2);
     }
 
     void everyProblemIsFoundInOnePass() {

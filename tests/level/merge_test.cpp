@@ -380,6 +380,7 @@ class MergeTest : public QObject {
         Level theirs = base;
         theirs.guides.erase(theirs.guides.begin());
         theirs.hiddenProblems.erase(theirs.hiddenProblems.begin());
+        theirs.unknownFields = R"({"/guides/0/glow": 1, "/hiddenProblems/0/why": "y"})";
         const MergedLevel result = merged(base, base, theirs);
         QCOMPARE(result.level.unknownFields, std::string(R"({"/guides/0/glow": 1, "/hiddenProblems/0/why": "y"})"));
     }

@@ -1,16 +1,12 @@
 // Several windows in one program: what opens where, two views of one level, and what is remembered.
 
-#include "core/game/replay.h"
-#include "editor/window/dropped_files.h"
 #include "tests/support/folders.h"
 #include "tests/support/test_main.h"
 #include "tests/support/windows.h"
 
-#include <QDragEnterEvent>
 #include <QFile>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMimeData>
 
 using namespace spacetow;
 using spacetow::test::TestApplication;
@@ -31,20 +27,6 @@ QStringList windowNames(MainWindow& window) {
         }
     }
     return {};
-}
-
-void drop(MainWindow& window, const QStringList& paths) {
-    QList<QUrl> urls;
-    for (const QString& path : paths) {
-        urls << QUrl::fromLocalFile(path);
-    }
-    QMimeData data;
-    data.setUrls(urls);
-    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&window, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&window, &event);
 }
 
 } // namespace
@@ -317,60 +299,6 @@ class ApplicationTest : public QObject {
         QVERIFY(test.window(0).appearance() == Appearance::Light);
     }
 
-    void aDroppedFlightIsFlownInTheLevelThatIsOpen() {
-        TestApplication test;
-        const QString level = spacetow::test::sourceFolder() + "/levels/01_first_haul.json";
-        test.start({test.writtenLevel("a.json"), level});
-        drop(test.window(0), {spacetow::test::sourceFolder() + "/tests/replays/01_first_haul.replay.json"});
-        QCOMPARE(test.count(), 2u);
-        QVERIFY(test.window(1).isPlaying() && !test.window(0).isPlaying());
-        QCOMPARE(test.window(1).messageBar().text(), QString());
-    }
-
-    void aFlightFindsItsLevelBesideItOrAmongTheShippedOnes() {
-        TestApplication test;
-        test.start();
-        const QString copy = test.file("flight.json"); // whatever it is called
-        QVERIFY(QFile::copy(spacetow::test::sourceFolder() + "/tests/replays/01_first_haul.replay.json", copy));
-        QCOMPARE(kindOfFile(copy), FileKind::Replay);
-        drop(test.window(0), {copy});
-        QVERIFY(test.window(0).isPlaying());
-        QCOMPARE(test.window(0).messageBar().text(), QString());
-    }
-
-    void aFlightInAChangedLevelIsFlownWithAWarning() {
-        TestApplication test;
-        test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
-        TestApplication::edit(test.window(0));
-        drop(test.window(0), {spacetow::test::sourceFolder() + "/tests/replays/01_first_haul.replay.json"});
-        QVERIFY(test.window(0).isPlaying());
-        QVERIFY(test.window(0).messageBar().text().contains(QStringLiteral("changed")));
-        test.unsaved = Unsaved::Discard;
-    }
-
-    void aFlightWhoseLevelIsNowhereSaysSo() {
-        TestApplication test;
-        test.start({test.writtenLevel("a.json")});
-        Replay replay;
-        replay.level = "nowhere.json";
-        const QString path = test.file("x.replay.json");
-        QVERIFY(!writeReplay(path.toStdString(), replay));
-        drop(test.window(0), {path});
-        QVERIFY(!test.window(0).isPlaying());
-        QVERIFY(test.window(0).messageBar().text().contains("nowhere.json"));
-    }
-
-    void whatIsNoFlightAndNoLevelSaysWhy() {
-        TestApplication test;
-        test.start({test.writtenLevel("a.json")});
-        const QString path = test.file("broken.replay.json");
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{\"replay\": 1, ") > 0);
-        file.close();
-        drop(test.window(0), {path});
-        QVERIFY(!test.window(0).messageBar().text().isEmpty());
-    }
-
     void whileAGameIsPlayedTheTitleSaysHowItStands() {
         TestApplication test;
         test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
@@ -380,59 +308,6 @@ class ApplicationTest : public QObject {
         QVERIFY(QTest::qWaitFor([&] { return test.window(0).windowTitle().contains("(playing)"); }));
         test.trigger(0, Act::Stop);
         QVERIFY(test.window(0).windowTitle().startsWith("01_first_haul.json[*] - "));
-    }
-
-    void drawingsAreImportedOneAtATimeIntoTheLevelThatCameWithThem() {
-        TestApplication test;
-        test.start();
-        QStringList drawings;
-        for (const char* name : {"one.svg", "two.svg"}) {
-            QFile file(test.file(name));
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write("<svg xmlns='http://www.w3.org/2000/svg'><rect width='9' height='9'/></svg>");
-            drawings << file.fileName();
-        }
-        const QString level = test.writtenLevel("a.json");
-        drop(test.window(0), drawings + QStringList{level});
-        QCOMPARE(test.count(), 1u);
-        QCOMPARE(test.window(0).files().path(), level);
-        QVERIFY(!test.window(0).exchange().importBar().isHidden());
-        const QString said = test.window(0).messageBar().text();
-        QVERIFY2(said.contains("one.svg"), qPrintable(said));
-    }
-
-    void aForeignFileIsImportedWhateverItIsCalledAndHoweverItIsOpened() {
-        TestApplication test;
-        const QString scene = test.file("scene.json");
-        QVERIFY(QFile::copy(spacetow::test::sourceFolder() + "/tests/golden/import/rube_scene/in.json", scene));
-        QCOMPARE(kindOfFile(scene), FileKind::Foreign);
-        test.start({scene}); // the command line
-        QVERIFY(!test.window(0).exchange().importBar().isHidden());
-        QCOMPARE(test.window(0).files().path(), QString());
-        test.window(0).exchange().cancel();
-        drop(test.window(0), {scene});
-        QVERIFY(!test.window(0).exchange().importBar().isHidden());
-        test.window(0).exchange().cancel();
-        test.window(0).files().questions.whichToOpen = [&](const QString&) { return QStringList{scene}; };
-        test.trigger(0, Act::Open);
-        QVERIFY(!test.window(0).exchange().importBar().isHidden());
-        test.window(0).exchange().cancel();
-    }
-
-    void aLevelIsOneWhateverItIsCalled() {
-        TestApplication test;
-        const QString path = test.writtenLevel("a.json") + ".svg";
-        QVERIFY(QFile::rename(test.file("a.json"), path));
-        QCOMPARE(kindOfFile(path), FileKind::Level);
-        test.start({path});
-        QCOMPARE(test.window(0).files().path(), path);
-    }
-
-    void severalLevelsAreDroppedAtOnce() {
-        TestApplication test;
-        test.start();
-        drop(test.window(0), {test.writtenLevel("a.json"), test.writtenLevel("b.json")});
-        QCOMPARE(test.count(), 2u);
     }
 };
 

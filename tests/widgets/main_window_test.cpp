@@ -18,23 +18,6 @@ class MainWindowTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void playBeginsWithoutWaitingForTheCheckThatTellsErrors() {
-        TestWindow test;
-        Level level;
-        level.objects.append({5, {}, BodyObject(), {}}); // without a shape
-        test.document().commit({"draw", 1}, {std::make_shared<const Level>(level), {}});
-        const int checks = test.window->openLevel()->check.checks();
-        test.window->play();
-        QVERIFY(test.window->isPlaying());
-        QCOMPARE(test.window->openLevel()->check.checks(), checks); // it comes beside
-        QTRY_VERIFY(!test.window->messageBar().text().isEmpty());
-        const QString said = test.window->messageBar().text();
-        QVERIFY2(said.contains("may not play as it should"), qPrintable(said));
-        test.window->messageBar().dismiss();
-        test.window->stopPlaying();
-        test.window->play(); // and at once where it is known
-        QCOMPARE(test.window->messageBar().text(), said);
-    }
     void aWallDrawnWithTheMouseIsUndoneAndRedone() {
         TestWindow test;
         const Level empty = test.level();

@@ -111,7 +111,7 @@ class PanelsTest : public QObject {
         }
         test.window->resize(1280, 800);
         QApplication::processEvents();
-        int named = 0;
+        QStringList named;
         for (const QTabBar* bar : test.window->findChildren<QTabBar*>()) {
             for (int i = 0; i < (bar->isVisible() ? bar->count() : 0); ++i) {
                 QStyleOptionTab option;
@@ -121,10 +121,12 @@ class PanelsTest : public QObject {
                 option.text = bar->tabText(i);
                 const int room = bar->style()->subElementRect(QStyle::SE_TabBarTabText, &option, bar).width();
                 QVERIFY2(room >= bar->fontMetrics().horizontalAdvance(option.text), qPrintable(option.text));
-                ++named;
+                named << option.text;
             }
         }
-        QCOMPARE(named, 5);
+        for (const char* name : {"Outliner", "Problems", "History", "Nodes", "Minimap"}) {
+            QVERIFY2(named.contains(QLatin1String(name)), name);
+        }
     }
 
     void playLeavesThePanelsOutOfTheWay() {

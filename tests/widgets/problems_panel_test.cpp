@@ -215,16 +215,22 @@ class ProblemsPanelTest : public QObject {
         QCOMPARE(said.count(), 1);
     }
 
-    void aGameStartsWithoutWaitingForTheCheck() {
+    void playBeginsWithoutWaitingForTheCheckThatTellsErrors() {
         TestWindow test;
         Level level;
-        level.objects.append(crossed(5));
-        test.window->document().commit({"draw", 1}, {std::make_shared<Level>(level), Selection()});
-        test.trigger(Act::Play);
-        QVERIFY(test.window->problems().problems().empty()); // nobody has waited for them
-        test.window->problems().check();
-        QCOMPARE(test.window->problems().errors(), 1);
-        QVERIFY(test.window->messageBar().text().contains("may not play"));
+        level.objects.append({5, {}, BodyObject(), {}}); // without a shape
+        test.document().commit({"draw", 1}, {std::make_shared<const Level>(level), {}});
+        const int checks = test.window->openLevel()->check.checks();
+        test.window->play();
+        QVERIFY(test.window->isPlaying());
+        QCOMPARE(test.window->openLevel()->check.checks(), checks); // it comes beside
+        QTRY_VERIFY(!test.window->messageBar().text().isEmpty());
+        const QString said = test.window->messageBar().text();
+        QVERIFY2(said.contains("may not play as it should"), qPrintable(said));
+        test.window->messageBar().dismiss();
+        test.window->stopPlaying();
+        test.window->play(); // and at once where it is known
+        QCOMPARE(test.window->messageBar().text(), said);
     }
 
     void aFixIsOneStepThatCanBeUndone() {

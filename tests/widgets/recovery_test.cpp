@@ -141,6 +141,8 @@ class RecoveryTest : public QObject {
         });
         test.document().commit({"edit"}, {std::make_shared<const Level>(before), {}});
         QVERIFY(test.window->files().overwrite());
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{\"schema\": 2, \"na") > 0);
+        file.close();
         const std::vector<Orphan> left = orphans(test.file("copy").toStdString());
         QCOMPARE(left.size(), std::size_t{1});
         QVERIFY(parseLevel(left[0].entry.text).level == before);
