@@ -47,21 +47,16 @@ QString line(const QString& keys, const QString& meaning) {
         .arg(keys.toHtmlEscaped(), meaning.toHtmlEscaped());
 }
 
-} // namespace
-
-QString KeysDialog::overview(const KeyBindings& bindings) {
-    QString html = QStringLiteral("<table cellpadding=\"2\">");
-    html += heading(translatedKeys(QT_TRANSLATE_NOOP("Keys", "On the drawing board")));
-    for (const KeyLine& each : canvasLines) {
-        html += line(translatedKeys(each.keys), translatedKeys(each.meaning));
-    }
+/// Of the game, or of all the others.
+QString linesOf(const KeyBindings& bindings, bool ofGame) {
+    QString html;
     QString place;
     for (const KeyOwner& owner : keyOwners()) {
         QStringList keys;
         for (const QKeySequence& key : bindings.keys(owner)) {
             keys << key.toString(QKeySequence::NativeText);
         }
-        if (keys.isEmpty()) {
+        if (keys.isEmpty() || (owner.inGame != PlayKey::None) != ofGame) {
             continue;
         }
         if (place != owner.place) {
@@ -70,8 +65,21 @@ QString KeysDialog::overview(const KeyBindings& bindings) {
         }
         html += line(keys.join(QStringLiteral(" · ")), owner.name);
     }
-    // The game comes last; this one cannot be changed.
+    return html;
+}
+
+} // namespace
+
+QString KeysDialog::overview(const KeyBindings& bindings) {
+    QString html = QStringLiteral("<table cellpadding=\"2\">");
+    html += heading(translatedKeys(QT_TRANSLATE_NOOP("Keys", "On the drawing board")));
+    for (const KeyLine& each : canvasLines) {
+        html += line(translatedKeys(each.keys), translatedKeys(each.meaning));
+    }
+    html += linesOf(bindings, true);
+    // This one cannot be changed.
     html += line(escapeKey(), translatedKeys(QT_TRANSLATE_NOOP("Keys", "Hold the game and show the menu")));
+    html += linesOf(bindings, false);
     return html + QStringLiteral("</table>");
 }
 

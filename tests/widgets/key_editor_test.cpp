@@ -163,6 +163,7 @@ class KeyEditorTest : public QObject {
         QCOMPARE(playKeysOf(bindings).shown(PlayKey::Thrust), QKeySequence("Up").toString(QKeySequence::NativeText));
         const QString help = KeysDialog::overview(bindings);
         QVERIFY(help.contains("In the game") && help.contains("W · K"));
+        QVERIFY(help.indexOf("In the game") < help.indexOf("Save As")); // what players look for comes first
         // The game that is started now listens to them.
         open.test.document().reset(openSpace());
         open.test.trigger(Act::Play);
