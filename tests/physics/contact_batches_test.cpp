@@ -89,13 +89,13 @@ void solveOne(std::vector<Body>& all, Contact& c, double relaxation = 1) {
 ContactBatches packed(const std::vector<Body>& all, const std::vector<Contact>& contacts, std::vector<Lane>& lanes) {
     ContactBatches batches;
     for (const Body& body : all) {
-        batches.paces.push_back({body.x, body.y, body.turn, 0});
+        batches.velocities.push_back({body.x, body.y, body.turn, 0});
     }
-    batches.paces.emplace_back();
-    batches.round.reset(all.size());
+    batches.velocities.emplace_back();
+    batches.circles.reset(all.size());
     for (const Contact& c : contacts) {
-        const Lane lane = batches.round.open(c.a, all[c.a].mass > 0, c.b, all[c.b].mass > 0);
-        RoundBatch& batch = batches.round[lane.batch];
+        const Lane lane = batches.circles.open(c.a, all[c.a].mass > 0, c.b, all[c.b].mass > 0);
+        CircleBatch& batch = batches.circles[lane.batch];
         const std::uint32_t i = lane.lane;
         batch.normalX[i] = c.normalX;
         batch.normalY[i] = c.normalY;
@@ -132,8 +132,8 @@ ContactBatches landingColumn() {
 
 double greatestSpeed(const ContactBatches& batches) {
     double greatest = 0;
-    for (const Pace& pace : batches.paces) {
-        greatest = std::max(greatest, std::abs(pace.y));
+    for (const BodyVelocity& velocity : batches.velocities) {
+        greatest = std::max(greatest, std::abs(velocity.y));
     }
     return greatest;
 }
@@ -152,20 +152,21 @@ void addManifolds(ContactBatches& batches, Random& random) {
         const auto b = static_cast<Slot>(random.uniform(0, bodies - 0.001));
         if (a != b) {
             const Lane lane = batches.general.open(a, true, b, b >= 4);
-            ConstraintShapes& shapes = batches.general.shapes(lane.batch);
-            shapes.a[lane.lane] = a;
-            shapes.b[lane.lane] = b;
-            shapes.still[lane.lane] = b < 4 ? -1 : 0;
-            shapes.ownedByA[lane.lane] = i % 3 == 0 ? -1 : 0;
-            shapes.first[lane.lane] = shapes.acts1[lane.lane] = -1;
-            shapes.singular[lane.lane] = i % 7 == 0 ? -1 : 0;
-            shapes.second[lane.lane] = shapes.acts2[lane.lane] = i % 4 != 0 ? -1 : 0;
+            ContactAnchors& anchors = batches.general.anchors(lane.batch);
+            anchors.a[lane.lane] = a;
+            anchors.b[lane.lane] = b;
+            anchors.staticB[lane.lane] = b < 4 ? -1 : 0;
+            anchors.normalOnA[lane.lane] = i % 3 == 0 ? -1 : 0;
+            anchors.first[lane.lane] = anchors.acts1[lane.lane] = -1;
+            anchors.singular[lane.lane] = i % 7 == 0 ? -1 : 0;
+            anchors.second[lane.lane] = anchors.acts2[lane.lane] = i % 4 != 0 ? -1 : 0;
         }
     }
     for (std::uint32_t i = 0; i < batches.general.size(); ++i) {
-        ConstraintShapes& s = batches.general.shapes(i);
-        for (Wide* wide : {&s.normalX, &s.normalY, &s.onA1X, &s.onA1Y, &s.onB1X, &s.onB1Y, &s.onA2X, &s.onA2Y, &s.onB2X,
-                           &s.onB2Y, &s.relativeX, &s.relativeY, &s.cosine, &s.sine, &s.room, &s.radiusA, &s.least}) {
+        ContactAnchors& s = batches.general.anchors(i);
+        for (Wide* wide :
+             {&s.normalX, &s.normalY, &s.onA1X, &s.onA1Y, &s.onB1X, &s.onB1Y, &s.onA2X, &s.onA2Y, &s.onB2X, &s.onB2Y,
+              &s.relativeX, &s.relativeY, &s.cosine, &s.sine, &s.tolerance, &s.radiusA, &s.leastInverseMass}) {
             fill(*wide, random, -1, 1);
         }
         ConstraintBatch& c = batches.general[i];
@@ -177,8 +178,8 @@ void addManifolds(ContactBatches& batches, Random& random) {
 }
 
 /// Poses or ways of all bodies.
-std::vector<Pace> randomRows(Random& random) {
-    std::vector<Pace> rows;
+std::vector<BodyVelocity> randomRows(Random& random) {
+    std::vector<BodyVelocity> rows;
     for (Slot i = 0; i < bodies; ++i) {
         const double x = random.uniform(-1, 1);
         const double y = random.uniform(-1, 1);
@@ -220,12 +221,12 @@ class ContactBatchesTest : public QObject {
                 }
             }
             for (Slot i = 0; i < bodies; ++i) {
-                const Pace& pace = batches.paces[i];
-                const bool same = pace.x == all[i].x && pace.y == all[i].y && pace.turn == all[i].turn;
+                const BodyVelocity& velocity = batches.velocities[i];
+                const bool same = velocity.x == all[i].x && velocity.y == all[i].y && velocity.angular == all[i].turn;
                 QVERIFY2(same, qPrintable(QString("seed %1, body %2").arg(seed).arg(i)));
             }
             for (std::size_t i = 0; i < contacts.size(); ++i) {
-                const RoundBatch& batch = batches.round[lanes[i].batch];
+                const CircleBatch& batch = batches.circles[lanes[i].batch];
                 QCOMPARE(batch.normalImpulse[lanes[i].lane], contacts[i].normal);
                 QCOMPARE(batch.tangentImpulse[lanes[i].lane], contacts[i].tangent);
             }
@@ -251,51 +252,51 @@ class ContactBatchesTest : public QObject {
             Random random(seed);
             ContactBatches narrow;
             addManifolds(narrow, random);
-            narrow.pushes.resize(bodies + 1);
-            narrow.paces.resize(bodies + 1);
+            narrow.corrections.resize(bodies + 1);
+            narrow.velocities.resize(bodies + 1);
             ContactBatches wide = narrow;
-            const std::vector<Pace> poses = randomRows(random);
-            const std::vector<Pace> ways = randomRows(random);
-            const BodyViews views{{poses.data(), sizeof(Pace)}, {ways.data(), sizeof(Pace)}};
+            const std::vector<BodyVelocity> poses = randomRows(random);
+            const std::vector<BodyVelocity> plannedMotions = randomRows(random);
+            const BodyViews views{{poses.data(), sizeof(BodyVelocity)}, {plannedMotions.data(), sizeof(BodyVelocity)}};
             int outdated = 0;
             for (ContactBatches* batches : {&narrow, &wide}) {
                 refreshContacts(*batches, views, 240, batches == &wide);
                 measureVelocities(*batches, batches == &wide);
-                QVERIFY(pushApart(*batches, {1.0 / 240, 0.2, 0.1}, batches == &wide));
+                QVERIFY(correctPositions(*batches, {1.0 / 240, 0.2, 0.1}, batches == &wide));
             }
             for (std::uint32_t i = 0; i < narrow.general.size(); ++i) {
                 const ConstraintBatch& a = narrow.general[i];
                 const ConstraintBatch& b = wide.general[i];
                 QVERIFY2(sameBits(a.normalX, b.normalX) && sameBits(a.separation1, b.separation1) &&
                              sameBits(a.separation2, b.separation2) && sameBits(a.target2, b.target2) &&
-                             sameBits(a.closing1, b.closing1) && sameBits(a.leverA1, b.leverA1) &&
+                             sameBits(a.closingLimit1, b.closingLimit1) && sameBits(a.leverA1, b.leverA1) &&
                              sameBits(a.leverB2, b.leverB2) && sameBits(a.tangentLeverA, b.tangentLeverA) &&
                              sameBits(a.tangentMass, b.tangentMass) && sameBits(a.mass1, b.mass1) &&
                              sameBits(a.k22, b.k22) && sameBits(a.coupling, b.coupling) &&
                              sameBits(a.inverseDeterminant, b.inverseDeterminant),
                          qPrintable(QString("seed %1, batch %2").arg(seed).arg(i)));
-                QCOMPARE(narrow.general.notes(i).outdated, wide.general.notes(i).outdated);
-                outdated += narrow.general.notes(i).outdated != 0 ? 1 : 0;
+                QCOMPARE(narrow.general.flags(i).outdated, wide.general.flags(i).outdated);
+                outdated += narrow.general.flags(i).outdated != 0 ? 1 : 0;
             }
             QVERIFY(outdated > 0);
             for (Slot i = 0; i < bodies; ++i) {
-                QCOMPARE(narrow.pushes[i].x, wide.pushes[i].x);
-                QCOMPARE(narrow.pushes[i].turn, wide.pushes[i].turn);
+                QCOMPARE(narrow.corrections[i].x, wide.corrections[i].x);
+                QCOMPARE(narrow.corrections[i].angular, wide.corrections[i].angular);
             }
         }
     }
 
     void aLaneThatWasGivenUpIsUsedAgain() {
         ContactBatches batches;
-        batches.round.reset(10);
-        const Lane first = batches.round.open(0, true, 1, true);
-        batches.round.open(2, true, 3, true);
-        batches.round.close(first);
-        QCOMPARE(int{batches.round.notes(first.batch).occupied}, 2);
-        const Lane again = batches.round.open(4, true, 5, true);
+        batches.circles.reset(10);
+        const Lane first = batches.circles.open(0, true, 1, true);
+        batches.circles.open(2, true, 3, true);
+        batches.circles.close(first);
+        QCOMPARE(int{batches.circles.flags(first.batch).occupied}, 2);
+        const Lane again = batches.circles.open(4, true, 5, true);
         QCOMPARE(again.batch, first.batch);
         QCOMPARE(again.lane, first.lane);
-        QCOMPARE(batches.round.size(), std::size_t{1});
+        QCOMPARE(batches.circles.size(), std::size_t{1});
     }
 
     void noBodyThatMovesIsTwiceInABatch() {
@@ -303,9 +304,9 @@ class ContactBatchesTest : public QObject {
         const std::vector<Body> all = randomBodies(random);
         std::vector<Lane> lanes;
         ContactBatches batches = packed(all, randomContacts(random), lanes);
-        for (std::uint32_t i = 0; i < batches.round.size(); ++i) {
+        for (std::uint32_t i = 0; i < batches.circles.size(); ++i) {
             std::vector<Slot> moving;
-            for (const auto& ends : {batches.round[i].a, batches.round[i].b}) {
+            for (const auto& ends : {batches.circles[i].a, batches.circles[i].b}) {
                 std::copy_if(ends.begin(), ends.end(), std::back_inserter(moving),
                              [](Slot slot) { return slot >= 4 && slot < bodies; });
             }

@@ -1,7 +1,7 @@
 // Heaps that land: an impact has to go through all the rows to the ground before anything is at rest.
 
 #include "core/physics/lanes/solver_kernels.h"
-#include "core/physics/solver/solve_on.h"
+#include "core/physics/solver/solve_unconverged.h"
 #include "core/physics/state/world_data.h"
 #include "tests/support/contact_scenes.h"
 
@@ -93,8 +93,8 @@ void verifyKeepsMomentum(World& world, int updates) {
     QVERIFY(Momentum(world).scale < 0.9 * before.scale); // they did meet
 }
 
-bool isSame(const Pace& p, const Pace& q) {
-    return p.x == q.x && p.y == q.y && p.turn == q.turn;
+bool isSame(const BodyVelocity& p, const BodyVelocity& q) {
+    return p.x == q.x && p.y == q.y && p.angular == q.angular;
 }
 
 } // namespace
@@ -185,20 +185,20 @@ class LandingTest : public QObject {
         WorldData all = silo.world.data();
         const Slot here = some.islands.roots[silo.balls.front().index];
         const Slot there = some.islands.roots[silo.balls.back().index];
-        QVERIFY(here != there && some.roundContacts.size() > 50);
-        some.islands.unsettled.assign(some.motions.size(), 0);
-        some.islands.unsettled[here] = 1;
-        reserveForSolvingOn(some);
+        QVERIFY(here != there && some.circleContacts.size() > 50);
+        some.islands.unconverged.assign(some.motions.size(), 0);
+        some.islands.unconverged[here] = 1;
+        reserveForUnconverged(some);
         // The velocities of the last iteration, with impulses that are to be found anew.
         for (WorldData* data : {&some, &all}) {
-            data->batches.paces = data->batches.planned;
-            data->batches.paces.emplace_back();
-            for (const RoundContact& c : data->roundContacts) {
-                data->batches.round[c.lane.batch].normalImpulse[c.lane.lane] = 0;
-                data->batches.round[c.lane.batch].tangentImpulse[c.lane.lane] = 0;
+            data->batches.velocities = data->batches.plannedVelocities;
+            data->batches.velocities.emplace_back();
+            for (const CircleContact& c : data->circleContacts) {
+                data->batches.circles[c.lane.batch].normalImpulse[c.lane.lane] = 0;
+                data->batches.circles[c.lane.batch].tangentImpulse[c.lane.lane] = 0;
             }
         }
-        solveOn(some, 3);
+        solveUnconverged(some, 3);
         overrelaxPass(all.batches);
         overrelaxPass(all.batches);
         solvePass(all.batches);
@@ -207,9 +207,10 @@ class LandingTest : public QObject {
             const Slot slot = id.index;
             const bool solved = some.islands.roots[slot] == here;
             const WorldData& expected = solved ? all : some;
-            const Pace& pace = solved ? expected.batches.paces[slot] : expected.batches.planned[slot];
-            QVERIFY(isSame(some.batches.paces[slot], pace));
-            any |= solved && !isSame(some.batches.paces[slot], some.batches.planned[slot]);
+            const BodyVelocity& velocity =
+                solved ? expected.batches.velocities[slot] : expected.batches.plannedVelocities[slot];
+            QVERIFY(isSame(some.batches.velocities[slot], velocity));
+            any |= solved && !isSame(some.batches.velocities[slot], some.batches.plannedVelocities[slot]);
         }
         QVERIFY(any);
     }

@@ -3,7 +3,7 @@
 #include "core/base/random.h"
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/overlaps.h"
-#include "core/physics/broad_phase/in_front.h"
+#include "core/physics/broad_phase/separating_face.h"
 #include "core/physics/solver/islands.h"
 #include "core/physics/state/world_data.h"
 
@@ -94,19 +94,19 @@ bool isSortedAndUnique(const std::vector<Pair>& pairs) {
 bool belongTogether(const WorldData& data) {
     for (std::uint32_t i = 0; i < data.table.size(); ++i) {
         const Pair& pair = data.table.pairs[i];
-        if (data.table.gates[i].moverA != pair.bodyA + 1 || data.table.gates[i].moverB != pair.bodyB + 1) {
+        if (data.table.bounds[i].moverA != pair.bodyA + 1 || data.table.bounds[i].moverB != pair.bodyB + 1) {
             return false;
         }
-        if (!data.contactsListed || !data.table.marks[i].listed) {
+        if (!data.constraintsValid || !data.table.flags[i].inSolver) {
             continue;
         }
-        const std::uint32_t place = data.contacts[pair.contact].place;
+        const std::uint32_t place = data.contacts[pair.contact].constraintIndex;
         const bool general = pair.kind == PairKind::General;
-        if ((general ? pairOf(data.generalContacts[place]) : pairOf(data.roundContacts[place])) != i) {
+        if ((general ? pairOf(data.generalContacts[place]) : pairOf(data.circleContacts[place])) != i) {
             return false;
         }
     }
-    return data.table.gates.size() == data.table.size() && data.table.marks.size() == data.table.size();
+    return data.table.bounds.size() == data.table.size() && data.table.flags.size() == data.table.size();
 }
 
 bool islandsAreThoseOfThePairs(const WorldData& data) {
@@ -115,7 +115,7 @@ bool islandsAreThoseOfThePairs(const WorldData& data) {
     findIslands(asTheyAre);
     anew.islandsStale = true;
     findIslands(anew);
-    return asTheyAre.islands.roots == anew.islands.roots && asTheyAre.islands.all == anew.islands.all &&
+    return asTheyAre.islands.roots == anew.islands.roots && asTheyAre.islands.islandRoots == anew.islands.islandRoots &&
            asTheyAre.islands.drivers == anew.islands.drivers;
 }
 
@@ -130,20 +130,20 @@ class PairTableTest : public QObject {
         for (std::uint64_t seed = 1; seed <= (isFullRun() ? 20000u : 2000u); ++seed) {
             Random random(seed);
             const Part part = boxPart(pointIn(random, {{-2, -2}, {2, 2}}), random.uniform(2, 10), 0.2);
-            Room room;
+            FatAabb fat;
             const Vec2 from = pointIn(random, {{-5, -5}, {5, 5}});
-            room.centers = {from, from + pointIn(random, {{0, 0}, {1, 1}})};
-            room.turnLeft = random.uniform(0, random.below(2) == 0 ? 0.1 : 1);
+            fat.centers = {from, from + pointIn(random, {{0, 0}, {1, 1}})};
+            fat.angleLeft = random.uniform(0, random.below(2) == 0 ? 0.1 : 1);
             const Rot rotation = Rot::fromAngle(random.uniform(-pi, pi));
             const Vec2 half = pointIn(random, {{0.05, 0.05}, {2, 2}});
             const Vec2 at = pointIn(random, {{-12, -12}, {12, 12}});
-            if (!staysInFront({at - half, at + half}, std::get<ConvexPart>(part), rotation, room)) {
+            if (!isInFrontOfFace({at - half, at + half}, std::get<ConvexPart>(part), rotation, fat)) {
                 continue;
             }
             ++clear;
             for (int i = 0; i < 50; ++i) {
-                const double turn = random.below(4) == 0 ? room.turnLeft : random.uniform(0, room.turnLeft);
-                const Transform pose{pointIn(random, room.centers),
+                const double turn = random.below(4) == 0 ? fat.angleLeft : random.uniform(0, fat.angleLeft);
+                const Transform pose{pointIn(random, fat.centers),
                                      turned(rotation, random.below(2) == 0 ? turn : -turn)};
                 QVERIFY2(!overlaps(part, pose, boxPart(at, half.x(), half.y()), {}), seedText(seed));
             }
@@ -169,7 +169,7 @@ class PairTableTest : public QObject {
                 QVERIFY2(belongTogether(data), seedText(seed));
                 QVERIFY2(holdsAllThatMeet(data), seedText(seed));
                 QVERIFY2(islandsAreThoseOfThePairs(data), seedText(seed));
-                changes += data.stretches.size();
+                changes += data.runs.size();
             }
         }
         QVERIFY(changes > 1000);

@@ -1,7 +1,7 @@
 #include "core/physics/broad_phase/pairs.h"
 
-#include "core/physics/broad_phase/collect_pairs.h"
-#include "core/physics/broad_phase/merge_pairs.h"
+#include "core/physics/broad_phase/find_pairs.h"
+#include "core/physics/broad_phase/pair_changes.h"
 #include "core/physics/broad_phase/statics.h"
 
 #include <algorithm>
@@ -11,17 +11,17 @@ namespace spacetow {
 
 namespace {
 
-bool isFelt(const Pair& pair) {
-    return pair.kind == PairKind::Felt;
+bool isSensor(const Pair& pair) {
+    return pair.kind == PairKind::Sensor;
 }
 
 } // namespace
 
-void listFelt(WorldData& data) {
-    data.felt.clear();
+void listSensors(WorldData& data) {
+    data.sensors.clear();
     for (std::uint32_t i = 0; i < data.table.size(); ++i) {
-        if (isFelt(data.table.pairs[i])) {
-            data.felt.push_back(i);
+        if (isSensor(data.table.pairs[i])) {
+            data.sensors.push_back(i);
         }
     }
     data.islandsStale = true;
@@ -51,13 +51,13 @@ void prepareStructure(WorldData& data) {
             data.reporters.push_back(slot);
         }
     }
-    data.travelled.assign(data.records.size() + 1, 0);
-    data.alert.assign(data.records.size() + 1, 0);
-    data.ways.resize(data.records.size() + 1);
-    data.reaches.resize(data.records.size() + 1);
+    data.motionBounds.assign(data.records.size() + 1, 0);
+    data.mayNeedToi.assign(data.records.size() + 1, 0);
+    data.plannedMotions.resize(data.records.size() + 1);
+    data.extents.resize(data.records.size() + 1);
     for (const Slot slot : data.sleep.sleepers) {
-        data.travelled[slot + 1] = data.steps[slot].travelled;
-        data.noteWay(slot);
+        data.motionBounds[slot + 1] = data.steps[slot].motionBound;
+        data.notePlannedMotion(slot);
     }
     data.touchedTags.resize(data.records.size());
     data.bodiesChanged = false;
@@ -65,44 +65,44 @@ void prepareStructure(WorldData& data) {
 }
 
 void measureMotion(WorldData& data, double ahead) {
-    data.anyEscaped = data.pairsStale;
+    data.anyMovedProxy = data.pairsStale;
     data.anyFault = data.anyFast = false;
-    data.escaped.clear();
+    data.movedBodies.clear();
     for (const Slot slot : data.moving) {
         BodyStep& s = data.steps[slot];
         const BodyMotion& m = data.motions[slot];
-        const double reach = s.reach();
+        const double reach = s.maxMotion();
         data.anyFault |= !isSound(m, s);
-        data.travelled[slot + 1] = s.travelled + reach;
-        data.noteWay(slot);
-        const bool far = isFar(s, reach);
+        data.motionBounds[slot + 1] = s.motionBound + reach;
+        data.notePlannedMotion(slot);
+        const bool far = exceedsMargin(s, reach);
         data.anyFast |= far;
-        data.alert[slot + 1] = far || s.bouncing || s.diverted ? 1 : 0;
-        s.escaped = !s.room.centers.contains(m.center) ||
-                    !s.room.centers.contains(Vec2(m.center + s.shift + ahead * m.velocity)) ||
-                    std::abs(s.turn + ahead * m.angularVelocity) > s.room.turnLeft;
-        if (s.escaped) {
-            data.escaped.push_back(slot);
+        data.mayNeedToi[slot + 1] = far || s.bouncing || s.deflected ? 1 : 0;
+        s.movedProxy = !s.fat.centers.contains(m.center) ||
+                       !s.fat.centers.contains(Vec2(m.center + s.deltaPosition + ahead * m.velocity)) ||
+                       std::abs(s.deltaAngle + ahead * m.angularVelocity) > s.fat.angleLeft;
+        if (s.movedProxy) {
+            data.movedBodies.push_back(slot);
         }
     }
-    data.anyEscaped |= !data.escaped.empty();
+    data.anyMovedProxy |= !data.movedBodies.empty();
 }
 
 bool findPairs(WorldData& data, const IterationStep& step) {
     if (data.pairsStale) {
-        listColliders(data);
+        listProxies(data);
     }
-    giveRoom(data, step.remaining);
+    enlargeAabbs(data, step.remaining);
     collectPairs(data);
-    data.anyEscaped = false;
+    data.anyMovedProxy = false;
     return comparePairs(data);
 }
 
 void changePairs(WorldData& data) {
     changeTable(data);
     data.islandsStale = true;
-    if (data.pairsStale || !data.felt.empty() || std::any_of(data.newPairs.begin(), data.newPairs.end(), isFelt)) {
-        listFelt(data);
+    if (data.pairsStale || !data.sensors.empty() || std::any_of(data.newPairs.begin(), data.newPairs.end(), isSensor)) {
+        listSensors(data);
     }
     data.pairsStale = false;
 }

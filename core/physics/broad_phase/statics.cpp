@@ -58,7 +58,7 @@ std::vector<Aabb> treeBoxes(StaticGeometry& geometry) {
     return boxes;
 }
 
-bool reaches(const StaticGeometry& geometry, std::uint32_t index, const Aabb& box) {
+bool reachesInto(const StaticGeometry& geometry, std::uint32_t index, const Aabb& box) {
     const StaticGeometry::Collider& collider = geometry.colliders[index];
     return collider.bounds.overlaps(box) ||
            (collider.back >= 0 && geometry.backs[static_cast<std::size_t>(collider.back)].region.meets(box));
@@ -116,7 +116,7 @@ void refreshStatics(WorldData& data) {
 void findStatics(const StaticGeometry& geometry, const Aabb& box, std::vector<std::uint32_t>& out) {
     out.clear();
     geometry.tree.query(box, out);
-    std::erase_if(out, [&](std::uint32_t i) { return !reaches(geometry, i, box); });
+    std::erase_if(out, [&](std::uint32_t i) { return !reachesInto(geometry, i, box); });
     if (geometry.area.contains(box)) {
         return;
     }

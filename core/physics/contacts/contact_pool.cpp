@@ -1,6 +1,6 @@
 #include "core/physics/contacts/contact_pool.h"
 
-#include "core/physics/contacts/contact_lanes.h"
+#include "core/physics/contacts/constraint_list.h"
 
 namespace spacetow {
 
@@ -42,7 +42,7 @@ Contact& contactOf(WorldData& data, Pair& pair) {
     return contact;
 }
 
-void forgetContact(WorldData& data, Pair& pair) {
+void freeContact(WorldData& data, Pair& pair) {
     if (pair.contact != Pair::none) {
         const std::uint32_t manifold = data.contacts[pair.contact].manifold;
         if (manifold != Pair::none) {
@@ -56,23 +56,23 @@ void forgetContact(WorldData& data, Pair& pair) {
     }
 }
 
-void forgetDropped(WorldData& data) {
+void freeContactsOfDropped(WorldData& data) {
     for (const std::uint32_t i : data.dropped) {
-        if (data.contactsListed && data.table.marks[i].listed) {
-            unlist(data, i);
+        if (data.constraintsValid && data.table.flags[i].inSolver) {
+            removeConstraint(data, i);
         }
-        forgetContact(data, data.table.pairs[i]);
+        freeContact(data, data.table.pairs[i]);
     }
 }
 
-void forgetManifolds(WorldData& data) {
+void resetManifolds(WorldData& data) {
     for (KeptManifold& manifold : data.manifolds) {
-        manifold.room = -1;
+        manifold.tolerance = -1;
     }
 }
 
 void beginPart(WorldData& data, double share) {
-    dropContacts(data);
+    releaseConstraints(data);
     data.wholeImpulses.clear();
     for (Contact& contact : data.contacts) {
         data.wholeImpulses.push_back(
@@ -84,7 +84,7 @@ void beginPart(WorldData& data, double share) {
 }
 
 void endPart(WorldData& data, double share) {
-    dropContacts(data);
+    releaseConstraints(data);
     for (std::size_t i = 0; i < data.wholeImpulses.size(); ++i) {
         Contact& contact = data.contacts[i];
         const auto& whole = data.wholeImpulses[i];

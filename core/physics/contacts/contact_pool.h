@@ -8,13 +8,13 @@ namespace spacetow {
 /// The pair's contact; a new one without points if it has none.
 Contact& contactOf(WorldData& data, Pair& pair);
 
-void forgetContact(WorldData& data, Pair& pair);
+void freeContact(WorldData& data, Pair& pair);
 
 /// Of the pairs that are `dropped` from the table.
-void forgetDropped(WorldData& data);
+void freeContactsOfDropped(WorldData& data);
 
 /// All manifolds are to be made anew.
-void forgetManifolds(WorldData& data);
+void resetManifolds(WorldData& data);
 
 /// An iteration that is made in parts has the impulses of each part, this share of it, added up for the next iteration;
 /// until then the last iteration's stand for the parts to come.

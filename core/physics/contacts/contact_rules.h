@@ -18,21 +18,21 @@ inline bool isPush(const Vec2& change, double turnChange) {
 }
 
 /// Whether contacts with these normals may be in one plane.
-inline bool areParallel(const Vec2& a, const Vec2& b) {
+inline bool areParallelNormals(const Vec2& a, const Vec2& b) {
     return a.dot(b) >= 1 - 1e-9;
 }
 
 /// Surfaces no further apart than this may meet in this iteration. Anticipation is limited to half the inner radii:
 /// beyond that the sweep of fast bodies takes over, whose normal is that of the impact and not that of the start.
-inline double contactMargin(const BodyWay& a, const BodyWay& b) {
-    const Vec2 apart = a.shift - b.shift;
+inline double speculativeMargin(const PlannedMotion& a, const PlannedMotion& b) {
+    const Vec2 apart = a.deltaPosition - b.deltaPosition;
     const double way = std::abs(apart.x()) + std::abs(apart.y()); // no less than the length, and cheaper
     return linearSlop + std::min(way + a.turned + b.turned, 0.5 * (a.innerRadius + b.innerRadius));
 }
 
 /// The same against a static body.
-inline double contactMargin(const BodyWay& a) {
-    const double way = std::abs(a.shift.x()) + std::abs(a.shift.y());
+inline double speculativeMargin(const PlannedMotion& a) {
+    const double way = std::abs(a.deltaPosition.x()) + std::abs(a.deltaPosition.y());
     return linearSlop + std::min(way + a.turned, 0.5 * a.innerRadius);
 }
 
@@ -47,15 +47,15 @@ struct Discs {
 };
 
 /// Of two bodies that move.
-inline Discs discsOf(const WorldData& data, const PairGate& gate) {
-    const BodyWay& a = data.ways[gate.moverA];
-    const BodyWay& b = data.ways[gate.moverB];
-    const double radii = data.reaches[gate.moverA].outerRadius + data.reaches[gate.moverB].outerRadius;
-    return {radii, radii + contactMargin(a, b), (b.center - a.center).squaredNorm()};
+inline Discs discsOf(const WorldData& data, const PairBound& bound) {
+    const PlannedMotion& a = data.plannedMotions[bound.moverA];
+    const PlannedMotion& b = data.plannedMotions[bound.moverB];
+    const double radii = data.extents[bound.moverA].outerRadius + data.extents[bound.moverB].outerRadius;
+    return {radii, radii + speculativeMargin(a, b), (b.center - a.center).squaredNorm()};
 }
 
 /// How far surfaces may go into each other in this iteration where the solver has not converged, m: up to the slop.
-inline double roomToClose(double separation) {
+inline double penetrationAllowance(double separation) {
     return std::max(separation + linearSlop, 0.1 * linearSlop);
 }
 

@@ -3,7 +3,7 @@
 #include "core/math/vec.h"
 #include "core/physics/contacts/contact_rules.h"
 #include "core/physics/contacts/effective_mass.h"
-#include "core/physics/contacts/general_contacts.h"
+#include "core/physics/contacts/update_manifold.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,8 @@ constexpr double coincident = 1e-9;
 bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) {
     const bool sameBodies =
         c.b == d.b || (data.records[c.b].kind == BodyKind::Static && data.records[d.b].kind == BodyKind::Static);
-    if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution || !areParallel(c.normal, d.normal)) {
+    if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution ||
+        !areParallelNormals(c.normal, d.normal)) {
         return false;
     }
     // Points lie half way between the surfaces; half the separation further on is the surface of b.
@@ -60,19 +61,19 @@ ContactPoint& keptPoint(WorldData& data, const ConstraintPoint& p) {
     return data.contacts[p.contact].points[p.index];
 }
 
-double roomOf(const WorldData& data, const Constraint& c) {
-    return c.merged ? c.room : keptRoom(data, data.table.pairs[c.points[0].pair]);
+double toleranceOf(const WorldData& data, const Constraint& c) {
+    return c.merged ? c.tolerance : toleranceLeftOf(data, data.table.pairs[c.points[0].pair]);
 }
 
-/// The pair is not looked at while the merged contact is listed.
+/// The pair is not updated while the merged contact has a lane.
 void shut(WorldData& data, std::uint32_t pair) {
-    data.absorbed.push_back(pair);
-    data.table.gates[pair].apartUntil = std::numeric_limits<double>::infinity();
+    data.mergedPairs.push_back(pair);
+    data.table.bounds[pair].separationBound = std::numeric_limits<double>::infinity();
 }
 
 /// Both stand for one from now on.
-void noteMerger(WorldData& data, Constraint& c, const Constraint& d) {
-    c.room = std::min(roomOf(data, c), roomOf(data, d));
+void noteMerge(WorldData& data, Constraint& c, const Constraint& d) {
+    c.tolerance = std::min(toleranceOf(data, c), toleranceOf(data, d));
     if (!c.merged) {
         shut(data, c.points[0].pair);
     }
@@ -82,8 +83,8 @@ void noteMerger(WorldData& data, Constraint& c, const Constraint& d) {
 
 /// Keeps the outermost two of the points of both; where two coincide, that of the contact with more points, which will
 /// still be there when the body has turned a little, with the impulses of both.
-void absorb(WorldData& data, Constraint& c, Constraint& d) {
-    noteMerger(data, c, d);
+void mergeInto(WorldData& data, Constraint& c, Constraint& d) {
+    noteMerge(data, c, d);
     const Vec2 tangent = leftOf(c.normal);
     std::array<ConstraintPoint, 4> all;
     std::array<double, 4> places;
@@ -100,7 +101,7 @@ void absorb(WorldData& data, Constraint& c, Constraint& d) {
     std::size_t most = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const ConstraintPoint& p = all[i];
-        data.table.marks[p.pair].now |= p.separation <= linearSlop;
+        data.table.flags[p.pair].touching |= p.separation <= linearSlop;
         keptPoint(data, p).normalImpulse = 0;
         data.contacts[p.contact].tangentImpulse = 0;
         least = places[i] < places[least] - coincident ? i : least;
@@ -118,7 +119,7 @@ void absorb(WorldData& data, Constraint& c, Constraint& d) {
     c.count = 2;
     if (least == most) {
         c.count = 1;
-        c.silenceSecond();
+        c.clearSecond();
     }
     c.tangentImpulse += d.tangentImpulse;
     d.count = 0;
@@ -130,16 +131,16 @@ void mergeContacts(WorldData& data) {
     std::vector<Constraint>& all = data.constraints;
     for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
         for (end = first + 1; end < all.size() && all[end].a == all[first].a; ++end) {
-            for (std::size_t i = first; i < end && !all[end].alone; ++i) {
+            for (std::size_t i = first; i < end && !all[end].unmergeable; ++i) {
                 if (all[i].count > 0 && samePlane(data, all[i], all[end]) && isFlat(all[i], all[end])) {
-                    absorb(data, all[i], all[end]);
+                    mergeInto(data, all[i], all[end]);
                     prepareAgain(data, all[i]);
                     break;
                 }
             }
         }
     }
-    if (!data.absorbed.empty()) {
+    if (!data.mergedPairs.empty()) {
         std::erase_if(all, [](const Constraint& c) { return c.count == 0; });
     }
 }

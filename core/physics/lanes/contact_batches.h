@@ -18,39 +18,39 @@ namespace spacetow {
 // What no velocity falls short of, m/s.
 constexpr double noTarget = -1e30;
 
-/// From what round contacts of moving bodies are made anew while they last.
-struct alignas(32) RoundShapes {
+/// From what the contacts of moving circles are updated.
+struct alignas(32) CircleAnchors {
     std::array<Slot, 4> a{}, b{};
-    std::array<std::uint32_t, 4> owner{}; // index in `roundContacts`
-    Mask here{};                          // lanes that are made anew here, and not one by one
+    std::array<std::uint32_t, 4> owner{}; // index in `circleContacts`
+    Mask wideUpdate{};                    // lanes that the kernel updates; others are updated one by one
     Wide radiusA{}, radiusB{};
 
     void vacate() {
         a.fill(0);
         b.fill(0);
-        here = Mask{};
+        wideUpdate = Mask{};
     }
     void close(std::uint32_t lane) {
         a[lane] = b[lane] = 0;
-        here[lane] = 0;
+        wideUpdate[lane] = 0;
     }
 };
 
-/// From what other contacts are made anew while their manifolds are kept.
-struct alignas(32) ConstraintShapes {
+/// Contact anchors: from what other contacts are updated while their manifolds are kept.
+struct alignas(32) ContactAnchors {
     std::array<Slot, 4> a{}, b{};
     std::array<std::uint32_t, 4> owner{}; // index in `constraints`
-    Mask still{};                         // b is static: its points are in the world's coordinates
-    Mask ownedByA{};                      // the normal is in the coordinates of a
+    Mask staticB{};                       // b is static: its points are in the world's coordinates
+    Mask normalOnA{};                     // the normal is in the coordinates of a
     Mask acts1{}, acts2{};                // whether a push at the point can move anything
     Mask first{}, second{};               // whether there is the point at all
     Mask singular{};                      // one of the points acts for both
     Wide normalX{}, normalY{};
     Wide onA1X{}, onA1Y{}, onB1X{}, onB1Y{}, onA2X{}, onA2Y{}, onB2X{}, onB2Y{};
     Wide relativeX{}, relativeY{}, cosine{}, sine{}; // of a in the coordinates of b when the manifold was made
-    Wide room{};                                     // m that the parts may come closer before it is out of date
+    Wide tolerance{};                                // m that the parts may come closer before it is out of date
     Wide radiusA{};                                  // around the body
-    Wide least{};                                    // 1/kg: what yields no more to a push does not yield to it
+    Wide leastInverseMass{};                         // 1/kg: what yields no more to a push does not yield to it
 
     void vacate() {
         a.fill(0);
@@ -63,9 +63,9 @@ struct alignas(32) ConstraintShapes {
     }
 };
 
-/// Quantities as in RoundContact; masses and inertias are inverse.
-struct alignas(32) RoundBatch {
-    using Shapes = RoundShapes;
+/// Quantities as in CircleContact; masses and inertias are inverse.
+struct alignas(32) CircleBatch {
+    using Anchors = CircleAnchors;
 
     std::array<Slot, 4> a{}, b{};
     Wide normalX{}, normalY{};
@@ -74,9 +74,9 @@ struct alignas(32) RoundBatch {
     Wide normalMass{}, tangentMass{};
     Wide friction{}, target{};
     Wide normalImpulse{}, tangentImpulse{};
-    Wide closing{};    // m/s: nearer than they may come in this iteration
-    Wide velocity{};   // m/s along the normal, after the last pass
-    Wide separation{}; // m
+    Wide closingLimit{}; // m/s: nearer than they may come in this iteration
+    Wide velocity{};     // m/s along the normal, after the last pass
+    Wide separation{};   // m
 
     void vacate(Slot nobody) {
         a.fill(nobody);
@@ -86,7 +86,7 @@ struct alignas(32) RoundBatch {
 
 /// Quantities as in Constraint. A missing second point has a target that every velocity exceeds.
 struct alignas(32) ConstraintBatch {
-    using Shapes = ConstraintShapes;
+    using Anchors = ContactAnchors;
 
     std::array<Slot, 4> a{}, b{};
     Wide normalX{}, normalY{};
@@ -97,7 +97,7 @@ struct alignas(32) ConstraintBatch {
     Wide leverA2{}, leverB2{}, target2{}, impulse2{};
     Wide k11{}, k22{}, coupling{}, inverseDeterminant{}; // of the inverse mass matrix
     Wide mass1{}, mass2{};                               // 1/k11, 1/k22
-    Wide closing1{}, closing2{};
+    Wide closingLimit1{}, closingLimit2{};
     Wide velocity1{}, velocity2{};
     Wide separation1{}, separation2{};
 
@@ -115,12 +115,12 @@ struct Lane {
 /// Which lanes of a batch something is true of, a bit each.
 using LaneBits = std::uint8_t;
 
-/// What a look at all contacts has found.
-struct BatchNotes {
+/// What the passes over all contacts have found.
+struct BatchFlags {
     LaneBits occupied = 0;
     LaneBits outdated = 0; // out of reach, or the manifold no longer holds
     LaneBits closes = 0;   // faster than it may
-    LaneBits touched = 0;  // when it was looked at before
+    LaneBits touched = 0;  // at the end of the iteration before
     LaneBits touches = 0;  // with an impulse or without a gap
     LaneBits overlaps = 0; // by more than the slop
 };
@@ -129,23 +129,23 @@ struct BatchNotes {
 template <class Batch>
 class Batches {
   public:
-    using Shapes = typename Batch::Shapes;
+    using Anchors = typename Batch::Anchors;
 
     void reset(std::size_t bodies) { m_plan.reset(bodies); }
     /// Room for as much as `other` has room for.
     void reserve(const Batches& other) {
         m_plan.reserve(other.m_plan);
         m_batches.reserve(other.m_batches.capacity());
-        m_shapes.reserve(other.m_shapes.capacity());
-        m_notes.reserve(other.m_notes.capacity());
+        m_anchors.reserve(other.m_anchors.capacity());
+        m_flags.reserve(other.m_flags.capacity());
     }
     Batch& operator[](std::uint32_t index) { return m_batches[index]; }
     const Batch& operator[](std::uint32_t index) const { return m_batches[index]; }
     Batch* begin() { return m_batches.data(); }
-    Shapes& shapes(std::size_t index) { return m_shapes[index]; }
-    const Shapes& shapes(std::size_t index) const { return m_shapes[index]; }
-    BatchNotes& notes(std::size_t index) { return m_notes[index]; }
-    const BatchNotes& notes(std::size_t index) const { return m_notes[index]; }
+    Anchors& anchors(std::size_t index) { return m_anchors[index]; }
+    const Anchors& anchors(std::size_t index) const { return m_anchors[index]; }
+    BatchFlags& flags(std::size_t index) { return m_flags[index]; }
+    const BatchFlags& flags(std::size_t index) const { return m_flags[index]; }
     std::size_t size() const { return m_plan.size(); }
 
     /// A lane for the contact of two bodies.
@@ -154,15 +154,15 @@ class Batches {
         Lane lane{m_plan.place(a, movableA, b, movableB), 0};
         if (m_batches.size() < m_plan.size()) {
             m_batches.resize(m_plan.size());
-            m_shapes.resize(m_plan.size());
-            m_notes.resize(m_plan.size());
+            m_anchors.resize(m_plan.size());
+            m_flags.resize(m_plan.size());
         }
         for (std::size_t fresh = used; fresh < m_plan.size(); ++fresh) {
             m_batches[fresh].vacate(m_plan.nobody());
-            m_shapes[fresh].vacate();
-            m_notes[fresh] = {};
+            m_anchors[fresh].vacate();
+            m_flags[fresh] = {};
         }
-        LaneBits& occupied = m_notes[lane.batch].occupied;
+        LaneBits& occupied = m_flags[lane.batch].occupied;
         lane.lane = static_cast<std::uint32_t>(std::countr_one(occupied));
         occupied = static_cast<LaneBits>(occupied | 1u << lane.lane);
         m_batches[lane.batch].a[lane.lane] = a;
@@ -173,19 +173,19 @@ class Batches {
     /// Gives the lane up; its place may be used again.
     void close(Lane lane) {
         m_plan.release(lane.batch);
-        BatchNotes& notes = m_notes[lane.batch];
+        BatchFlags& flags = m_flags[lane.batch];
         const auto others = static_cast<LaneBits>(~(1u << lane.lane));
-        notes.occupied &= others;
-        notes.touched &= others;
-        m_shapes[lane.batch].close(lane.lane);
+        flags.occupied &= others;
+        flags.touched &= others;
+        m_anchors[lane.batch].close(lane.lane);
         m_batches[lane.batch].a[lane.lane] = m_batches[lane.batch].b[lane.lane] = m_plan.nobody();
     }
 
   private:
     BatchPlan m_plan;
     std::vector<Batch> m_batches;
-    std::vector<Shapes> m_shapes;
-    std::vector<BatchNotes> m_notes;
+    std::vector<Anchors> m_anchors;
+    std::vector<BatchFlags> m_flags;
 };
 
 /// Copies one contact, but for its bodies.
@@ -202,9 +202,9 @@ void copyLane(const Batch& from, std::uint32_t lane, Batch& to, std::uint32_t to
 
 /// Visits the lanes that the notes name, in their order.
 template <class Batch, class Visit>
-void forLanes(const Batches<Batch>& batches, LaneBits BatchNotes::*which, const Visit& visit) {
+void forLanes(const Batches<Batch>& batches, LaneBits BatchFlags::*which, const Visit& visit) {
     for (std::uint32_t k = 0; k < batches.size(); ++k) {
-        for (unsigned lanes = batches.notes(k).*which; lanes != 0; lanes &= lanes - 1) {
+        for (unsigned lanes = batches.flags(k).*which; lanes != 0; lanes &= lanes - 1) {
             visit(Lane{k, static_cast<std::uint32_t>(std::countr_zero(lanes))});
         }
     }
@@ -212,11 +212,11 @@ void forLanes(const Batches<Batch>& batches, LaneBits BatchNotes::*which, const 
 
 /// Working memory of the solver.
 struct ContactBatches {
-    std::vector<Pace> paces;   // by slot, and one more for lanes without a contact
-    std::vector<Pace> starts;  // by slot, at the beginning of the iteration
-    std::vector<Pace> planned; // by slot, without the contacts' impulses
-    std::vector<Pace> pushes;  // by slot, and one more: out of overlaps, m and rad in the iteration
-    Batches<RoundBatch> round;
+    std::vector<BodyVelocity> velocities;        // by slot, and one more for lanes without a contact
+    std::vector<BodyVelocity> startVelocities;   // by slot, at the beginning of the iteration
+    std::vector<BodyVelocity> plannedVelocities; // by slot, without the contacts' impulses
+    std::vector<BodyVelocity> corrections;       // by slot, and one more: out of overlaps, m and rad in the iteration
+    Batches<CircleBatch> circles;
     Batches<ConstraintBatch> general;
 };
 

@@ -20,12 +20,14 @@ SPACETOW_INLINE Wide lesser(Wide a, Wide b) {
     return a < b ? a : b;
 }
 
-struct WidePace {
-    Wide x, y, turn, unused;
+/// Four vectors of four. As velocities: x and y in m/s, z angular in rad/s. As poses: x and y of the centre of mass, z
+/// the cosine, w the sine.
+struct WideVec4 {
+    Wide x, y, z, w;
 };
 
-/// Rows to columns and back.
-SPACETOW_INLINE WidePace transposed(Wide r0, Wide r1, Wide r2, Wide r3) {
+/// Rows to columns and back: four bodies to gather, or to scatter.
+SPACETOW_INLINE WideVec4 transposed(Wide r0, Wide r1, Wide r2, Wide r3) {
     const Wide low02 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
     const Wide low13 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
     const Wide high02 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6);
@@ -34,22 +36,23 @@ SPACETOW_INLINE WidePace transposed(Wide r0, Wide r1, Wide r2, Wide r3) {
             __builtin_shufflevector(low02, high02, 2, 3, 6, 7), __builtin_shufflevector(low13, high13, 2, 3, 6, 7)};
 }
 
-SPACETOW_INLINE Wide row(const Pace& pace) {
+SPACETOW_INLINE Wide row(const BodyVelocity& velocity) {
     Wide result;
-    std::memcpy(&result, &pace, sizeof result);
+    std::memcpy(&result, &velocity, sizeof result);
     return result;
 }
 
-SPACETOW_INLINE WidePace load(const Pace* paces, const std::array<Slot, 4>& slots) {
-    return transposed(row(paces[slots[0]]), row(paces[slots[1]]), row(paces[slots[2]]), row(paces[slots[3]]));
+SPACETOW_INLINE WideVec4 gather(const BodyVelocity* velocities, const std::array<Slot, 4>& slots) {
+    return transposed(row(velocities[slots[0]]), row(velocities[slots[1]]), row(velocities[slots[2]]),
+                      row(velocities[slots[3]]));
 }
 
-SPACETOW_INLINE void store(Pace* paces, const std::array<Slot, 4>& slots, const WidePace& pace) {
-    const WidePace rows = transposed(pace.x, pace.y, pace.turn, pace.unused);
-    std::memcpy(static_cast<void*>(&paces[slots[0]]), &rows.x, sizeof(Wide));
-    std::memcpy(static_cast<void*>(&paces[slots[1]]), &rows.y, sizeof(Wide));
-    std::memcpy(static_cast<void*>(&paces[slots[2]]), &rows.turn, sizeof(Wide));
-    std::memcpy(static_cast<void*>(&paces[slots[3]]), &rows.unused, sizeof(Wide));
+SPACETOW_INLINE void scatter(BodyVelocity* velocities, const std::array<Slot, 4>& slots, const WideVec4& velocity) {
+    const WideVec4 rows = transposed(velocity.x, velocity.y, velocity.z, velocity.w);
+    std::memcpy(static_cast<void*>(&velocities[slots[0]]), &rows.x, sizeof(Wide));
+    std::memcpy(static_cast<void*>(&velocities[slots[1]]), &rows.y, sizeof(Wide));
+    std::memcpy(static_cast<void*>(&velocities[slots[2]]), &rows.z, sizeof(Wide));
+    std::memcpy(static_cast<void*>(&velocities[slots[3]]), &rows.w, sizeof(Wide));
 }
 
 /// An impulse (x, y) on b and its opposite on a, and the angular impulses by which it twists them.
@@ -58,16 +61,16 @@ struct Impulse {
 };
 
 /// The bodies of a batch's contacts.
-struct Ends {
-    WidePace a, b;
+struct BatchBodies {
+    WideVec4 a, b;
 
     SPACETOW_INLINE Wide along(Wide x, Wide y) const { return (b.x - a.x) * x + (b.y - a.y) * y; }
-    SPACETOW_INLINE Wide turning(Wide leverA, Wide leverB) const { return b.turn * leverB - a.turn * leverA; }
+    SPACETOW_INLINE Wide turning(Wide leverA, Wide leverB) const { return b.z * leverB - a.z * leverA; }
     template <class Batch>
     SPACETOW_INLINE void apply(const Batch& c, const Impulse& impulse) {
         push(c, impulse.x, impulse.y);
-        a.turn -= c.inertiaA * impulse.twistA;
-        b.turn += c.inertiaB * impulse.twistB;
+        a.z -= c.inertiaA * impulse.twistA;
+        b.z += c.inertiaB * impulse.twistB;
     }
     template <class Batch>
     SPACETOW_INLINE void push(const Batch& c, Wide x, Wide y) {

@@ -30,7 +30,7 @@ SPACETOW_INLINE Wide row(const BodyRows& rows, Slot slot) {
     return result;
 }
 
-SPACETOW_INLINE WidePace load(const BodyRows& rows, const std::array<Slot, 4>& slots) {
+SPACETOW_INLINE WideVec4 gather(const BodyRows& rows, const std::array<Slot, 4>& slots) {
     return transposed(row(rows, slots[0]), row(rows, slots[1]), row(rows, slots[2]), row(rows, slots[3]));
 }
 
@@ -39,72 +39,72 @@ SPACETOW_INLINE Wide targetAt(Wide separation, const Call& call) {
     return separation > Wide{} ? -separation * call.perSecond : Wide{};
 }
 
-SPACETOW_INLINE Wide closingAt(Wide separation, const Call& call) {
+SPACETOW_INLINE Wide closingLimitAt(Wide separation, const Call& call) {
     return -call.perSecond * greater(separation + linearSlop, Wide{} + 0.1 * linearSlop);
 }
 
 /// Which contacts are out of reach.
-SPACETOW_INLINE Mask refresh(RoundBatch& c, const RoundShapes& shapes, const Call& call) {
-    const WidePace a = load(call.bodies.poses, shapes.a);
-    const WidePace b = load(call.bodies.poses, shapes.b);
+SPACETOW_INLINE Mask refresh(CircleBatch& c, const CircleAnchors& anchors, const Call& call) {
+    const WideVec4 a = gather(call.bodies.poses, anchors.a);
+    const WideVec4 b = gather(call.bodies.poses, anchors.b);
     const Wide apartX = b.x - a.x;
     const Wide apartY = b.y - a.y;
     const Wide squared = apartX * apartX + apartY * apartY;
-    const WidePace wayA = load(call.bodies.ways, shapes.a);
-    const WidePace wayB = load(call.bodies.ways, shapes.b);
+    const WideVec4 wayA = gather(call.bodies.plannedMotions, anchors.a);
+    const WideVec4 wayB = gather(call.bodies.plannedMotions, anchors.b);
     const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y);
-    const Wide margin = linearSlop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
-    const Wide reach = shapes.radiusA + shapes.radiusB + margin;
+    const Wide margin = linearSlop + lesser(way, 0.5 * (wayA.w + wayB.w));
+    const Wide reach = anchors.radiusA + anchors.radiusB + margin;
     const Wide distance = root(squared);
     const Mask apart = distance > Wide{};
-    const Wide separation = distance - shapes.radiusA - shapes.radiusB;
-    const Wide leverA = shapes.radiusA + 0.5 * separation;
-    const Wide leverB = -shapes.radiusB - 0.5 * separation;
-    const Mask here = shapes.here;
-    c.normalX = here ? (apart ? apartX / distance : Wide{}) : c.normalX;
-    c.normalY = here ? (apart ? apartY / distance : Wide{} + 1) : c.normalY;
-    c.separation = here ? separation : c.separation;
-    c.leverA = here ? leverA : c.leverA;
-    c.leverB = here ? leverB : c.leverB;
+    const Wide separation = distance - anchors.radiusA - anchors.radiusB;
+    const Wide leverA = anchors.radiusA + 0.5 * separation;
+    const Wide leverB = -anchors.radiusB - 0.5 * separation;
+    const Mask wideUpdate = anchors.wideUpdate;
+    c.normalX = wideUpdate ? (apart ? apartX / distance : Wide{}) : c.normalX;
+    c.normalY = wideUpdate ? (apart ? apartY / distance : Wide{} + 1) : c.normalY;
+    c.separation = wideUpdate ? separation : c.separation;
+    c.leverA = wideUpdate ? leverA : c.leverA;
+    c.leverB = wideUpdate ? leverB : c.leverB;
     const Wide mass = c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
-    c.tangentMass = here ? 1 / mass : c.tangentMass;
-    c.target = here ? targetAt(separation, call) : c.target;
-    c.closing = here ? closingAt(separation, call) : c.closing;
-    return here & (squared > reach * reach);
+    c.tangentMass = wideUpdate ? 1 / mass : c.tangentMass;
+    c.target = wideUpdate ? targetAt(separation, call) : c.target;
+    c.closingLimit = wideUpdate ? closingLimitAt(separation, call) : c.closingLimit;
+    return wideUpdate & (squared > reach * reach);
 }
 
 /// A point that stays with a body, in the world.
-SPACETOW_INLINE Wide worldX(const WidePace& pose, Wide x, Wide y) {
-    return pose.x + (pose.turn * x - pose.unused * y);
+SPACETOW_INLINE Wide worldX(const WideVec4& pose, Wide x, Wide y) {
+    return pose.x + (pose.z * x - pose.w * y);
 }
-SPACETOW_INLINE Wide worldY(const WidePace& pose, Wide x, Wide y) {
-    return pose.y + (pose.unused * x + pose.turn * y);
+SPACETOW_INLINE Wide worldY(const WideVec4& pose, Wide x, Wide y) {
+    return pose.y + (pose.w * x + pose.z * y);
 }
 
 /// Whether the parts have moved against each other so far that their manifold may lack something.
-SPACETOW_INLINE Mask outdated(const ConstraintShapes& s, const WidePace& a, const WidePace& b, const Call& call) {
+SPACETOW_INLINE Mask outdated(const ContactAnchors& s, const WideVec4& a, const WideVec4& b, const Call& call) {
     const Wide apartX = a.x - b.x;
     const Wide apartY = a.y - b.y;
-    const Wide movedX = b.turn * apartX + b.unused * apartY - s.relativeX;
-    const Wide movedY = b.turn * apartY - b.unused * apartX - s.relativeY;
-    const Wide turnedC = b.turn * a.turn + b.unused * a.unused - s.cosine;
-    const Wide turnedS = b.turn * a.unused - b.unused * a.turn - s.sine;
+    const Wide movedX = b.z * apartX + b.w * apartY - s.relativeX;
+    const Wide movedY = b.z * apartY - b.w * apartX - s.relativeY;
+    const Wide turnedC = b.z * a.z + b.w * a.w - s.cosine;
+    const Wide turnedS = b.z * a.w - b.w * a.z - s.sine;
     const Wide left =
-        s.room - root(movedX * movedX + movedY * movedY) - root(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
-    const WidePace wayA = load(call.bodies.ways, s.a);
-    WidePace wayB = load(call.bodies.ways, s.b);
-    wayB.x = s.still ? Wide{} : wayB.x;
-    wayB.y = s.still ? Wide{} : wayB.y;
-    wayB.turn = s.still ? Wide{} : wayB.turn;
-    wayB.unused = s.still ? Wide{} : wayB.unused;
-    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y) + wayA.turn + wayB.turn;
-    return left < linearSlop + lesser(way, 0.5 * (wayA.unused + wayB.unused));
+        s.tolerance - root(movedX * movedX + movedY * movedY) - root(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
+    const WideVec4 wayA = gather(call.bodies.plannedMotions, s.a);
+    WideVec4 wayB = gather(call.bodies.plannedMotions, s.b);
+    wayB.x = s.staticB ? Wide{} : wayB.x;
+    wayB.y = s.staticB ? Wide{} : wayB.y;
+    wayB.z = s.staticB ? Wide{} : wayB.z;
+    wayB.w = s.staticB ? Wide{} : wayB.w;
+    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y) + wayA.z + wayB.z;
+    return left < linearSlop + lesser(way, 0.5 * (wayA.w + wayB.w));
 }
 
 /// From the centres of mass to a contact point.
 struct Arms {
     Wide aX, aY, bX, bY;
-    SPACETOW_INLINE Arms(const WidePace& a, const WidePace& b, Wide x, Wide y)
+    SPACETOW_INLINE Arms(const WideVec4& a, const WideVec4& b, Wide x, Wide y)
         : aX(x - a.x), aY(y - a.y), bX(x - b.x), bY(y - b.y) {}
 };
 
@@ -112,25 +112,25 @@ SPACETOW_INLINE Wide inverseMass(const ConstraintBatch& c, Wide leverA, Wide lev
     return c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
 }
 
-SPACETOW_INLINE void setFriction(ConstraintBatch& c, const Arms& arms1, const Arms& arms2, Wide least) {
+SPACETOW_INLINE void setFriction(ConstraintBatch& c, const Arms& arms1, const Arms& arms2, Wide leastInverseMass) {
     c.tangentLeverA =
         0.5 * (arms1.aX * c.normalX + arms1.aY * c.normalY + (arms2.aX * c.normalX + arms2.aY * c.normalY));
     c.tangentLeverB =
         0.5 * (arms1.bX * c.normalX + arms1.bY * c.normalY + (arms2.bX * c.normalX + arms2.bY * c.normalY));
     const Wide inverse = inverseMass(c, c.tangentLeverA, c.tangentLeverB);
-    c.tangentMass = inverse > least ? 1 / inverse : Wide{};
+    c.tangentMass = inverse > leastInverseMass ? 1 / inverse : Wide{};
 }
 
 /// Which contacts have points that begin or cease to act.
-SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ConstraintShapes& s, const Arms& arms1, const Arms& arms2) {
+SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ContactAnchors& s, const Arms& arms1, const Arms& arms2) {
     c.leverA1 = arms1.aX * c.normalY - arms1.aY * c.normalX;
     c.leverB1 = arms1.bX * c.normalY - arms1.bY * c.normalX;
     c.leverA2 = arms2.aX * c.normalY - arms2.aY * c.normalX;
     c.leverB2 = arms2.bX * c.normalY - arms2.bY * c.normalX;
     const Wide k11 = inverseMass(c, c.leverA1, c.leverB1);
     const Wide k22 = inverseMass(c, c.leverA2, c.leverB2);
-    const Mask acts1 = s.first & (k11 > s.least);
-    const Mask acts2 = s.second & (k22 > s.least);
+    const Mask acts1 = s.first & (k11 > s.leastInverseMass);
+    const Mask acts2 = s.second & (k22 > s.leastInverseMass);
     c.k11 = acts1 ? k11 : Wide{} + 1;
     c.k22 = acts2 ? k22 : c.k11;
     c.mass1 = 1 / c.k11;
@@ -144,15 +144,15 @@ SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ConstraintShapes& s, con
     return (acts1 ^ s.acts1) | (acts2 ^ s.acts2) | (singular ^ s.singular);
 }
 
-SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, const Call& call) {
-    const WidePace a = load(call.bodies.poses, s.a);
-    WidePace b = load(call.bodies.poses, s.b);
-    b.x = s.still ? Wide{} : b.x;
-    b.y = s.still ? Wide{} : b.y;
-    b.turn = s.still ? Wide{} + 1 : b.turn;
-    b.unused = s.still ? Wide{} : b.unused;
-    const Wide cosine = s.ownedByA ? a.turn : b.turn;
-    const Wide sine = s.ownedByA ? a.unused : b.unused;
+SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ContactAnchors& s, const Call& call) {
+    const WideVec4 a = gather(call.bodies.poses, s.a);
+    WideVec4 b = gather(call.bodies.poses, s.b);
+    b.x = s.staticB ? Wide{} : b.x;
+    b.y = s.staticB ? Wide{} : b.y;
+    b.z = s.staticB ? Wide{} + 1 : b.z;
+    b.w = s.staticB ? Wide{} : b.w;
+    const Wide cosine = s.normalOnA ? a.z : b.z;
+    const Wide sine = s.normalOnA ? a.w : b.w;
     c.normalX = cosine * s.normalX - sine * s.normalY;
     c.normalY = sine * s.normalX + cosine * s.normalY;
     const Wide onA1X = worldX(a, s.onA1X, s.onA1Y);
@@ -171,11 +171,11 @@ SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ConstraintShapes& s, cons
     c.separation2 = s.second ? separation2 : far;
     c.target1 = s.acts1 ? targetAt(separation1, call) : never;
     c.target2 = s.acts2 ? targetAt(separation2, call) : never;
-    c.closing1 = s.first ? closingAt(separation1, call) : never;
-    c.closing2 = s.second ? closingAt(separation2, call) : never;
+    c.closingLimit1 = s.first ? closingLimitAt(separation1, call) : never;
+    c.closingLimit2 = s.second ? closingLimitAt(separation2, call) : never;
     const Arms arms1(a, b, onA1X + 0.5 * apart1X, onA1Y + 0.5 * apart1Y);
     const Arms arms2(a, b, onA2X + 0.5 * apart2X, onA2Y + 0.5 * apart2Y);
-    setFriction(c, arms1, arms2, s.least);
+    setFriction(c, arms1, arms2, s.leastInverseMass);
     return setBlock(c, s, arms1, arms2) | outdated(s, a, b, call);
 }
 
@@ -183,13 +183,13 @@ template <class Batch>
 SPACETOW_INLINE void refreshAll(const Call& call, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
     for (std::size_t i = 0; i < count; ++i) {
-        BatchNotes& notes = batches.notes(i);
-        notes.outdated = bits(refresh(batches.begin()[i], batches.shapes(i), call)) & notes.occupied;
+        BatchFlags& flags = batches.flags(i);
+        flags.outdated = bits(refresh(batches.begin()[i], batches.anchors(i), call)) & flags.occupied;
     }
 }
 
 SPACETOW_INLINE void refreshBoth(ContactBatches& batches, const Call& call) {
-    refreshAll(call, batches.round);
+    refreshAll(call, batches.circles);
     refreshAll(call, batches.general);
 }
 

@@ -9,18 +9,18 @@ namespace {
 
 using namespace lanes;
 
-SPACETOW_INLINE void warm(Ends& ends, const RoundBatch& c) {
+SPACETOW_INLINE void applyWarmStart(BatchBodies& bodies, const CircleBatch& c) {
     const Wide x = c.normalImpulse * c.normalX - c.tangentImpulse * c.normalY;
     const Wide y = c.normalImpulse * c.normalY + c.tangentImpulse * c.normalX;
-    ends.apply(c, {x, y, c.tangentImpulse * c.leverA, c.tangentImpulse * c.leverB});
+    bodies.apply(c, {x, y, c.tangentImpulse * c.leverA, c.tangentImpulse * c.leverB});
 }
 
-SPACETOW_INLINE void warm(Ends& ends, const ConstraintBatch& c) {
+SPACETOW_INLINE void applyWarmStart(BatchBodies& bodies, const ConstraintBatch& c) {
     const Wide normal = c.impulse1 + c.impulse2;
     const Wide x = normal * c.normalX - c.tangentImpulse * c.normalY;
     const Wide y = normal * c.normalY + c.tangentImpulse * c.normalX;
-    ends.apply(c, {x, y, c.impulse1 * c.leverA1 + c.impulse2 * c.leverA2 + c.tangentImpulse * c.tangentLeverA,
-                   c.impulse1 * c.leverB1 + c.impulse2 * c.leverB2 + c.tangentImpulse * c.tangentLeverB});
+    bodies.apply(c, {x, y, c.impulse1 * c.leverA1 + c.impulse2 * c.leverA2 + c.tangentImpulse * c.tangentLeverA,
+                     c.impulse1 * c.leverB1 + c.impulse2 * c.leverB2 + c.tangentImpulse * c.tangentLeverB});
 }
 
 /// Of the bodies of a batch about a point.
@@ -30,48 +30,48 @@ struct Levers {
 
 /// Friction: what it takes to stop the sliding along the tangent (−y, x) of the normal, as far as `limit` reaches.
 template <class Batch>
-SPACETOW_INLINE Wide friction(const Ends& ends, const Batch& c, const Levers& levers, Wide limit) {
-    const Wide sliding = ends.along(-c.normalY, c.normalX) + ends.turning(levers.a, levers.b);
+SPACETOW_INLINE Wide friction(const BatchBodies& bodies, const Batch& c, const Levers& levers, Wide limit) {
+    const Wide sliding = bodies.along(-c.normalY, c.normalX) + bodies.turning(levers.a, levers.b);
     return lesser(greater(c.tangentImpulse - c.tangentMass * sliding, -limit), limit);
 }
 
 template <class Batch>
-SPACETOW_INLINE void rub(Ends& ends, Batch& c, const Levers& levers, Wide impulse) {
+SPACETOW_INLINE void applyFriction(BatchBodies& bodies, Batch& c, const Levers& levers, Wide impulse) {
     const Wide change = impulse - c.tangentImpulse;
     c.tangentImpulse = impulse;
-    ends.apply(c, {-change * c.normalY, change * c.normalX, change * levers.a, change * levers.b});
+    bodies.apply(c, {-change * c.normalY, change * c.normalX, change * levers.a, change * levers.b});
 }
 
-SPACETOW_INLINE Levers tangentLeversOf(const RoundBatch& c) {
+SPACETOW_INLINE Levers tangentLeversOf(const CircleBatch& c) {
     return {c.leverA, c.leverB};
 }
 SPACETOW_INLINE Levers tangentLeversOf(const ConstraintBatch& c) {
     return {c.tangentLeverA, c.tangentLeverB};
 }
-SPACETOW_INLINE Wide normalOf(const RoundBatch& c) {
+SPACETOW_INLINE Wide normalOf(const CircleBatch& c) {
     return c.normalImpulse;
 }
 SPACETOW_INLINE Wide normalOf(const ConstraintBatch& c) {
     return c.impulse1 + c.impulse2;
 }
 template <class Batch>
-SPACETOW_INLINE void solveFriction(Ends& ends, Batch& c) {
+SPACETOW_INLINE void solveFriction(BatchBodies& bodies, Batch& c) {
     const Levers levers = tangentLeversOf(c);
-    rub(ends, c, levers, friction(ends, c, levers, c.friction * normalOf(c)));
+    applyFriction(bodies, c, levers, friction(bodies, c, levers, c.friction * normalOf(c)));
 }
 template <class Batch>
-SPACETOW_INLINE void solveFriction(Ends& ends, Batch& c, Mask which) {
+SPACETOW_INLINE void solveFriction(BatchBodies& bodies, Batch& c, Mask which) {
     const Levers levers = tangentLeversOf(c);
-    const Wide impulse = friction(ends, c, levers, c.friction * normalOf(c));
-    rub(ends, c, levers, which ? impulse : c.tangentImpulse);
+    const Wide impulse = friction(bodies, c, levers, c.friction * normalOf(c));
+    applyFriction(bodies, c, levers, which ? impulse : c.tangentImpulse);
 }
 
-SPACETOW_INLINE void solveNormals(Ends& ends, RoundBatch& c, double relaxation) {
-    const Wide excess = ends.along(c.normalX, c.normalY) - c.target;
+SPACETOW_INLINE void solveNormals(BatchBodies& bodies, CircleBatch& c, double relaxation) {
+    const Wide excess = bodies.along(c.normalX, c.normalY) - c.target;
     const Wide impulse = greater(c.normalImpulse - relaxation * c.normalMass * excess, Wide{});
     const Wide change = impulse - c.normalImpulse;
     c.normalImpulse = impulse;
-    ends.push(c, change * c.normalX, change * c.normalY);
+    bodies.push(c, change * c.normalX, change * c.normalY);
 }
 
 /// Of a batch at either point.
@@ -94,43 +94,43 @@ SPACETOW_INLINE Impulses complementary(const ConstraintBatch& c, Wide b1, Wide b
 }
 
 /// Never over-relaxed; see overrelaxPass.
-SPACETOW_INLINE void solveNormals(Ends& ends, ConstraintBatch& c, double /*relaxation*/) {
-    const Wide closing = ends.along(c.normalX, c.normalY);
+SPACETOW_INLINE void solveNormals(BatchBodies& bodies, ConstraintBatch& c, double /*relaxation*/) {
+    const Wide closing = bodies.along(c.normalX, c.normalY);
     const Wide b1 =
-        closing + ends.turning(c.leverA1, c.leverB1) - c.target1 - (c.k11 * c.impulse1 + c.coupling * c.impulse2);
+        closing + bodies.turning(c.leverA1, c.leverB1) - c.target1 - (c.k11 * c.impulse1 + c.coupling * c.impulse2);
     const Wide b2 =
-        closing + ends.turning(c.leverA2, c.leverB2) - c.target2 - (c.coupling * c.impulse1 + c.k22 * c.impulse2);
+        closing + bodies.turning(c.leverA2, c.leverB2) - c.target2 - (c.coupling * c.impulse1 + c.k22 * c.impulse2);
     const auto [x1, x2] = complementary(c, b1, b2);
     const Wide d1 = x1 - c.impulse1;
     const Wide d2 = x2 - c.impulse2;
     c.impulse1 = x1;
     c.impulse2 = x2;
     const Wide change = d1 + d2;
-    ends.apply(
+    bodies.apply(
         c, {change * c.normalX, change * c.normalY, d1 * c.leverA1 + d2 * c.leverA2, d1 * c.leverB1 + d2 * c.leverB2});
 }
 
 /// Friction first, so that the normal velocities come out right. What is hit in this pass has no normal impulse to
 /// limit its friction before, and rubs afterwards.
 template <class Batch>
-SPACETOW_INLINE void solveOnce(Ends& ends, Batch& c, double relaxation) {
+SPACETOW_INLINE void solveOnce(BatchBodies& bodies, Batch& c, double relaxation) {
     const Wide before = normalOf(c);
-    solveFriction(ends, c);
-    solveNormals(ends, c, relaxation);
+    solveFriction(bodies, c);
+    solveNormals(bodies, c, relaxation);
     const Mask hit = (before == Wide{}) & (normalOf(c) > Wide{});
     if (any(hit)) {
-        solveFriction(ends, c, hit);
+        solveFriction(bodies, c, hit);
     }
 }
 
-SPACETOW_INLINE Mask touching(const RoundBatch& c) {
+SPACETOW_INLINE Mask touching(const CircleBatch& c) {
     return (c.normalImpulse > Wide{}) | (c.separation <= Wide{});
 }
 SPACETOW_INLINE Mask touching(const ConstraintBatch& c) {
     return (c.impulse1 > Wide{}) | (c.separation1 <= Wide{}) | (c.impulse2 > Wide{}) | (c.separation2 <= Wide{});
 }
 
-SPACETOW_INLINE Mask overlapping(const RoundBatch& c) {
+SPACETOW_INLINE Mask overlapping(const CircleBatch& c) {
     return c.separation < Wide{} - linearSlop;
 }
 SPACETOW_INLINE Mask overlapping(const ConstraintBatch& c) {
@@ -140,75 +140,75 @@ SPACETOW_INLINE Mask overlapping(const ConstraintBatch& c) {
 enum class Task { WarmStart, Solve, Overrelax, Measure };
 
 template <class Batch>
-SPACETOW_INLINE void warmAll(Pace* paces, Batches<Batch>& batches) {
+SPACETOW_INLINE void warmAll(BodyVelocity* velocities, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
     for (std::size_t i = 0; i < count; ++i) {
         const Batch& batch = batches.begin()[i];
-        Ends ends{load(paces, batch.a), load(paces, batch.b)};
-        warm(ends, batch);
-        store(paces, batch.a, ends.a);
-        store(paces, batch.b, ends.b);
+        BatchBodies bodies{gather(velocities, batch.a), gather(velocities, batch.b)};
+        applyWarmStart(bodies, batch);
+        scatter(velocities, batch.a, bodies.a);
+        scatter(velocities, batch.b, bodies.b);
     }
 }
 
 template <class Batch>
-SPACETOW_INLINE void solveAll(Pace* paces, Batches<Batch>& batches, double relaxation) {
+SPACETOW_INLINE void solveAll(BodyVelocity* velocities, Batches<Batch>& batches, double relaxation) {
     const std::size_t count = batches.size();
     for (std::size_t i = 0; i < count; ++i) {
         Batch& batch = batches.begin()[i];
-        Ends ends{load(paces, batch.a), load(paces, batch.b)};
-        solveOnce(ends, batch, relaxation);
-        store(paces, batch.a, ends.a);
-        store(paces, batch.b, ends.b);
+        BatchBodies bodies{gather(velocities, batch.a), gather(velocities, batch.b)};
+        solveOnce(bodies, batch, relaxation);
+        scatter(velocities, batch.a, bodies.a);
+        scatter(velocities, batch.b, bodies.b);
     }
 }
 
-SPACETOW_INLINE Mask measure(const Ends& ends, RoundBatch& c) {
-    c.velocity = ends.along(c.normalX, c.normalY);
-    return c.velocity < c.closing;
+SPACETOW_INLINE Mask measure(const BatchBodies& bodies, CircleBatch& c) {
+    c.velocity = bodies.along(c.normalX, c.normalY);
+    return c.velocity < c.closingLimit;
 }
 
-SPACETOW_INLINE Mask measure(const Ends& ends, ConstraintBatch& c) {
-    const Wide linear = ends.along(c.normalX, c.normalY);
-    c.velocity1 = linear + ends.turning(c.leverA1, c.leverB1);
-    c.velocity2 = linear + ends.turning(c.leverA2, c.leverB2);
-    return (c.velocity1 < c.closing1) | (c.velocity2 < c.closing2);
+SPACETOW_INLINE Mask measure(const BatchBodies& bodies, ConstraintBatch& c) {
+    const Wide linear = bodies.along(c.normalX, c.normalY);
+    c.velocity1 = linear + bodies.turning(c.leverA1, c.leverB1);
+    c.velocity2 = linear + bodies.turning(c.leverA2, c.leverB2);
+    return (c.velocity1 < c.closingLimit1) | (c.velocity2 < c.closingLimit2);
 }
 
 template <class Batch>
-SPACETOW_INLINE bool measureAll(const Pace* paces, Batches<Batch>& batches) {
+SPACETOW_INLINE bool measureAll(const BodyVelocity* velocities, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
     LaneBits closes = 0;
     for (std::size_t i = 0; i < count; ++i) {
         Batch& batch = batches.begin()[i];
-        const Mask here = measure(Ends{load(paces, batch.a), load(paces, batch.b)}, batch);
-        BatchNotes& notes = batches.notes(i);
-        notes.closes = bits(here) & notes.occupied;
-        notes.touches = bits(touching(batch)) & notes.occupied;
-        notes.overlaps = bits(overlapping(batch)) & notes.occupied;
-        closes |= notes.closes;
+        const Mask here = measure(BatchBodies{gather(velocities, batch.a), gather(velocities, batch.b)}, batch);
+        BatchFlags& flags = batches.flags(i);
+        flags.closes = bits(here) & flags.occupied;
+        flags.touches = bits(touching(batch)) & flags.occupied;
+        flags.overlaps = bits(overlapping(batch)) & flags.occupied;
+        closes |= flags.closes;
     }
     return closes != 0;
 }
 
 SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task) {
-    Pace* paces = batches.paces.data();
+    BodyVelocity* velocities = batches.velocities.data();
     switch (task) {
     case Task::WarmStart:
-        warmAll(paces, batches.round);
-        warmAll(paces, batches.general);
+        warmAll(velocities, batches.circles);
+        warmAll(velocities, batches.general);
         break;
     case Task::Solve:
-        solveAll(paces, batches.round, 1);
-        solveAll(paces, batches.general, 1);
+        solveAll(velocities, batches.circles, 1);
+        solveAll(velocities, batches.general, 1);
         break;
     case Task::Overrelax:
-        solveAll(paces, batches.round, overrelaxation);
-        solveAll(paces, batches.general, overrelaxation);
+        solveAll(velocities, batches.circles, overrelaxation);
+        solveAll(velocities, batches.general, overrelaxation);
         break;
     case Task::Measure: {
-        const bool roundCloses = measureAll(paces, batches.round);
-        return measureAll(paces, batches.general) || roundCloses;
+        const bool roundCloses = measureAll(velocities, batches.circles);
+        return measureAll(velocities, batches.general) || roundCloses;
     }
     }
     return false;

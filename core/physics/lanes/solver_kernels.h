@@ -13,8 +13,8 @@ struct BodyRows {
 
 /// From what contacts are made anew.
 struct BodyViews {
-    BodyRows poses; // centre of mass, cosine and sine
-    BodyRows ways;  // shift in the iteration, way of the outermost points about the centre, inner radius
+    BodyRows poses;          // centre of mass, cosine and sine
+    BodyRows plannedMotions; // delta position, motion of the outermost points by the delta angle, inner radius
 };
 
 /// Whether the processor has registers for four doubles. What follows computes the same bits with them and without.
@@ -46,14 +46,14 @@ void overrelaxPass(ContactBatches& batches, bool wide = hasWideRegisters());
 bool measureVelocities(ContactBatches& batches, bool wide = hasWideRegisters());
 
 /// How overlaps are reduced in an iteration of `dt` seconds.
-struct PushRules {
+struct CorrectionRules {
     double dt;
     double share; // of what is more than the slop
     double most;  // m
 };
 
-/// Adds what pushes bodies out of overlaps to `pushes`, by the measured velocities and notes: what parts anyway is
+/// Adds what pushes bodies out of overlaps to `corrections`, by the measured velocities and flags: what parts anyway is
 /// pushed less. Whether anything overlaps.
-bool pushApart(ContactBatches& batches, const PushRules& rules, bool wide = hasWideRegisters());
+bool correctPositions(ContactBatches& batches, const CorrectionRules& rules, bool wide = hasWideRegisters());
 
 } // namespace spacetow

@@ -15,10 +15,10 @@ using Wide = double __attribute__((vector_size(32), aligned(32)));
 using Mask = decltype(Wide{} < Wide{});
 
 /// A velocity while contacts are solved: what four of them are loaded as.
-struct alignas(32) Pace {
+struct alignas(32) BodyVelocity {
     double x = 0, y = 0; // velocity, m/s
-    double turn = 0;     // rad/s
-    double unused = 0;
+    double angular = 0;  // rad/s
+    double padding = 0;
 };
 
 } // namespace spacetow

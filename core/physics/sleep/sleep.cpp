@@ -2,7 +2,7 @@
 
 #include "core/geometry/bounds.h"
 #include "core/physics/broad_phase/pairs.h"
-#include "core/physics/contacts/contact_lanes.h"
+#include "core/physics/contacts/constraint_list.h"
 #include "core/physics/sleep/touches.h"
 #include "core/physics/solver/integrate.h"
 #include "core/physics/solver/islands.h"
@@ -31,9 +31,9 @@ bool isStill(const WorldData& data, Slot slot) {
     return isAnchor(data, slot) ? speed == 0 : speed < sleepSpeed;
 }
 
-bool isReady(const WorldData& data, Slot slot) {
+bool maySleep(const WorldData& data, Slot slot) {
     const BodyRecord& record = data.records[slot];
-    return record.kind == BodyKind::Static || record.asleep || record.stillFor >= sleepDelay;
+    return record.kind == BodyKind::Static || record.asleep || record.stillTime >= sleepDelay;
 }
 
 bool sleeps(const WorldData& data, const Pair& pair) {
@@ -41,7 +41,7 @@ bool sleeps(const WorldData& data, const Pair& pair) {
 }
 
 /// Pairs nobody of which moves on one side, the others on the other.
-void sortOutPairs(WorldData& data) {
+void partitionPairs(WorldData& data) {
     Sleep& sleep = data.sleep;
     data.newTable.clear();
     sleep.newTable.clear();
@@ -57,8 +57,8 @@ void sortOutPairs(WorldData& data) {
 }
 
 /// All lists that depend on who sleeps.
-void listAnew(WorldData& data) {
-    dropContacts(data);
+void rebuildLists(WorldData& data) {
+    releaseConstraints(data);
     Sleep& sleep = data.sleep;
     sleep.sleepers.clear();
     for (Slot slot = 0; slot < data.records.size(); ++slot) {
@@ -66,9 +66,9 @@ void listAnew(WorldData& data) {
             sleep.sleepers.push_back(slot);
         }
     }
-    sortOutPairs(data);
+    partitionPairs(data);
     listMoving(data);
-    listFelt(data);
+    listSensors(data);
     sleep.touchedTags.assign(sleep.sleepers.empty() ? 0 : data.touchedTags.size(), TagMask{});
     addTouchedTags(data, sleep.table, sleep.touchedTags);
 }
@@ -77,7 +77,7 @@ void wake(WorldData& data, Slot slot, int iteration) {
     BodyRecord& record = data.records[slot];
     BodyStep& s = data.steps[slot];
     record.asleep = false;
-    record.stillFor = 0;
+    record.stillTime = 0;
     const bool falls = record.kind == BodyKind::Dynamic && !record.positionFrozen;
     s.acceleration = falls ? data.sleep.gravity : Vec2(0, 0);
     s.angularAcceleration = 0;
@@ -95,7 +95,7 @@ void wakeMarked(WorldData& data, int iteration) {
         }
     }
     if (any) {
-        listAnew(data);
+        rebuildLists(data);
     }
 }
 
@@ -158,9 +158,9 @@ void join(WorldData& data, Slot a, Slot b) {
     const bool anchorB = isAnchor(data, b);
     if (!anchorA && !anchorB) {
         joinSets(parents, a, b);
-    } else if (!anchorA && !isReady(data, b)) {
+    } else if (!anchorA && !maySleep(data, b)) {
         data.sleep.marked[a] = 1;
-    } else if (!anchorB && !isReady(data, a)) {
+    } else if (!anchorB && !maySleep(data, a)) {
         data.sleep.marked[b] = 1;
     }
 }
@@ -171,7 +171,7 @@ void joinIslands(WorldData& data) {
     std::iota(sleep.parents.begin(), sleep.parents.end(), Slot{0});
     for (const Pair& pair : data.table.pairs) {
         const bool touches = pair.contact != Pair::none && data.contacts[pair.contact].count > 0;
-        if (pair.kind != PairKind::Felt && touches) {
+        if (pair.kind != PairKind::Sensor && touches) {
             join(data, pair.bodyA, pair.bodyB);
         }
     }
@@ -192,14 +192,14 @@ void putToSleep(WorldData& data, Slot slot, Slot island, int iteration) {
     m.angularVelocity = 0;
     s.startVelocity.setZero();
     s.startAngularVelocity = 0;
-    s.shift.setZero();
-    s.turn = 0;
-    s.push.setZero();
-    s.pushTurn = 0;
+    s.deltaPosition.setZero();
+    s.deltaAngle = 0;
+    s.correction.setZero();
+    s.angleCorrection = 0;
     s.fraction = 1;
-    s.escaped = s.pushed = s.bounced = false;
-    data.travelled[slot + 1] = s.travelled;
-    data.noteWay(slot);
+    s.movedProxy = s.pushed = s.bounced = false;
+    data.motionBounds[slot + 1] = s.motionBound;
+    data.notePlannedMotion(slot);
     data.events.fellAsleep.push_back({iteration, data.idOf(slot)});
 }
 
@@ -207,7 +207,7 @@ void putToSleep(WorldData& data, Slot slot, Slot island, int iteration) {
 
 void disturb(WorldData& data, Slot slot) {
     BodyRecord& record = data.records[slot];
-    record.stillFor = 0;
+    record.stillTime = 0;
     const bool moves = record.active && !record.asleep && record.kind != BodyKind::Static;
     if (!data.sleep.sleepers.empty() && !moves) {
         data.sleep.disturbed.push_back(slot);
@@ -257,7 +257,7 @@ bool wakeTouched(WorldData& data, const IterationStep& step) {
             any = true;
         }
     };
-    for (const RoundContact& c : data.roundContacts) {
+    for (const CircleContact& c : data.circleContacts) {
         touch(c.a);
         touch(c.b);
     }
@@ -279,9 +279,9 @@ void fallAsleep(WorldData& data, double seconds, int iteration) {
     }
     bool anyReady = false;
     for (const Slot slot : data.moving) {
-        double& stillFor = data.records[slot].stillFor;
-        stillFor = isStill(data, slot) ? stillFor + seconds : 0;
-        anyReady |= stillFor >= sleepDelay;
+        double& stillTime = data.records[slot].stillTime;
+        stillTime = isStill(data, slot) ? stillTime + seconds : 0;
+        anyReady |= stillTime >= sleepDelay;
     }
     if (!anyReady) {
         return;
@@ -291,7 +291,7 @@ void fallAsleep(WorldData& data, double seconds, int iteration) {
     std::vector<Slot>& parents = data.sleep.parents;
     std::vector<std::uint8_t>& marked = data.sleep.marked;
     for (const Slot slot : data.moving) {
-        if (marked[slot] != 0 || !isReady(data, slot)) {
+        if (marked[slot] != 0 || !maySleep(data, slot)) {
             marked[rootOf(parents, slot)] = 1;
         }
     }
@@ -304,7 +304,7 @@ void fallAsleep(WorldData& data, double seconds, int iteration) {
         }
     }
     if (any) {
-        listAnew(data);
+        rebuildLists(data);
     }
 }
 

@@ -1,6 +1,6 @@
 #include "core/physics/sleep/touches.h"
 
-#include "core/physics/contacts/contact_lanes.h"
+#include "core/physics/contacts/constraint_list.h"
 #include "core/physics/contacts/contact_pool.h"
 
 #include <algorithm>
@@ -40,10 +40,10 @@ Group groupAround(const WorldData& data, std::size_t index) {
 void report(WorldData& data, const Group& group, bool before, int iteration) {
     bool now = false;
     for (std::size_t i = group.first; i < group.end; ++i) {
-        TouchMarks& marks = data.table.marks[i];
-        now |= marks.now;
-        before |= marks.reported;
-        marks.reported = marks.now;
+        PairFlags& flags = data.table.flags[i];
+        now |= flags.touching;
+        before |= flags.reported;
+        flags.reported = flags.touching;
     }
     if (now != before) {
         (now ? data.events.began : data.events.ended).push_back(touchEvent(data, group.bodies, iteration));
@@ -66,8 +66,8 @@ void reportDropped(WorldData& data, int iteration) {
 
 void reportChanged(WorldData& data, int iteration) {
     for (std::size_t i = 0; i < data.table.size(); ++i) {
-        const TouchMarks& marks = data.table.marks[i];
-        if (marks.now != marks.reported) {
+        const PairFlags& flags = data.table.flags[i];
+        if (flags.touching != flags.reported) {
             report(data, groupAround(data, i), false, iteration);
         }
     }
@@ -112,7 +112,7 @@ void collectTouchedTags(WorldData& data) {
 
 void addTouchedTags(const WorldData& data, const PairTable& table, std::vector<TagMask>& tags) {
     for (std::size_t i = 0; i < table.size(); ++i) {
-        if (table.marks[i].now) {
+        if (table.flags[i].touching) {
             const Pair& pair = table.pairs[i];
             tags[pair.bodyA] = tags[pair.bodyA] | data.records[pair.bodyB].filter.tags;
             tags[pair.bodyB] = tags[pair.bodyB] | data.records[pair.bodyA].filter.tags;
@@ -121,13 +121,13 @@ void addTouchedTags(const WorldData& data, const PairTable& table, std::vector<T
 }
 
 void endTouches(WorldData& data, Slot slot, int iteration) {
-    dropContacts(data);
+    releaseConstraints(data);
     for (std::size_t i = 0; i < data.table.size(); ++i) {
         const Pair& pair = data.table.pairs[i];
         if (pair.bodyA == slot || pair.bodyB == slot) {
             for (const Group group = groupAround(data, i); i < group.end; ++i) {
-                data.table.marks[i].now = false;
-                forgetContact(data, data.table.pairs[i]);
+                data.table.flags[i].touching = false;
+                freeContact(data, data.table.pairs[i]);
             }
             --i;
             report(data, groupAround(data, i), false, iteration);

@@ -5,13 +5,13 @@ namespace spacetow {
 namespace {
 
 void findCarrier(WorldData& data, Slot a, Slot b, std::uint32_t pair) {
-    if ((data.yields[a + 1] & data.yields[b + 1]) != 0 || !data.table.marks[pair].now ||
+    if ((data.movable[a + 1] & data.movable[b + 1]) != 0 || !data.table.flags[pair].touching ||
         data.table.pairs[pair].staticB) {
         return;
     }
-    if (!data.motions[a].yields()) {
+    if (!data.motions[a].isMovable()) {
         data.steps[b].carrier = a;
-    } else if (!data.motions[b].yields()) {
+    } else if (!data.motions[b].isMovable()) {
         data.steps[a].carrier = b;
     }
 }
@@ -24,12 +24,12 @@ void carry(WorldData& data, Slot slot) {
     BodyStep& s = data.steps[slot];
     const BodyStep& by = data.steps[s.carrier];
     const double rest = 1 - s.fraction;
-    const Vec2 start = data.motions[slot].center + s.fraction * s.shift;
-    const Vec2 arm = start - data.motions[s.carrier].center - s.fraction * by.shift;
-    s.push += rest * by.shift;
-    if (by.turn != 0) {
-        s.push += turned(Rot{}, rest * by.turn) * arm - arm;
-        s.pushTurn += s.round ? 0 : rest * by.turn;
+    const Vec2 start = data.motions[slot].center + s.fraction * s.deltaPosition;
+    const Vec2 arm = start - data.motions[s.carrier].center - s.fraction * by.deltaPosition;
+    s.correction += rest * by.deltaPosition;
+    if (by.deltaAngle != 0) {
+        s.correction += turned(Rot{}, rest * by.deltaAngle) * arm - arm;
+        s.angleCorrection += s.isCircle ? 0 : rest * by.deltaAngle;
     }
 }
 
@@ -39,7 +39,7 @@ void findCarriers(WorldData& data) {
     if (!anyKinematic(data)) {
         return;
     }
-    for (const RoundContact& c : data.roundContacts) {
+    for (const CircleContact& c : data.circleContacts) {
         findCarrier(data, c.a, c.b, c.pair);
     }
     for (const GeneralContact& c : data.generalContacts) {

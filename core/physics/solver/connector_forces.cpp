@@ -10,7 +10,7 @@ namespace {
 // Above this k h²/μ an explicit step would distort the oscillation by more than a percent or so; at 4 it explodes.
 constexpr double explicitLimit = 0.25;
 
-struct Stretch {
+struct Run {
     double length;      // beyond the natural length, m
     double rate;        // m/s
     double inverseMass; // of the relative motion, 1/kg
@@ -26,7 +26,7 @@ double duration(double h, Kick kick, bool anticipated) {
 }
 
 /// Sets the connector's tension and returns its impulse, N s.
-double pull(ConnectorRecord& c, const Stretch& s, double h, Kick kick) {
+double pull(ConnectorRecord& c, const Run& s, double h, Kick kick) {
     const double spring = truncated(c.truncation, c.stiffness * s.length);
     // The secant: what truncation leaves of the stiffness.
     const double stiffness = s.length != 0 ? spring / s.length : c.stiffness;

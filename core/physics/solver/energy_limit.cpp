@@ -2,7 +2,7 @@
 
 #include "core/physics/contacts/contact_rules.h"
 #include "core/physics/solver/islands.h"
-#include "core/physics/solver/solve_on.h"
+#include "core/physics/solver/solve_unconverged.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ constexpr double tolerance = 1e-9;
 /// A velocity as numbers to reckon with all at once.
 struct WideVelocity {
     Wide value;
-    explicit WideVelocity(const Pace& pace) { std::memcpy(&value, &pace, sizeof value); }
+    explicit WideVelocity(const BodyVelocity& velocity) { std::memcpy(&value, &velocity, sizeof value); }
 };
 
 double sum(const Wide& w) {
@@ -41,12 +41,12 @@ EnergyBalance& balanceOf(WorldData& data, Slot slot) {
 /// m·(v²/2 − d·v), where d is what the forces added to the velocity v₀ that it began with; their work on the way v·dt
 /// is in it.
 void measureBody(const WorldData& data, Slot slot, EnergyChange& change) {
-    const Wide planned = WideVelocity(data.batches.planned[slot]).value;
-    const Wide push = WideVelocity(data.batches.paces[slot]).value - planned;
+    const Wide planned = WideVelocity(data.batches.plannedVelocities[slot]).value;
+    const Wide push = WideVelocity(data.batches.velocities[slot]).value - planned;
     if (!isPush({push[0], push[1]}, push[2] * data.steps[slot].outerRadius)) {
         return;
     }
-    const Wide start = WideVelocity(data.batches.starts[slot]).value;
+    const Wide start = WideVelocity(data.batches.startVelocities[slot]).value;
     const Wide forced = planned - start;
     const Wide inertia = WideVelocity(data.islands.inertias[slot]).value;
     change.a += inertia * push * push;
@@ -86,12 +86,12 @@ Gain gainOf(const EnergyBalance& e) {
 
 /// Returns the worst of all islands.
 Gain measureIslands(WorldData& data) {
-    for (const Slot root : data.islands.all) {
+    for (const Slot root : data.islands.islandRoots) {
         data.islands.changes[root] = {};
     }
     measureBodies(data);
     Gain worst = Gain::None;
-    for (const Slot root : data.islands.all) {
+    for (const Slot root : data.islands.islandRoots) {
         const EnergyChange& change = data.islands.changes[root];
         EnergyBalance& balance = data.islands.balances[root];
         balance = {sum(change.a), sum(change.b), sum(change.c), 0};
@@ -108,20 +108,20 @@ using Question = bool (*)(const EnergyBalance&);
 bool gainsMuch(const EnergyBalance& e) {
     return gainOf(e) == Gain::Much;
 }
-bool pushesTooMuch(const EnergyBalance& e) {
-    return e.pushes > 0 && e.pushes > -e.gain();
+bool costsTooMuch(const EnergyBalance& e) {
+    return e.corrections > 0 && e.corrections > -e.gain();
 }
 
-/// Solves on, for these islands alone.
-void solveOnWhere(WorldData& data, Question which) {
-    data.islands.unsettled.assign(data.motions.size(), 0);
-    for (const Slot root : data.islands.all) {
-        data.islands.unsettled[root] = which(data.islands.balances[root]) ? 1 : 0;
+/// More passes over these islands alone.
+void solveIslandsWhere(WorldData& data, Question which) {
+    data.islands.unconverged.assign(data.motions.size(), 0);
+    for (const Slot root : data.islands.islandRoots) {
+        data.islands.unconverged[root] = which(data.islands.balances[root]) ? 1 : 0;
     }
-    solveOn(data, extraPasses);
+    solveUnconverged(data, extraPasses);
 }
 
-void soften(RoundBatch& batch, std::uint32_t lane, bool& any) {
+void soften(CircleBatch& batch, std::uint32_t lane, bool& any) {
     if (batch.target[lane] > 0) {
         batch.target[lane] *= 0.5;
         any = true;
@@ -140,7 +140,7 @@ void soften(ConstraintBatch& batch, std::uint32_t lane, bool& any) {
 template <class Batch>
 bool soften(WorldData& data, Batches<Batch>& batches) {
     bool any = false;
-    forLanes(batches, &BatchNotes::occupied, [&](Lane at) {
+    forLanes(batches, &BatchFlags::occupied, [&](Lane at) {
         Batch& batch = batches[at.batch];
         if (gainsMuch(data.islands.balances[rootAt(data, batch, at.lane)])) {
             soften(batch, at.lane, any);
@@ -151,7 +151,7 @@ bool soften(WorldData& data, Batches<Batch>& batches) {
 
 /// Restitution and friction together may add energy: what gains it bounces half as fast. Whether anything does.
 bool softenBounces(WorldData& data) {
-    const bool round = soften(data, data.batches.round);
+    const bool round = soften(data, data.batches.circles);
     return soften(data, data.batches.general) || round;
 }
 
@@ -165,16 +165,16 @@ void scaleImpulses(WorldData& data) {
         const EnergyBalance& balance = balanceOf(data, slot);
         if (gainOf(balance) != Gain::None) {
             const double share = shareOf(balance);
-            const Pace& without = data.batches.planned[slot];
-            Pace& pace = data.batches.paces[slot];
-            pace.x = without.x + share * (pace.x - without.x);
-            pace.y = without.y + share * (pace.y - without.y);
-            pace.turn = without.turn + share * (pace.turn - without.turn);
+            const BodyVelocity& without = data.batches.plannedVelocities[slot];
+            BodyVelocity& velocity = data.batches.velocities[slot];
+            velocity.x = without.x + share * (velocity.x - without.x);
+            velocity.y = without.y + share * (velocity.y - without.y);
+            velocity.angular = without.angular + share * (velocity.angular - without.angular);
         }
     }
 }
 
-bool isDeep(const RoundBatch& batch, std::uint32_t lane) {
+bool isDeep(const CircleBatch& batch, std::uint32_t lane) {
     return batch.separation[lane] < -deepOverlap;
 }
 
@@ -182,47 +182,47 @@ bool isDeep(const ConstraintBatch& batch, std::uint32_t lane) {
     return batch.separation1[lane] < -deepOverlap || batch.separation2[lane] < -deepOverlap;
 }
 
-/// Lets the islands of deep contacts pay whatever the pushes cost.
+/// Lets the islands of deep contacts pay whatever the corrections cost.
 template <class Batch>
 void allowDeep(WorldData& data, const Batches<Batch>& batches) {
-    forLanes(batches, &BatchNotes::occupied, [&](Lane at) {
+    forLanes(batches, &BatchFlags::occupied, [&](Lane at) {
         if (isDeep(batches[at.batch], at.lane)) {
             EnergyBalance& balance = data.islands.balances[rootAt(data, batches[at.batch], at.lane)];
-            balance.c = pushesTooMuch(balance) ? -infinite : balance.c;
+            balance.c = costsTooMuch(balance) ? -infinite : balance.c;
         }
     });
 }
 
-/// What the pushes cost: the work against the forces that act on the bodies.
-void measurePushes(WorldData& data, double dt) {
+/// What the corrections cost: the work against the forces that act on the bodies.
+void measureCorrections(WorldData& data, double dt) {
     for (const Slot slot : data.moving) {
-        const Pace& push = data.batches.pushes[slot];
-        if (push.x == 0 && push.y == 0 && push.turn == 0) {
+        const BodyVelocity& push = data.batches.corrections[slot];
+        if (push.x == 0 && push.y == 0 && push.angular == 0) {
             continue;
         }
-        const Pace& start = data.batches.starts[slot];
-        const Pace& planned = data.batches.planned[slot];
+        const BodyVelocity& start = data.batches.startVelocities[slot];
+        const BodyVelocity& planned = data.batches.plannedVelocities[slot];
         const double along = push.x * (start.x - planned.x) + push.y * (start.y - planned.y);
-        balanceOf(data, slot).pushes += data.islands.inertias[slot].x * along / dt;
-        data.steps[slot].push = {push.x, push.y};
-        data.steps[slot].pushTurn = push.turn;
+        balanceOf(data, slot).corrections += data.islands.inertias[slot].x * along / dt;
+        data.steps[slot].correction = {push.x, push.y};
+        data.steps[slot].angleCorrection = push.angular;
     }
 }
 
 } // namespace
 
-bool limitGain(WorldData& data) {
+bool limitEnergyGain(WorldData& data) {
     data.islands.changes.resize(data.motions.size());
     data.islands.balances.resize(data.motions.size());
     Gain gain = measureIslands(data);
     bool changed = false;
     for (int round = 0; round < extraRounds && gain == Gain::Much; ++round) {
-        solveOnWhere(data, gainsMuch);
+        solveIslandsWhere(data, gainsMuch);
         gain = measureIslands(data);
         changed = true;
     }
     for (int round = 0; round < softerBounces && gain == Gain::Much && softenBounces(data); ++round) {
-        solveOnWhere(data, gainsMuch);
+        solveIslandsWhere(data, gainsMuch);
         gain = measureIslands(data);
         changed = true;
     }
@@ -234,21 +234,21 @@ bool limitGain(WorldData& data) {
     return changed;
 }
 
-void takePushes(WorldData& data, double dt) {
-    measurePushes(data, dt);
+void applyCorrections(WorldData& data, double dt) {
+    measureCorrections(data, dt);
     const std::vector<EnergyBalance>& balances = data.islands.balances;
-    if (std::none_of(data.islands.all.begin(), data.islands.all.end(),
-                     [&](Slot root) { return pushesTooMuch(balances[root]); })) {
+    if (std::none_of(data.islands.islandRoots.begin(), data.islands.islandRoots.end(),
+                     [&](Slot root) { return costsTooMuch(balances[root]); })) {
         return;
     }
-    allowDeep(data, data.batches.round);
+    allowDeep(data, data.batches.circles);
     allowDeep(data, data.batches.general);
     for (const Slot slot : data.moving) {
         const EnergyBalance& balance = balanceOf(data, slot);
-        if (pushesTooMuch(balance)) {
-            const double share = std::max(-balance.gain(), 0.0) / balance.pushes;
-            data.steps[slot].push *= share;
-            data.steps[slot].pushTurn *= share;
+        if (costsTooMuch(balance)) {
+            const double share = std::max(-balance.gain(), 0.0) / balance.corrections;
+            data.steps[slot].correction *= share;
+            data.steps[slot].angleCorrection *= share;
         }
     }
 }

@@ -7,13 +7,13 @@
 
 namespace spacetow {
 
-/// After the passes, for islands to which the contacts' impulses add energy: solves on, then makes bounces softer,
-/// then takes back a share of the impulses. Islands that a moving kinematic body may push are left alone, as that may
-/// do any work. Leaves momentum as it is. True when velocities have changed.
-bool limitGain(WorldData& data);
+/// After the passes, for islands to which the contacts' impulses add energy: makes more passes, then makes bounces
+/// softer, then takes back a share of the impulses. Islands that a moving kinematic body may push are left alone, as
+/// that may do any work. Leaves momentum as it is. True when velocities have changed.
+bool limitEnergyGain(WorldData& data);
 
-/// Gives the bodies their pushes out of overlaps, but out of shallow ones with no more energy than contacts took from
+/// Applies the position corrections, but those of shallow overlaps with no more energy than contacts took from
 /// their island in this iteration of `dt` seconds.
-void takePushes(WorldData& data, double dt);
+void applyCorrections(WorldData& data, double dt);
 
 } // namespace spacetow

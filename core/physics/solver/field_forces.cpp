@@ -47,7 +47,7 @@ struct FieldGain {
 FieldGain gainOf(WorldData& data, Slot slot, const FieldSample& sample, const FieldTime& time) {
     FieldForce sum;
     for (std::uint32_t i = 0; i < data.fields.size(); ++i) {
-        if (feels(data, data.fields[i], slot)) {
+        if (actsOn(data, data.fields[i], slot)) {
             const FieldForce f = data.fields[i].def->force(sample);
             if (isSound(f)) {
                 sum.force += f.force;
@@ -70,7 +70,7 @@ FieldGain gainOf(WorldData& data, Slot slot, const FieldSample& sample, const Fi
 
 } // namespace
 
-bool feels(const WorldData& data, const FieldRecord& field, Slot slot) {
+bool actsOn(const WorldData& data, const FieldRecord& field, Slot slot) {
     if (!field.def || !accepts(data.records[slot], field.def->source)) {
         return false;
     }
@@ -85,9 +85,9 @@ void refreshFields(WorldData& data) {
     }
     for (Slot slot = 0; slot < data.records.size(); ++slot) {
         BodyRecord& record = data.records[slot];
-        const bool felt = record.used && std::any_of(data.fields.begin(), data.fields.end(),
-                                                     [&](const FieldRecord& f) { return feels(data, f, slot); });
-        if (felt) {
+        const bool isAffected = record.used && std::any_of(data.fields.begin(), data.fields.end(),
+                                                           [&](const FieldRecord& f) { return actsOn(data, f, slot); });
+        if (isAffected) {
             record.substepped = true;
             data.fieldBodies.push_back(slot);
         }

@@ -6,7 +6,7 @@
 namespace spacetow {
 
 /// Whether the field acts on the body.
-bool feels(const WorldData& data, const FieldRecord& field, Slot slot);
+bool actsOn(const WorldData& data, const FieldRecord& field, Slot slot);
 
 /// Marks the bodies that feel any field as moving in sub-steps, and lists them.
 void refreshFields(WorldData& data);

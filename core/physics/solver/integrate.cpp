@@ -26,8 +26,8 @@ FreeMotion freeMotion(double damping, double h) {
 }
 
 struct Change {
-    Vec2 shift;
-    double turn;
+    Vec2 deltaPosition;
+    double deltaAngle;
 };
 
 /// Inlined, as its result would else go through memory in parts and be read as a whole, which stalls.
@@ -42,13 +42,13 @@ struct Change {
 /// What is stopped on its way has not gained all the energy of that way. A fall from rest arrives with the speed of the
 /// height; what contacts have pushed as well is slowed down by as much energy.
 void shorten(BodyMotion& m, const BodyStep& s, double dt) {
-    const double lost = s.accounted - s.fraction;
+    const double lost = s.acceleratedFraction - s.fraction;
     if (!s.pushed) {
         m.velocity -= lost * dt * s.acceleration;
         m.angularVelocity -= lost * dt * s.angularAcceleration;
         return;
     }
-    const double excess = lost * s.acceleration.dot(s.shift); // J/kg
+    const double excess = lost * s.acceleration.dot(s.deltaPosition); // J/kg
     if (excess > 0 && m.inverseMass > 0) {
         const double gyration = m.inverseInertia > 0 ? m.inverseMass / m.inverseInertia : 0; // m², about the centre
         const double kinetic = 0.5 * (m.velocity.squaredNorm() + gyration * m.angularVelocity * m.angularVelocity);
@@ -86,10 +86,10 @@ void integrateInSubsteps(WorldData& data, const IterationStep& step) {
                 continue;
             }
             const Change change = integrated(data.motions[slot], data.steps[slot]);
-            data.steps[slot].shift += change.shift;
-            data.steps[slot].turn += change.turn;
-            data.trial[slot].position += change.shift;
-            data.trial[slot].rotation = turned(data.trial[slot].rotation, change.turn);
+            data.steps[slot].deltaPosition += change.deltaPosition;
+            data.steps[slot].deltaAngle += change.deltaAngle;
+            data.trial[slot].position += change.deltaPosition;
+            data.trial[slot].rotation = turned(data.trial[slot].rotation, change.deltaAngle);
         }
     }
     kick(data, step, Kick::Last);
@@ -135,23 +135,23 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         BodyStep& s = data.steps[slot];
         s.startVelocity = m.velocity;
         s.startAngularVelocity = m.angularVelocity;
-        s.shift.setZero();
-        s.turn = 0;
-        s.fraction = s.accounted = 1;
+        s.deltaPosition.setZero();
+        s.deltaAngle = 0;
+        s.fraction = s.acceleratedFraction = 1;
         s.carrier = noSlot;
-        s.push.setZero();
-        s.pushTurn = 0;
-        s.pushed = s.bounced = s.bouncing = s.diverted = false;
+        s.correction.setZero();
+        s.angleCorrection = 0;
+        s.pushed = s.bounced = s.bouncing = s.deflected = false;
         if (!substeps || !data.records[slot].substepped) {
             const Change change = integrated(m, s);
-            s.shift = change.shift;
-            s.turn = change.turn;
+            s.deltaPosition = change.deltaPosition;
+            s.deltaAngle = change.deltaAngle;
         }
     }
     integrateInSubsteps(data, step);
 }
 
-void takeBackVelocities(WorldData& data) {
+void restoreVelocities(WorldData& data) {
     for (const Slot slot : data.moving) {
         data.motions[slot].velocity = data.steps[slot].startVelocity;
         data.motions[slot].angularVelocity = data.steps[slot].startAngularVelocity;
@@ -162,17 +162,17 @@ void advance(WorldData& data, double dt) {
     for (const Slot slot : data.moving) {
         BodyMotion& m = data.motions[slot];
         BodyStep& s = data.steps[slot];
-        if (s.fraction < s.accounted) {
+        if (s.fraction < s.acceleratedFraction) {
             shorten(m, s, dt);
         }
-        s.shift = s.fraction * s.shift + s.push;
-        s.turn = s.fraction * s.turn + s.pushTurn;
-        m.center += s.shift;
-        if (s.turn != 0) {
-            m.rotation = turned(m.rotation, s.turn);
-            s.room.turnLeft -= std::abs(s.turn);
+        s.deltaPosition = s.fraction * s.deltaPosition + s.correction;
+        s.deltaAngle = s.fraction * s.deltaAngle + s.angleCorrection;
+        m.center += s.deltaPosition;
+        if (s.deltaAngle != 0) {
+            m.rotation = turned(m.rotation, s.deltaAngle);
+            s.fat.angleLeft -= std::abs(s.deltaAngle);
         }
-        s.travelled += s.reach();
+        s.motionBound += s.maxMotion();
     }
 }
 
@@ -185,8 +185,8 @@ void isolateFaults(WorldData& data, int iteration) {
         }
         m.velocity.setZero();
         m.angularVelocity = 0;
-        s.shift.setZero();
-        s.turn = 0;
+        s.deltaPosition.setZero();
+        s.deltaAngle = 0;
         const auto same = [&](const FaultEvent& fault) { return fault.body == data.idOf(slot); };
         const bool known = std::any_of(data.events.faults.begin(), data.events.faults.end(), same);
         if (data.records[slot].active && !known) {

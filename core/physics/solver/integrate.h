@@ -13,11 +13,11 @@ void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravi
 /// it. Part of prepareMotion; by itself after connections have changed in the middle of an update.
 void prepareSteps(WorldData& data, const IterationStep& step);
 
-/// Velocities at the end of the iteration, and shift and turn on the way there, as if nothing were touched.
+/// Velocities at the end of the iteration, and delta position and angle on the way there, as if nothing were touched.
 void integrateVelocities(WorldData& data, const IterationStep& step);
 
 /// Undoes integrateVelocities.
-void takeBackVelocities(WorldData& data);
+void restoreVelocities(WorldData& data);
 
 /// Carries out the motion and the displacements out of overlaps. What a body did not travel of its way in an iteration
 /// of `dt` seconds it was not accelerated on either.

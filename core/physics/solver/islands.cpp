@@ -18,22 +18,22 @@ void noteDriver(WorldData& data, Slot driver, Slot pushed) {
 /// All that is asked for is beside the pairs, in fewer bytes.
 void joinPairs(WorldData& data) {
     std::vector<Slot>& roots = data.islands.roots;
-    auto felt = data.felt.begin();
+    auto sensors = data.sensors.begin();
     for (std::uint32_t i = 0; i < data.table.size(); ++i) {
-        const PairGate& gate = data.table.gates[i];
-        if (felt != data.felt.end() && *felt == i) {
-            ++felt;
+        const PairBound& bound = data.table.bounds[i];
+        if (sensors != data.sensors.end() && *sensors == i) {
+            ++sensors;
             continue;
         }
-        const Slot a = gate.moverA - 1;
-        const Slot b = gate.moverB - 1;
-        if ((data.yields[gate.moverA] & data.yields[gate.moverB]) != 0) {
+        const Slot a = bound.moverA - 1;
+        const Slot b = bound.moverB - 1;
+        if ((data.movable[bound.moverA] & data.movable[bound.moverB]) != 0) {
             if (roots[a] != roots[b]) {
                 joinSets(roots, a, b);
             }
-        } else if (gate.moverB != 0 && data.yields[gate.moverA] != 0) {
+        } else if (bound.moverB != 0 && data.movable[bound.moverA] != 0) {
             noteDriver(data, b, a);
-        } else if (data.yields[gate.moverB] != 0) {
+        } else if (data.movable[bound.moverB] != 0) {
             noteDriver(data, a, b);
         }
     }
@@ -68,11 +68,11 @@ void findIslands(WorldData& data) {
     std::vector<Islands::Driver>& drivers = data.islands.drivers;
     drivers.clear();
     joinPairs(data);
-    data.islands.all.clear();
+    data.islands.islandRoots.clear();
     for (const Slot slot : data.moving) {
         roots[slot] = rootOf(roots, slot);
         if (roots[slot] == slot) {
-            data.islands.all.push_back(slot);
+            data.islands.islandRoots.push_back(slot);
         }
     }
     for (Islands::Driver& driver : drivers) {
@@ -100,14 +100,14 @@ void findDriven(WorldData& data) {
     }
 }
 
-void weighBodies(WorldData& data) {
+void measureInertias(WorldData& data) {
     data.islands.inertias.resize(data.motions.size());
-    data.yields.assign(data.motions.size() + 1, 0);
+    data.movable.assign(data.motions.size() + 1, 0);
     for (Slot slot = 0; slot < data.motions.size(); ++slot) {
         const BodyMotion& m = data.motions[slot];
         const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
         data.islands.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
-        data.yields[slot + 1] = m.yields() ? 1 : 0;
+        data.movable[slot + 1] = m.isMovable() ? 1 : 0;
     }
 }
 

@@ -10,7 +10,7 @@ Slot rootOf(std::vector<Slot>& parents, Slot slot);
 void joinSets(std::vector<Slot>& parents, Slot a, Slot b);
 
 /// Notes the inertia of every body, and which can be moved. They hold while pairs are not stale.
-void weighBodies(WorldData& data);
+void measureInertias(WorldData& data);
 
 /// By the pairs there are, when these have changed since the last time.
 void findIslands(WorldData& data);

@@ -8,8 +8,8 @@
 namespace spacetow {
 
 /// Impulses so that nothing closes more than its gap within the iteration. Keeps them for the next one, marks the pairs
-/// in contact, and sets the motion of the pushed bodies: shift and turn by their new velocities, not further than
-/// the surfaces allow where the impulses have not converged, and a part of the way out of overlaps.
+/// in contact, and sets the motion of the pushed bodies: delta position and angle by their new velocities, not further
+/// than the surfaces allow where the impulses have not converged, and a part of the way out of overlaps.
 void solveVelocities(WorldData& data, const IterationStep& step);
 
 } // namespace spacetow

@@ -1,5 +1,5 @@
 #pragma once
-// What is known of a body: its motion, its way in an iteration, and the rest. SI units, radians.
+// What is known of a body: its motion, its motion in an iteration, and the rest. SI units, radians.
 
 #include "core/geometry/part.h"
 #include "core/geometry/shape.h"
@@ -28,7 +28,7 @@ struct BodyMotion {
 
     bool isMoving() const { return angularVelocity != 0 || velocity != Vec2(0, 0); }
     /// Whether anything can move or turn it.
-    bool yields() const { return inverseMass > 0 || inverseInertia > 0; }
+    bool isMovable() const { return inverseMass > 0 || inverseInertia > 0; }
 };
 
 /// How a body moves when nothing touches it, with the time step it takes: v₁ = decay·v₀ + gain·a and
@@ -39,64 +39,66 @@ struct FreeMotion {
     double lag = 0;  // s²
 };
 
-/// Where a body may go before the pairs found for it cease to be all there are.
-struct Room {
-    Aabb centers;        // of its centre
-    double turnLeft = 0; // rad
+/// Within which the pairs found for a body are all there are.
+struct FatAabb {
+    Aabb centers;         // of its centre of mass
+    double angleLeft = 0; // rad
 };
 
 constexpr Slot noSlot = 0xffffffffu;
 
 /// What one iteration needs to know of a body beside its motion; first what contacts ask for.
 struct alignas(64) BodyStep {
-    Vec2 shift{0, 0};       // of the centre in this iteration, m
-    double turn = 0;        // rad
-    double innerRadius = 0; // m, see BodyRecord; of all bodies here and there the same
+    Vec2 deltaPosition{0, 0}; // of the centre in this iteration, m
+    double deltaAngle = 0;    // rad
+    double innerRadius = 0;   // m, see BodyRecord; of all bodies here and there the same
     double outerRadius = 0;
-    double travelled = 0;     // m: no point of the body has gone further since it was added
-    bool round = false;       // one circle about the centre of mass: turning changes nothing
-    bool escaped = false;     // from its room
-    bool pushed = false;      // by a contact in this iteration
-    bool bounced = false;     // off one
-    bool bouncing = false;    // about to bounce, from where it meets something
-    bool diverted = false;    // by contacts, so that it may meet what its planned motion would not have met
-    Slot carrier = noSlot;    // the kinematic body that stopped it
-    double fraction = 1;      // of shift and turn that is carried out
-    double accounted = 1;     // share of this iteration's acceleration that the velocity has
-    Vec2 push{0, 0};          // out of overlaps, m
-    double pushTurn = 0;      // likewise, rad
-    Vec2 startVelocity{0, 0}; // at the beginning of the iteration
+    double motionBound = 0;         // m: no point of the body has gone further since it was added
+    bool isCircle = false;          // one circle about the centre of mass: turning changes nothing
+    bool movedProxy = false;        // it has left its fat AABB
+    bool pushed = false;            // by a contact in this iteration
+    bool bounced = false;           // off one
+    bool bouncing = false;          // about to bounce, from where it meets something
+    bool deflected = false;         // by contacts, so that it may meet what its planned motion would not have met
+    Slot carrier = noSlot;          // the kinematic body that stopped it
+    double fraction = 1;            // of delta position and angle that is carried out
+    double acceleratedFraction = 1; // share of this iteration's acceleration that the velocity has
+    Vec2 correction{0, 0};          // out of overlaps, m
+    double angleCorrection = 0;     // likewise, rad
+    Vec2 startVelocity{0, 0};       // at the beginning of the iteration
     double startAngularVelocity = 0;
     Vec2 acceleration{0, 0}; // m/s², gravity and forces, constant during an update
     double angularAcceleration = 0;
     FreeMotion linear, angular;
-    Room room;
+    FatAabb fat; // AABB of where the centre of mass may go
 
-    /// The way of the outermost points about the centre, m.
-    double turnedWay() const { return round ? 0 : std::abs(turn) * outerRadius; }
+    /// How far the outermost points move by the delta angle, m.
+    double maxTurnMotion() const { return isCircle ? 0 : std::abs(deltaAngle) * outerRadius; }
     /// No point of the body goes further in this iteration, m; turning moves no point by more than the diameter.
-    double reach() const {
-        return std::sqrt(shift.squaredNorm()) + (round ? 0 : std::min(std::abs(turn), 2.0) * outerRadius);
+    double maxMotion() const {
+        return std::sqrt(deltaPosition.squaredNorm()) +
+               (isCircle ? 0 : std::min(std::abs(deltaAngle), 2.0) * outerRadius);
     }
 };
 
 /// What contacts ask of a body, in one line of memory: copies that are made when its motion is planned.
-struct alignas(64) BodyWay {
+struct alignas(64) PlannedMotion {
     Vec2 center{0, 0};
     Rot rotation;
-    Vec2 shift{0, 0};
-    double turned = 0; // see BodyStep::turnedWay
+    Vec2 deltaPosition{0, 0};
+    double turned = 0; // see BodyStep::maxTurnMotion
     double innerRadius = 0;
 
-    BodyWay() = default;
-    BodyWay(const BodyMotion& m, const BodyStep& s)
-        : center(m.center), rotation(m.rotation), shift(s.shift), turned(s.turnedWay()), innerRadius(s.innerRadius) {}
+    PlannedMotion() = default;
+    PlannedMotion(const BodyMotion& m, const BodyStep& s)
+        : center(m.center), rotation(m.rotation), deltaPosition(s.deltaPosition), turned(s.maxTurnMotion()),
+          innerRadius(s.innerRadius) {}
     Transform pose() const { return {center, rotation}; }
 };
 
 /// Likewise.
-struct BodyReach {
-    double travelled = 0; // m, before the iteration
+struct BodyExtent {
+    double motionBound = 0; // m, before the iteration
     double outerRadius = 0;
 };
 
@@ -105,17 +107,17 @@ constexpr double greatestTurn = 1e8;
 
 /// Whether everything about the motion is a number that can be worked with.
 inline bool isSound(const BodyMotion& m, const BodyStep& s) {
-    return std::isfinite(m.velocity.squaredNorm() + m.angularVelocity + s.shift.squaredNorm() + m.center.x() +
+    return std::isfinite(m.velocity.squaredNorm() + m.angularVelocity + s.deltaPosition.squaredNorm() + m.center.x() +
                          m.center.y() + m.rotation.c + m.rotation.s) &&
-           std::abs(s.turn) <= greatestTurn;
+           std::abs(s.deltaAngle) <= greatestTurn;
 }
 
-/// Whether the way in this iteration is more than anticipation covers; see contact_rules.h.
-inline bool isFar(const BodyStep& s, double reach) {
+/// Whether the motion in this iteration exceeds the speculative margin; see contact_rules.h.
+inline bool exceedsMargin(const BodyStep& s, double reach) {
     return reach > 0.5 * s.innerRadius && reach > linearSlop;
 }
-inline bool travelsFar(const BodyStep& s) {
-    return isFar(s, s.reach());
+inline bool isFast(const BodyStep& s) {
+    return exceedsMargin(s, s.maxMotion());
 }
 
 /// Everything else about a body.
@@ -143,8 +145,8 @@ struct BodyRecord {
     bool reportsTouches = false;
     bool substepped = false; // moves in sub-steps: an active connector or a force field acts on it
     bool asleep = false;
-    Slot island = 0;     // of a sleeper: one of the bodies that sleep and wake with it
-    double stillFor = 0; // s
+    Slot island = 0;      // of a sleeper: one of the bodies that sleep and wake with it
+    double stillTime = 0; // s
     std::uint64_t user = 0;
     Vec2 force{0, 0}; // N, for the next update
     double torque = 0;

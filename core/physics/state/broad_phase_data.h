@@ -8,12 +8,12 @@
 namespace spacetow {
 
 /// A part of a moving body.
-struct MovingCollider {
+struct MovingProxy {
     Slot body;
     std::uint32_t part;
-    bool slender = false; // its box is mostly empty
-    bool escaped = false; // its body has, and is looking for pairs
-    bool astray = false;  // not where the tree has it
+    bool slender = false;       // its box is mostly empty
+    bool movedProxy = false;    // its body has, and is looking for pairs
+    bool isStaleInTree = false; // not where the tree has it
 };
 
 /// What the broad phase finds of a pair; sorted as pairs are.
@@ -32,7 +32,7 @@ struct FoundPair {
 };
 
 /// Elements of a table that stay together when it changes.
-struct Stretch {
+struct Run {
     std::uint32_t begin = 0, end = 0; // in the table as it was
     std::uint32_t to = 0;             // where they begin in the table as it becomes
 };

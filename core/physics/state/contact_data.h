@@ -16,8 +16,8 @@ struct ContactPoint {
     double normalImpulse = 0; // N s, of the last iteration
 };
 
-/// By what the parts of a pair are, how their contact is found: `Round` circles stand about their centre of mass.
-enum class PairKind : std::uint8_t { Felt, RoundRound, RoundEdge, RoundStatic, General };
+/// By what the parts of a pair are, how their contact is found: circles here stand about their centres of mass.
+enum class PairKind : std::uint8_t { Sensor, CircleCircle, CircleEdge, CircleStatic, General };
 
 /// Two parts that may meet during this update. `bodyA` moves; it has the lower slot when both do.
 struct Pair {
@@ -29,7 +29,7 @@ struct Pair {
     const Part* shapeB = nullptr; // likewise, or in world coordinates for a static body
     PairKind kind = PairKind::General;
     bool staticB = false;
-    bool alone = false;           // no other part of the same body, nor another static body, can share a plane with it
+    bool unmergeable = false;     // no other part of the same body, nor another static body, can share a plane with it
     bool sweep = false;           // the parts are to be stopped where they meet, to bounce from there
     std::uint32_t collider = 0;   // index in StaticGeometry, of a static part
     std::uint32_t contact = none; // index of what is known of their contact
@@ -39,28 +39,29 @@ struct Pair {
     bool operator<(const Pair& o) const { return bodies() != o.bodies() ? bodies() < o.bodies() : parts() < o.parts(); }
 };
 
-/// Tells without a look at the pair that it cannot be in contact yet: not before its bodies have travelled this far
-/// together.
-struct PairGate {
-    std::uint32_t moverA = 0, moverB = 0; // indices into WorldData::travelled
-    double apartUntil = 0;                // m
+/// Tells without reading the pair that it cannot be in contact yet: not before the motion bounds of its bodies add up
+/// to the separation bound.
+struct PairBound {
+    std::uint32_t moverA = 0, moverB = 0; // indices into WorldData::motionBounds
+    double separationBound = 0;           // m
 };
 
 /// Of a pair that nothing is known of.
-PairGate gateOf(const Pair& pair);
+PairBound unknownBound(const Pair& pair);
 
-struct TouchMarks {
-    bool now = false;
+struct PairFlags {
+    bool touching = false;
     bool reported = false; // as events
-    bool listed = false;   // among the contacts that the solver has: their gates are shut until they are struck off
-    bool covered = false;  // anticipation may cover but a part of an iteration; holds while pairs are not stale
+    bool inSolver = false; // its contact has a lane; until that is closed the separation bound is infinite
+    bool limitsFraction =
+        false; // the speculative margin may cover but a part of its motion; holds while pairs are not stale
 };
 
 /// A manifold that is kept while its parts move little against each other, in their own coordinates.
 struct KeptManifold {
-    double room = -1;   // m that the parts may come closer before it is out of date; negative: nothing is known
-    Transform relative; // of A in the coordinates of B when it was made
-    bool normalOfA = false;
+    double tolerance = -1; // m that the parts may come closer before it is out of date; negative: nothing is known
+    Transform relative;    // of A in the coordinates of B when it was made
+    bool normalOnA = false;
     Vec2 normal{0, 1}; // in the coordinates of A or B
     struct Point {
         Vec2 onA{0, 0}, onB{0, 0}; // in the coordinates of A and B
@@ -72,7 +73,7 @@ struct KeptManifold {
 struct Contact {
     std::int32_t count = 0;               // of points
     std::uint32_t manifold = 0xffffffffu; // index of the kept one, of general pairs
-    std::uint32_t place = 0;              // index among the contacts that the solver has, while it has it
+    std::uint32_t constraintIndex = 0;    // index among the contacts that the solver has, while it has it
     double friction = 0;
     double restitution = 0;
     double tangentImpulse = 0; // N s, of the last iteration
@@ -81,8 +82,8 @@ struct Contact {
 
 /// The pairs and what belongs to each, by the same index; sorted by bodies and parts.
 struct PairTable {
-    std::vector<PairGate> gates;
-    std::vector<TouchMarks> marks;
+    std::vector<PairBound> bounds;
+    std::vector<PairFlags> flags;
     std::vector<Pair> pairs;
 
     std::size_t size() const { return pairs.size(); }
@@ -94,12 +95,12 @@ struct PairTable {
 
 /// A contact of one point in line with the centres of mass, so that its normal impulse turns nothing. The rest of it is
 /// in a batch.
-struct RoundContact {
+struct CircleContact {
     Slot a = 0, b = 0;
     std::uint32_t pair = 0, contact = 0;
     Lane lane;
-    bool single = false;  // made anew one by one: b is static, or they bounce
-    bool bounces = false; // in this iteration
+    bool scalarUpdate = false; // not by the kernel: b is static, or they bounce
+    bool bounces = false;      // in this iteration
 };
 
 /// Any other contact; likewise.
@@ -112,15 +113,15 @@ struct GeneralContact {
     Lane lane;
     std::uint32_t count = 0;        // of points
     bool singular = false;          // one of its points acts for both
-    bool atWall = false;            // something else may share a plane with it
-    bool merged = false;            // stands for several, which `absorbed` has
+    bool mergeable = false;         // something else may share a plane with it
+    bool merged = false;            // stands for several pairs, which `mergedPairs` has
     bool bounces = false;           // at any point in this iteration
     std::array<bool, 2> touching{}; // the points of a merged one
     std::array<Point, 2> points{};
 };
 
-/// By the index of which a contact is listed.
-inline std::uint32_t pairOf(const RoundContact& c) {
+/// The index of the pair that a constraint belongs to.
+inline std::uint32_t pairOf(const CircleContact& c) {
     return c.pair;
 }
 inline std::uint32_t pairOf(const GeneralContact& c) {
@@ -145,7 +146,7 @@ struct ConstraintPoint {
 struct Constraint {
     Slot a, b;
     int count = 0;
-    bool alone;
+    bool unmergeable;
     bool merged; // stands for several
     Vec2 normal; // from a to b
     double friction;
@@ -153,15 +154,15 @@ struct Constraint {
     double tangentLeverA, tangentLeverB;
     double tangentMass;
     double tangentImpulse;
-    double coupling; // off-diagonal element of the two points' inverse mass matrix
-    double room;     // of merged ones: m that the parts may come closer before a manifold is out of date
+    double coupling;  // off-diagonal element of the two points' inverse mass matrix
+    double tolerance; // of merged ones: m that the parts may come closer before a manifold is out of date
     std::array<ConstraintPoint, 2> points;
 
     Constraint() {
-        points[0].bounces = alone = merged = false;
-        silenceSecond();
+        points[0].bounces = unmergeable = merged = false;
+        clearSecond();
     }
-    void silenceSecond() {
+    void clearSecond() {
         ConstraintPoint& second = points[1];
         second.leverA = second.leverB = second.normalMass = second.normalImpulse = second.separation = 0;
         second.bounces = false;

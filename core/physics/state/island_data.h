@@ -15,9 +15,9 @@ struct EnergyChange {
     Wide a{}, b{}, c{};
 };
 
-/// The change with a share x of the impulses: a·x²/2 + b·x + c. `pushes` is the work of pushes out of overlaps.
+/// The change with a share x of the impulses: a·x²/2 + b·x + c. `corrections` is the work of position corrections.
 struct EnergyBalance {
-    double a = 0, b = 0, c = 0, pushes = 0;
+    double a = 0, b = 0, c = 0, corrections = 0;
 
     double gain() const { return 0.5 * a + b + c; }
 };
@@ -37,16 +37,16 @@ struct Islands {
     std::vector<Driver> drivers;
 
     // Working memory.
-    std::vector<Slot> all;               // roots of the bodies that move
-    std::vector<Pace> inertias;          // by slot: mass, mass and inertia
-    std::vector<EnergyChange> changes;   // by slot, of roots
-    std::vector<EnergyBalance> balances; // likewise
-    ContactBatches batches;              // of islands that are solved again
-    std::vector<SameLane> lanes;         // of their contacts
-    std::vector<std::uint8_t> unsettled; // by slot, of roots: whether the island is solved again
-    std::vector<std::uint8_t> driven;    // by slot: whether something that cannot be stopped pushes the island
-    std::vector<std::uint8_t> held;      // by slot: when bodies were held back
-    std::vector<double> fractions;       // by slot: of the way that they go
+    std::vector<Slot> islandRoots;         // roots of the bodies that move
+    std::vector<BodyVelocity> inertias;    // by slot: mass, mass and inertia
+    std::vector<EnergyChange> changes;     // by slot, of roots
+    std::vector<EnergyBalance> balances;   // likewise
+    ContactBatches batches;                // of islands that are solved again
+    std::vector<SameLane> lanes;           // of their contacts
+    std::vector<std::uint8_t> unconverged; // by slot, of roots: whether the island is solved again
+    std::vector<std::uint8_t> driven;      // by slot: whether something that cannot be stopped pushes the island
+    std::vector<std::uint8_t> limited;     // by slot: the round in which the motion was limited
+    std::vector<double> fractions;         // by slot: of the motion that is left
 };
 
 } // namespace spacetow

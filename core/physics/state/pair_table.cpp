@@ -2,25 +2,25 @@
 
 namespace spacetow {
 
-PairGate gateOf(const Pair& pair) {
+PairBound unknownBound(const Pair& pair) {
     return {pair.bodyA + 1, pair.staticB ? 0 : pair.bodyB + 1, 0};
 }
 
 void PairTable::clear() {
-    gates.clear();
-    marks.clear();
+    bounds.clear();
+    flags.clear();
     pairs.clear();
 }
 
 void PairTable::add(const Pair& pair) {
-    gates.push_back(gateOf(pair));
-    marks.emplace_back();
+    bounds.push_back(unknownBound(pair));
+    flags.emplace_back();
     pairs.push_back(pair);
 }
 
 void PairTable::addFrom(const PairTable& other, std::size_t index) {
-    gates.push_back(other.gates[index]);
-    marks.push_back(other.marks[index]);
+    bounds.push_back(other.bounds[index]);
+    flags.push_back(other.flags[index]);
     pairs.push_back(other.pairs[index]);
 }
 

@@ -1,18 +1,18 @@
 #include "core/physics/step/update.h"
 
 #include "core/physics/broad_phase/pairs.h"
-#include "core/physics/contacts/contact_lanes.h"
+#include "core/physics/contacts/constraint_list.h"
 #include "core/physics/contacts/contact_pool.h"
-#include "core/physics/contacts/contacts.h"
+#include "core/physics/contacts/narrow_phase.h"
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/sleep/touches.h"
 #include "core/physics/solver/carriers.h"
-#include "core/physics/solver/continuous.h"
-#include "core/physics/solver/hold_back.h"
 #include "core/physics/solver/integrate.h"
 #include "core/physics/solver/islands.h"
+#include "core/physics/solver/limit_penetration.h"
 #include "core/physics/solver/solve.h"
-#include "core/physics/step/changes.h"
+#include "core/physics/solver/time_of_impact.h"
+#include "core/physics/step/deferred_changes.h"
 
 #include <algorithm>
 
@@ -30,25 +30,25 @@ IterationStep iterationStep(const UpdateParameters& p) {
 // Into so many parts an iteration may be divided.
 constexpr int maxParts = 64;
 
-/// The pairs of those who have left their rooms, and what hangs on them.
+/// The pairs of bodies that have left their fat AABBs, and what depends on pairs.
 void refreshPairs(WorldData& data, const IterationStep& step) {
-    if (data.pairsStale || !data.absorbed.empty()) {
-        dropContacts(data);
+    if (data.pairsStale || !data.mergedPairs.empty()) {
+        releaseConstraints(data);
     }
     if (data.pairsStale) {
-        weighBodies(data);
-        forgetManifolds(data);
+        measureInertias(data);
+        resetManifolds(data);
     }
     if (findPairs(data, step)) {
-        forgetDropped(data);
+        freeContactsOfDropped(data);
         changePairs(data);
-        followPairs(data);
+        remapPairs(data);
     }
 }
 
 /// The motion as if nothing were touched, and the pairs for it. False when something was not finite.
 bool planMotion(WorldData& data, const IterationStep& step, bool first) {
-    const double ahead = first ? step.remaining - step.dt : 0; // rooms for a whole update, if they will do
+    const double ahead = first ? step.remaining - step.dt : 0; // fat AABBs for a whole update, if they will do
     integrateVelocities(data, step);
     measureMotion(data, ahead);
     const bool fault = data.anyFault;
@@ -56,7 +56,7 @@ bool planMotion(WorldData& data, const IterationStep& step, bool first) {
         isolateFaults(data, step.index);
         measureMotion(data, ahead);
     }
-    if (data.anyEscaped) {
+    if (data.anyMovedProxy) {
         refreshPairs(data, step);
     }
     return !fault;
@@ -72,13 +72,13 @@ void makeMotion(WorldData& data, const IterationStep& step) {
     findDriven(data);
     solveVelocities(data, step);
     findCarriers(data);
-    if (data.anyFast || data.anySweep || data.anyDiverted) {
+    if (data.anyFast || data.anySweep || data.anyDeflected) {
         measureMotion(data, 0);
-        if (data.anyEscaped) {
+        if (data.anyMovedProxy) {
             refreshPairs(data, step);
         }
         stopAtImpacts(data);
-        holdBackFollowers(data, step.dt);
+        limitPenetrationOfFollowers(data, step.dt);
     }
     carryStopped(data);
     advance(data, step.dt);
@@ -104,7 +104,7 @@ void iterateInParts(WorldData& data, IterationStep step, double share) {
     const std::size_t reports = data.events.tagsTouched.size();
     double left = whole;
     for (int parts = maxParts - 1; share < 1; --parts) {
-        takeBackVelocities(data);
+        restoreVelocities(data);
         setDuration(data, step, share * left);
         planMotion(data, step, false);
         makePart(data, step, whole);
@@ -112,7 +112,7 @@ void iterateInParts(WorldData& data, IterationStep step, double share) {
         step.remaining -= step.dt;
         setDuration(data, step, left);
         const bool sound = planMotion(data, step, false);
-        share = sound && data.anyFast && parts > 1 ? coveredShare(data, 1.0 / parts) : 1;
+        share = sound && data.anyFast && parts > 1 ? safeFraction(data, 1.0 / parts) : 1;
     }
     makePart(data, step, whole);
     setDuration(data, step, whole);
@@ -125,7 +125,7 @@ void iterate(WorldData& data, const IterationStep& step) {
         return;
     }
     const bool sound = planMotion(data, step, step.index == 0);
-    const double share = sound && data.anyFast ? coveredShare(data, 1.0 / maxParts) : 1;
+    const double share = sound && data.anyFast ? safeFraction(data, 1.0 / maxParts) : 1;
     if (share < 1) {
         iterateInParts(data, step, share);
     } else {

@@ -139,7 +139,7 @@ BodyStep stepOf(const BodyRecord& record) {
     step.outerRadius = record.outerRadius;
     if (record.parts->size() == 1) {
         const auto* circle = std::get_if<Circle>(&record.parts->front());
-        step.round = circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
+        step.isCircle = circle != nullptr && circle->center.x() == 0 && circle->center.y() == 0;
     }
     return step;
 }

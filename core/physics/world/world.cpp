@@ -5,7 +5,7 @@
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/solver/field_forces.h"
 #include "core/physics/state/world_data.h"
-#include "core/physics/step/changes.h"
+#include "core/physics/step/deferred_changes.h"
 #include "core/physics/step/update.h"
 #include "core/physics/world/make_body.h"
 
@@ -146,7 +146,7 @@ void World::setReportsTouches(BodyId body, bool reports) {
 void World::setSleeping(bool allowed) {
     m_data->sleep.allowed = allowed;
     for (BodyRecord& record : m_data->records) {
-        record.stillFor = 0;
+        record.stillTime = 0;
     }
 }
 

@@ -3,7 +3,7 @@
 #include "core/base/contract.h"
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/state/world_data.h"
-#include "core/physics/step/changes.h"
+#include "core/physics/step/deferred_changes.h"
 #include "core/physics/world/world.h"
 
 #include <algorithm>

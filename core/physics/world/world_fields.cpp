@@ -4,7 +4,7 @@
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/solver/field_forces.h"
 #include "core/physics/state/world_data.h"
-#include "core/physics/step/changes.h"
+#include "core/physics/step/deferred_changes.h"
 #include "core/physics/world/world.h"
 
 namespace spacetow {
@@ -12,9 +12,9 @@ namespace spacetow {
 namespace {
 
 /// The field is new or about to go.
-void disturbFelt(WorldData& data, std::uint32_t field) {
+void disturbBodiesOf(WorldData& data, std::uint32_t field) {
     for (const Slot slot : data.fieldBodies) {
-        if (feels(data, data.fields[field], slot)) {
+        if (actsOn(data, data.fields[field], slot)) {
             disturb(data, slot);
         }
     }
@@ -39,14 +39,14 @@ Result<FieldId> World::addField(ForceFieldDef def) {
     }
     data.fields[index].def = std::make_shared<const ForceFieldDef>(std::move(def));
     refreshSubsteps(data);
-    disturbFelt(data, index);
+    disturbBodiesOf(data, index);
     return FieldId{index, data.fields[index].generation};
 }
 
 void World::removeField(FieldId field) {
     EXPECTS(contains(field));
     WorldData& data = *m_data;
-    disturbFelt(data, field.index);
+    disturbBodiesOf(data, field.index);
     data.fields[field.index].def = nullptr;
     ++data.fields[field.index].generation;
     data.freeFields.push_back(field.index);

@@ -47,7 +47,7 @@ void addConnectorState(StateHash& hash, const ConnectorRecord& c) {
 /// Of the pairs that count: what they touch with, and what is known of their manifold.
 void addPairState(StateHash& hash, const WorldData& data, const PairTable& table, std::size_t index) {
     const Pair& pair = table.pairs[index];
-    if (table.marks[index].reported) {
+    if (table.flags[index].reported) {
         hash.add(pair.bodies());
     }
     if (pair.contact == Pair::none) {
@@ -64,7 +64,7 @@ void addPairState(StateHash& hash, const WorldData& data, const PairTable& table
     }
     if (contact.manifold != Pair::none) {
         const KeptManifold& kept = data.manifolds[contact.manifold];
-        hash.add(kept.room);
+        hash.add(kept.tolerance);
         add(hash, kept.relative.position);
         hash.add(kept.relative.rotation.s);
     }
@@ -74,7 +74,7 @@ void addSleepState(StateHash& hash, const WorldData& data) {
     hash.add(std::uint64_t{data.sleep.allowed});
     add(hash, data.sleep.gravity);
     for (const BodyRecord& record : data.records) {
-        hash.add(record.stillFor);
+        hash.add(record.stillTime);
     }
     for (const Slot slot : data.sleep.sleepers) {
         hash.add(std::uint64_t{slot} << 32 | data.records[slot].island);

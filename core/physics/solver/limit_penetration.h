@@ -1,5 +1,5 @@
 #pragma once
-// Keeps bodies out of each other where the solver has not converged.
+// Limits penetration where the solver has not converged.
 
 #include "core/physics/state/world_data.h"
 
@@ -8,9 +8,9 @@ namespace spacetow {
 /// Where the solver has not converged, bodies in contact would still go into each other: they go as far as the slop
 /// in this iteration of `dt` seconds, and what follows them waits as well. What is held back is accelerated for as
 /// long as it moves. Takes the velocities that were measured at the contacts.
-void holdBack(WorldData& data, double dt);
+void limitPenetration(WorldData& data, double dt);
 
 /// Likewise what follows a body that has been stopped on its way since.
-void holdBackFollowers(WorldData& data, double dt);
+void limitPenetrationOfFollowers(WorldData& data, double dt);
 
 } // namespace spacetow

@@ -1,4 +1,4 @@
-#include "core/physics/broad_phase/merge_pairs.h"
+#include "core/physics/broad_phase/pair_changes.h"
 
 #include <algorithm>
 
@@ -11,25 +11,25 @@ bool connectedApart(const WorldData& data, Slot a, Slot b) {
            std::binary_search(data.notColliding.begin(), data.notColliding.end(), SlotPair(std::minmax(a, b)));
 }
 
-bool mayMeet(const WorldData& data, Slot a, Slot b) {
+bool shouldCollide(const WorldData& data, Slot a, Slot b) {
     const BodyRecord& ra = data.records[a];
     const BodyRecord& rb = data.records[b];
     const bool oneMoves = ra.kind == BodyKind::Dynamic || rb.kind == BodyKind::Dynamic;
-    const bool oneFeels = !ra.tangible || !rb.tangible;
-    return a != b && (oneMoves || oneFeels) && mayTouch(ra.filter, rb.filter) && !connectedApart(data, a, b);
+    const bool oneIsSensor = !ra.tangible || !rb.tangible;
+    return a != b && (oneMoves || oneIsSensor) && mayTouch(ra.filter, rb.filter) && !connectedApart(data, a, b);
 }
 
 PairKind kindOf(const WorldData& data, const Pair& pair) {
     const bool tangible = data.records[pair.bodyA].tangible && data.records[pair.bodyB].tangible;
-    if (!tangible || (!data.motions[pair.bodyA].yields() && !data.motions[pair.bodyB].yields())) {
-        return PairKind::Felt;
+    if (!tangible || (!data.motions[pair.bodyA].isMovable() && !data.motions[pair.bodyB].isMovable())) {
+        return PairKind::Sensor;
     }
     if (isRound(*pair.shapeA)) {
         if (pair.staticB) {
             const auto* wall = std::get_if<WallPart>(pair.shapeB);
-            return wall != nullptr && wall->oneWay ? PairKind::RoundEdge : PairKind::RoundStatic;
+            return wall != nullptr && wall->oneWay ? PairKind::CircleEdge : PairKind::CircleStatic;
         }
-        return isRound(*pair.shapeB) ? PairKind::RoundRound : PairKind::General;
+        return isRound(*pair.shapeB) ? PairKind::CircleCircle : PairKind::General;
     }
     return PairKind::General;
 }
@@ -51,19 +51,20 @@ Pair makePair(const WorldData& data, const FoundPair& found) {
         pair.shapeB = &(*rb.parts)[pair.partB];
     }
     pair.kind = kindOf(data, pair);
-    pair.alone = !pair.staticB && ra.parts->size() == 1 && rb.parts->size() == 1;
+    pair.unmergeable = !pair.staticB && ra.parts->size() == 1 && rb.parts->size() == 1;
     return pair;
 }
 
-/// Whether anticipation may cover but a part of an iteration.
-bool isCovered(const WorldData& data, const Pair& pair) {
-    const bool driven = !pair.staticB && !(data.motions[pair.bodyA].yields() && data.motions[pair.bodyB].yields());
-    return pair.kind == PairKind::General || (driven && pair.kind != PairKind::Felt);
+/// Whether the speculative margin may cover but a part of an iteration.
+bool limitsFraction(const WorldData& data, const Pair& pair) {
+    const bool driven =
+        !pair.staticB && !(data.motions[pair.bodyA].isMovable() && data.motions[pair.bodyB].isMovable());
+    return pair.kind == PairKind::General || (driven && pair.kind != PairKind::Sensor);
 }
 
 void noteDropped(WorldData& data, std::size_t index) {
     data.dropped.push_back(static_cast<std::uint32_t>(index));
-    if (data.table.marks[index].reported) {
+    if (data.table.flags[index].reported) {
         data.droppedTouches.push_back(data.table.pairs[index].bodies());
     }
 }
@@ -74,18 +75,18 @@ void fillNewTable(WorldData& data) {
     PairTable& renewed = data.newTable;
     renewed.clear();
     data.dropped.clear();
-    data.stretches.clear();
+    data.runs.clear();
     std::size_t i = 0;
     for (const FoundPair& found : data.foundPairs) {
-        if (!mayMeet(data, found.bodyA, found.bodyB)) {
+        if (!shouldCollide(data, found.bodyA, found.bodyB)) {
             continue;
         }
         for (; i < old.size() && FoundPair(old.pairs[i]) < found; ++i) {
             noteDropped(data, i);
         }
         renewed.add(makePair(data, found));
-        const bool covered = isCovered(data, renewed.pairs.back());
-        renewed.marks.back().covered = covered;
+        const bool covered = limitsFraction(data, renewed.pairs.back());
+        renewed.flags.back().limitsFraction = covered;
         if (i == old.size() || found < FoundPair(old.pairs[i])) {
             continue;
         }
@@ -94,37 +95,37 @@ void fillNewTable(WorldData& data) {
         } else {
             data.dropped.push_back(static_cast<std::uint32_t>(i)); // but its touch goes on
         }
-        renewed.marks.back() = old.marks[i++];
-        renewed.marks.back().covered = covered;
+        renewed.flags.back() = old.flags[i++];
+        renewed.flags.back().limitsFraction = covered;
     }
     for (; i < old.size(); ++i) {
         noteDropped(data, i);
     }
 }
 
-/// The pairs of those who have escaped.
-void listLeaving(WorldData& data) {
-    for (const Slot slot : data.escaped) {
-        data.leaves[slot + 1] = 1;
+/// The pairs of moved proxies.
+void listMovedPairs(WorldData& data) {
+    for (const Slot slot : data.movedBodies) {
+        data.isMovedProxy[slot + 1] = 1;
     }
-    if (data.leaving.capacity() < data.table.size()) {
-        data.leaving.reserve(data.table.capacity()); // resizing would add no more than what is needed now
+    if (data.movedPairs.capacity() < data.table.size()) {
+        data.movedPairs.reserve(data.table.capacity()); // resizing would add no more than what is needed now
     }
-    data.leaving.resize(data.table.size());
+    data.movedPairs.resize(data.table.size());
     std::size_t count = 0;
     for (std::size_t i = 0; i < data.table.size(); ++i) {
-        const PairGate& gate = data.table.gates[i];
-        data.leaving[count] = static_cast<std::uint32_t>(i);
-        count += data.leaves[gate.moverA] | data.leaves[gate.moverB];
+        const PairBound& bound = data.table.bounds[i];
+        data.movedPairs[count] = static_cast<std::uint32_t>(i);
+        count += data.isMovedProxy[bound.moverA] | data.isMovedProxy[bound.moverB];
     }
-    data.leaving.resize(count);
-    for (const Slot slot : data.escaped) {
-        data.leaves[slot + 1] = 0;
+    data.movedPairs.resize(count);
+    for (const Slot slot : data.movedBodies) {
+        data.isMovedProxy[slot + 1] = 0;
     }
 }
 
 /// What is to change in the table: `dropped` by index, and new pairs with the indices before which they belong.
-void compare(WorldData& data) {
+void diffPairs(WorldData& data) {
     const std::vector<Pair>& pairs = data.table.pairs;
     data.dropped.clear();
     data.newPairs.clear();
@@ -132,13 +133,14 @@ void compare(WorldData& data) {
     std::size_t i = 0;
     std::size_t first = 0; // no new pair belongs before that
     for (const FoundPair& found : data.foundPairs) {
-        for (; i < data.leaving.size() && FoundPair(pairs[data.leaving[i]]) < found; first = data.leaving[i++] + 1) {
-            noteDropped(data, data.leaving[i]);
+        for (; i < data.movedPairs.size() && FoundPair(pairs[data.movedPairs[i]]) < found;
+             first = data.movedPairs[i++] + 1) {
+            noteDropped(data, data.movedPairs[i]);
         }
-        const std::size_t end = i < data.leaving.size() ? data.leaving[i] : pairs.size();
+        const std::size_t end = i < data.movedPairs.size() ? data.movedPairs[i] : pairs.size();
         if (end < pairs.size() && !(found < FoundPair(pairs[end]))) {
-            first = data.leaving[i++] + 1;
-        } else if (mayMeet(data, found.bodyA, found.bodyB)) {
+            first = data.movedPairs[i++] + 1;
+        } else if (shouldCollide(data, found.bodyA, found.bodyB)) {
             const auto begin = pairs.begin();
             const auto place =
                 std::lower_bound(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end),
@@ -148,24 +150,24 @@ void compare(WorldData& data) {
             data.newPairs.push_back(makePair(data, found));
         }
     }
-    for (; i < data.leaving.size(); ++i) {
-        noteDropped(data, data.leaving[i]);
+    for (; i < data.movedPairs.size(); ++i) {
+        noteDropped(data, data.movedPairs[i]);
     }
 }
 
 /// Between what is dropped and what is new the table stays as it is. The places of new pairs become those in the table
 /// as it will be.
-void listStretches(WorldData& data) {
+void listRuns(WorldData& data) {
     std::vector<std::uint32_t>& places = data.newPlaces;
     const auto size = static_cast<std::uint32_t>(data.table.size());
-    data.stretches.clear();
+    data.runs.clear();
     std::uint32_t begin = 0;
     std::uint32_t added = 0;
     std::uint32_t removed = 0;
     while (begin < size || added < places.size()) {
         const std::uint32_t nextDropped = removed < data.dropped.size() ? data.dropped[removed] : size;
         const std::uint32_t end = added < places.size() ? std::min(places[added], nextDropped) : nextDropped;
-        data.stretches.push_back({begin, end, begin + added - removed});
+        data.runs.push_back({begin, end, begin + added - removed});
         begin = end;
         for (; added < places.size() && places[added] == end; ++added) {
             places[added] = end + added - removed;
@@ -177,19 +179,19 @@ void listStretches(WorldData& data) {
     }
 }
 
-/// Moves each stretch once, those that go down from the first one on, those that go up from the last: none comes to lie
+/// Moves each run once, those that go down from the first one on, those that go up from the last: none comes to lie
 /// where another one still is.
 template <typename T>
-void rearrange(std::vector<T>& list, const std::vector<Stretch>& stretches, std::size_t newSize) {
+void rearrange(std::vector<T>& list, const std::vector<Run>& runs, std::size_t newSize) {
     list.resize(std::max(list.size(), newSize));
     const auto at = [&](std::uint32_t index) { return list.begin() + static_cast<std::ptrdiff_t>(index); };
-    for (const Stretch& s : stretches) {
+    for (const Run& s : runs) {
         if (s.to < s.begin) {
             std::copy(at(s.begin), at(s.end), at(s.to));
         }
     }
-    for (std::size_t i = stretches.size(); i-- > 0;) {
-        const Stretch& s = stretches[i];
+    for (std::size_t i = runs.size(); i-- > 0;) {
+        const Run& s = runs[i];
         if (s.to > s.begin) {
             std::copy_backward(at(s.begin), at(s.end), at(s.to + s.end - s.begin));
         }
@@ -200,14 +202,14 @@ void rearrange(std::vector<T>& list, const std::vector<Stretch>& stretches, std:
 void rearrangeTable(WorldData& data) {
     PairTable& table = data.table;
     const std::size_t newSize = table.size() + data.newPairs.size() - data.dropped.size();
-    rearrange(table.gates, data.stretches, newSize);
-    rearrange(table.marks, data.stretches, newSize);
-    rearrange(table.pairs, data.stretches, newSize);
+    rearrange(table.bounds, data.runs, newSize);
+    rearrange(table.flags, data.runs, newSize);
+    rearrange(table.pairs, data.runs, newSize);
     for (std::size_t i = 0; i < data.newPairs.size(); ++i) {
         const Pair& pair = data.newPairs[i];
         const std::uint32_t place = data.newPlaces[i];
-        table.gates[place] = gateOf(pair);
-        table.marks[place] = {.covered = isCovered(data, pair)};
+        table.bounds[place] = unknownBound(pair);
+        table.flags[place] = {.limitsFraction = limitsFraction(data, pair)};
         table.pairs[place] = pair;
     }
 }
@@ -219,13 +221,13 @@ bool comparePairs(WorldData& data) {
         fillNewTable(data);
         return true;
     }
-    data.leaves.resize(data.records.size() + 1, 0);
-    listLeaving(data);
-    compare(data);
+    data.isMovedProxy.resize(data.records.size() + 1, 0);
+    listMovedPairs(data);
+    diffPairs(data);
     if (data.dropped.empty() && data.newPairs.empty()) {
         return false;
     }
-    listStretches(data);
+    listRuns(data);
     return true;
 }
 

@@ -8,13 +8,13 @@ namespace spacetow {
 
 /// More passes, at least one, over the contacts of the islands that are marked in `islands.unsettled`; all but the last
 /// are over-relaxed.
-void solveOn(WorldData& data, int passes);
+void solveUnconverged(WorldData& data, int passes);
 
-/// Solves on where contacts close faster than they may: an impact has to reach the ground through all that is between.
-/// Takes what has been measured at the contacts; false when none of them closes any more.
-bool solveOnWhereClosing(WorldData& data);
+/// More passes over islands in which contacts close faster than they may: an impact has to reach the ground through all
+/// that is between. Takes what has been measured at the contacts; false when none of them closes any more.
+bool solveClosingIslands(WorldData& data);
 
 /// Whenever there is something to solve again, it is not to allocate.
-void reserveForSolvingOn(WorldData& data);
+void reserveForUnconverged(WorldData& data);
 
 } // namespace spacetow

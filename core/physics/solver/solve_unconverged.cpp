@@ -1,4 +1,4 @@
-#include "core/physics/solver/solve_on.h"
+#include "core/physics/solver/solve_unconverged.h"
 
 #include "core/physics/lanes/solver_kernels.h"
 #include "core/physics/solver/islands.h"
@@ -13,15 +13,15 @@ namespace {
 constexpr int rounds = 10;
 constexpr int passesInRound = 4;
 
-bool isUnsettled(const Islands& islands, Slot root) {
-    return islands.unsettled[root] != 0;
+bool isUnconverged(const Islands& islands, Slot root) {
+    return islands.unconverged[root] != 0;
 }
 
 template <class Batch>
 void markClosing(WorldData& data, const Batches<Batch>& batches) {
-    forLanes(batches, &BatchNotes::closes, [&](Lane at) {
+    forLanes(batches, &BatchFlags::closes, [&](Lane at) {
         const Slot root = rootAt(data, batches[at.batch], at.lane);
-        data.islands.unsettled[root] = data.islands.driven[root] != 0 ? 0 : 1;
+        data.islands.unconverged[root] = data.islands.driven[root] != 0 ? 0 : 1;
     });
 }
 
@@ -29,20 +29,21 @@ void markClosing(WorldData& data, const Batches<Batch>& batches) {
 /// stopped: they are not held back either, and in a turning drum something always closes.
 bool markClosing(WorldData& data) {
     Islands& islands = data.islands;
-    islands.unsettled.assign(data.motions.size(), 0);
-    markClosing(data, data.batches.round);
+    islands.unconverged.assign(data.motions.size(), 0);
+    markClosing(data, data.batches.circles);
     markClosing(data, data.batches.general);
-    return std::any_of(islands.all.begin(), islands.all.end(), [&](Slot root) { return isUnsettled(islands, root); });
+    return std::any_of(islands.islandRoots.begin(), islands.islandRoots.end(),
+                       [&](Slot root) { return isUnconverged(islands, root); });
 }
 
 template <class Batch>
 void copyThere(WorldData& data, const Batches<Batch>& from, Batches<Batch>& to) {
-    forLanes(from, &BatchNotes::occupied, [&](Lane at) {
+    forLanes(from, &BatchFlags::occupied, [&](Lane at) {
         const Batch& batch = from[at.batch];
-        if (isUnsettled(data.islands, rootAt(data, batch, at.lane))) {
+        if (isUnconverged(data.islands, rootAt(data, batch, at.lane))) {
             const Slot a = batch.a[at.lane];
             const Slot b = batch.b[at.lane];
-            const Lane lane = to.open(a, data.motions[a].yields(), b, data.motions[b].yields());
+            const Lane lane = to.open(a, data.motions[a].isMovable(), b, data.motions[b].isMovable());
             copyLane(batch, at.lane, to[lane.batch], lane.lane);
             data.islands.lanes.push_back({at, lane});
         }
@@ -56,7 +57,7 @@ void copyBack(const Batches<Batch>& from, Batches<Batch>& to, std::span<const Is
     }
 }
 
-void solveFurther(ContactBatches& batches, int passes) {
+void relaxPasses(ContactBatches& batches, int passes) {
     for (int pass = 1; pass < passes; ++pass) {
         overrelaxPass(batches);
     }
@@ -65,43 +66,44 @@ void solveFurther(ContactBatches& batches, int passes) {
 
 } // namespace
 
-void solveOn(WorldData& data, int passes) {
+void solveUnconverged(WorldData& data, int passes) {
     Islands& islands = data.islands;
-    if (std::all_of(islands.all.begin(), islands.all.end(), [&](Slot root) { return isUnsettled(islands, root); })) {
-        solveFurther(data.batches, passes);
+    if (std::all_of(islands.islandRoots.begin(), islands.islandRoots.end(),
+                    [&](Slot root) { return isUnconverged(islands, root); })) {
+        relaxPasses(data.batches, passes);
         return;
     }
     ContactBatches& part = islands.batches;
-    part.round.reset(data.motions.size());
+    part.circles.reset(data.motions.size());
     part.general.reset(data.motions.size());
     islands.lanes.clear();
-    copyThere(data, data.batches.round, part.round);
+    copyThere(data, data.batches.circles, part.circles);
     const std::size_t firstGeneral = islands.lanes.size();
     copyThere(data, data.batches.general, part.general);
-    std::swap(part.paces, data.batches.paces);
-    solveFurther(part, passes);
-    std::swap(part.paces, data.batches.paces);
+    std::swap(part.velocities, data.batches.velocities);
+    relaxPasses(part, passes);
+    std::swap(part.velocities, data.batches.velocities);
     const std::span<const Islands::SameLane> lanes(islands.lanes);
-    copyBack(part.round, data.batches.round, lanes.first(firstGeneral));
+    copyBack(part.circles, data.batches.circles, lanes.first(firstGeneral));
     copyBack(part.general, data.batches.general, lanes.subspan(firstGeneral));
 }
 
-bool solveOnWhereClosing(WorldData& data) {
+bool solveClosingIslands(WorldData& data) {
     bool closes = true;
     for (int round = 0; round < rounds && closes && markClosing(data); ++round) {
-        solveOn(data, passesInRound);
+        solveUnconverged(data, passesInRound);
         closes = measureVelocities(data.batches);
     }
     return closes;
 }
 
-void reserveForSolvingOn(WorldData& data) {
+void reserveForUnconverged(WorldData& data) {
     Islands& islands = data.islands;
-    islands.unsettled.resize(data.motions.size());
-    const std::size_t contacts = data.roundContacts.capacity() + data.generalContacts.capacity();
+    islands.unconverged.resize(data.motions.size());
+    const std::size_t contacts = data.circleContacts.capacity() + data.generalContacts.capacity();
     if (islands.lanes.capacity() < contacts) {
         islands.lanes.reserve(contacts);
-        islands.batches.round.reserve(data.batches.round);
+        islands.batches.circles.reserve(data.batches.circles);
         islands.batches.general.reserve(data.batches.general);
     }
 }

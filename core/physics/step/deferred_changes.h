@@ -1,5 +1,5 @@
 #pragma once
-// Changes that wait until no stage of the update is at work: removals and flags, carried out in the order in which
+// Deferred changes wait until no stage of the update is at work: removals and flags, carried out in the order in which
 // they were asked for.
 
 #include "core/physics/state/world_data.h"

@@ -1,4 +1,4 @@
-#include "core/physics/broad_phase/in_front.h"
+#include "core/physics/broad_phase/separating_face.h"
 
 #include "core/geometry/polygon.h"
 
@@ -21,8 +21,8 @@ bool isSlender(const Part& part) {
     return longest > 8 * signedArea(corners);
 }
 
-bool staysInFront(const Aabb& box, const ConvexPart& part, const Rot& rotation, const Room& room) {
-    const Aabb from{box.min - room.centers.max, box.max - room.centers.min}; // the centre of mass
+bool isInFrontOfFace(const Aabb& box, const ConvexPart& part, const Rot& rotation, const FatAabb& fat) {
+    const Aabb from{box.min - fat.centers.max, box.max - fat.centers.min}; // the centre of mass
     const Vec2 center = from.center();
     const Vec2 half = 0.5 * from.size();
     for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
@@ -32,7 +32,7 @@ bool staysInFront(const Aabb& box, const ConvexPart& part, const Rot& rotation, 
         const double height = normal.dot(center);
         const double aside = std::abs(cross(normal, center)) + length;
         // As the face sees it, what is aside comes nearer when it turns, and what is above hardly.
-        const double turn = room.turnLeft;
+        const double turn = fat.angleLeft;
         const double nearer = turn * aside + 0.5 * turn * turn * (std::abs(height) + width);
         if (height - width - part.normals[i].dot(part.corners[i]) - nearer > linearSlop) {
             return true;

@@ -15,6 +15,6 @@ void pack(WorldData& data, const Constraint& constraint, GeneralContact& contact
 
 /// Of the singular contact in lane i, whose points have nearly the same effect, the one that overlaps more acts for
 /// both.
-void actForBoth(ConstraintBatch& batch, std::uint32_t i);
+void keepDeeperPoint(ConstraintBatch& batch, std::uint32_t i);
 
 } // namespace spacetow

@@ -1,8 +1,8 @@
-#include "core/physics/broad_phase/collect_pairs.h"
+#include "core/physics/broad_phase/find_pairs.h"
 
 #include "core/base/prefetch.h"
 #include "core/geometry/bounds.h"
-#include "core/physics/broad_phase/in_front.h"
+#include "core/physics/broad_phase/separating_face.h"
 #include "core/physics/broad_phase/statics.h"
 
 #include <algorithm>
@@ -13,79 +13,78 @@ namespace spacetow {
 
 namespace {
 
-/// Ahead for the way that the body goes, and some in every direction.
-Room roomAround(const BodyMotion& m, const BodyStep& s, double seconds) {
+/// Extended by the motion of the body, and by a margin in every direction.
+FatAabb fatAabbAround(const BodyMotion& m, const BodyStep& s, double seconds) {
     const double speed = std::sqrt(m.velocity.squaredNorm());
     const double pull = std::sqrt(s.acceleration.squaredNorm());
     const double way = speed * seconds;
     const double pad = 0.05 * s.outerRadius + 0.02 + 0.1 * way + 0.5 * pull * seconds * seconds;
-    Room room;
-    room.centers = {m.center, m.center};
-    room.centers.include(m.center + seconds * m.velocity);
-    room.centers = room.centers.grown(pad);
+    FatAabb fat;
+    fat.centers = {m.center, m.center};
+    fat.centers.include(m.center + seconds * m.velocity);
+    fat.centers = fat.centers.grown(pad);
     const double turn = 1.5 * std::abs(m.angularVelocity) * seconds + 0.05;
-    const bool anyTurn = s.round || turn >= 1; // its disc has room for every turn
-    room.turnLeft = anyTurn ? std::numeric_limits<double>::infinity() : turn;
-    return room;
+    const bool anyTurn = s.isCircle || turn >= 1; // the box of its disc holds at every angle
+    fat.angleLeft = anyTurn ? std::numeric_limits<double>::infinity() : turn;
+    return fat;
 }
 
-Aabb roomyBox(const BodyStep& s, const BodyMotion& m, const Part& part) {
+Aabb fatBox(const BodyStep& s, const BodyMotion& m, const Part& part) {
     Aabb box = boundsOf(part, Transform{m.center, m.rotation});
     // The farthest point of the part sweeps an arc; great turns cover the disc around the centre of mass.
     if (!isRound(part)) {
-        if (std::isinf(s.room.turnLeft)) {
+        if (std::isinf(s.fat.angleLeft)) {
             const Vec2 r(s.outerRadius, s.outerRadius);
             box = {m.center - r, m.center + r};
         } else {
-            box = box.grown(s.room.turnLeft * s.outerRadius);
+            box = box.grown(s.fat.angleLeft * s.outerRadius);
         }
     }
-    box.min += s.room.centers.min - m.center;
-    box.max += s.room.centers.max - m.center;
+    box.min += s.fat.centers.min - m.center;
+    box.max += s.fat.centers.max - m.center;
     return box.grown(linearSlop);
 }
 
-void listCollidersOf(WorldData& data, Slot slot) {
-    data.firstColliders[slot] = static_cast<std::uint32_t>(data.colliders.size());
+void listProxiesOf(WorldData& data, Slot slot) {
+    data.firstProxies[slot] = static_cast<std::uint32_t>(data.proxies.size());
     const std::vector<Part>& parts = *data.records[slot].parts;
     for (std::uint32_t i = 0; i < parts.size(); ++i) {
-        data.colliders.push_back({slot, i, isSlender(parts[i])});
+        data.proxies.push_back({slot, i, isSlender(parts[i])});
     }
 }
 
-/// Visits the indices of a body's parts among the colliders, without a look at its record.
+/// Visits the indices of a body's parts among the proxies, without reading its record.
 template <class Visit>
-void forCollidersOf(const WorldData& data, Slot slot, const Visit& visit) {
-    for (std::uint32_t i = data.firstColliders[slot]; i < data.colliders.size() && data.colliders[i].body == slot;
-         ++i) {
+void forProxiesOf(const WorldData& data, Slot slot, const Visit& visit) {
+    for (std::uint32_t i = data.firstProxies[slot]; i < data.proxies.size() && data.proxies[i].body == slot; ++i) {
         visit(i);
     }
 }
 
-void add(WorldData& data, const MovingCollider& a, const MovingCollider& b) {
+void add(WorldData& data, const MovingProxy& a, const MovingProxy& b) {
     const bool ordered = a.body < b.body;
-    const MovingCollider& first = ordered ? a : b;
-    const MovingCollider& second = ordered ? b : a;
+    const MovingProxy& first = ordered ? a : b;
+    const MovingProxy& second = ordered ? b : a;
     data.foundPairs.emplace_back(first.body, second.body, first.part, second.part);
 }
 
 /// Whether the box of another stays clear of a long part.
-bool staysClear(const WorldData& data, const MovingCollider& of, const Aabb& box) {
-    return of.slender && staysInFront(box, std::get<ConvexPart>((*data.records[of.body].parts)[of.part]),
-                                      data.motions[of.body].rotation, data.steps[of.body].room);
+bool staysClear(const WorldData& data, const MovingProxy& of, const Aabb& box) {
+    return of.slender && isInFrontOfFace(box, std::get<ConvexPart>((*data.records[of.body].parts)[of.part]),
+                                         data.motions[of.body].rotation, data.steps[of.body].fat);
 }
 
 void consider(WorldData& data, std::uint32_t index, std::uint32_t other) {
-    const MovingCollider& a = data.colliders[index];
-    const MovingCollider& b = data.colliders[other];
+    const MovingProxy& a = data.proxies[index];
+    const MovingProxy& b = data.proxies[other];
     if (a.body != b.body && !staysClear(data, a, data.boxes[other]) && !staysClear(data, b, data.boxes[index])) {
         add(data, a, b);
     }
 }
 
-/// Of two that have both escaped, the later one finds the other.
+/// Of two moved proxies the later one finds the other.
 bool isFoundBy(const WorldData& data, std::uint32_t index, std::uint32_t other) {
-    return other < index || !data.colliders[other].escaped;
+    return other < index || !data.proxies[other].movedProxy;
 }
 
 void findMovingOf(WorldData& data, std::uint32_t index) {
@@ -93,11 +92,11 @@ void findMovingOf(WorldData& data, std::uint32_t index) {
     data.found.clear();
     data.tree.query(box, data.found);
     for (const std::uint32_t other : data.found) {
-        if (!data.colliders[other].astray && isFoundBy(data, index, other)) {
+        if (!data.proxies[other].isStaleInTree && isFoundBy(data, index, other)) {
             consider(data, index, other);
         }
     }
-    for (const std::uint32_t other : data.astray) {
+    for (const std::uint32_t other : data.staleProxies) {
         if (data.boxes[other].overlaps(box) && isFoundBy(data, index, other)) {
             consider(data, index, other);
         }
@@ -109,7 +108,7 @@ void findAllMoving(WorldData& data) {
     data.overlapping.clear();
     data.tree.queryAll(data.overlapping);
     for (const auto& [a, b] : data.overlapping) {
-        if (data.colliders[a].escaped || data.colliders[b].escaped) {
+        if (data.proxies[a].movedProxy || data.proxies[b].movedProxy) {
             consider(data, a, b);
         }
     }
@@ -117,38 +116,39 @@ void findAllMoving(WorldData& data) {
 
 void findStaticsOf(WorldData& data, std::uint32_t index) {
     findStatics(*data.statics, data.boxes[index], data.found);
-    const MovingCollider& collider = data.colliders[index];
+    const MovingProxy& collider = data.proxies[index];
     for (const std::uint32_t other : data.found) {
         const StaticGeometry::Collider& wall = data.statics->colliders[other];
         data.foundPairs.emplace_back(collider.body, wall.body, collider.part, wall.part);
     }
 }
 
-void setEscaped(WorldData& data, bool escaped) {
-    for (const Slot slot : data.escaped) {
-        forCollidersOf(data, slot, [&](std::uint32_t i) { data.colliders[i].escaped = escaped; });
+void markMovedProxies(WorldData& data, bool movedProxy) {
+    for (const Slot slot : data.movedBodies) {
+        forProxiesOf(data, slot, [&](std::uint32_t i) { data.proxies[i].movedProxy = movedProxy; });
     }
 }
 
-/// Those whose boxes are no longer what the tree has are looked through one by one while they are few.
+/// Proxies whose boxes are no longer what the tree has are searched one by one while they are few.
 void refreshTree(WorldData& data) {
     const std::size_t count = data.boxes.size();
-    for (const Slot slot : data.escaped) {
-        forCollidersOf(data, slot, [&](std::uint32_t i) {
-            if (!data.colliders[i].astray) {
-                data.colliders[i].astray = true;
-                data.astray.push_back(i);
+    for (const Slot slot : data.movedBodies) {
+        forProxiesOf(data, slot, [&](std::uint32_t i) {
+            if (!data.proxies[i].isStaleInTree) {
+                data.proxies[i].isStaleInTree = true;
+                data.staleProxies.push_back(i);
             }
         });
     }
-    if (!data.pairsStale && data.astray.size() * data.escaped.size() <= 8 * count && 8 * data.astray.size() <= count) {
+    if (!data.pairsStale && data.staleProxies.size() * data.movedBodies.size() <= 8 * count &&
+        8 * data.staleProxies.size() <= count) {
         return;
     }
     data.tree.fill(data.boxes);
-    for (const std::uint32_t i : data.astray) {
-        data.colliders[i].astray = false;
+    for (const std::uint32_t i : data.staleProxies) {
+        data.proxies[i].isStaleInTree = false;
     }
-    data.astray.clear();
+    data.staleProxies.clear();
 }
 
 void sortNearlySorted(std::span<FoundPair> pairs) {
@@ -194,41 +194,41 @@ void sortFound(WorldData& data) {
 
 } // namespace
 
-void listColliders(WorldData& data) {
-    data.colliders.clear();
-    data.firstColliders.resize(data.records.size());
-    data.escaped = data.moving;
+void listProxies(WorldData& data) {
+    data.proxies.clear();
+    data.firstProxies.resize(data.records.size());
+    data.movedBodies = data.moving;
     for (const Slot slot : data.moving) {
-        listCollidersOf(data, slot);
+        listProxiesOf(data, slot);
     }
     for (const Slot slot : data.sleep.sleepers) {
-        listCollidersOf(data, slot);
+        listProxiesOf(data, slot);
     }
-    data.boxes.assign(data.colliders.size(), Aabb{});
+    data.boxes.assign(data.proxies.size(), Aabb{});
     for (const Slot slot : data.sleep.sleepers) {
-        std::uint32_t i = data.firstColliders[slot];
+        std::uint32_t i = data.firstProxies[slot];
         for (const Part& part : *data.records[slot].parts) {
-            data.boxes[i++] = roomyBox(data.steps[slot], data.motions[slot], part);
+            data.boxes[i++] = fatBox(data.steps[slot], data.motions[slot], part);
         }
     }
-    data.astray.clear();
+    data.staleProxies.clear();
 }
 
-void giveRoom(WorldData& data, double seconds) {
+void enlargeAabbs(WorldData& data, double seconds) {
     constexpr std::size_t ahead = 4;
-    for (std::size_t k = 0; k < data.escaped.size(); ++k) {
-        if (k + ahead < data.escaped.size()) {
-            fetch(data.records[data.escaped[k + ahead]].parts);
-            fetch(data.records[data.escaped[k + ahead]].bounds);
+    for (std::size_t k = 0; k < data.movedBodies.size(); ++k) {
+        if (k + ahead < data.movedBodies.size()) {
+            prefetch(data.records[data.movedBodies[k + ahead]].parts);
+            prefetch(data.records[data.movedBodies[k + ahead]].bounds);
         }
-        const Slot slot = data.escaped[k];
+        const Slot slot = data.movedBodies[k];
         BodyStep& s = data.steps[slot];
         BodyRecord& record = data.records[slot];
-        s.room = roomAround(data.motions[slot], s, seconds);
+        s.fat = fatAabbAround(data.motions[slot], s, seconds);
         record.bounds = Aabb{};
-        std::uint32_t i = data.firstColliders[slot];
+        std::uint32_t i = data.firstProxies[slot];
         for (const Part& part : *record.parts) {
-            data.boxes[i] = roomyBox(s, data.motions[slot], part);
+            data.boxes[i] = fatBox(s, data.motions[slot], part);
             record.bounds.include(data.boxes[i++]);
         }
     }
@@ -236,21 +236,21 @@ void giveRoom(WorldData& data, double seconds) {
 
 void collectPairs(WorldData& data) {
     refreshTree(data);
-    setEscaped(data, true);
+    markMovedProxies(data, true);
     data.foundPairs.clear();
-    const bool most = data.astray.empty() && 2 * data.escaped.size() > data.moving.size();
+    const bool most = data.staleProxies.empty() && 2 * data.movedBodies.size() > data.moving.size();
     if (most) {
         findAllMoving(data);
     }
-    for (const Slot slot : data.escaped) {
-        forCollidersOf(data, slot, [&](std::uint32_t i) {
+    for (const Slot slot : data.movedBodies) {
+        forProxiesOf(data, slot, [&](std::uint32_t i) {
             if (!most) {
                 findMovingOf(data, i);
             }
             findStaticsOf(data, i);
         });
     }
-    setEscaped(data, false);
+    markMovedProxies(data, false);
     sortFound(data);
 }
 

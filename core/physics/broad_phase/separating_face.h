@@ -9,7 +9,7 @@ namespace spacetow {
 bool isSlender(const Part& part);
 
 /// Whether whatever stays in the box stays in front of one face of the part, by more than the slop, while the body of
-/// that stays in its room.
-bool staysInFront(const Aabb& box, const ConvexPart& part, const Rot& rotation, const Room& room);
+/// that stays in its fat AABB.
+bool isInFrontOfFace(const Aabb& box, const ConvexPart& part, const Rot& rotation, const FatAabb& fat);
 
 } // namespace spacetow

@@ -1,4 +1,4 @@
-#include "core/physics/step/changes.h"
+#include "core/physics/step/deferred_changes.h"
 
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/sleep/touches.h"

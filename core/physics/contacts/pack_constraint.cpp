@@ -1,4 +1,4 @@
-#include "core/physics/contacts/pack_contacts.h"
+#include "core/physics/contacts/pack_constraint.h"
 
 #include "core/geometry/moved.h"
 #include "core/physics/contacts/contact_rules.h"
@@ -47,8 +47,8 @@ bool packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, dou
     batch.inverseDeterminant[i] = 1 / determinant;
     batch.separation1[i] = p.separation;
     batch.separation2[i] = c.count == 2 ? q.separation : std::numeric_limits<double>::infinity();
-    batch.closing1[i] = -perSecond * roomToClose(p.separation);
-    batch.closing2[i] = c.count == 2 ? -perSecond * roomToClose(q.separation) : noTarget;
+    batch.closingLimit1[i] = -perSecond * penetrationAllowance(p.separation);
+    batch.closingLimit2[i] = c.count == 2 ? -perSecond * penetrationAllowance(q.separation) : noTarget;
     return singular;
 }
 
@@ -60,52 +60,52 @@ const KeptManifold& manifoldOf(const WorldData& data, const ConstraintPoint& poi
 struct Frame {
     Vec2 normal;        // in the coordinates of its owner
     Transform relative; // of a in those of b, when it was made
-    double room;
+    double tolerance;
 };
 
 /// The points of a merged contact have manifolds of their own; where the bodies are now, all of these hold.
-Frame mergedFrame(const WorldData& data, const Constraint& c, bool still, bool ownedByA) {
+Frame mergedFrame(const WorldData& data, const Constraint& c, bool still, bool normalOnA) {
     const Transform poseA = data.pose(c.a);
     const Transform poseB = still ? Transform{} : data.pose(c.b);
-    return {(ownedByA ? poseA : poseB).rotation.inverse() * c.normal, relative(poseA, poseB), c.room};
+    return {(normalOnA ? poseA : poseB).rotation.inverse() * c.normal, relative(poseA, poseB), c.tolerance};
 }
 
-void packShapes(const WorldData& data, const Constraint& c, ConstraintShapes& shapes, std::uint32_t i) {
+void packAnchors(const WorldData& data, const Constraint& c, ContactAnchors& anchors, std::uint32_t i) {
     const bool still = data.table.pairs[c.points[0].pair].staticB;
     const KeptManifold& kept = manifoldOf(data, c.points[0]);
-    const Frame frame = c.merged ? mergedFrame(data, c, still, kept.normalOfA) //
-                                 : Frame{kept.normal, kept.relative, kept.room};
-    setLane(shapes.still, i, still);
-    setLane(shapes.ownedByA, i, kept.normalOfA);
-    setLane(shapes.acts1, i, c.points[0].normalMass > 0);
-    setLane(shapes.acts2, i, c.count == 2 && c.points[1].normalMass > 0);
-    setLane(shapes.first, i, true);
-    setLane(shapes.second, i, c.count == 2);
-    shapes.normalX[i] = frame.normal.x();
-    shapes.normalY[i] = frame.normal.y();
+    const Frame frame = c.merged ? mergedFrame(data, c, still, kept.normalOnA) //
+                                 : Frame{kept.normal, kept.relative, kept.tolerance};
+    setLane(anchors.staticB, i, still);
+    setLane(anchors.normalOnA, i, kept.normalOnA);
+    setLane(anchors.acts1, i, c.points[0].normalMass > 0);
+    setLane(anchors.acts2, i, c.count == 2 && c.points[1].normalMass > 0);
+    setLane(anchors.first, i, true);
+    setLane(anchors.second, i, c.count == 2);
+    anchors.normalX[i] = frame.normal.x();
+    anchors.normalY[i] = frame.normal.y();
     const KeptManifold::Point& p = kept.points[c.points[0].index];
-    shapes.onA1X[i] = p.onA.x();
-    shapes.onA1Y[i] = p.onA.y();
-    shapes.onB1X[i] = p.onB.x();
-    shapes.onB1Y[i] = p.onB.y();
+    anchors.onA1X[i] = p.onA.x();
+    anchors.onA1Y[i] = p.onA.y();
+    anchors.onB1X[i] = p.onB.x();
+    anchors.onB1Y[i] = p.onB.y();
     const ConstraintPoint& last = c.points[c.count == 2 ? 1 : 0];
     const KeptManifold::Point& q = manifoldOf(data, last).points[last.index];
-    shapes.onA2X[i] = q.onA.x();
-    shapes.onA2Y[i] = q.onA.y();
-    shapes.onB2X[i] = q.onB.x();
-    shapes.onB2Y[i] = q.onB.y();
-    shapes.relativeX[i] = frame.relative.position.x();
-    shapes.relativeY[i] = frame.relative.position.y();
-    shapes.cosine[i] = frame.relative.rotation.c;
-    shapes.sine[i] = frame.relative.rotation.s;
-    shapes.room[i] = frame.room;
-    shapes.radiusA[i] = data.steps[c.a].round ? 0 : data.steps[c.a].outerRadius;
-    shapes.least[i] = leastInverseMass(data, c.a, c.b);
+    anchors.onA2X[i] = q.onA.x();
+    anchors.onA2Y[i] = q.onA.y();
+    anchors.onB2X[i] = q.onB.x();
+    anchors.onB2Y[i] = q.onB.y();
+    anchors.relativeX[i] = frame.relative.position.x();
+    anchors.relativeY[i] = frame.relative.position.y();
+    anchors.cosine[i] = frame.relative.rotation.c;
+    anchors.sine[i] = frame.relative.rotation.s;
+    anchors.tolerance[i] = frame.tolerance;
+    anchors.radiusA[i] = data.steps[c.a].isCircle ? 0 : data.steps[c.a].outerRadius;
+    anchors.leastInverseMass[i] = leastInverseMass(data, c.a, c.b);
 }
 
 } // namespace
 
-void actForBoth(ConstraintBatch& batch, std::uint32_t i) {
+void keepDeeperPoint(ConstraintBatch& batch, std::uint32_t i) {
     const bool first = batch.separation1[i] <= batch.separation2[i];
     const double impulse = batch.impulse1[i] + batch.impulse2[i];
     (first ? batch.target2 : batch.target1)[i] = noTarget;
@@ -125,11 +125,11 @@ void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double 
     batch.tangentImpulse[i] = c.tangentImpulse;
     contact.singular = packBlock(c, batch, i, perSecond);
     if (contact.singular) {
-        actForBoth(batch, i);
+        keepDeeperPoint(batch, i);
         data.anySingular = true;
     }
-    setLane(data.batches.general.shapes(contact.lane.batch).singular, i, contact.singular);
-    packShapes(data, c, data.batches.general.shapes(contact.lane.batch), i);
+    setLane(data.batches.general.anchors(contact.lane.batch).singular, i, contact.singular);
+    packAnchors(data, c, data.batches.general.anchors(contact.lane.batch), i);
     contact.merged = c.merged;
     contact.count = static_cast<std::uint32_t>(c.count);
     contact.bounces = false;

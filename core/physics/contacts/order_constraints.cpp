@@ -1,4 +1,4 @@
-#include "core/physics/contacts/order_contacts.h"
+#include "core/physics/contacts/order_constraints.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +8,7 @@ namespace spacetow {
 namespace {
 
 bool isAtStatic(const WorldData& data, const Constraint& c) {
-    return !c.alone && data.records[c.b].kind == BodyKind::Static;
+    return !c.unmergeable && data.records[c.b].kind == BodyKind::Static;
 }
 
 double leastSeparation(const Constraint& c) {
@@ -32,7 +32,7 @@ void insertLast(WorldData& data, std::size_t first, std::size_t last) {
 
 } // namespace
 
-void orderContacts(WorldData& data) {
+void orderConstraints(WorldData& data) {
     const std::vector<Constraint>& all = data.constraints;
     std::size_t first = 0; // of the same body
     for (std::size_t i = 1; i < all.size(); ++i) {

@@ -5,8 +5,8 @@
 
 namespace spacetow {
 
-/// What has to change in the table; nothing does yet. Both are sorted. Old pairs of bodies that stayed in their rooms
-/// remain; the others must have been found again. False when nothing has to.
+/// What has to change in the table; nothing does yet. Both are sorted. Old pairs of bodies that stayed in their fat
+/// AABBs remain; the others must have been found again. False when nothing has to.
 bool comparePairs(WorldData& data);
 
 /// Makes the change, after what is known of the contacts of `dropped` pairs has been forgotten.

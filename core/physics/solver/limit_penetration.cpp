@@ -1,4 +1,4 @@
-#include "core/physics/solver/hold_back.h"
+#include "core/physics/solver/limit_penetration.h"
 
 #include "core/physics/contacts/contact_rules.h"
 
@@ -11,7 +11,7 @@ namespace spacetow {
 namespace {
 
 // So many bodies in a row hold each other back.
-constexpr int roundsOfHolding = 8;
+constexpr int roundsOfLimiting = 8;
 
 /// Two bodies at a point of contact.
 struct Closing {
@@ -21,8 +21,8 @@ struct Closing {
     double separation;
 };
 
-/// What is known of the bodies while they are held back, by slot.
-struct Holding {
+/// What is known of the bodies while penetration is limited, by slot.
+struct PenetrationLimits {
     std::vector<double>& fractions;
     std::vector<std::uint8_t>& changed; // the round after that in which the fraction has changed; 1 at first if below 1
     const std::vector<std::uint8_t>& driven;
@@ -30,8 +30,8 @@ struct Holding {
     int round;
 };
 
-/// The body goes no further than this part of its way.
-bool hold(const Holding& h, Slot slot, double fraction) {
+/// The body makes no more than this fraction of its motion.
+bool hold(const PenetrationLimits& h, Slot slot, double fraction) {
     if (fraction >= h.fractions[slot]) {
         return false;
     }
@@ -42,11 +42,11 @@ bool hold(const Holding& h, Slot slot, double fraction) {
 
 /// Where the solver has not converged, bodies in contact would still go into each other: they go as far as the slop.
 /// What is held back holds back what follows it, but only from where it is met: the rest of a heap falls on meanwhile.
-bool limitClosing(const Holding& h, const Closing& c) {
+bool limitClosing(const PenetrationLimits& h, const Closing& c) {
     // What nothing holds back takes along what it holds back: both have the same part of their way to each other left.
     const double fractionA = h.fractions[c.yieldsA ? c.a : c.b];
     const double fractionB = h.fractions[c.yieldsB ? c.b : c.a];
-    const double room = roomToClose(c.separation);
+    const double room = penetrationAllowance(c.separation);
     if (h.dt * (fractionA * c.speedA - fractionB * c.speedB) <= room) {
         return false;
     }
@@ -64,30 +64,32 @@ bool limitClosing(const Holding& h, const Closing& c) {
     return heldA || heldB;
 }
 
-double speedAlong(const Pace& pace, double normalX, double normalY, double lever) {
-    return pace.x * normalX + pace.y * normalY + pace.turn * lever;
+double speedAlong(const BodyVelocity& velocity, double normalX, double normalY, double lever) {
+    return velocity.x * normalX + velocity.y * normalY + velocity.angular * lever;
 }
 
 template <class Batch>
-Closing closingAt(const std::vector<Pace>& paces, const Batch& batch, std::uint32_t i) {
+Closing closingAt(const std::vector<BodyVelocity>& velocities, const Batch& batch, std::uint32_t i) {
     return {.a = batch.a[i],
             .b = batch.b[i],
             .yieldsA = batch.massA[i] > 0 || batch.inertiaA[i] > 0,
             .yieldsB = batch.massB[i] > 0 || batch.inertiaB[i] > 0,
-            .speedA = speedAlong(paces[batch.a[i]], batch.normalX[i], batch.normalY[i], 0),
-            .speedB = speedAlong(paces[batch.b[i]], batch.normalX[i], batch.normalY[i], 0)};
+            .speedA = speedAlong(velocities[batch.a[i]], batch.normalX[i], batch.normalY[i], 0),
+            .speedB = speedAlong(velocities[batch.b[i]], batch.normalX[i], batch.normalY[i], 0)};
 }
 
-bool holdBackAt(const std::vector<Pace>& paces, const Holding& h, const RoundBatch& batch, std::uint32_t i) {
-    Closing closing = closingAt(paces, batch, i);
+bool limitContactAt(const std::vector<BodyVelocity>& velocities, const PenetrationLimits& h, const CircleBatch& batch,
+                    std::uint32_t i) {
+    Closing closing = closingAt(velocities, batch, i);
     closing.separation = batch.separation[i];
     return limitClosing(h, closing);
 }
 
-bool holdBackAt(const std::vector<Pace>& paces, const Holding& h, const ConstraintBatch& batch, std::uint32_t i) {
-    const Closing center = closingAt(paces, batch, i);
-    const double turnA = paces[center.a].turn;
-    const double turnB = paces[center.b].turn;
+bool limitContactAt(const std::vector<BodyVelocity>& velocities, const PenetrationLimits& h,
+                    const ConstraintBatch& batch, std::uint32_t i) {
+    const Closing center = closingAt(velocities, batch, i);
+    const double turnA = velocities[center.a].angular;
+    const double turnB = velocities[center.b].angular;
     const auto limitAt = [&](double leverA, double leverB, double separation) {
         Closing closing = center;
         closing.speedA += turnA * leverA;
@@ -103,7 +105,7 @@ bool holdBackAt(const std::vector<Pace>& paces, const Holding& h, const Constrai
 template <class Batch>
 bool noneCloses(const std::vector<std::uint8_t>& driven, const Batches<Batch>& batches) {
     bool none = true;
-    forLanes(batches, &BatchNotes::closes, [&](Lane at) {
+    forLanes(batches, &BatchFlags::closes, [&](Lane at) {
         none &= (driven[batches[at.batch].a[at.lane]] & driven[batches[at.batch].b[at.lane]]) != 0;
     });
     return none;
@@ -112,18 +114,18 @@ bool noneCloses(const std::vector<std::uint8_t>& driven, const Batches<Batch>& b
 /// Visits what closes too fast at first, then what touches bodies that have been held back since: no other can have
 /// changed.
 template <class Batch>
-bool holdBackOnce(const std::vector<Pace>& paces, const Holding& h, const Batches<Batch>& batches) {
+bool limitOnce(const std::vector<BodyVelocity>& velocities, const PenetrationLimits& h, const Batches<Batch>& batches) {
     const int since = std::max(h.round, 1);
     bool changed = false;
     for (std::uint32_t k = 0; k < batches.size(); ++k) {
         const Batch& batch = batches[k];
-        const unsigned closes = h.round == 0 ? batches.notes(k).closes : 0;
+        const unsigned closes = h.round == 0 ? batches.flags(k).closes : 0;
         for (std::uint32_t i = 0; i < 4; ++i) {
             const Slot a = batch.a[i];
             const Slot b = batch.b[i];
             const bool isNew = (closes >> i & 1) != 0 || h.changed[a] >= since || h.changed[b] >= since;
             if (isNew && (h.driven[a] & h.driven[b]) == 0) {
-                changed |= holdBackAt(paces, h, batch, i);
+                changed |= limitContactAt(velocities, h, batch, i);
             }
         }
     }
@@ -131,65 +133,66 @@ bool holdBackOnce(const std::vector<Pace>& paces, const Holding& h, const Batche
 }
 
 /// What is held back has been accelerated for as long as it moved.
-void takeBackAcceleration(WorldData& data) {
+void reduceAcceleration(WorldData& data) {
     for (const Slot slot : data.moving) {
         BodyStep& s = data.steps[slot];
         s.fraction = data.islands.fractions[slot];
-        if (s.fraction < s.accounted) {
-            const double lost = 1 - s.fraction / s.accounted;
-            const Pace& start = data.batches.starts[slot];
-            Pace& planned = data.batches.planned[slot];
-            const Pace change{lost * (planned.x - start.x), lost * (planned.y - start.y),
-                              lost * (planned.turn - start.turn), 0};
-            for (Pace* pace : {&planned, &data.batches.paces[slot]}) {
-                pace->x -= change.x;
-                pace->y -= change.y;
-                pace->turn -= change.turn;
+        if (s.fraction < s.acceleratedFraction) {
+            const double lost = 1 - s.fraction / s.acceleratedFraction;
+            const BodyVelocity& start = data.batches.startVelocities[slot];
+            BodyVelocity& planned = data.batches.plannedVelocities[slot];
+            const BodyVelocity change{lost * (planned.x - start.x), lost * (planned.y - start.y),
+                                      lost * (planned.angular - start.angular), 0};
+            for (BodyVelocity* velocity : {&planned, &data.batches.velocities[slot]}) {
+                velocity->x -= change.x;
+                velocity->y -= change.y;
+                velocity->angular -= change.angular;
             }
-            s.accounted = s.fraction;
+            s.acceleratedFraction = s.fraction;
         }
     }
 }
 
 /// Whether nothing has been held back so far, and nothing is to be.
-bool allGoFreely(const WorldData& data) {
-    const auto isHeld = [&](Slot slot) { return data.steps[slot].fraction < 1; };
-    return std::none_of(data.moving.begin(), data.moving.end(), isHeld) &&
-           noneCloses(data.islands.driven, data.batches.round) && noneCloses(data.islands.driven, data.batches.general);
+bool noneLimited(const WorldData& data) {
+    const auto isLimited = [&](Slot slot) { return data.steps[slot].fraction < 1; };
+    return std::none_of(data.moving.begin(), data.moving.end(), isLimited) &&
+           noneCloses(data.islands.driven, data.batches.circles) &&
+           noneCloses(data.islands.driven, data.batches.general);
 }
 
 /// What is held back so far holds back what follows it.
-void passOn(WorldData& data, double dt) {
+void propagateLimits(WorldData& data, double dt) {
     Islands& islands = data.islands;
     islands.fractions.assign(data.motions.size() + 1, 1);
-    islands.held.assign(data.motions.size() + 1, 0);
+    islands.limited.assign(data.motions.size() + 1, 0);
     for (const Slot slot : data.moving) {
         islands.fractions[slot] = data.steps[slot].fraction;
-        islands.held[slot] = data.steps[slot].fraction < 1 ? 1 : 0;
+        islands.limited[slot] = data.steps[slot].fraction < 1 ? 1 : 0;
     }
     bool changed = true;
-    for (int round = 0; round < roundsOfHolding && changed; ++round) {
-        const Holding holding{islands.fractions, islands.held, islands.driven, dt, round};
-        changed = holdBackOnce(data.batches.paces, holding, data.batches.round);
-        changed |= holdBackOnce(data.batches.paces, holding, data.batches.general);
+    for (int round = 0; round < roundsOfLimiting && changed; ++round) {
+        const PenetrationLimits holding{islands.fractions, islands.limited, islands.driven, dt, round};
+        changed = limitOnce(data.batches.velocities, holding, data.batches.circles);
+        changed |= limitOnce(data.batches.velocities, holding, data.batches.general);
     }
 }
 
 } // namespace
 
-void holdBack(WorldData& data, double dt) {
-    if (!allGoFreely(data)) {
-        passOn(data, dt);
-        takeBackAcceleration(data);
+void limitPenetration(WorldData& data, double dt) {
+    if (!noneLimited(data)) {
+        propagateLimits(data, dt);
+        reduceAcceleration(data);
     }
 }
 
-void holdBackFollowers(WorldData& data, double dt) {
-    const auto isStopped = [&](Slot slot) { return data.steps[slot].fraction < data.steps[slot].accounted; };
+void limitPenetrationOfFollowers(WorldData& data, double dt) {
+    const auto isStopped = [&](Slot slot) { return data.steps[slot].fraction < data.steps[slot].acceleratedFraction; };
     if (std::none_of(data.moving.begin(), data.moving.end(), isStopped)) {
         return;
     }
-    passOn(data, dt);
+    propagateLimits(data, dt);
     for (const Slot slot : data.moving) {
         data.steps[slot].fraction = data.islands.fractions[slot];
     }

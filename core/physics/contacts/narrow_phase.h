@@ -5,7 +5,7 @@
 
 namespace spacetow {
 
-/// Lists the contacts that the solver is to have, from the poses at the beginning of the iteration. Surfaces that could
+/// Makes the constraints of the solver from the poses at the beginning of the iteration. Surfaces that could
 /// close their gap within the iteration count as in contact already; the solver lets them close it and no more. Those
 /// that will bounce are marked to be swept instead.
 void findContacts(WorldData& data, const IterationStep& step);

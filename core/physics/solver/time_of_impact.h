@@ -1,7 +1,7 @@
 #pragma once
-// Nothing is passed through: bodies that would move further in an iteration than anticipation covers are swept along
-// their way and stop at the first thing they would hit. The contact itself is solved in the next iteration. Kinematic
-// bodies cannot be stopped: iterations in which they would pass something are made in parts.
+// Nothing is passed through: bodies that would move further in an iteration than the speculative margin covers are
+// swept along their way and stop at the first thing they would hit. The contact itself is solved in the next iteration.
+// Kinematic bodies cannot be stopped: iterations in which they would pass something are made in parts.
 
 #include "core/physics/state/world_data.h"
 
@@ -9,7 +9,7 @@ namespace spacetow {
 
 /// How much of the planned motion, up to 1, may be made in one go: until what cannot be stopped has come up to what its
 /// speed would take it past, and as long as the turns of bodies in contact, down to `least`, are covered.
-double coveredShare(const WorldData& data, double least);
+double safeFraction(const WorldData& data, double least);
 
 /// Shortens the motion (BodyStep::fraction) of swept bodies.
 void stopAtImpacts(WorldData& data);

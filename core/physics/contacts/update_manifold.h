@@ -7,15 +7,15 @@
 namespace spacetow {
 
 /// Adds the contact of a pair to `constraints`, from its kept manifold or from a new one.
-void meetGeneral(WorldData& data, std::uint32_t index, double perSecond);
+void updateManifold(WorldData& data, std::uint32_t index, double perSecond);
 
-/// Makes the manifold of a listed contact anew.
-void renewManifold(WorldData& data, std::uint32_t index, double perSecond);
+/// Makes the manifold of a contact that has a lane anew.
+void remakeManifold(WorldData& data, std::uint32_t index, double perSecond);
 
-/// How much nearer the parts of a pair with a kept manifold may come before it is out of date, m.
-double keptRoom(const WorldData& data, const Pair& pair);
+/// How much nearer the parts of a pair may come before their kept manifold is out of date, m.
+double toleranceLeftOf(const WorldData& data, const Pair& pair);
 
 /// How much nearer the parts of a pair without a contact may come before they can have one, m; 0 when that is unknown.
-double roomBetween(const WorldData& data, const Pair& pair);
+double separationBoundOf(const WorldData& data, const Pair& pair);
 
 } // namespace spacetow

@@ -1,8 +1,8 @@
-#include "core/physics/contacts/general_contacts.h"
+#include "core/physics/contacts/update_manifold.h"
 
 #include "core/geometry/collide.h"
 #include "core/geometry/moved.h"
-#include "core/physics/contacts/contact_lanes.h"
+#include "core/physics/contacts/constraint_list.h"
 #include "core/physics/contacts/contact_pool.h"
 #include "core/physics/contacts/contact_rules.h"
 #include "core/physics/contacts/effective_mass.h"
@@ -15,9 +15,9 @@ namespace {
 
 // How far parts may move against each other, as a share of the smaller inner radius, before their manifold is made
 // anew. Until then its points go with them; what ends at an edge ends that much too early or too late.
-constexpr double keptShare = 0.08;
+constexpr double toleranceShare = 0.08;
 // Against walls: on which side of one something is may be a matter of little.
-constexpr double keptShareAtWalls = 0.0002;
+constexpr double toleranceShareAtWalls = 0.0002;
 
 /// Points of the last iteration hand their impulses to those that bring the same corners and faces together.
 void matchPoints(Contact& contact, const Manifold& manifold) {
@@ -44,28 +44,28 @@ struct Poses {
 };
 
 Poses posesOf(const WorldData& data, const Pair& pair) {
-    const Transform a = data.ways[pair.bodyA + 1].pose();
+    const Transform a = data.plannedMotions[pair.bodyA + 1].pose();
     if (pair.staticB) {
         return {a, {}, a};
     }
-    const Transform b = data.ways[pair.bodyB + 1].pose();
+    const Transform b = data.plannedMotions[pair.bodyB + 1].pose();
     return {a, b, relative(a, b)};
 }
 
 /// How much nearer the points of A may still come to B, m, before the manifold may lack something.
-double roomLeft(const KeptManifold& kept, const Transform& now, double outerRadius) {
-    if (kept.room < 0) {
+double toleranceLeft(const KeptManifold& kept, const Transform& now, double outerRadius) {
+    if (kept.tolerance < 0) {
         return -1;
     }
     const Vec2 turned(now.rotation.c - kept.relative.rotation.c, now.rotation.s - kept.relative.rotation.s);
     const double moved = std::sqrt((now.position - kept.relative.position).squaredNorm());
-    return kept.room - moved - std::sqrt(turned.squaredNorm()) * outerRadius; // by the chord of the turn
+    return kept.tolerance - moved - std::sqrt(turned.squaredNorm()) * outerRadius; // by the chord of the turn
 }
 
 void keep(const Poses& poses, const Manifold& manifold, KeptManifold& kept) {
     kept.relative = poses.relative;
-    kept.normalOfA = manifold.normalOf == NormalOf::FirstFace;
-    const Transform& owner = kept.normalOfA ? poses.a : poses.b;
+    kept.normalOnA = manifold.normalOf == NormalOf::FirstFace;
+    const Transform& owner = kept.normalOnA ? poses.a : poses.b;
     kept.normal = owner.rotation.inverse() * manifold.normal;
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
         const ManifoldPoint& from = manifold.points[i];
@@ -81,30 +81,32 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
     const Pair& pair = data.table.pairs[index];
     Contact& contact = data.contacts[pair.contact];
     KeptManifold& kept = data.manifolds[contact.manifold];
-    const BodyWay& a = data.ways[pair.bodyA + 1];
-    const BodyWay& b = data.ways[pair.bodyB + 1];
-    kept.room = margin + (pair.staticB ? keptShareAtWalls * a.innerRadius
-                                       : std::max(keptShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
-    const Manifold manifold = collide(*pair.shapeA, poses.a, *pair.shapeB, poses.b, kept.room);
+    const PlannedMotion& a = data.plannedMotions[pair.bodyA + 1];
+    const PlannedMotion& b = data.plannedMotions[pair.bodyB + 1];
+    kept.tolerance =
+        margin + (pair.staticB ? toleranceShareAtWalls * a.innerRadius
+                               : std::max(toleranceShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
+    const Manifold manifold = collide(*pair.shapeA, poses.a, *pair.shapeB, poses.b, kept.tolerance);
     matchPoints(contact, manifold);
     if (manifold.count == 0) {
         kept.relative = poses.relative;
-        kept.room = manifold.apart > 0 ? manifold.apart : -1; // what is not a matter of distance may change at once
+        kept.tolerance =
+            manifold.apart > 0 ? manifold.apart : -1; // what is not a matter of distance may change at once
     } else {
         keep(poses, manifold, kept);
         // The normal between two corners turns with every move, and a bounce wants the normal of its moment.
         if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0) {
-            kept.room = -1;
+            kept.tolerance = -1;
         }
     }
 }
 
-/// Until its bodies have travelled as far as is left of its room, a pair without a contact need not be looked at.
-void postpone(WorldData& data, std::uint32_t index, double left) {
+/// A pair without a contact need not be updated until its bodies have used up the tolerance that is left.
+void boundSeparation(WorldData& data, std::uint32_t index, double left) {
     const Pair& pair = data.table.pairs[index];
     if (data.contacts[pair.contact].count == 0) {
-        PairGate& gate = data.table.gates[index];
-        gate.apartUntil = data.milesOf(gate) + left;
+        PairBound& bound = data.table.bounds[index];
+        bound.separationBound = data.motionOf(bound) + left;
     }
 }
 
@@ -139,20 +141,20 @@ bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double 
 }
 
 /// False when there is none, as all of its points will bounce.
-bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
+bool prepareConstraint(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
-    const Transform poseA = data.ways[pair.bodyA + 1].pose();
-    const Transform poseB = pair.staticB ? Transform{} : data.ways[pair.bodyB + 1].pose();
+    const Transform poseA = data.plannedMotions[pair.bodyA + 1].pose();
+    const Transform poseB = pair.staticB ? Transform{} : data.plannedMotions[pair.bodyB + 1].pose();
     const Contact& contact = data.contacts[pair.contact];
     const KeptManifold& kept = data.manifolds[contact.manifold];
     Constraint& c = data.constraints.emplace_back();
     c.a = pair.bodyA;
     c.b = pair.bodyB;
-    c.alone = pair.alone;
+    c.unmergeable = pair.unmergeable;
     c.friction = contact.friction;
     c.restitution = contact.restitution;
     c.tangentImpulse = contact.tangentImpulse;
-    c.normal = (kept.normalOfA ? poseA : poseB).rotation * kept.normal;
+    c.normal = (kept.normalOnA ? poseA : poseB).rotation * kept.normal;
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(contact.count); ++i) {
         const KeptManifold::Point& from = kept.points[i];
         const Vec2 onA = poseA.toWorld(from.onA);
@@ -176,69 +178,69 @@ bool addConstraint(WorldData& data, std::uint32_t index, double perSecond) {
 }
 
 double marginOf(const WorldData& data, const Pair& pair) {
-    const BodyWay& a = data.ways[pair.bodyA + 1];
-    return pair.staticB ? contactMargin(a) : contactMargin(a, data.ways[pair.bodyB + 1]);
+    const PlannedMotion& a = data.plannedMotions[pair.bodyA + 1];
+    return pair.staticB ? speculativeMargin(a) : speculativeMargin(a, data.plannedMotions[pair.bodyB + 1]);
 }
 
 /// Makes the manifold anew unless the one that is kept still holds.
-void look(WorldData& data, std::uint32_t index) {
+void updateKeptManifold(WorldData& data, std::uint32_t index) {
     const Pair& pair = data.table.pairs[index];
     const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
     const double margin = marginOf(data, pair);
     const Poses poses = posesOf(data, pair);
-    double left = roomLeft(kept, poses.relative, data.reaches[pair.bodyA + 1].outerRadius);
+    double left = toleranceLeft(kept, poses.relative, data.extents[pair.bodyA + 1].outerRadius);
     if (left < margin) {
         makeManifold(data, index, poses, margin);
-        left = kept.room;
+        left = kept.tolerance;
     }
-    postpone(data, index, left);
+    boundSeparation(data, index, left);
 }
 
 } // namespace
 
-double keptRoom(const WorldData& data, const Pair& pair) {
+double toleranceLeftOf(const WorldData& data, const Pair& pair) {
     const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
-    return roomLeft(kept, posesOf(data, pair).relative, data.reaches[pair.bodyA + 1].outerRadius);
+    return toleranceLeft(kept, posesOf(data, pair).relative, data.extents[pair.bodyA + 1].outerRadius);
 }
 
-double roomBetween(const WorldData& data, const Pair& pair) {
+double separationBoundOf(const WorldData& data, const Pair& pair) {
     if (pair.kind != PairKind::General || pair.contact == Pair::none || data.contacts[pair.contact].count > 0) {
         return 0;
     }
-    return std::max(keptRoom(data, pair), 0.0);
+    return std::max(toleranceLeftOf(data, pair), 0.0);
 }
 
-void meetGeneral(WorldData& data, std::uint32_t index, double perSecond) {
+void updateManifold(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
     const bool unknown = pair.contact == Pair::none || data.contacts[pair.contact].count == 0;
     if (unknown && !pair.staticB) {
-        PairGate& gate = data.table.gates[index];
-        const Discs discs = discsOf(data, gate);
+        PairBound& bound = data.table.bounds[index];
+        const Discs discs = discsOf(data, bound);
         if (discs.areApart()) {
-            forgetContact(data, pair);
-            gate.apartUntil = data.milesOf(gate) + discs.gap();
+            freeContact(data, pair);
+            bound.separationBound = data.motionOf(bound) + discs.gap();
             return;
         }
     }
     const Contact& contact = contactOf(data, pair);
-    look(data, index);
+    updateKeptManifold(data, index);
     if (contact.count > 0) {
-        addConstraint(data, index, perSecond);
+        prepareConstraint(data, index, perSecond);
     }
 }
 
-void renewManifold(WorldData& data, std::uint32_t index, double perSecond) {
+void remakeManifold(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
     const Contact& contact = data.contacts[pair.contact];
     pair.sweep = false;
-    saveImpulses(data, data.generalContacts[contact.place]);
+    saveImpulses(data, data.generalContacts[contact.constraintIndex]);
     makeManifold(data, index, posesOf(data, pair), marginOf(data, pair));
-    if (contact.count > 0 && addConstraint(data, index, perSecond)) {
-        renewGeneral(data, data.constraints.back(), perSecond);
+    if (contact.count > 0 && prepareConstraint(data, index, perSecond)) {
+        rewriteConstraint(data, data.constraints.back(), perSecond);
         data.constraints.pop_back();
     } else {
-        unlist(data, index);
-        postpone(data, index, data.manifolds[contact.manifold].room);
+        removeConstraint(data, index);
+        boundSeparation(data, index, data.manifolds[contact.manifold].tolerance);
     }
 }
 
