@@ -159,14 +159,27 @@ void PictureLayer::lookAt(const QRect& device) {
 
 std::vector<QRect> PictureLayer::spots() const {
     std::vector<QRect> found;
-    for (std::size_t i = 0; i < m_tiles.size(); ++i) {
-        const int column = static_cast<int>(i) % columns();
-        const int row = static_cast<int>(i) / columns();
-        const QRect rect = QRect(column * tile, row * tile, tile, tile) & m_image.rect();
-        if (m_tiles[i] && column > 0 && m_tiles[i - 1]) {
-            found.back().setRight(rect.right());
-        } else if (m_tiles[i]) {
-            found.push_back(rect);
+    const int across = columns();
+    for (std::size_t i = 0; i < m_tiles.size();) {
+        const int column = static_cast<int>(i) % across;
+        const int row = static_cast<int>(i) / across;
+        int end = column; // of what shows something in a row
+        while (end < across && m_tiles[i]) {
+            ++end;
+            ++i;
+        }
+        if (end == column) {
+            ++i;
+            continue;
+        }
+        const QRect run = QRect(column * tile, row * tile, (end - column) * tile, tile) & m_image.rect();
+        const auto above = std::ranges::find_if(found, [&run](const QRect& spot) {
+            return spot.bottom() + 1 == run.top() && spot.left() == run.left() && spot.right() == run.right();
+        });
+        if (above != found.end()) {
+            above->setBottom(run.bottom());
+        } else {
+            found.push_back(run);
         }
     }
     return found;

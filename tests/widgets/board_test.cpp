@@ -338,6 +338,7 @@ class BoardTest : public QObject {
             return pixels;
         };
         QCOMPARE(drawn(), 64 * 64 * (6 + 9));
+        QCOMPARE(layer.spots().size(), std::size_t{2});
         const QImage before = drawnBy(layer, frame);
         QCOMPARE(before.pixelColor(30, 20), QColor(Qt::red));
         QCOMPARE(before.pixelColor(529, 422), QColor(Qt::red));

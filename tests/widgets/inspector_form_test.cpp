@@ -44,13 +44,17 @@ class InspectorFormTest : public QObject {
   private slots:
     void aNumberThatChangesLaysNothingElseOutAnew() {
         InspectorFixture test({circleObject(1, 1, 0.5)}, {1});
-        EventCount layouts(*test.number("angle").parentWidget(), QEvent::LayoutRequest);
-        EventCount paints(test.number("angle"), QEvent::Paint);
-        for (int i = 1; i < 10; ++i) {
+        const auto drag = [&test](double by) {
             const Level& level = *test.document.current().level;
-            test.document.preview({std::make_shared<const Level>(moved(level, std::array{Key{1}}, Vec2(0.25 * i, 0))),
+            test.document.preview({std::make_shared<const Level>(moved(level, std::array{Key{1}}, Vec2(by, 0))),
                                    test.document.selection()});
             QApplication::processEvents();
+        };
+        drag(0.25); // what is not what it was when it was picked up may be laid out once
+        EventCount layouts(*test.number("angle").parentWidget(), QEvent::LayoutRequest);
+        EventCount paints(test.number("angle"), QEvent::Paint);
+        for (int i = 2; i < 10; ++i) {
+            drag(0.25 * i);
         }
         QCOMPARE(test.number("position.x").value(), std::optional(3.25));
         QCOMPARE(layouts.count, 0);
