@@ -86,7 +86,7 @@ void ArrayBar::layOut() {
     m_cancel.setToolTip(tr("Make no copies (Escape)"));
     m_row.addAtEnd(&m_apply);
     m_row.addAtEnd(&m_cancel);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum); // grows with its lines
     hide();
 }
 

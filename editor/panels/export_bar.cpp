@@ -52,7 +52,7 @@ ExportBar::ExportBar(QWidget* parent) : QWidget(parent), m_column(this), m_scale
     connect(&m_grid, &QCheckBox::toggled, this, &ExportBar::refresh);
     connect(&m_apply, &QToolButton::clicked, this, &ExportBar::apply);
     connect(&m_cancel, &QToolButton::clicked, this, &ExportBar::cancel);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum); // grows with its lines
     hide();
 }
 

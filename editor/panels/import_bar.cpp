@@ -101,7 +101,7 @@ void ImportBar::layOut() {
     m_cancel.setText(tr("Cancel"));
     m_cancel.setToolTip(tr("Leave the level as it was (Escape)"));
     layOutFields();
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum); // grows with its lines
     hide();
 }
 

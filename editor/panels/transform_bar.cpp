@@ -87,7 +87,7 @@ void TransformBar::layOut() {
     m_close.setText(tr("Close"));
     m_close.setToolTip(tr("Close this bar (Escape)"));
     m_row.addAtEnd(&m_close);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum); // grows with its lines
     dressFields();
     hide();
 }
