@@ -7,6 +7,7 @@
 #include <QFont>
 
 #include <algorithm>
+#include <functional>
 
 namespace spacetow {
 
@@ -51,6 +52,9 @@ void ProblemList::fill() {
             m_rows.push_back(static_cast<int>(i));
         }
     }
+    // The worst first; what is equally bad, in the order of the level.
+    std::ranges::stable_sort(m_rows, std::ranges::greater(),
+                             [this](int i) { return (*m_problems)[static_cast<std::size_t>(i)].severity; });
 }
 
 int ProblemList::problemAt(int row) const {

@@ -320,6 +320,7 @@ class ProblemsPanelTest : public QObject {
         panel.check();
         const QAbstractItemModel& rows = *panel.findChild<QListView*>()->model();
         QCOMPARE(rows.rowCount(), 3);
+        QCOMPARE(rows.index(0, 0).data().toString().right(22), QString("polygon-crosses-itself")); // the worst first
         panel.setFilter({.severities = {true, false, true}});
         QCOMPARE(rows.rowCount(), 1);
         QCOMPARE(rows.index(0, 0).data().toString().right(22), QString("polygon-crosses-itself"));
