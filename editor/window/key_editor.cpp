@@ -3,6 +3,7 @@
 #include "editor/canvas/palette.h"
 #include "editor/window/fuzzy_query.h"
 #include "editor/window/main_window.h"
+#include "editor/window/screen_room.h"
 
 #include <QApplication>
 #include <QHeaderView>
@@ -62,7 +63,7 @@ KeyEditor::KeyEditor(QWidget* parent)
     connect(&m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     showChosen();
     m_filter.setFocus();
-    resize(editorSize);
+    resizeWithinScreen(*this, editorSize);
 }
 
 void KeyEditor::layOut() {

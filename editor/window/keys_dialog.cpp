@@ -1,5 +1,7 @@
 #include "editor/window/keys_dialog.h"
 
+#include "editor/window/screen_room.h"
+
 #include <QCoreApplication>
 
 #include <array>
@@ -91,7 +93,7 @@ KeysDialog::KeysDialog(const KeyBindings& bindings, QWidget* parent)
     m_column.addWidget(&m_text);
     m_column.addWidget(&m_buttons);
     connect(&m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    resize(680, 620);
+    resizeWithinScreen(*this, {680, 620});
 }
 
 } // namespace spacetow

@@ -2,12 +2,14 @@
 
 #include "core/level/bounds.h"
 #include "editor/window/messages.h"
+#include "editor/window/screen_room.h"
 #include "editor/window/state_folder.h"
 #include "editor/window/welcome_page.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QKeyEvent>
+#include <QLayout>
 #include <QLocale>
 #include <QPointer>
 #include <QScreen>
@@ -47,6 +49,11 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
     updateOrigin();
     updateSelection();
     updateMode();
+    if (const QScreen* monitor = screen(); monitor != nullptr && m_files.preferences.geometry().isEmpty()) {
+        layout()->invalidate(); // it holds to what the panels asked for before they were tabs
+        layout()->activate();
+        resize(firstSize(monitor->availableGeometry().size()));
+    }
     m_canvas.setFocus();
 }
 
@@ -91,15 +98,10 @@ void MainWindow::layOut() {
     m_panels.emplace(*this);
     m_actions.know(m_panels->actions());
     m_finder.emplace(*this);
-    if (const QScreen* monitor = screen()) {
-        resize(firstSize(monitor->availableGeometry().size()));
-    }
 }
 
 QSize MainWindow::firstSize(const QSize& available) {
-    constexpr QSize wanted(1280, 800);
-    constexpr QSize frame(16, 48); // what the desktop puts round a window, at most
-    return wanted.boundedTo(available - frame);
+    return withinScreen({1280, 800}, available);
 }
 
 void MainWindow::takeTool(ToolId tool) {

@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QMimeData>
+#include <QScreen>
 #include <QSet>
 #include <QToolButton>
 
@@ -362,6 +363,8 @@ class MainWindowTest : public QObject {
         QVERIFY(size.width() <= 1280 && size.height() <= 800);
         QVERIFY(size.width() >= std::min(1200, screen.width() - 40));
         TestWindow test;
+        const MainWindow first;
+        QCOMPARE(first.size(), MainWindow::firstSize(first.screen()->availableGeometry().size()));
         test.window->resize(size);
         QCOMPARE(test.window->size(), size); // nothing in it asks for more
     }

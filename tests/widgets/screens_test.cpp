@@ -1,11 +1,14 @@
 // The window in each of its modes, in light and dark, small and large: nothing may be cut off. With SPACETOW_SCREENS
 // naming a folder every one of them is left there as a picture; QT_SCALE_FACTOR=2 takes them as on a fine display.
+#include "editor/window/key_editor.h"
 #include "editor/window/keys_dialog.h"
+#include "editor/window/screen_room.h"
 #include "tests/support/color_vision.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
 #include <QDir>
+#include <QScreen>
 #include <QToolBar>
 
 #include <functional>
@@ -167,10 +170,16 @@ class ScreensTest : public QObject {
         TestWindow test;
         test.window->setAppearance(dark ? Appearance::Dark : Appearance::Light);
         KeysDialog keys({}, test.window.get());
+        KeyEditor editor(test.window.get());
         keys.show();
         QApplication::processEvents();
         QCOMPARE(cutOffTexts(keys), QStringList());
-        QVERIFY(keys.minimumSizeHint().width() <= 800 && keys.minimumSizeHint().height() <= 600);
+        const QSize room = withinScreen({9999, 9999}, {800, 600});
+        for (const QWidget* dialog : std::initializer_list<QWidget*>{&keys, &editor}) {
+            const QSize least = dialog->minimumSizeHint();
+            QVERIFY(least.width() <= room.width() && least.height() <= room.height());
+            QCOMPARE(withinScreen(dialog->size(), dialog->screen()->availableGeometry().size()), dialog->size());
+        }
         save(keys, QStringLiteral("keys %1").arg(QLatin1String(dark ? "dark" : "light")));
     }
 
