@@ -673,7 +673,7 @@
     </message>
     <message>
         <source>Select all bodies with the same tags as those selected</source>
-        <translation>Wählt alle Körper mit den Tags der ausgewählten aus</translation>
+        <translation>Wählt alle Körper mit den Merkmalen der ausgewählten aus</translation>
     </message>
     <message>
         <source>Insert &amp;Midpoints</source>
@@ -809,7 +809,7 @@
     </message>
     <message>
         <source>Pl&amp;ace Ship, Payload, Finish</source>
-        <translation>S&amp;chiff, Last, Ziel setzen</translation>
+        <translation>S&amp;chiff, Fracht, Ziellinie platzieren</translation>
     </message>
     <message>
         <source>Original Si&amp;ze</source>
@@ -1563,6 +1563,10 @@
         <source>This backup cannot be opened.</source>
         <translation>Diese Sicherung lässt sich nicht öffnen.</translation>
     </message>
+    <message>
+        <source>%1 is saved, but of the version before no backup could be made:</source>
+        <translation>%1 ist gespeichert, aber von der Fassung davor konnte keine Sicherung angelegt werden:</translation>
+    </message>
 </context>
 <context>
     <name>Hud</name>
@@ -1595,10 +1599,6 @@
         <translation>Geschafft!</translation>
     </message>
     <message>
-        <source>The payload is home. Space: fly again · Esc: menu</source>
-        <translation>Die Fracht ist zu Hause. Leertaste: noch einmal fliegen · Esc: Menü</translation>
-    </message>
-    <message>
         <source>Lives %1</source>
         <translation>Leben %1</translation>
     </message>
@@ -1615,12 +1615,41 @@
         <translation>Die Schwerkraft steht kopf!</translation>
     </message>
     <message>
-        <source>In range. Space: tow</source>
-        <translation>In Reichweite. Leertaste: schleppen</translation>
+        <source>menu</source>
+        <translation>Menü</translation>
     </message>
     <message>
-        <source>Paused · P: go on · O: one step · Esc: menu</source>
-        <translation>Angehalten · P: weiter · O: ein Schritt · Esc: Menü</translation>
+        <source>%1: %2</source>
+        <comment>a key and what it does</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The payload is home.</source>
+        <translation>Die Fracht ist zu Hause.</translation>
+    </message>
+    <message>
+        <source>fly again</source>
+        <translation>noch einmal fliegen</translation>
+    </message>
+    <message>
+        <source>go on</source>
+        <translation>weiter</translation>
+    </message>
+    <message>
+        <source>one step</source>
+        <translation>ein Schritt</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>tow</source>
+        <translation>schleppen</translation>
+    </message>
+    <message>
+        <source>In range.</source>
+        <translation>In Reichweite.</translation>
     </message>
 </context>
 <context>
@@ -2111,6 +2140,18 @@
         <source>“%1” works while a game is running too, when plain keys are the game&apos;s: use Ctrl, Alt or a function key with it.</source>
         <translation>„%1“ wirkt auch während eines Spiels, wo einfache Tasten dem Spiel gehören: Nehmen Sie Strg, Alt oder eine Funktionstaste hinzu.</translation>
     </message>
+    <message>
+        <source>In the game</source>
+        <translation>Im Spiel</translation>
+    </message>
+    <message>
+        <source>%1 cannot be a key of the game: choose one without Ctrl and Alt that is no function key.</source>
+        <translation>%1 kann keine Taste des Spiels sein: Wählen Sie eine ohne Strg und Alt, die keine Funktionstaste ist.</translation>
+    </message>
+    <message>
+        <source>%1 always shows the menu of the game.</source>
+        <translation>%1 zeigt immer das Menü des Spiels.</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>
@@ -2191,44 +2232,16 @@
         <translation>Die Ansicht verschieben</translation>
     </message>
     <message>
-        <source>W or Up</source>
-        <translation>W oder Pfeil hoch</translation>
-    </message>
-    <message>
         <source>Thrust</source>
         <translation>Schub</translation>
-    </message>
-    <message>
-        <source>A or Left · D or Right</source>
-        <translation>A oder Pfeil links · D oder Pfeil rechts</translation>
-    </message>
-    <message>
-        <source>Turn left · turn right</source>
-        <translation>Nach links drehen · nach rechts drehen</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Leertaste</translation>
     </message>
     <message>
         <source>Hold the game and show the menu</source>
         <translation>Das Spiel anhalten und das Menü zeigen</translation>
     </message>
     <message>
-        <source>R · P · O</source>
-        <translation>R · P · O</translation>
-    </message>
-    <message>
-        <source>Restart · hold · next frame</source>
-        <translation>Neu starten · anhalten · Einzelbild weiter</translation>
-    </message>
-    <message>
         <source>On the drawing board</source>
         <translation>Auf der Zeichenfläche</translation>
-    </message>
-    <message>
-        <source>In the game</source>
-        <translation>Im Spiel</translation>
     </message>
     <message>
         <source>Select with a rubber band; Alt or B: only what lies wholly inside</source>
@@ -2255,12 +2268,28 @@
         <translation>Die Fracht schleppen, wenn sie nah ist; erneut: loslassen</translation>
     </message>
     <message>
-        <source>F</source>
-        <translation>F</translation>
-    </message>
-    <message>
         <source>Let the view follow the ship again</source>
         <translation>Die Ansicht wieder dem Schiff folgen lassen</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>Nach links drehen</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>Nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Hold the game, or go on</source>
+        <translation>Das Spiel anhalten oder fortsetzen</translation>
+    </message>
+    <message>
+        <source>Hold the game and advance it by one update</source>
+        <translation>Das Spiel anhalten und um einen Schritt weiterstellen</translation>
+    </message>
+    <message>
+        <source>Start the level over</source>
+        <translation>Das Level von vorn beginnen</translation>
     </message>
 </context>
 <context>
@@ -2350,7 +2379,7 @@
     </message>
     <message>
         <source>&amp;Tag Matrix</source>
-        <translation>&amp;Merkmal-Matrix</translation>
+        <translation>&amp;Merkmalmatrix</translation>
     </message>
     <message>
         <source>Show or hide this panel</source>
@@ -2919,11 +2948,11 @@
     </message>
     <message>
         <source>Nodes · click a wall, line, polygon or finish to edit its nodes</source>
-        <translation>Knoten · eine Wand, Linie, ein Polygon oder das Ziel anklicken, um die Knoten zu bearbeiten</translation>
+        <translation>Knoten · eine Wand, Linie, ein Polygon oder die Ziellinie anklicken, um die Knoten zu bearbeiten</translation>
     </message>
     <message>
         <source>What is selected has no nodes · click a wall, line, polygon or finish to edit it</source>
-        <translation>Das Ausgewählte hat keine Knoten · eine Wand, Linie, ein Polygon oder das Ziel anklicken, um es zu bearbeiten</translation>
+        <translation>Das Ausgewählte hat keine Knoten · eine Wand, Linie, ein Polygon oder die Ziellinie anklicken, um es zu bearbeiten</translation>
     </message>
     <message>
         <source>Nodes · click or rubber band: select nodes · Shift + Alt + drag: lasso · double click on a segment: insert a node · Escape: done</source>
@@ -3874,152 +3903,152 @@
         <translation>Diese Datei enthält nichts, was Teil eines Levels werden könnte.</translation>
     </message>
     <message>
-        <source>Text was left out (%1, lines %2). Turn it into paths to have it.</source>
-        <translation>Text wurde weggelassen (%1, Zeilen %2). In Pfade umgewandelt kommt er mit.</translation>
+        <source>Text was left out (%4). Turn it into paths to have it.</source>
+        <translation>Text wurde weggelassen (%4). In Pfade umgewandelt kommt er mit.</translation>
     </message>
     <message>
-        <source>Pictures were left out (%1, lines %2).</source>
-        <translation>Bilder wurden weggelassen (%1, Zeilen %2).</translation>
+        <source>Pictures were left out (%4).</source>
+        <translation>Bilder wurden weggelassen (%4).</translation>
     </message>
     <message>
-        <source>Content in another language than SVG was left out (%1, lines %2).</source>
-        <translation>Inhalt in einer anderen Sprache als SVG wurde weggelassen (%1, Zeilen %2).</translation>
+        <source>Content in another language than SVG was left out (%4).</source>
+        <translation>Inhalt in einer anderen Sprache als SVG wurde weggelassen (%4).</translation>
     </message>
     <message>
-        <source>Animations were left out (%1, lines %2).</source>
-        <translation>Animationen wurden weggelassen (%1, Zeilen %2).</translation>
+        <source>Animations were left out (%4).</source>
+        <translation>Animationen wurden weggelassen (%4).</translation>
     </message>
     <message>
-        <source>Scripts were left out (%1, lines %2).</source>
-        <translation>Skripte wurden weggelassen (%1, Zeilen %2).</translation>
+        <source>Scripts were left out (%4).</source>
+        <translation>Skripte wurden weggelassen (%4).</translation>
     </message>
     <message>
-        <source>Some selectors of a style sheet are not understood (line %2): what they say of fill and stroke was not taken over.</source>
-        <translation>Einige Selektoren einer Formatvorlage sind unverständlich (Zeile %2): Was sie über Füllung und Kontur sagen, wurde nicht übernommen.</translation>
+        <source>Some selectors of a style sheet are not understood (%4): what they say of fill and stroke was not taken over.</source>
+        <translation>Einige Selektoren einer Formatvorlage sind unverständlich (%4): Was sie über Füllung und Kontur sagen, wurde nicht übernommen.</translation>
     </message>
     <message>
-        <source>What is not displayed was left out (%1, lines %2).</source>
-        <translation>Was nicht angezeigt wird, wurde weggelassen (%1, Zeilen %2).</translation>
+        <source>What is not displayed was left out (%4).</source>
+        <translation>Was nicht angezeigt wird, wurde weggelassen (%4).</translation>
     </message>
     <message>
-        <source>Shapes without fill and stroke were left out (%1, lines %2).</source>
-        <translation>Formen ohne Füllung und Kontur wurden weggelassen (%1, Zeilen %2).</translation>
+        <source>Shapes without fill and stroke were left out (%4).</source>
+        <translation>Formen ohne Füllung und Kontur wurden weggelassen (%4).</translation>
     </message>
     <message>
-        <source>A transform is not understood and was left out (%1, lines %2).</source>
-        <translation>Eine Umformung ist unverständlich und wurde weggelassen (%1, Zeilen %2).</translation>
+        <source>A transform is not understood and was left out (%4).</source>
+        <translation>Eine Umformung ist unverständlich und wurde weggelassen (%4).</translation>
     </message>
     <message>
-        <source>Clips and masks were not applied: shapes are there as a whole (%1, lines %2).</source>
-        <translation>Ausschnitte und Masken wurden nicht angewendet: Die Formen sind ganz da (%1, Zeilen %2).</translation>
+        <source>Clips and masks were not applied: shapes are there as a whole (%4).</source>
+        <translation>Ausschnitte und Masken wurden nicht angewendet: Die Formen sind ganz da (%4).</translation>
     </message>
     <message>
-        <source>Filters were not applied (%1, lines %2).</source>
-        <translation>Filter wurden nicht angewendet (%1, Zeilen %2).</translation>
+        <source>Filters were not applied (%4).</source>
+        <translation>Filter wurden nicht angewendet (%4).</translation>
     </message>
     <message>
-        <source>References to what is not in the file, or to themselves, were left out (%1, lines %2): %3</source>
-        <translation>Verweise auf sich selbst oder auf etwas, das nicht in der Datei ist, wurden weggelassen (%1, Zeilen %2): %3</translation>
+        <source>References to what is not in the file, or to themselves, were left out (%4): %3</source>
+        <translation>Verweise auf sich selbst oder auf etwas, das nicht in der Datei ist, wurden weggelassen (%4): %3</translation>
     </message>
     <message>
-        <source>The data of shapes has a mistake; they are there up to it (%1, lines %2).</source>
-        <translation>Die Daten von Formen haben einen Fehler; bis dorthin sind sie da (%1, Zeilen %2).</translation>
+        <source>The data of shapes has a mistake; they are there up to it (%4).</source>
+        <translation>Die Daten von Formen haben einen Fehler; bis dorthin sind sie da (%4).</translation>
     </message>
     <message>
-        <source>Shapes without any extent were left out (%1, lines %2).</source>
-        <translation>Formen ohne Ausdehnung wurden weggelassen (%1, Zeilen %2).</translation>
+        <source>Shapes without any extent were left out (%4).</source>
+        <translation>Formen ohne Ausdehnung wurden weggelassen (%4).</translation>
     </message>
     <message>
-        <source>Areas with holes, or in several parts, were cut into several polygons (%1, lines %2).</source>
-        <translation>Flächen mit Löchern oder aus mehreren Teilen wurden in mehrere Polygone zerlegt (%1, Zeilen %2).</translation>
+        <source>Areas with holes, or in several parts, were cut into several polygons (%4).</source>
+        <translation>Flächen mit Löchern oder aus mehreren Teilen wurden in mehrere Polygone zerlegt (%4).</translation>
     </message>
     <message>
-        <source>Polygons of more than 1024 vertices became walls (%1, lines %2). A larger tolerance makes fewer vertices.</source>
-        <translation>Polygone mit mehr als 1024 Eckpunkten wurden zu Wänden (%1, Zeilen %2). Eine größere Toleranz ergibt weniger Eckpunkte.</translation>
+        <source>Polygons of more than 1024 vertices became walls (%4). A larger tolerance makes fewer vertices.</source>
+        <translation>Polygone mit mehr als 1024 Eckpunkten wurden zu Wänden (%4). Eine größere Toleranz ergibt weniger Eckpunkte.</translation>
     </message>
     <message>
-        <source>Areas that cross themselves very often became walls (%1, lines %2).</source>
-        <translation>Flächen, die sich sehr oft selbst kreuzen, wurden zu Wänden (%1, Zeilen %2).</translation>
+        <source>Areas that cross themselves very often became walls (%4).</source>
+        <translation>Flächen, die sich sehr oft selbst kreuzen, wurden zu Wänden (%4).</translation>
     </message>
     <message>
-        <source>Layers of tiles were left out, for a level has no tiles: %3 (lines %2). Objects of object layers are taken over.</source>
-        <translation>Kachelebenen wurden weggelassen, denn ein Level hat keine Kacheln: %3 (Zeilen %2). Objekte aus Objektebenen werden übernommen.</translation>
+        <source>Layers of tiles were left out, for a level has no tiles: %3 (%4). Objects of object layers are taken over.</source>
+        <translation>Kachelebenen wurden weggelassen, denn ein Level hat keine Kacheln: %3 (%4). Objekte aus Objektebenen werden übernommen.</translation>
     </message>
     <message>
-        <source>Layers of pictures were left out: %3 (lines %2).</source>
-        <translation>Bildebenen wurden weggelassen: %3 (Zeilen %2).</translation>
+        <source>Layers of pictures were left out: %3 (%4).</source>
+        <translation>Bildebenen wurden weggelassen: %3 (%4).</translation>
     </message>
     <message>
         <source>Tilesets are not needed and were not read: %3.</source>
         <translation>Kachelsätze sind nicht nötig und wurden nicht gelesen: %3.</translation>
     </message>
     <message>
-        <source>Objects that are tiles were left out (%1, lines %2).</source>
-        <translation>Objekte, die Kacheln sind, wurden weggelassen (%1, Zeilen %2).</translation>
+        <source>Objects that are tiles were left out (%4).</source>
+        <translation>Objekte, die Kacheln sind, wurden weggelassen (%4).</translation>
     </message>
     <message>
-        <source>Objects made of templates were left out, for these are in other files (%1, lines %2). Detach them in Tiled.</source>
-        <translation>Objekte aus Vorlagen wurden weggelassen, denn diese stehen in anderen Dateien (%1, Zeilen %2). Lösen Sie sie in Tiled ab.</translation>
+        <source>Objects made of templates were left out, for these are in other files (%4). Detach them in Tiled.</source>
+        <translation>Objekte aus Vorlagen wurden weggelassen, denn diese stehen in anderen Dateien (%4). Lösen Sie sie in Tiled ab.</translation>
     </message>
     <message>
-        <source>Objects of a form that is not known here were left out (%1, lines %2).</source>
-        <translation>Objekte von hier unbekannter Form wurden weggelassen (%1, Zeilen %2).</translation>
+        <source>Objects of a form that is not known here were left out (%4).</source>
+        <translation>Objekte von hier unbekannter Form wurden weggelassen (%4).</translation>
     </message>
     <message>
-        <source>Points were left out (%1, lines %2): only those of the class “ship” or “payload” become something.</source>
-        <translation>Punkte wurden weggelassen (%1, Zeilen %2): Nur aus denen der Klasse „ship“ oder „payload“ wird etwas.</translation>
+        <source>Points were left out (%4): only those of the class “ship” or “payload” become something.</source>
+        <translation>Punkte wurden weggelassen (%4): Nur aus denen der Klasse „ship“ oder „payload“ wird etwas.</translation>
     </message>
     <message>
-        <source>Properties that mean nothing here were left out (%1, lines %2): %3.</source>
-        <translation>Eigenschaften, die hier nichts bedeuten, wurden weggelassen (%1, Zeilen %2): %3.</translation>
+        <source>Properties that mean nothing here were left out (%4): %3.</source>
+        <translation>Eigenschaften, die hier nichts bedeuten, wurden weggelassen (%4): %3.</translation>
     </message>
     <message>
-        <source>The opacity of layers was not taken over: %3 (lines %2).</source>
-        <translation>Die Deckkraft von Ebenen wurde nicht übernommen: %3 (Zeilen %2).</translation>
+        <source>The opacity of layers was not taken over: %3 (%4).</source>
+        <translation>Die Deckkraft von Ebenen wurde nicht übernommen: %3 (%4).</translation>
     </message>
     <message>
-        <source>The parallax of layers was not taken over: %3 (lines %2).</source>
-        <translation>Die Parallaxe von Ebenen wurde nicht übernommen: %3 (Zeilen %2).</translation>
+        <source>The parallax of layers was not taken over: %3 (%4).</source>
+        <translation>Die Parallaxe von Ebenen wurde nicht übernommen: %3 (%4).</translation>
     </message>
     <message>
-        <source>Gravity was not taken over (line %2): the level keeps its own.</source>
-        <translation>Die Schwerkraft wurde nicht übernommen (Zeile %2): Das Level behält seine eigene.</translation>
+        <source>Gravity was not taken over (%4): the level keeps its own.</source>
+        <translation>Die Schwerkraft wurde nicht übernommen (%4): Das Level behält seine eigene.</translation>
     </message>
     <message>
-        <source>Numbers that a level cannot have were brought into its range (%1, lines %2): %3.</source>
-        <translation>Zahlen, die ein Level nicht haben kann, wurden in seinen Bereich gebracht (%1, Zeilen %2): %3.</translation>
+        <source>Numbers that a level cannot have were brought into its range (%4): %3.</source>
+        <translation>Zahlen, die ein Level nicht haben kann, wurden in seinen Bereich gebracht (%4): %3.</translation>
     </message>
     <message>
-        <source>Fixtures without a sound shape were left out (%1, lines %2).</source>
-        <translation>Fixtures ohne gültige Form wurden weggelassen (%1, Zeilen %2).</translation>
+        <source>Fixtures without a sound shape were left out (%4).</source>
+        <translation>Fixtures ohne gültige Form wurden weggelassen (%4).</translation>
     </message>
     <message>
-        <source>Group indices of filters were not taken over (%1, lines %2): %3</source>
-        <translation>Gruppenindizes von Filtern wurden nicht übernommen (%1, Zeilen %2): %3</translation>
+        <source>Group indices of filters were not taken over (%4): %3</source>
+        <translation>Gruppenindizes von Filtern wurden nicht übernommen (%4): %3</translation>
     </message>
     <message>
-        <source>Fixtures of one body differ in material or filter: those of the first were taken (%1, lines %2): %3</source>
-        <translation>Fixtures eines Körpers haben verschiedene Materialien oder Filter: Übernommen wurden die der ersten (%1, Zeilen %2): %3</translation>
+        <source>Fixtures of one body differ in material or filter: those of the first were taken (%4): %3</source>
+        <translation>Fixtures eines Körpers haben verschiedene Materialien oder Filter: Übernommen wurden die der ersten (%4): %3</translation>
     </message>
     <message>
-        <source>Sensors of bodies that also have solid fixtures were left out (%1, lines %2): %3</source>
-        <translation>Sensoren von Körpern, die auch feste Fixtures haben, wurden weggelassen (%1, Zeilen %2): %3</translation>
+        <source>Sensors of bodies that also have solid fixtures were left out (%4): %3</source>
+        <translation>Sensoren von Körpern, die auch feste Fixtures haben, wurden weggelassen (%4): %3</translation>
     </message>
     <message>
-        <source>Settings of bodies that mean nothing here were left out (%1, lines %2): %3</source>
-        <translation>Einstellungen von Körpern, die hier nichts bedeuten, wurden weggelassen (%1, Zeilen %2): %3</translation>
+        <source>Settings of bodies that mean nothing here were left out (%4): %3</source>
+        <translation>Einstellungen von Körpern, die hier nichts bedeuten, wurden weggelassen (%4): %3</translation>
     </message>
     <message>
-        <source>Bodies without fixtures were left out (%1, lines %2): %3</source>
-        <translation>Körper ohne Fixtures wurden weggelassen (%1, Zeilen %2): %3</translation>
+        <source>Bodies without fixtures were left out (%4): %3</source>
+        <translation>Körper ohne Fixtures wurden weggelassen (%4): %3</translation>
     </message>
     <message>
-        <source>Joints that no connector can be were left out (%1, lines %2): %3</source>
-        <translation>Gelenke, aus denen keine Verbindung werden kann, wurden weggelassen (%1, Zeilen %2): %3</translation>
+        <source>Joints that no connector can be were left out (%4): %3</source>
+        <translation>Gelenke, aus denen keine Verbindung werden kann, wurden weggelassen (%4): %3</translation>
     </message>
     <message>
-        <source>Rigid joints became stiff connectors (%1, lines %2): %3</source>
-        <translation>Starre Gelenke wurden zu steifen Verbindungen (%1, Zeilen %2): %3</translation>
+        <source>Rigid joints became stiff connectors (%4): %3</source>
+        <translation>Starre Gelenke wurden zu steifen Verbindungen (%4): %3</translation>
     </message>
     <message>
         <source>The level has a ship, a payload or a finish already; those of the file were left out.</source>
@@ -4375,6 +4404,30 @@
         <source>anchor on %1</source>
         <translation>Anker an %1</translation>
     </message>
+    <message>
+        <source>once</source>
+        <translation>einmal</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times</source>
+        <translation><numerusform>%n-mal</numerusform><numerusform>%n-mal</numerusform></translation>
+    </message>
+    <message>
+        <source>%1, in line %2</source>
+        <translation>%1, in Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1, in lines %2</source>
+        <translation>%1, in den Zeilen %2</translation>
+    </message>
+    <message>
+        <source>What drawings within the drawing hide beyond their borders is there as well (%4).</source>
+        <translation>Was Zeichnungen in der Zeichnung jenseits ihres Randes verbergen, ist mit dabei (%4).</translation>
+    </message>
+    <message>
+        <source>The width of wide strokes was not taken over: they are walls without thickness (%4). “Stroke to Path” of Inkscape makes areas of them.</source>
+        <translation>Die Breite breiter Striche wurde nicht übernommen: Sie sind Wände ohne Dicke (%4). „Kontur in Pfad umwandeln“ in Inkscape macht Flächen daraus.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
@@ -4429,7 +4482,7 @@
     </message>
     <message>
         <source>Of a ship, a payload and a finish a level has one: there is nothing to copy.</source>
-        <translation>Schiff, Last und Ziel gibt es im Level nur einmal: Es gibt nichts zu kopieren.</translation>
+        <translation>Schiff, Fracht und Ziellinie gibt es im Level nur einmal: Es gibt nichts zu kopieren.</translation>
     </message>
     <message>
         <source>That would be %1 objects; an array may have %2. Make fewer copies.</source>
@@ -5035,14 +5088,6 @@
         <translation>Gibt dieser Aktion ihre mitgelieferten Tasten</translation>
     </message>
     <message>
-        <source>In the game</source>
-        <translation>Im Spiel</translation>
-    </message>
-    <message>
-        <source>Keys of the game hold while one is running, and cannot be changed.</source>
-        <translation>Tasten des Spiels gelten, während eines läuft, und lassen sich nicht ändern.</translation>
-    </message>
-    <message>
         <source>Take %1 away</source>
         <translation>%1 entfernen</translation>
     </message>
@@ -5097,6 +5142,10 @@
     <message>
         <source>“%1” cannot be written: %2.</source>
         <translation>„%1“ lässt sich nicht schreiben: %2.</translation>
+    </message>
+    <message>
+        <source>This key cannot be changed, so that there is always a way out of the game.</source>
+        <translation>Diese Taste lässt sich nicht ändern, damit immer ein Weg aus dem Spiel führt.</translation>
     </message>
 </context>
 <context>
@@ -5376,6 +5425,22 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>&amp;Language</source>
         <translation>Sprac&amp;he</translation>
+    </message>
+    <message>
+        <source>Too much for this computer: the game is %1 s behind real time · %2: back to the editor</source>
+        <translation>Zu viel für diesen Computer: Das Spiel hängt der Zeit um %1 s hinterher · %2: zurück zum Editor</translation>
+    </message>
+    <message>
+        <source>The game was ended: so many bodies lie in the same place that the computer&apos;s memory would not hold what happens between them. Move them apart, and play again.</source>
+        <translation>Das Spiel wurde beendet: An derselben Stelle liegen so viele Körper, dass der Speicher des Computers für das, was zwischen ihnen geschieht, nicht reichen würde. Schieben Sie sie auseinander und spielen Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The game was ended: there is not enough memory for this level. Nothing of the level is lost.</source>
+        <translation>Das Spiel wurde beendet: Für dieses Level reicht der Speicher nicht. Vom Level ist nichts verloren.</translation>
+    </message>
+    <message>
+        <source>what was not saved of %1</source>
+        <translation>was von %1 nicht gespeichert war</translation>
     </message>
 </context>
 <context>
@@ -5659,24 +5724,12 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Go on playing (Esc)</source>
-        <translation>Weiterspielen (Esc)</translation>
-    </message>
-    <message>
         <source>Restart</source>
         <translation>Neu starten</translation>
     </message>
     <message>
-        <source>Start the level over (R)</source>
-        <translation>Das Level neu beginnen (R)</translation>
-    </message>
-    <message>
         <source>Back to the editor</source>
         <translation>Zurück zum Editor</translation>
-    </message>
-    <message>
-        <source>Stop playing (F8)</source>
-        <translation>Spiel beenden (F8)</translation>
     </message>
     <message>
         <source>You made it!</source>
@@ -5689,6 +5742,18 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     <message>
         <source>Game over</source>
         <translation>Game over</translation>
+    </message>
+    <message>
+        <source>Stop playing</source>
+        <translation>Das Spielen beenden</translation>
+    </message>
+    <message>
+        <source>Go on playing</source>
+        <translation>Weiterspielen</translation>
+    </message>
+    <message>
+        <source>Start the level over</source>
+        <translation>Das Level von vorn beginnen</translation>
     </message>
 </context>
 <context>
@@ -5774,6 +5839,10 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
         <source>Copy text</source>
         <translation>Text kopieren</translation>
     </message>
+    <message>
+        <source>Nothing was found that would cure this by itself.</source>
+        <translation>Es wurde nichts gefunden, was dies von selbst beheben würde.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::RecoveryBar</name>
@@ -5836,16 +5905,16 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
         <translation>Setzt die Arbeit an diesem Level fort; seine Datei bleibt, wie sie ist, bis Sie speichern</translation>
     </message>
     <message>
-        <source>Say what differs from the file</source>
-        <translation>Sagt, was sich von der Datei unterscheidet</translation>
-    </message>
-    <message>
         <source>Do not offer this any more</source>
         <translation>Bietet dies nicht mehr an</translation>
     </message>
     <message>
         <source>Discarded.</source>
         <translation>Verworfen.</translation>
+    </message>
+    <message>
+        <source>Say and show what differs from the file</source>
+        <translation>Sagen und zeigen, was von der Datei abweicht</translation>
     </message>
 </context>
 <context>

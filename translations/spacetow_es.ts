@@ -1563,6 +1563,10 @@
         <source>This backup cannot be opened.</source>
         <translation>No se puede abrir esta copia de seguridad.</translation>
     </message>
+    <message>
+        <source>%1 is saved, but of the version before no backup could be made:</source>
+        <translation>%1 se ha guardado, pero no se pudo hacer una copia de seguridad de la versión anterior:</translation>
+    </message>
 </context>
 <context>
     <name>Hud</name>
@@ -1595,10 +1599,6 @@
         <translation>¡Conseguido!</translation>
     </message>
     <message>
-        <source>The payload is home. Space: fly again · Esc: menu</source>
-        <translation>La carga está en casa. Espacio: volar otra vez · Esc: menú</translation>
-    </message>
-    <message>
         <source>Lives %1</source>
         <translation>Vidas %1</translation>
     </message>
@@ -1611,16 +1611,45 @@
         <translation>Combustible %1 s</translation>
     </message>
     <message>
-        <source>Paused · P: go on · O: one step · Esc: menu</source>
-        <translation>En pausa · P: seguir · O: un paso · Esc: menú</translation>
-    </message>
-    <message>
         <source>Gravity is upside down!</source>
         <translation>¡La gravedad está al revés!</translation>
     </message>
     <message>
-        <source>In range. Space: tow</source>
-        <translation>Al alcance. Espacio: remolcar</translation>
+        <source>menu</source>
+        <translation>menú</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a key and what it does</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The payload is home.</source>
+        <translation>La carga está en casa.</translation>
+    </message>
+    <message>
+        <source>fly again</source>
+        <translation>volar otra vez</translation>
+    </message>
+    <message>
+        <source>go on</source>
+        <translation>seguir</translation>
+    </message>
+    <message>
+        <source>one step</source>
+        <translation>un paso</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>tow</source>
+        <translation>remolcar</translation>
+    </message>
+    <message>
+        <source>In range.</source>
+        <translation>Al alcance.</translation>
     </message>
 </context>
 <context>
@@ -2111,6 +2140,18 @@
         <source>“%1” works while a game is running too, when plain keys are the game&apos;s: use Ctrl, Alt or a function key with it.</source>
         <translation>«%1» también funciona durante la partida, cuando las teclas solas son del juego: combínela con Ctrl, Alt o una tecla de función.</translation>
     </message>
+    <message>
+        <source>In the game</source>
+        <translation>En el juego</translation>
+    </message>
+    <message>
+        <source>%1 cannot be a key of the game: choose one without Ctrl and Alt that is no function key.</source>
+        <translation>%1 no puede ser una tecla del juego: elija una sin Ctrl ni Alt que no sea una tecla de función.</translation>
+    </message>
+    <message>
+        <source>%1 always shows the menu of the game.</source>
+        <translation>%1 muestra siempre el menú del juego.</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>
@@ -2215,28 +2256,8 @@
         <translation>En el lienzo</translation>
     </message>
     <message>
-        <source>In the game</source>
-        <translation>En el juego</translation>
-    </message>
-    <message>
-        <source>W or Up</source>
-        <translation>W o flecha arriba</translation>
-    </message>
-    <message>
         <source>Thrust</source>
         <translation>Propulsión</translation>
-    </message>
-    <message>
-        <source>A or Left · D or Right</source>
-        <translation>A o flecha izquierda · D o flecha derecha</translation>
-    </message>
-    <message>
-        <source>Turn left · turn right</source>
-        <translation>Girar a la izquierda · girar a la derecha</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Espacio</translation>
     </message>
     <message>
         <source>Tow the payload when it is near; again: let it go</source>
@@ -2247,20 +2268,28 @@
         <translation>Pausar el juego y mostrar el menú</translation>
     </message>
     <message>
-        <source>R · P · O</source>
-        <translation>R · P · O</translation>
-    </message>
-    <message>
-        <source>Restart · hold · next frame</source>
-        <translation>Reiniciar · pausa · fotograma siguiente</translation>
-    </message>
-    <message>
-        <source>F</source>
-        <translation>F</translation>
-    </message>
-    <message>
         <source>Let the view follow the ship again</source>
         <translation>Hacer que la vista siga otra vez a la nave</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>Girar a la izquierda</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>Girar a la derecha</translation>
+    </message>
+    <message>
+        <source>Hold the game, or go on</source>
+        <translation>Pausar el juego, o seguir</translation>
+    </message>
+    <message>
+        <source>Hold the game and advance it by one update</source>
+        <translation>Pausar el juego y avanzarlo un paso</translation>
+    </message>
+    <message>
+        <source>Start the level over</source>
+        <translation>Empezar el nivel de nuevo</translation>
     </message>
 </context>
 <context>
@@ -2442,152 +2471,152 @@
         <translation>En este archivo no hay nada que pueda formar parte de un nivel.</translation>
     </message>
     <message>
-        <source>Text was left out (%1, lines %2). Turn it into paths to have it.</source>
-        <translation>Se omitió texto (%1, líneas %2). Conviértalo en trayectos para tenerlo.</translation>
+        <source>Text was left out (%4). Turn it into paths to have it.</source>
+        <translation>Se omitió texto (%4). Conviértalo en trayectos para tenerlo.</translation>
     </message>
     <message>
-        <source>Pictures were left out (%1, lines %2).</source>
-        <translation>Se omitieron imágenes (%1, líneas %2).</translation>
+        <source>Pictures were left out (%4).</source>
+        <translation>Se omitieron imágenes (%4).</translation>
     </message>
     <message>
-        <source>Content in another language than SVG was left out (%1, lines %2).</source>
-        <translation>Se omitió contenido en otro lenguaje que no es SVG (%1, líneas %2).</translation>
+        <source>Content in another language than SVG was left out (%4).</source>
+        <translation>Se omitió contenido en otro lenguaje que no es SVG (%4).</translation>
     </message>
     <message>
-        <source>Animations were left out (%1, lines %2).</source>
-        <translation>Se omitieron animaciones (%1, líneas %2).</translation>
+        <source>Animations were left out (%4).</source>
+        <translation>Se omitieron animaciones (%4).</translation>
     </message>
     <message>
-        <source>Scripts were left out (%1, lines %2).</source>
-        <translation>Se omitieron scripts (%1, líneas %2).</translation>
+        <source>Scripts were left out (%4).</source>
+        <translation>Se omitieron scripts (%4).</translation>
     </message>
     <message>
-        <source>Some selectors of a style sheet are not understood (line %2): what they say of fill and stroke was not taken over.</source>
-        <translation>Algunos selectores de una hoja de estilos no se entienden (línea %2): no se tomó lo que dicen de relleno y trazo.</translation>
+        <source>Some selectors of a style sheet are not understood (%4): what they say of fill and stroke was not taken over.</source>
+        <translation>Algunos selectores de una hoja de estilos no se entienden (%4): no se tomó lo que dicen de relleno y trazo.</translation>
     </message>
     <message>
-        <source>What is not displayed was left out (%1, lines %2).</source>
-        <translation>Se omitió lo que no se muestra (%1, líneas %2).</translation>
+        <source>What is not displayed was left out (%4).</source>
+        <translation>Se omitió lo que no se muestra (%4).</translation>
     </message>
     <message>
-        <source>Shapes without fill and stroke were left out (%1, lines %2).</source>
-        <translation>Se omitieron formas sin relleno ni trazo (%1, líneas %2).</translation>
+        <source>Shapes without fill and stroke were left out (%4).</source>
+        <translation>Se omitieron formas sin relleno ni trazo (%4).</translation>
     </message>
     <message>
-        <source>A transform is not understood and was left out (%1, lines %2).</source>
-        <translation>Una transformación no se entiende y se omitió (%1, líneas %2).</translation>
+        <source>A transform is not understood and was left out (%4).</source>
+        <translation>Una transformación no se entiende y se omitió (%4).</translation>
     </message>
     <message>
-        <source>Clips and masks were not applied: shapes are there as a whole (%1, lines %2).</source>
-        <translation>No se aplicaron recortes ni máscaras: las formas están enteras (%1, líneas %2).</translation>
+        <source>Clips and masks were not applied: shapes are there as a whole (%4).</source>
+        <translation>No se aplicaron recortes ni máscaras: las formas están enteras (%4).</translation>
     </message>
     <message>
-        <source>Filters were not applied (%1, lines %2).</source>
-        <translation>No se aplicaron filtros (%1, líneas %2).</translation>
+        <source>Filters were not applied (%4).</source>
+        <translation>No se aplicaron filtros (%4).</translation>
     </message>
     <message>
-        <source>References to what is not in the file, or to themselves, were left out (%1, lines %2): %3</source>
-        <translation>Se omitieron referencias a lo que no está en el archivo, o a sí mismas (%1, líneas %2): %3</translation>
+        <source>References to what is not in the file, or to themselves, were left out (%4): %3</source>
+        <translation>Se omitieron referencias a lo que no está en el archivo, o a sí mismas (%4): %3</translation>
     </message>
     <message>
-        <source>The data of shapes has a mistake; they are there up to it (%1, lines %2).</source>
-        <translation>Los datos de algunas formas tienen un error; llegan hasta él (%1, líneas %2).</translation>
+        <source>The data of shapes has a mistake; they are there up to it (%4).</source>
+        <translation>Los datos de algunas formas tienen un error; llegan hasta él (%4).</translation>
     </message>
     <message>
-        <source>Shapes without any extent were left out (%1, lines %2).</source>
-        <translation>Se omitieron formas sin extensión (%1, líneas %2).</translation>
+        <source>Shapes without any extent were left out (%4).</source>
+        <translation>Se omitieron formas sin extensión (%4).</translation>
     </message>
     <message>
-        <source>Areas with holes, or in several parts, were cut into several polygons (%1, lines %2).</source>
-        <translation>Las áreas con agujeros, o en varias partes, se cortaron en varios polígonos (%1, líneas %2).</translation>
+        <source>Areas with holes, or in several parts, were cut into several polygons (%4).</source>
+        <translation>Las áreas con agujeros, o en varias partes, se cortaron en varios polígonos (%4).</translation>
     </message>
     <message>
-        <source>Polygons of more than 1024 vertices became walls (%1, lines %2). A larger tolerance makes fewer vertices.</source>
-        <translation>Los polígonos de más de 1024 vértices pasaron a ser muros (%1, líneas %2). Una tolerancia mayor da menos vértices.</translation>
+        <source>Polygons of more than 1024 vertices became walls (%4). A larger tolerance makes fewer vertices.</source>
+        <translation>Los polígonos de más de 1024 vértices pasaron a ser muros (%4). Una tolerancia mayor da menos vértices.</translation>
     </message>
     <message>
-        <source>Areas that cross themselves very often became walls (%1, lines %2).</source>
-        <translation>Las áreas que se cruzan a sí mismas muchas veces pasaron a ser muros (%1, líneas %2).</translation>
+        <source>Areas that cross themselves very often became walls (%4).</source>
+        <translation>Las áreas que se cruzan a sí mismas muchas veces pasaron a ser muros (%4).</translation>
     </message>
     <message>
-        <source>Layers of tiles were left out, for a level has no tiles: %3 (lines %2). Objects of object layers are taken over.</source>
-        <translation>Se omitieron capas de teselas, pues un nivel no tiene teselas: %3 (líneas %2). Los objetos de las capas de objetos se toman.</translation>
+        <source>Layers of tiles were left out, for a level has no tiles: %3 (%4). Objects of object layers are taken over.</source>
+        <translation>Se omitieron capas de teselas, pues un nivel no tiene teselas: %3 (%4). Los objetos de las capas de objetos se toman.</translation>
     </message>
     <message>
-        <source>Layers of pictures were left out: %3 (lines %2).</source>
-        <translation>Se omitieron capas de imágenes: %3 (líneas %2).</translation>
+        <source>Layers of pictures were left out: %3 (%4).</source>
+        <translation>Se omitieron capas de imágenes: %3 (%4).</translation>
     </message>
     <message>
         <source>Tilesets are not needed and were not read: %3.</source>
         <translation>Los conjuntos de teselas no hacen falta y no se leyeron: %3.</translation>
     </message>
     <message>
-        <source>Objects that are tiles were left out (%1, lines %2).</source>
-        <translation>Se omitieron objetos que son teselas (%1, líneas %2).</translation>
+        <source>Objects that are tiles were left out (%4).</source>
+        <translation>Se omitieron objetos que son teselas (%4).</translation>
     </message>
     <message>
-        <source>Objects made of templates were left out, for these are in other files (%1, lines %2). Detach them in Tiled.</source>
-        <translation>Se omitieron objetos hechos con plantillas, pues estas están en otros archivos (%1, líneas %2). Sepárelos en Tiled.</translation>
+        <source>Objects made of templates were left out, for these are in other files (%4). Detach them in Tiled.</source>
+        <translation>Se omitieron objetos hechos con plantillas, pues estas están en otros archivos (%4). Sepárelos en Tiled.</translation>
     </message>
     <message>
-        <source>Objects of a form that is not known here were left out (%1, lines %2).</source>
-        <translation>Se omitieron objetos de una forma que aquí no se conoce (%1, líneas %2).</translation>
+        <source>Objects of a form that is not known here were left out (%4).</source>
+        <translation>Se omitieron objetos de una forma que aquí no se conoce (%4).</translation>
     </message>
     <message>
-        <source>Points were left out (%1, lines %2): only those of the class “ship” or “payload” become something.</source>
-        <translation>Se omitieron puntos (%1, líneas %2): solo los de la clase «ship» o «payload» pasan a ser algo.</translation>
+        <source>Points were left out (%4): only those of the class “ship” or “payload” become something.</source>
+        <translation>Se omitieron puntos (%4): solo los de la clase «ship» o «payload» pasan a ser algo.</translation>
     </message>
     <message>
-        <source>Properties that mean nothing here were left out (%1, lines %2): %3.</source>
-        <translation>Se omitieron propiedades que aquí no significan nada (%1, líneas %2): %3.</translation>
+        <source>Properties that mean nothing here were left out (%4): %3.</source>
+        <translation>Se omitieron propiedades que aquí no significan nada (%4): %3.</translation>
     </message>
     <message>
-        <source>The opacity of layers was not taken over: %3 (lines %2).</source>
-        <translation>No se tomó la opacidad de las capas: %3 (líneas %2).</translation>
+        <source>The opacity of layers was not taken over: %3 (%4).</source>
+        <translation>No se tomó la opacidad de las capas: %3 (%4).</translation>
     </message>
     <message>
-        <source>The parallax of layers was not taken over: %3 (lines %2).</source>
-        <translation>No se tomó el paralaje de las capas: %3 (líneas %2).</translation>
+        <source>The parallax of layers was not taken over: %3 (%4).</source>
+        <translation>No se tomó el paralaje de las capas: %3 (%4).</translation>
     </message>
     <message>
-        <source>Gravity was not taken over (line %2): the level keeps its own.</source>
-        <translation>No se tomó la gravedad (línea %2): el nivel conserva la suya.</translation>
+        <source>Gravity was not taken over (%4): the level keeps its own.</source>
+        <translation>No se tomó la gravedad (%4): el nivel conserva la suya.</translation>
     </message>
     <message>
-        <source>Numbers that a level cannot have were brought into its range (%1, lines %2): %3.</source>
-        <translation>Los números que un nivel no puede tener se llevaron a su rango (%1, líneas %2): %3.</translation>
+        <source>Numbers that a level cannot have were brought into its range (%4): %3.</source>
+        <translation>Los números que un nivel no puede tener se llevaron a su rango (%4): %3.</translation>
     </message>
     <message>
-        <source>Fixtures without a sound shape were left out (%1, lines %2).</source>
-        <translation>Se omitieron fijaciones sin una forma correcta (%1, líneas %2).</translation>
+        <source>Fixtures without a sound shape were left out (%4).</source>
+        <translation>Se omitieron fijaciones sin una forma correcta (%4).</translation>
     </message>
     <message>
-        <source>Group indices of filters were not taken over (%1, lines %2): %3</source>
-        <translation>No se tomaron los índices de grupo de los filtros (%1, líneas %2): %3</translation>
+        <source>Group indices of filters were not taken over (%4): %3</source>
+        <translation>No se tomaron los índices de grupo de los filtros (%4): %3</translation>
     </message>
     <message>
-        <source>Fixtures of one body differ in material or filter: those of the first were taken (%1, lines %2): %3</source>
-        <translation>Las fijaciones de un cuerpo difieren en material o filtro: se tomaron los de la primera (%1, líneas %2): %3</translation>
+        <source>Fixtures of one body differ in material or filter: those of the first were taken (%4): %3</source>
+        <translation>Las fijaciones de un cuerpo difieren en material o filtro: se tomaron los de la primera (%4): %3</translation>
     </message>
     <message>
-        <source>Sensors of bodies that also have solid fixtures were left out (%1, lines %2): %3</source>
-        <translation>Se omitieron sensores de cuerpos que también tienen fijaciones sólidas (%1, líneas %2): %3</translation>
+        <source>Sensors of bodies that also have solid fixtures were left out (%4): %3</source>
+        <translation>Se omitieron sensores de cuerpos que también tienen fijaciones sólidas (%4): %3</translation>
     </message>
     <message>
-        <source>Settings of bodies that mean nothing here were left out (%1, lines %2): %3</source>
-        <translation>Se omitieron ajustes de cuerpos que aquí no significan nada (%1, líneas %2): %3</translation>
+        <source>Settings of bodies that mean nothing here were left out (%4): %3</source>
+        <translation>Se omitieron ajustes de cuerpos que aquí no significan nada (%4): %3</translation>
     </message>
     <message>
-        <source>Bodies without fixtures were left out (%1, lines %2): %3</source>
-        <translation>Se omitieron cuerpos sin fijaciones (%1, líneas %2): %3</translation>
+        <source>Bodies without fixtures were left out (%4): %3</source>
+        <translation>Se omitieron cuerpos sin fijaciones (%4): %3</translation>
     </message>
     <message>
-        <source>Joints that no connector can be were left out (%1, lines %2): %3</source>
-        <translation>Se omitieron articulaciones que ningún conector puede ser (%1, líneas %2): %3</translation>
+        <source>Joints that no connector can be were left out (%4): %3</source>
+        <translation>Se omitieron articulaciones que ningún conector puede ser (%4): %3</translation>
     </message>
     <message>
-        <source>Rigid joints became stiff connectors (%1, lines %2): %3</source>
-        <translation>Las articulaciones rígidas pasaron a ser conectores rígidos (%1, líneas %2): %3</translation>
+        <source>Rigid joints became stiff connectors (%4): %3</source>
+        <translation>Las articulaciones rígidas pasaron a ser conectores rígidos (%4): %3</translation>
     </message>
     <message>
         <source>The level has a ship, a payload or a finish already; those of the file were left out.</source>
@@ -4375,6 +4404,30 @@
         <source>%1 and %2</source>
         <translation>%1 y %2</translation>
     </message>
+    <message>
+        <source>once</source>
+        <translation>una vez</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times</source>
+        <translation><numerusform>%n veces</numerusform><numerusform>%n veces</numerusform></translation>
+    </message>
+    <message>
+        <source>%1, in line %2</source>
+        <translation>%1, en la línea %2</translation>
+    </message>
+    <message>
+        <source>%1, in lines %2</source>
+        <translation>%1, en las líneas %2</translation>
+    </message>
+    <message>
+        <source>What drawings within the drawing hide beyond their borders is there as well (%4).</source>
+        <translation>Lo que los dibujos dentro del dibujo ocultan más allá de sus bordes también está (%4).</translation>
+    </message>
+    <message>
+        <source>The width of wide strokes was not taken over: they are walls without thickness (%4). “Stroke to Path” of Inkscape makes areas of them.</source>
+        <translation>La anchura de los trazos anchos no se ha tomado: son muros sin grosor (%4). «Borde a trayecto» de Inkscape los convierte en áreas.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
@@ -5035,14 +5088,6 @@
         <translation>Dar a esta acción las teclas que traía</translation>
     </message>
     <message>
-        <source>In the game</source>
-        <translation>En el juego</translation>
-    </message>
-    <message>
-        <source>Keys of the game hold while one is running, and cannot be changed.</source>
-        <translation>Las teclas del juego valen durante la partida y no se pueden cambiar.</translation>
-    </message>
-    <message>
         <source>Take %1 away</source>
         <translation>Quitar %1</translation>
     </message>
@@ -5097,6 +5142,10 @@
     <message>
         <source>“%1” cannot be written: %2.</source>
         <translation>No se puede escribir «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>This key cannot be changed, so that there is always a way out of the game.</source>
+        <translation>Esta tecla no se puede cambiar, para que siempre haya una salida del juego.</translation>
     </message>
 </context>
 <context>
@@ -5376,6 +5425,22 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     <message>
         <source>&amp;Language</source>
         <translation>Idio&amp;ma</translation>
+    </message>
+    <message>
+        <source>Too much for this computer: the game is %1 s behind real time · %2: back to the editor</source>
+        <translation>Demasiado para este equipo: el juego va %1 s por detrás del tiempo real · %2: volver al editor</translation>
+    </message>
+    <message>
+        <source>The game was ended: so many bodies lie in the same place that the computer&apos;s memory would not hold what happens between them. Move them apart, and play again.</source>
+        <translation>El juego se ha terminado: hay tantos cuerpos en el mismo lugar que la memoria del equipo no alcanzaría para lo que ocurre entre ellos. Sepárelos y juegue de nuevo.</translation>
+    </message>
+    <message>
+        <source>The game was ended: there is not enough memory for this level. Nothing of the level is lost.</source>
+        <translation>El juego se ha terminado: no hay memoria suficiente para este nivel. No se ha perdido nada del nivel.</translation>
+    </message>
+    <message>
+        <source>what was not saved of %1</source>
+        <translation>lo que no se había guardado de %1</translation>
     </message>
 </context>
 <context>
@@ -5671,24 +5736,24 @@ La lista muestra primero lo que se dibuja encima.</translation>
         <translation>Continuar</translation>
     </message>
     <message>
-        <source>Go on playing (Esc)</source>
-        <translation>Seguir jugando (Esc)</translation>
-    </message>
-    <message>
         <source>Restart</source>
         <translation>Reiniciar</translation>
-    </message>
-    <message>
-        <source>Start the level over (R)</source>
-        <translation>Empezar el nivel de nuevo (R)</translation>
     </message>
     <message>
         <source>Back to the editor</source>
         <translation>Volver al editor</translation>
     </message>
     <message>
-        <source>Stop playing (F8)</source>
-        <translation>Dejar de jugar (F8)</translation>
+        <source>Stop playing</source>
+        <translation>Dejar de jugar</translation>
+    </message>
+    <message>
+        <source>Go on playing</source>
+        <translation>Seguir jugando</translation>
+    </message>
+    <message>
+        <source>Start the level over</source>
+        <translation>Empezar el nivel de nuevo</translation>
     </message>
 </context>
 <context>
@@ -5774,6 +5839,10 @@ La lista muestra primero lo que se dibuja encima.</translation>
         <source>Copy text</source>
         <translation>Copiar texto</translation>
     </message>
+    <message>
+        <source>Nothing was found that would cure this by itself.</source>
+        <translation>No se ha encontrado nada que corrija esto por sí solo.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::RecoveryBar</name>
@@ -5836,16 +5905,16 @@ La lista muestra primero lo que se dibuja encima.</translation>
         <translation>Seguir con este nivel; su archivo queda como está hasta que usted guarde</translation>
     </message>
     <message>
-        <source>Say what differs from the file</source>
-        <translation>Mostrar en qué difiere del archivo</translation>
-    </message>
-    <message>
         <source>Do not offer this any more</source>
         <translation>No ofrecer esto más</translation>
     </message>
     <message>
         <source>Discarded.</source>
         <translation>Descartado.</translation>
+    </message>
+    <message>
+        <source>Say and show what differs from the file</source>
+        <translation>Decir y mostrar en qué difiere del archivo</translation>
     </message>
 </context>
 <context>

@@ -1563,6 +1563,10 @@
         <source>This backup cannot be opened.</source>
         <translation>Impossible d’ouvrir cette sauvegarde.</translation>
     </message>
+    <message>
+        <source>%1 is saved, but of the version before no backup could be made:</source>
+        <translation>%1 est enregistré, mais aucune sauvegarde de la version précédente n’a pu être faite :</translation>
+    </message>
 </context>
 <context>
     <name>Hud</name>
@@ -1595,10 +1599,6 @@
         <translation>Réussi&#xa0;!</translation>
     </message>
     <message>
-        <source>The payload is home. Space: fly again · Esc: menu</source>
-        <translation>La charge est arrivée. Espace&#xa0;: revoler · Échap&#xa0;: menu</translation>
-    </message>
-    <message>
         <source>Lives %1</source>
         <translation>Vies %1</translation>
     </message>
@@ -1611,16 +1611,45 @@
         <translation>Carburant %1 s</translation>
     </message>
     <message>
-        <source>Paused · P: go on · O: one step · Esc: menu</source>
-        <translation>Pause · P&#xa0;: continuer · O&#xa0;: un pas · Échap&#xa0;: menu</translation>
-    </message>
-    <message>
         <source>Gravity is upside down!</source>
         <translation>La gravité est inversée&#xa0;!</translation>
     </message>
     <message>
-        <source>In range. Space: tow</source>
-        <translation>À portée. Espace&#xa0;: remorquer</translation>
+        <source>menu</source>
+        <translation>menu</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a key and what it does</comment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>The payload is home.</source>
+        <translation>La charge est à la maison.</translation>
+    </message>
+    <message>
+        <source>fly again</source>
+        <translation>voler encore</translation>
+    </message>
+    <message>
+        <source>go on</source>
+        <translation>continuer</translation>
+    </message>
+    <message>
+        <source>one step</source>
+        <translation>un pas</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>tow</source>
+        <translation>remorquer</translation>
+    </message>
+    <message>
+        <source>In range.</source>
+        <translation>À portée.</translation>
     </message>
 </context>
 <context>
@@ -2111,6 +2140,18 @@
         <source>“%1” works while a game is running too, when plain keys are the game&apos;s: use Ctrl, Alt or a function key with it.</source>
         <translation>«&#xa0;%1&#xa0;» agit aussi pendant une partie, où les touches seules sont au jeu&#xa0;: ajoutez Ctrl, Alt ou prenez une touche de fonction.</translation>
     </message>
+    <message>
+        <source>In the game</source>
+        <translation>Dans le jeu</translation>
+    </message>
+    <message>
+        <source>%1 cannot be a key of the game: choose one without Ctrl and Alt that is no function key.</source>
+        <translation>%1 ne peut pas être une touche du jeu : choisissez-en une sans Ctrl ni Alt qui ne soit pas une touche de fonction.</translation>
+    </message>
+    <message>
+        <source>%1 always shows the menu of the game.</source>
+        <translation>%1 montre toujours le menu du jeu.</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>
@@ -2215,28 +2256,8 @@
         <translation>Dans la zone de dessin</translation>
     </message>
     <message>
-        <source>In the game</source>
-        <translation>Dans le jeu</translation>
-    </message>
-    <message>
-        <source>W or Up</source>
-        <translation>W ou Haut</translation>
-    </message>
-    <message>
         <source>Thrust</source>
         <translation>Poussée</translation>
-    </message>
-    <message>
-        <source>A or Left · D or Right</source>
-        <translation>A ou Gauche · D ou Droite</translation>
-    </message>
-    <message>
-        <source>Turn left · turn right</source>
-        <translation>Tourner à gauche · à droite</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Espace</translation>
     </message>
     <message>
         <source>Tow the payload when it is near; again: let it go</source>
@@ -2247,20 +2268,28 @@
         <translation>Suspendre la partie et afficher le menu</translation>
     </message>
     <message>
-        <source>R · P · O</source>
-        <translation>R · P · O</translation>
-    </message>
-    <message>
-        <source>Restart · hold · next frame</source>
-        <translation>Recommencer · suspendre · image suivante</translation>
-    </message>
-    <message>
-        <source>F</source>
-        <translation>F</translation>
-    </message>
-    <message>
         <source>Let the view follow the ship again</source>
         <translation>La vue suit de nouveau le vaisseau</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>Tourner à gauche</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>Tourner à droite</translation>
+    </message>
+    <message>
+        <source>Hold the game, or go on</source>
+        <translation>Mettre le jeu en pause, ou continuer</translation>
+    </message>
+    <message>
+        <source>Hold the game and advance it by one update</source>
+        <translation>Mettre le jeu en pause et l’avancer d’un pas</translation>
+    </message>
+    <message>
+        <source>Start the level over</source>
+        <translation>Recommencer le niveau</translation>
     </message>
 </context>
 <context>
@@ -2442,152 +2471,152 @@
         <translation>Rien dans ce fichier ne peut devenir une part de niveau.</translation>
     </message>
     <message>
-        <source>Text was left out (%1, lines %2). Turn it into paths to have it.</source>
-        <translation>Du texte a été omis (%1, lignes %2). Convertissez-le en chemins pour l’avoir.</translation>
+        <source>Text was left out (%4). Turn it into paths to have it.</source>
+        <translation>Du texte a été omis (%4). Convertissez-le en chemins pour l’avoir.</translation>
     </message>
     <message>
-        <source>Pictures were left out (%1, lines %2).</source>
-        <translation>Des images ont été omises (%1, lignes %2).</translation>
+        <source>Pictures were left out (%4).</source>
+        <translation>Des images ont été omises (%4).</translation>
     </message>
     <message>
-        <source>Content in another language than SVG was left out (%1, lines %2).</source>
-        <translation>Du contenu dans un autre langage que SVG a été omis (%1, lignes %2).</translation>
+        <source>Content in another language than SVG was left out (%4).</source>
+        <translation>Du contenu dans un autre langage que SVG a été omis (%4).</translation>
     </message>
     <message>
-        <source>Animations were left out (%1, lines %2).</source>
-        <translation>Des animations ont été omises (%1, lignes %2).</translation>
+        <source>Animations were left out (%4).</source>
+        <translation>Des animations ont été omises (%4).</translation>
     </message>
     <message>
-        <source>Scripts were left out (%1, lines %2).</source>
-        <translation>Des scripts ont été omis (%1, lignes %2).</translation>
+        <source>Scripts were left out (%4).</source>
+        <translation>Des scripts ont été omis (%4).</translation>
     </message>
     <message>
-        <source>Some selectors of a style sheet are not understood (line %2): what they say of fill and stroke was not taken over.</source>
-        <translation>Des sélecteurs d’une feuille de style ne sont pas compris (ligne %2)&#xa0;: leur remplissage et leur contour n’ont pas été repris.</translation>
+        <source>Some selectors of a style sheet are not understood (%4): what they say of fill and stroke was not taken over.</source>
+        <translation>Des sélecteurs d’une feuille de style ne sont pas compris (%4)&#xa0;: leur remplissage et leur contour n’ont pas été repris.</translation>
     </message>
     <message>
-        <source>What is not displayed was left out (%1, lines %2).</source>
-        <translation>Ce qui n’est pas affiché a été omis (%1, lignes %2).</translation>
+        <source>What is not displayed was left out (%4).</source>
+        <translation>Ce qui n’est pas affiché a été omis (%4).</translation>
     </message>
     <message>
-        <source>Shapes without fill and stroke were left out (%1, lines %2).</source>
-        <translation>Des formes sans remplissage ni contour ont été omises (%1, lignes %2).</translation>
+        <source>Shapes without fill and stroke were left out (%4).</source>
+        <translation>Des formes sans remplissage ni contour ont été omises (%4).</translation>
     </message>
     <message>
-        <source>A transform is not understood and was left out (%1, lines %2).</source>
-        <translation>Une transformation incomprise a été omise (%1, lignes %2).</translation>
+        <source>A transform is not understood and was left out (%4).</source>
+        <translation>Une transformation incomprise a été omise (%4).</translation>
     </message>
     <message>
-        <source>Clips and masks were not applied: shapes are there as a whole (%1, lines %2).</source>
-        <translation>Découpes et masques n’ont pas été appliqués&#xa0;: les formes sont entières (%1, lignes %2).</translation>
+        <source>Clips and masks were not applied: shapes are there as a whole (%4).</source>
+        <translation>Découpes et masques n’ont pas été appliqués&#xa0;: les formes sont entières (%4).</translation>
     </message>
     <message>
-        <source>Filters were not applied (%1, lines %2).</source>
-        <translation>Des filtres n’ont pas été appliqués (%1, lignes %2).</translation>
+        <source>Filters were not applied (%4).</source>
+        <translation>Des filtres n’ont pas été appliqués (%4).</translation>
     </message>
     <message>
-        <source>References to what is not in the file, or to themselves, were left out (%1, lines %2): %3</source>
-        <translation>Des références hors du fichier, ou à elles-mêmes, ont été omises (%1, lignes %2)&#xa0;: %3</translation>
+        <source>References to what is not in the file, or to themselves, were left out (%4): %3</source>
+        <translation>Des références hors du fichier, ou à elles-mêmes, ont été omises (%4)&#xa0;: %3</translation>
     </message>
     <message>
-        <source>The data of shapes has a mistake; they are there up to it (%1, lines %2).</source>
-        <translation>Les données de formes ont une erreur&#xa0;; elles sont reprises jusque-là (%1, lignes %2).</translation>
+        <source>The data of shapes has a mistake; they are there up to it (%4).</source>
+        <translation>Les données de formes ont une erreur&#xa0;; elles sont reprises jusque-là (%4).</translation>
     </message>
     <message>
-        <source>Shapes without any extent were left out (%1, lines %2).</source>
-        <translation>Des formes sans étendue ont été omises (%1, lignes %2).</translation>
+        <source>Shapes without any extent were left out (%4).</source>
+        <translation>Des formes sans étendue ont été omises (%4).</translation>
     </message>
     <message>
-        <source>Areas with holes, or in several parts, were cut into several polygons (%1, lines %2).</source>
-        <translation>Des surfaces trouées ou en plusieurs parts ont été découpées en plusieurs polygones (%1, lignes %2).</translation>
+        <source>Areas with holes, or in several parts, were cut into several polygons (%4).</source>
+        <translation>Des surfaces trouées ou en plusieurs parts ont été découpées en plusieurs polygones (%4).</translation>
     </message>
     <message>
-        <source>Polygons of more than 1024 vertices became walls (%1, lines %2). A larger tolerance makes fewer vertices.</source>
-        <translation>Des polygones de plus de 1024 sommets sont devenus des murs (%1, lignes %2). Une tolérance plus grande donne moins de sommets.</translation>
+        <source>Polygons of more than 1024 vertices became walls (%4). A larger tolerance makes fewer vertices.</source>
+        <translation>Des polygones de plus de 1024 sommets sont devenus des murs (%4). Une tolérance plus grande donne moins de sommets.</translation>
     </message>
     <message>
-        <source>Areas that cross themselves very often became walls (%1, lines %2).</source>
-        <translation>Des surfaces qui se croisent très souvent sont devenues des murs (%1, lignes %2).</translation>
+        <source>Areas that cross themselves very often became walls (%4).</source>
+        <translation>Des surfaces qui se croisent très souvent sont devenues des murs (%4).</translation>
     </message>
     <message>
-        <source>Layers of tiles were left out, for a level has no tiles: %3 (lines %2). Objects of object layers are taken over.</source>
-        <translation>Des calques de tuiles ont été omis, car un niveau n’a pas de tuiles&#xa0;: %3 (lignes %2). Les objets des calques d’objets sont repris.</translation>
+        <source>Layers of tiles were left out, for a level has no tiles: %3 (%4). Objects of object layers are taken over.</source>
+        <translation>Des calques de tuiles ont été omis, car un niveau n’a pas de tuiles&#xa0;: %3 (%4). Les objets des calques d’objets sont repris.</translation>
     </message>
     <message>
-        <source>Layers of pictures were left out: %3 (lines %2).</source>
-        <translation>Des calques d’images ont été omis&#xa0;: %3 (lignes %2).</translation>
+        <source>Layers of pictures were left out: %3 (%4).</source>
+        <translation>Des calques d’images ont été omis&#xa0;: %3 (%4).</translation>
     </message>
     <message>
         <source>Tilesets are not needed and were not read: %3.</source>
         <translation>Les jeux de tuiles sont inutiles et n’ont pas été lus&#xa0;: %3.</translation>
     </message>
     <message>
-        <source>Objects that are tiles were left out (%1, lines %2).</source>
-        <translation>Des objets qui sont des tuiles ont été omis (%1, lignes %2).</translation>
+        <source>Objects that are tiles were left out (%4).</source>
+        <translation>Des objets qui sont des tuiles ont été omis (%4).</translation>
     </message>
     <message>
-        <source>Objects made of templates were left out, for these are in other files (%1, lines %2). Detach them in Tiled.</source>
-        <translation>Des objets tirés de modèles ont été omis, car ceux-ci sont dans d’autres fichiers (%1, lignes %2). Détachez-les dans Tiled.</translation>
+        <source>Objects made of templates were left out, for these are in other files (%4). Detach them in Tiled.</source>
+        <translation>Des objets tirés de modèles ont été omis, car ceux-ci sont dans d’autres fichiers (%4). Détachez-les dans Tiled.</translation>
     </message>
     <message>
-        <source>Objects of a form that is not known here were left out (%1, lines %2).</source>
-        <translation>Des objets d’une forme inconnue ici ont été omis (%1, lignes %2).</translation>
+        <source>Objects of a form that is not known here were left out (%4).</source>
+        <translation>Des objets d’une forme inconnue ici ont été omis (%4).</translation>
     </message>
     <message>
-        <source>Points were left out (%1, lines %2): only those of the class “ship” or “payload” become something.</source>
-        <translation>Des points ont été omis (%1, lignes %2)&#xa0;: seuls ceux de la classe «&#xa0;ship&#xa0;» ou «&#xa0;payload&#xa0;» deviennent quelque chose.</translation>
+        <source>Points were left out (%4): only those of the class “ship” or “payload” become something.</source>
+        <translation>Des points ont été omis (%4)&#xa0;: seuls ceux de la classe «&#xa0;ship&#xa0;» ou «&#xa0;payload&#xa0;» deviennent quelque chose.</translation>
     </message>
     <message>
-        <source>Properties that mean nothing here were left out (%1, lines %2): %3.</source>
-        <translation>Des propriétés sans effet ici ont été omises (%1, lignes %2)&#xa0;: %3.</translation>
+        <source>Properties that mean nothing here were left out (%4): %3.</source>
+        <translation>Des propriétés sans effet ici ont été omises (%4)&#xa0;: %3.</translation>
     </message>
     <message>
-        <source>The opacity of layers was not taken over: %3 (lines %2).</source>
-        <translation>L’opacité des calques n’a pas été reprise&#xa0;: %3 (lignes %2).</translation>
+        <source>The opacity of layers was not taken over: %3 (%4).</source>
+        <translation>L’opacité des calques n’a pas été reprise&#xa0;: %3 (%4).</translation>
     </message>
     <message>
-        <source>The parallax of layers was not taken over: %3 (lines %2).</source>
-        <translation>La parallaxe des calques n’a pas été reprise&#xa0;: %3 (lignes %2).</translation>
+        <source>The parallax of layers was not taken over: %3 (%4).</source>
+        <translation>La parallaxe des calques n’a pas été reprise&#xa0;: %3 (%4).</translation>
     </message>
     <message>
-        <source>Gravity was not taken over (line %2): the level keeps its own.</source>
-        <translation>La gravité n’a pas été reprise (ligne %2)&#xa0;: le niveau garde la sienne.</translation>
+        <source>Gravity was not taken over (%4): the level keeps its own.</source>
+        <translation>La gravité n’a pas été reprise (%4)&#xa0;: le niveau garde la sienne.</translation>
     </message>
     <message>
-        <source>Numbers that a level cannot have were brought into its range (%1, lines %2): %3.</source>
-        <translation>Des nombres impossibles dans un niveau ont été ramenés dans ses limites (%1, lignes %2)&#xa0;: %3.</translation>
+        <source>Numbers that a level cannot have were brought into its range (%4): %3.</source>
+        <translation>Des nombres impossibles dans un niveau ont été ramenés dans ses limites (%4)&#xa0;: %3.</translation>
     </message>
     <message>
-        <source>Fixtures without a sound shape were left out (%1, lines %2).</source>
-        <translation>Des fixtures sans forme correcte ont été omises (%1, lignes %2).</translation>
+        <source>Fixtures without a sound shape were left out (%4).</source>
+        <translation>Des fixtures sans forme correcte ont été omises (%4).</translation>
     </message>
     <message>
-        <source>Group indices of filters were not taken over (%1, lines %2): %3</source>
-        <translation>Les indices de groupe des filtres n’ont pas été repris (%1, lignes %2)&#xa0;: %3</translation>
+        <source>Group indices of filters were not taken over (%4): %3</source>
+        <translation>Les indices de groupe des filtres n’ont pas été repris (%4)&#xa0;: %3</translation>
     </message>
     <message>
-        <source>Fixtures of one body differ in material or filter: those of the first were taken (%1, lines %2): %3</source>
-        <translation>Les fixtures d’un même corps diffèrent en matière ou filtre&#xa0;: ceux de la première ont été pris (%1, lignes %2)&#xa0;: %3</translation>
+        <source>Fixtures of one body differ in material or filter: those of the first were taken (%4): %3</source>
+        <translation>Les fixtures d’un même corps diffèrent en matière ou filtre&#xa0;: ceux de la première ont été pris (%4)&#xa0;: %3</translation>
     </message>
     <message>
-        <source>Sensors of bodies that also have solid fixtures were left out (%1, lines %2): %3</source>
-        <translation>Les capteurs de corps ayant aussi des fixtures solides ont été omis (%1, lignes %2)&#xa0;: %3</translation>
+        <source>Sensors of bodies that also have solid fixtures were left out (%4): %3</source>
+        <translation>Les capteurs de corps ayant aussi des fixtures solides ont été omis (%4)&#xa0;: %3</translation>
     </message>
     <message>
-        <source>Settings of bodies that mean nothing here were left out (%1, lines %2): %3</source>
-        <translation>Des réglages de corps sans effet ici ont été omis (%1, lignes %2)&#xa0;: %3</translation>
+        <source>Settings of bodies that mean nothing here were left out (%4): %3</source>
+        <translation>Des réglages de corps sans effet ici ont été omis (%4)&#xa0;: %3</translation>
     </message>
     <message>
-        <source>Bodies without fixtures were left out (%1, lines %2): %3</source>
-        <translation>Des corps sans fixture ont été omis (%1, lignes %2)&#xa0;: %3</translation>
+        <source>Bodies without fixtures were left out (%4): %3</source>
+        <translation>Des corps sans fixture ont été omis (%4)&#xa0;: %3</translation>
     </message>
     <message>
-        <source>Joints that no connector can be were left out (%1, lines %2): %3</source>
-        <translation>Des articulations qu’aucun connecteur ne peut rendre ont été omises (%1, lignes %2)&#xa0;: %3</translation>
+        <source>Joints that no connector can be were left out (%4): %3</source>
+        <translation>Des articulations qu’aucun connecteur ne peut rendre ont été omises (%4)&#xa0;: %3</translation>
     </message>
     <message>
-        <source>Rigid joints became stiff connectors (%1, lines %2): %3</source>
-        <translation>Des articulations rigides sont devenues des connecteurs raides (%1, lignes %2)&#xa0;: %3</translation>
+        <source>Rigid joints became stiff connectors (%4): %3</source>
+        <translation>Des articulations rigides sont devenues des connecteurs raides (%4)&#xa0;: %3</translation>
     </message>
     <message>
         <source>The level has a ship, a payload or a finish already; those of the file were left out.</source>
@@ -4375,6 +4404,30 @@
         <source>%1 and %2</source>
         <translation>%1 et %2</translation>
     </message>
+    <message>
+        <source>once</source>
+        <translation>une fois</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times</source>
+        <translation><numerusform>%n fois</numerusform><numerusform>%n fois</numerusform></translation>
+    </message>
+    <message>
+        <source>%1, in line %2</source>
+        <translation>%1, à la ligne %2</translation>
+    </message>
+    <message>
+        <source>%1, in lines %2</source>
+        <translation>%1, aux lignes %2</translation>
+    </message>
+    <message>
+        <source>What drawings within the drawing hide beyond their borders is there as well (%4).</source>
+        <translation>Ce que des dessins dans le dessin cachent au-delà de leurs bords est là aussi (%4).</translation>
+    </message>
+    <message>
+        <source>The width of wide strokes was not taken over: they are walls without thickness (%4). “Stroke to Path” of Inkscape makes areas of them.</source>
+        <translation>La largeur des contours larges n’a pas été reprise : ce sont des murs sans épaisseur (%4). « Contour en chemin » d’Inkscape en fait des surfaces.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
@@ -5035,14 +5088,6 @@
         <translation>Rendre à cette action ses touches d’origine</translation>
     </message>
     <message>
-        <source>In the game</source>
-        <translation>Dans le jeu</translation>
-    </message>
-    <message>
-        <source>Keys of the game hold while one is running, and cannot be changed.</source>
-        <translation>Les touches du jeu valent pendant une partie, et ne peuvent être modifiées.</translation>
-    </message>
-    <message>
         <source>Take %1 away</source>
         <translation>Retirer %1</translation>
     </message>
@@ -5097,6 +5142,10 @@
     <message>
         <source>“%1” cannot be written: %2.</source>
         <translation>Impossible d’écrire «&#xa0;%1&#xa0;»&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>This key cannot be changed, so that there is always a way out of the game.</source>
+        <translation>Cette touche ne peut pas être changée, afin qu’il y ait toujours un moyen de quitter le jeu.</translation>
     </message>
 </context>
 <context>
@@ -5376,6 +5425,22 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <message>
         <source>&amp;Language</source>
         <translation>Lan&amp;gue</translation>
+    </message>
+    <message>
+        <source>Too much for this computer: the game is %1 s behind real time · %2: back to the editor</source>
+        <translation>Trop pour cet ordinateur : le jeu a %1 s de retard sur le temps réel · %2 : retour à l’éditeur</translation>
+    </message>
+    <message>
+        <source>The game was ended: so many bodies lie in the same place that the computer&apos;s memory would not hold what happens between them. Move them apart, and play again.</source>
+        <translation>Le jeu a été arrêté : tant de corps se trouvent au même endroit que la mémoire de l’ordinateur ne suffirait pas à ce qui se passe entre eux. Écartez-les, puis rejouez.</translation>
+    </message>
+    <message>
+        <source>The game was ended: there is not enough memory for this level. Nothing of the level is lost.</source>
+        <translation>Le jeu a été arrêté : il n’y a pas assez de mémoire pour ce niveau. Rien du niveau n’est perdu.</translation>
+    </message>
+    <message>
+        <source>what was not saved of %1</source>
+        <translation>ce qui n’était pas enregistré de %1</translation>
     </message>
 </context>
 <context>
@@ -5671,24 +5736,24 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
         <translation>Reprendre</translation>
     </message>
     <message>
-        <source>Go on playing (Esc)</source>
-        <translation>Continuer la partie (Échap)</translation>
-    </message>
-    <message>
         <source>Restart</source>
         <translation>Recommencer</translation>
-    </message>
-    <message>
-        <source>Start the level over (R)</source>
-        <translation>Recommencer le niveau (R)</translation>
     </message>
     <message>
         <source>Back to the editor</source>
         <translation>Retour à l’éditeur</translation>
     </message>
     <message>
-        <source>Stop playing (F8)</source>
-        <translation>Arrêter la partie (F8)</translation>
+        <source>Stop playing</source>
+        <translation>Arrêter de jouer</translation>
+    </message>
+    <message>
+        <source>Go on playing</source>
+        <translation>Continuer à jouer</translation>
+    </message>
+    <message>
+        <source>Start the level over</source>
+        <translation>Recommencer le niveau</translation>
     </message>
 </context>
 <context>
@@ -5774,6 +5839,10 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
         <source>Copy text</source>
         <translation>Copier le texte</translation>
     </message>
+    <message>
+        <source>Nothing was found that would cure this by itself.</source>
+        <translation>Rien n’a été trouvé qui corrigerait cela de soi-même.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::RecoveryBar</name>
@@ -5836,16 +5905,16 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
         <translation>Continuer avec ce niveau&#xa0;; son fichier reste tel quel jusqu’à l’enregistrement</translation>
     </message>
     <message>
-        <source>Say what differs from the file</source>
-        <translation>Dire ce qui diffère du fichier</translation>
-    </message>
-    <message>
         <source>Do not offer this any more</source>
         <translation>Ne plus proposer ceci</translation>
     </message>
     <message>
         <source>Discarded.</source>
         <translation>Abandonné.</translation>
+    </message>
+    <message>
+        <source>Say and show what differs from the file</source>
+        <translation>Dire et montrer ce qui diffère du fichier</translation>
     </message>
 </context>
 <context>

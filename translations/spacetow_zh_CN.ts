@@ -1563,6 +1563,10 @@
         <source>This backup cannot be opened.</source>
         <translation>无法打开此备份。</translation>
     </message>
+    <message>
+        <source>%1 is saved, but of the version before no backup could be made:</source>
+        <translation>%1 已保存，但无法为之前的版本创建备份：</translation>
+    </message>
 </context>
 <context>
     <name>Hud</name>
@@ -1595,10 +1599,6 @@
         <translation>成功了！</translation>
     </message>
     <message>
-        <source>The payload is home. Space: fly again · Esc: menu</source>
-        <translation>载荷已送达。空格：再飞一次 · Esc：菜单</translation>
-    </message>
-    <message>
         <source>Lives %1</source>
         <translation>生命 %1</translation>
     </message>
@@ -1611,16 +1611,45 @@
         <translation>已用燃料 %1 s</translation>
     </message>
     <message>
-        <source>Paused · P: go on · O: one step · Esc: menu</source>
-        <translation>已暂停 · P：继续 · O：单步 · Esc：菜单</translation>
-    </message>
-    <message>
         <source>Gravity is upside down!</source>
         <translation>重力已颠倒！</translation>
     </message>
     <message>
-        <source>In range. Space: tow</source>
-        <translation>在范围内。空格：牵引</translation>
+        <source>menu</source>
+        <translation>菜单</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a key and what it does</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>The payload is home.</source>
+        <translation>货物已送达。</translation>
+    </message>
+    <message>
+        <source>fly again</source>
+        <translation>再飞一次</translation>
+    </message>
+    <message>
+        <source>go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>one step</source>
+        <translation>单步</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>tow</source>
+        <translation>拖曳</translation>
+    </message>
+    <message>
+        <source>In range.</source>
+        <translation>在范围内。</translation>
     </message>
 </context>
 <context>
@@ -2111,6 +2140,18 @@
         <source>“%1” works while a game is running too, when plain keys are the game&apos;s: use Ctrl, Alt or a function key with it.</source>
         <translation>“%1”在游戏运行时也有效，而此时普通按键归游戏使用：请配合 Ctrl、Alt 或使用功能键。</translation>
     </message>
+    <message>
+        <source>In the game</source>
+        <translation>游戏中</translation>
+    </message>
+    <message>
+        <source>%1 cannot be a key of the game: choose one without Ctrl and Alt that is no function key.</source>
+        <translation>%1 不能用作游戏按键：请选择不带 Ctrl 和 Alt 且不是功能键的按键。</translation>
+    </message>
+    <message>
+        <source>%1 always shows the menu of the game.</source>
+        <translation>%1 始终显示游戏菜单。</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>
@@ -2215,28 +2256,8 @@
         <translation>在画布上</translation>
     </message>
     <message>
-        <source>In the game</source>
-        <translation>在游戏中</translation>
-    </message>
-    <message>
-        <source>W or Up</source>
-        <translation>W 或 ↑</translation>
-    </message>
-    <message>
         <source>Thrust</source>
         <translation>推进</translation>
-    </message>
-    <message>
-        <source>A or Left · D or Right</source>
-        <translation>A 或 ← · D 或 →</translation>
-    </message>
-    <message>
-        <source>Turn left · turn right</source>
-        <translation>左转 · 右转</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>空格</translation>
     </message>
     <message>
         <source>Tow the payload when it is near; again: let it go</source>
@@ -2247,20 +2268,28 @@
         <translation>暂停游戏并显示菜单</translation>
     </message>
     <message>
-        <source>R · P · O</source>
-        <translation>R · P · O</translation>
-    </message>
-    <message>
-        <source>Restart · hold · next frame</source>
-        <translation>重新开始 · 暂停 · 下一帧</translation>
-    </message>
-    <message>
-        <source>F</source>
-        <translation>F</translation>
-    </message>
-    <message>
         <source>Let the view follow the ship again</source>
         <translation>让视图重新跟随飞船</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>向左转</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>向右转</translation>
+    </message>
+    <message>
+        <source>Hold the game, or go on</source>
+        <translation>暂停或继续游戏</translation>
+    </message>
+    <message>
+        <source>Hold the game and advance it by one update</source>
+        <translation>暂停游戏并前进一步</translation>
+    </message>
+    <message>
+        <source>Start the level over</source>
+        <translation>重新开始关卡</translation>
     </message>
 </context>
 <context>
@@ -2442,152 +2471,152 @@
         <translation>此文件中没有可成为关卡内容的东西。</translation>
     </message>
     <message>
-        <source>Text was left out (%1, lines %2). Turn it into paths to have it.</source>
-        <translation>已略去文本（%1 处，第 %2 行）。如需保留，请先转换为路径。</translation>
+        <source>Text was left out (%4). Turn it into paths to have it.</source>
+        <translation>已略去文本（%4）。如需保留，请先转换为路径。</translation>
     </message>
     <message>
-        <source>Pictures were left out (%1, lines %2).</source>
-        <translation>已略去图片（%1 处，第 %2 行）。</translation>
+        <source>Pictures were left out (%4).</source>
+        <translation>已略去图片（%4）。</translation>
     </message>
     <message>
-        <source>Content in another language than SVG was left out (%1, lines %2).</source>
-        <translation>已略去非 SVG 语言的内容（%1 处，第 %2 行）。</translation>
+        <source>Content in another language than SVG was left out (%4).</source>
+        <translation>已略去非 SVG 语言的内容（%4）。</translation>
     </message>
     <message>
-        <source>Animations were left out (%1, lines %2).</source>
-        <translation>已略去动画（%1 处，第 %2 行）。</translation>
+        <source>Animations were left out (%4).</source>
+        <translation>已略去动画（%4）。</translation>
     </message>
     <message>
-        <source>Scripts were left out (%1, lines %2).</source>
-        <translation>已略去脚本（%1 处，第 %2 行）。</translation>
+        <source>Scripts were left out (%4).</source>
+        <translation>已略去脚本（%4）。</translation>
     </message>
     <message>
-        <source>Some selectors of a style sheet are not understood (line %2): what they say of fill and stroke was not taken over.</source>
-        <translation>样式表的某些选择器无法识别（第 %2 行）：其中的填充和描边未采用。</translation>
+        <source>Some selectors of a style sheet are not understood (%4): what they say of fill and stroke was not taken over.</source>
+        <translation>样式表的某些选择器无法识别（%4）：其中的填充和描边未采用。</translation>
     </message>
     <message>
-        <source>What is not displayed was left out (%1, lines %2).</source>
-        <translation>已略去不显示的内容（%1 处，第 %2 行）。</translation>
+        <source>What is not displayed was left out (%4).</source>
+        <translation>已略去不显示的内容（%4）。</translation>
     </message>
     <message>
-        <source>Shapes without fill and stroke were left out (%1, lines %2).</source>
-        <translation>已略去没有填充和描边的形状（%1 处，第 %2 行）。</translation>
+        <source>Shapes without fill and stroke were left out (%4).</source>
+        <translation>已略去没有填充和描边的形状（%4）。</translation>
     </message>
     <message>
-        <source>A transform is not understood and was left out (%1, lines %2).</source>
-        <translation>有变换无法识别，已略去（%1 处，第 %2 行）。</translation>
+        <source>A transform is not understood and was left out (%4).</source>
+        <translation>有变换无法识别，已略去（%4）。</translation>
     </message>
     <message>
-        <source>Clips and masks were not applied: shapes are there as a whole (%1, lines %2).</source>
-        <translation>未应用剪裁和蒙版：形状完整保留（%1 处，第 %2 行）。</translation>
+        <source>Clips and masks were not applied: shapes are there as a whole (%4).</source>
+        <translation>未应用剪裁和蒙版：形状完整保留（%4）。</translation>
     </message>
     <message>
-        <source>Filters were not applied (%1, lines %2).</source>
-        <translation>未应用滤镜（%1 处，第 %2 行）。</translation>
+        <source>Filters were not applied (%4).</source>
+        <translation>未应用滤镜（%4）。</translation>
     </message>
     <message>
-        <source>References to what is not in the file, or to themselves, were left out (%1, lines %2): %3</source>
-        <translation>已略去指向文件外内容或自身的引用（%1 处，第 %2 行）：%3</translation>
+        <source>References to what is not in the file, or to themselves, were left out (%4): %3</source>
+        <translation>已略去指向文件外内容或自身的引用（%4）：%3</translation>
     </message>
     <message>
-        <source>The data of shapes has a mistake; they are there up to it (%1, lines %2).</source>
-        <translation>形状数据有错误；保留到出错处为止（%1 处，第 %2 行）。</translation>
+        <source>The data of shapes has a mistake; they are there up to it (%4).</source>
+        <translation>形状数据有错误；保留到出错处为止（%4）。</translation>
     </message>
     <message>
-        <source>Shapes without any extent were left out (%1, lines %2).</source>
-        <translation>已略去没有大小的形状（%1 处，第 %2 行）。</translation>
+        <source>Shapes without any extent were left out (%4).</source>
+        <translation>已略去没有大小的形状（%4）。</translation>
     </message>
     <message>
-        <source>Areas with holes, or in several parts, were cut into several polygons (%1, lines %2).</source>
-        <translation>带孔或分成多块的区域已切成多个多边形（%1 处，第 %2 行）。</translation>
+        <source>Areas with holes, or in several parts, were cut into several polygons (%4).</source>
+        <translation>带孔或分成多块的区域已切成多个多边形（%4）。</translation>
     </message>
     <message>
-        <source>Polygons of more than 1024 vertices became walls (%1, lines %2). A larger tolerance makes fewer vertices.</source>
-        <translation>顶点超过 1024 个的多边形已变为墙（%1 处，第 %2 行）。增大容差可减少顶点。</translation>
+        <source>Polygons of more than 1024 vertices became walls (%4). A larger tolerance makes fewer vertices.</source>
+        <translation>顶点超过 1024 个的多边形已变为墙（%4）。增大容差可减少顶点。</translation>
     </message>
     <message>
-        <source>Areas that cross themselves very often became walls (%1, lines %2).</source>
-        <translation>自交过多的区域已变为墙（%1 处，第 %2 行）。</translation>
+        <source>Areas that cross themselves very often became walls (%4).</source>
+        <translation>自交过多的区域已变为墙（%4）。</translation>
     </message>
     <message>
-        <source>Layers of tiles were left out, for a level has no tiles: %3 (lines %2). Objects of object layers are taken over.</source>
-        <translation>已略去图块层，因为关卡没有图块：%3（第 %2 行）。对象层中的对象已采用。</translation>
+        <source>Layers of tiles were left out, for a level has no tiles: %3 (%4). Objects of object layers are taken over.</source>
+        <translation>已略去图块层，因为关卡没有图块：%3（%4）。对象层中的对象已采用。</translation>
     </message>
     <message>
-        <source>Layers of pictures were left out: %3 (lines %2).</source>
-        <translation>已略去图像层：%3（第 %2 行）。</translation>
+        <source>Layers of pictures were left out: %3 (%4).</source>
+        <translation>已略去图像层：%3（%4）。</translation>
     </message>
     <message>
         <source>Tilesets are not needed and were not read: %3.</source>
         <translation>不需要图块集，未读取：%3。</translation>
     </message>
     <message>
-        <source>Objects that are tiles were left out (%1, lines %2).</source>
-        <translation>已略去图块对象（%1 处，第 %2 行）。</translation>
+        <source>Objects that are tiles were left out (%4).</source>
+        <translation>已略去图块对象（%4）。</translation>
     </message>
     <message>
-        <source>Objects made of templates were left out, for these are in other files (%1, lines %2). Detach them in Tiled.</source>
-        <translation>已略去由模板生成的对象，因为模板在其他文件中（%1 处，第 %2 行）。请在 Tiled 中分离它们。</translation>
+        <source>Objects made of templates were left out, for these are in other files (%4). Detach them in Tiled.</source>
+        <translation>已略去由模板生成的对象，因为模板在其他文件中（%4）。请在 Tiled 中分离它们。</translation>
     </message>
     <message>
-        <source>Objects of a form that is not known here were left out (%1, lines %2).</source>
-        <translation>已略去形式未知的对象（%1 处，第 %2 行）。</translation>
+        <source>Objects of a form that is not known here were left out (%4).</source>
+        <translation>已略去形式未知的对象（%4）。</translation>
     </message>
     <message>
-        <source>Points were left out (%1, lines %2): only those of the class “ship” or “payload” become something.</source>
-        <translation>已略去点（%1 处，第 %2 行）：只有类为“ship”或“payload”的点才会采用。</translation>
+        <source>Points were left out (%4): only those of the class “ship” or “payload” become something.</source>
+        <translation>已略去点（%4）：只有类为“ship”或“payload”的点才会采用。</translation>
     </message>
     <message>
-        <source>Properties that mean nothing here were left out (%1, lines %2): %3.</source>
-        <translation>已略去此处无意义的属性（%1 处，第 %2 行）：%3。</translation>
+        <source>Properties that mean nothing here were left out (%4): %3.</source>
+        <translation>已略去此处无意义的属性（%4）：%3。</translation>
     </message>
     <message>
-        <source>The opacity of layers was not taken over: %3 (lines %2).</source>
-        <translation>未采用图层的不透明度：%3（第 %2 行）。</translation>
+        <source>The opacity of layers was not taken over: %3 (%4).</source>
+        <translation>未采用图层的不透明度：%3（%4）。</translation>
     </message>
     <message>
-        <source>The parallax of layers was not taken over: %3 (lines %2).</source>
-        <translation>未采用图层的视差：%3（第 %2 行）。</translation>
+        <source>The parallax of layers was not taken over: %3 (%4).</source>
+        <translation>未采用图层的视差：%3（%4）。</translation>
     </message>
     <message>
-        <source>Gravity was not taken over (line %2): the level keeps its own.</source>
-        <translation>未采用重力（第 %2 行）：关卡保留自己的重力。</translation>
+        <source>Gravity was not taken over (%4): the level keeps its own.</source>
+        <translation>未采用重力（%4）：关卡保留自己的重力。</translation>
     </message>
     <message>
-        <source>Numbers that a level cannot have were brought into its range (%1, lines %2): %3.</source>
-        <translation>关卡不允许的数值已调整到允许范围（%1 处，第 %2 行）：%3。</translation>
+        <source>Numbers that a level cannot have were brought into its range (%4): %3.</source>
+        <translation>关卡不允许的数值已调整到允许范围（%4）：%3。</translation>
     </message>
     <message>
-        <source>Fixtures without a sound shape were left out (%1, lines %2).</source>
-        <translation>已略去没有有效形状的夹具（%1 处，第 %2 行）。</translation>
+        <source>Fixtures without a sound shape were left out (%4).</source>
+        <translation>已略去没有有效形状的夹具（%4）。</translation>
     </message>
     <message>
-        <source>Group indices of filters were not taken over (%1, lines %2): %3</source>
-        <translation>未采用过滤器的组索引（%1 处，第 %2 行）：%3</translation>
+        <source>Group indices of filters were not taken over (%4): %3</source>
+        <translation>未采用过滤器的组索引（%4）：%3</translation>
     </message>
     <message>
-        <source>Fixtures of one body differ in material or filter: those of the first were taken (%1, lines %2): %3</source>
-        <translation>同一物体的夹具材质或过滤器不同：采用了第一个的设置（%1 处，第 %2 行）：%3</translation>
+        <source>Fixtures of one body differ in material or filter: those of the first were taken (%4): %3</source>
+        <translation>同一物体的夹具材质或过滤器不同：采用了第一个的设置（%4）：%3</translation>
     </message>
     <message>
-        <source>Sensors of bodies that also have solid fixtures were left out (%1, lines %2): %3</source>
-        <translation>已略去同时带有实心夹具的物体上的传感器（%1 处，第 %2 行）：%3</translation>
+        <source>Sensors of bodies that also have solid fixtures were left out (%4): %3</source>
+        <translation>已略去同时带有实心夹具的物体上的传感器（%4）：%3</translation>
     </message>
     <message>
-        <source>Settings of bodies that mean nothing here were left out (%1, lines %2): %3</source>
-        <translation>已略去此处无意义的物体设置（%1 处，第 %2 行）：%3</translation>
+        <source>Settings of bodies that mean nothing here were left out (%4): %3</source>
+        <translation>已略去此处无意义的物体设置（%4）：%3</translation>
     </message>
     <message>
-        <source>Bodies without fixtures were left out (%1, lines %2): %3</source>
-        <translation>已略去没有夹具的物体（%1 处，第 %2 行）：%3</translation>
+        <source>Bodies without fixtures were left out (%4): %3</source>
+        <translation>已略去没有夹具的物体（%4）：%3</translation>
     </message>
     <message>
-        <source>Joints that no connector can be were left out (%1, lines %2): %3</source>
-        <translation>已略去无法成为连接件的关节（%1 处，第 %2 行）：%3</translation>
+        <source>Joints that no connector can be were left out (%4): %3</source>
+        <translation>已略去无法成为连接件的关节（%4）：%3</translation>
     </message>
     <message>
-        <source>Rigid joints became stiff connectors (%1, lines %2): %3</source>
-        <translation>刚性关节已变为高刚度连接件（%1 处，第 %2 行）：%3</translation>
+        <source>Rigid joints became stiff connectors (%4): %3</source>
+        <translation>刚性关节已变为高刚度连接件（%4）：%3</translation>
     </message>
     <message>
         <source>The level has a ship, a payload or a finish already; those of the file were left out.</source>
@@ -4341,6 +4370,30 @@
         <source>%1 and %2</source>
         <translation>%1 和 %2</translation>
     </message>
+    <message>
+        <source>once</source>
+        <translation>一次</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times</source>
+        <translation><numerusform>%n 次</numerusform></translation>
+    </message>
+    <message>
+        <source>%1, in line %2</source>
+        <translation>%1，第 %2 行</translation>
+    </message>
+    <message>
+        <source>%1, in lines %2</source>
+        <translation>%1，第 %2 行</translation>
+    </message>
+    <message>
+        <source>What drawings within the drawing hide beyond their borders is there as well (%4).</source>
+        <translation>图中之图在其边界之外隐藏的内容也一并导入（%4）。</translation>
+    </message>
+    <message>
+        <source>The width of wide strokes was not taken over: they are walls without thickness (%4). “Stroke to Path” of Inkscape makes areas of them.</source>
+        <translation>未采用宽描边的宽度：它们是没有厚度的墙（%4）。Inkscape 的“描边转路径”可将其变成区域。</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
@@ -4995,14 +5048,6 @@
         <translation>恢复此操作的默认按键</translation>
     </message>
     <message>
-        <source>In the game</source>
-        <translation>在游戏中</translation>
-    </message>
-    <message>
-        <source>Keys of the game hold while one is running, and cannot be changed.</source>
-        <translation>游戏按键在游戏运行时有效，不能更改。</translation>
-    </message>
-    <message>
         <source>Take %1 away</source>
         <translation>移除 %1</translation>
     </message>
@@ -5057,6 +5102,10 @@
     <message>
         <source>“%1” cannot be written: %2.</source>
         <translation>无法写入“%1”：%2。</translation>
+    </message>
+    <message>
+        <source>This key cannot be changed, so that there is always a way out of the game.</source>
+        <translation>此按键不能更改，以便始终可以退出游戏。</translation>
     </message>
 </context>
 <context>
@@ -5335,6 +5384,22 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     <message>
         <source>&amp;Language</source>
         <translation>语言(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Too much for this computer: the game is %1 s behind real time · %2: back to the editor</source>
+        <translation>超出此计算机的能力：游戏落后实际时间 %1 秒 · %2：返回编辑器</translation>
+    </message>
+    <message>
+        <source>The game was ended: so many bodies lie in the same place that the computer&apos;s memory would not hold what happens between them. Move them apart, and play again.</source>
+        <translation>游戏已结束：同一位置的物体过多，计算机内存无法容纳它们之间的相互作用。请将它们分开后再玩。</translation>
+    </message>
+    <message>
+        <source>The game was ended: there is not enough memory for this level. Nothing of the level is lost.</source>
+        <translation>游戏已结束：内存不足以运行此关卡。关卡内容没有丢失。</translation>
+    </message>
+    <message>
+        <source>what was not saved of %1</source>
+        <translation>%1 中未保存的内容</translation>
     </message>
 </context>
 <context>
@@ -5630,24 +5695,24 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
         <translation>继续</translation>
     </message>
     <message>
-        <source>Go on playing (Esc)</source>
-        <translation>继续游戏 (Esc)</translation>
-    </message>
-    <message>
         <source>Restart</source>
         <translation>重新开始</translation>
-    </message>
-    <message>
-        <source>Start the level over (R)</source>
-        <translation>从头开始关卡 (R)</translation>
     </message>
     <message>
         <source>Back to the editor</source>
         <translation>返回编辑器</translation>
     </message>
     <message>
-        <source>Stop playing (F8)</source>
-        <translation>停止游戏 (F8)</translation>
+        <source>Stop playing</source>
+        <translation>停止游戏</translation>
+    </message>
+    <message>
+        <source>Go on playing</source>
+        <translation>继续游戏</translation>
+    </message>
+    <message>
+        <source>Start the level over</source>
+        <translation>重新开始关卡</translation>
     </message>
 </context>
 <context>
@@ -5733,6 +5798,10 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
         <source>Copy text</source>
         <translation>复制文本</translation>
     </message>
+    <message>
+        <source>Nothing was found that would cure this by itself.</source>
+        <translation>没有找到可以自动修复此问题的方法。</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::RecoveryBar</name>
@@ -5794,16 +5863,16 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
         <translation>继续编辑此关卡；在您保存之前，文件保持不变</translation>
     </message>
     <message>
-        <source>Say what differs from the file</source>
-        <translation>列出与文件的差异</translation>
-    </message>
-    <message>
         <source>Do not offer this any more</source>
         <translation>不再提示此项</translation>
     </message>
     <message>
         <source>Discarded.</source>
         <translation>已放弃。</translation>
+    </message>
+    <message>
+        <source>Say and show what differs from the file</source>
+        <translation>说明并显示与文件的不同之处</translation>
     </message>
 </context>
 <context>

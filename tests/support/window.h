@@ -110,6 +110,24 @@ class TestWindow {
     QTemporaryDir m_folder;
 };
 
+/// What stands outside of the bar, or in it on something else.
+inline QStringList misplacedIn(const QWidget& bar) {
+    QStringList found;
+    QList<QRect> taken;
+    for (const QWidget* child : bar.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        const QRect place = child->geometry();
+        if (!child->isVisible()) {
+            continue;
+        }
+        if (!bar.rect().contains(place) ||
+            std::ranges::any_of(taken, [&](const QRect& other) { return other.intersects(place); })) {
+            found << QStringLiteral("%1 at %2, %3").arg(child->metaObject()->className()).arg(place.x()).arg(place.y());
+        }
+        taken << place;
+    }
+    return found;
+}
+
 /// What the visible labels and buttons of the window say of which a part is cut off.
 inline QStringList cutOffTexts(const QWidget& window) {
     QStringList texts;

@@ -18,10 +18,9 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
-#include <algorithm>
-
 using namespace spacetow;
 using spacetow::test::cutOffTexts;
+using spacetow::test::misplacedIn;
 using spacetow::test::TestWindow;
 
 namespace {
@@ -63,24 +62,6 @@ std::vector<Entry> entriesOf(const QString& path) {
         }
     }
     return xml.hasError() ? std::vector<Entry>() : entries;
-}
-
-/// What stands outside of the bar, or in it on something else.
-QStringList misplacedIn(const QWidget& bar) {
-    QStringList found;
-    QList<QRect> taken;
-    for (const QWidget* child : bar.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-        const QRect place = child->geometry();
-        if (!child->isVisible()) {
-            continue;
-        }
-        if (!bar.rect().contains(place) ||
-            std::ranges::any_of(taken, [&](const QRect& other) { return other.intersects(place); })) {
-            found << QStringLiteral("%1 at %2, %3").arg(child->metaObject()->className()).arg(place.x()).arg(place.y());
-        }
-        taken << place;
-    }
-    return found;
 }
 
 /// English is the language of the sources; its file holds plurals alone.
@@ -395,7 +376,7 @@ class TranslationsTest : public QObject {
         bar.finishWork();
         QApplication::processEvents();
         QVERIFY(bar.isVisible() && test.level().objects.size() == 1);
-        QCOMPARE(misplacedIn(bar), QStringList());
+        QTRY_COMPARE(misplacedIn(bar), QStringList());
         QCOMPARE(test.window->size(), QSize(800, 600));
         QCOMPARE(cutOffTexts(*test.window), QStringList());
     }
