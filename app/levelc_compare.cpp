@@ -1,9 +1,12 @@
 #include "app/levelc_commands.h"
 #include "app/levelc_support.h"
+#include "core/level/lint.h"
+#include "editor/window/messages.h"
 #include "editor/window/messages_compare.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 namespace spacetow {
 
@@ -35,6 +38,21 @@ QChar markOf(const DifferenceLine& line) {
         break;
     }
     return u'~';
+}
+
+/// What neither side has got wrong, but both together: two ships, or a rope tied to one ball at both ends.
+std::vector<Problem> madeByMerging(const Level& result, const Level& ours, const Level& theirs) {
+    std::set<std::pair<std::string, Key>> known;
+    for (const Level* const side : {&ours, &theirs}) {
+        for (const Problem& problem : lint(*side)) {
+            known.emplace(problem.code, problem.object);
+        }
+    }
+    std::vector<Problem> made = lint(result);
+    std::erase_if(made, [&known](const Problem& problem) {
+        return problem.severity != Severity::Error || known.contains({problem.code, problem.object});
+    });
+    return made;
 }
 
 /// Whether there is any.
@@ -140,7 +158,11 @@ int mergeCommand(const QStringList& arguments) {
     for (const MergeConflict& conflict : result.conflicts) {
         complain(QStringLiteral("conflict: ") + sentence(conflict, result.level));
     }
-    return result.conflicts.empty() ? exit_status::good : exit_status::bad;
+    const std::vector<Problem> made = madeByMerging(result.level, *ours, *theirs);
+    for (const Problem& problem : made) {
+        complain(QStringLiteral("conflict: both sides together make an error: ") + sentence(problem));
+    }
+    return result.conflicts.empty() && made.empty() ? exit_status::good : exit_status::bad;
 }
 
 } // namespace spacetow

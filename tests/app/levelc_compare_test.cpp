@@ -107,6 +107,24 @@ class LevelcCompareTest : public QObject {
         QCOMPARE(ended({"merge", base, ours, path("none.json")}).status, 2);
     }
 
+    void whatBothSidesTogetherGetWrongIsAConflict() {
+        const auto withShip = [](Key key) {
+            Level level = cave();
+            level.objects.append({key, {}, ShipObject{{1, 1}}, {}});
+            return level;
+        };
+        const QString base = saved("base.json", cave());
+        const Ended two = ended({"merge", base, saved("ours.json", withShip(7)), saved("theirs.json", withShip(8)),
+                                 "-o", path("out.json")});
+        QCOMPARE(two.status, 1);
+        QVERIFY2(two.err.contains("conflict: both sides together make an error"), qPrintable(two.err));
+        // What one side had wrong before is nothing new.
+        Level wrong = withShip(7);
+        wrong.objects.append({8, {}, ShipObject{{2, 2}}, {}});
+        const QString theirs = saved("theirs.json", renamed(cave(), 2, "ceiling"));
+        QCOMPARE(ended({"merge", base, saved("wrong.json", wrong), theirs, "-o", path("out.json")}).status, 0);
+    }
+
     void whatBothSidesHaveAddedIsMergedToo() {
         const QString nothing = path("empty.json"); // as git gives it for a base that is not there
         writeFile(nothing.toStdString(), "").value();
