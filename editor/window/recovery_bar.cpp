@@ -127,9 +127,13 @@ void RecoveryBar::remove(RecoveryRow& row) {
 
 void RecoveryBar::restore(RecoveryRow& row) {
     const auto slot = JournalSlot::takenOver(m_folder, row.found().orphan.id);
-    const std::optional<JournalEntry> entry = slot ? slot->read() : std::nullopt;
+    if (!slot) {
+        look(m_calledFor); // another window was quicker, or was only looking at that moment
+        return;
+    }
+    const std::optional<JournalEntry> entry = slot->read();
     if (!entry) {
-        remove(row); // another window was quicker
+        remove(row); // another window has discarded it
         return;
     }
     if (m_restore(*entry)) {
@@ -157,7 +161,7 @@ void RecoveryBar::discard(RecoveryRow& row) {
         row.setDiscarded(true);
         fitHeight();
     } else {
-        remove(row);
+        look(m_calledFor);
     }
 }
 
