@@ -50,15 +50,15 @@ class InspectorFormTest : public QObject {
                                    test.document.selection()});
             QApplication::processEvents();
         };
-        drag(0.25); // what is not what it was when it was picked up may be laid out once
         EventCount layouts(*test.number("angle").parentWidget(), QEvent::LayoutRequest);
         EventCount paints(test.number("angle"), QEvent::Paint);
-        for (int i = 2; i < 10; ++i) {
+        for (int i = 1; i < 10; ++i) {
             drag(0.25 * i);
         }
         QCOMPARE(test.number("position.x").value(), std::optional(3.25));
-        QCOMPARE(layouts.count, 0);
-        QCOMPARE(paints.count, 0);
+        // Once, whenever that is, what is no longer as it was picked up may be laid out.
+        QVERIFY2(layouts.count <= 1, QByteArray::number(layouts.count));
+        QVERIFY2(paints.count <= 1, QByteArray::number(paints.count));
     }
     void everyFieldKeepsItsOwnTextInEveryLocale_data() {
         QTest::addColumn<QString>("locale");
