@@ -197,7 +197,7 @@ void ArchitectureTest::aForbiddenIncludeIsFound_data() {
     QTest::newRow("arrays know no world") << "core/physics/state/a.h"
                                           << "#include \"core/physics/world/world.h\"";
     QTest::newRow("the broad phase knows no contacts") << "core/physics/broad_phase/a.cpp"
-                                                       << "#include \"core/physics/contacts/contact_lanes.h\"";
+                                                       << "#include \"core/physics/contacts/constraint_list.h\"";
     QTest::newRow("the broad phase wakes nobody") << "core/physics/broad_phase/a.cpp"
                                                   << "#include \"core/physics/sleep/sleep.h\"";
     QTest::newRow("lanes know no arrays") << "core/physics/lanes/a.h"

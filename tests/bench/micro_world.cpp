@@ -1,5 +1,6 @@
 // Pieces of whole worlds: the sub-steps of connectors, copies and hashes.
 
+#include "tests/support/allocation_count.h"
 #include "tests/support/scenes.h"
 
 #include <benchmark/benchmark.h>
@@ -50,10 +51,13 @@ World usedWorld(const char* name, int n) {
 
 void copies(benchmark::State& state, const char* name, int n) {
     const World world = usedWorld(name, n);
+    const std::uint64_t before = test::allocatedBytes();
     for (auto _ : state) {
         const World copy = world;
         benchmark::DoNotOptimize(copy.bodyCount());
     }
+    state.counters["bytes"] =
+        benchmark::Counter(static_cast<double>(test::allocatedBytes() - before), benchmark::Counter::kAvgIterations);
 }
 
 /// Into a world that is there already, as a loop of trials does.

@@ -1,4 +1,6 @@
 #include "tests/support/contact_scenes.h"
+
+#include "core/physics/state/world_data.h"
 #include "tests/support/rows.h"
 
 #include "tests/support/scenes.h"
@@ -67,6 +69,43 @@ class CopiesTest : public QObject {
         QCOMPARE(equal.hash(), saved.hash());
         World moved = std::move(equal);
         QVERIFY(futureOf(moved, after) == future);
+    }
+
+    void aCopyHasNoWorkingMemory() {
+        World world = worldOf(*makeScene("balls", 50));
+        futureOf(world, 5);
+        QVERIFY(!world.data().scratch.solver.velocities.empty() && !world.data().scratch.search.foundPairs.empty());
+        World assigned = world;
+        futureOf(assigned, 5);
+        assigned = world;
+        const World copy = world;
+        for (const World* each : std::initializer_list<const World*>{&copy, &assigned}) {
+            const Scratch& scratch = each->data().scratch;
+            QCOMPARE(scratch.solver.velocities.capacity(), std::size_t{0});
+            QCOMPARE(scratch.search.foundPairs.capacity(), std::size_t{0});
+            QCOMPARE(each->hash(), world.hash());
+        }
+    }
+
+    void whatMovedInASlotDoesNotDragWhatStandsInItLater() {
+        World world({.gravity = {0, -9.81}, .seconds = 0.02, .iterations = 4});
+        BodyDef passing = ball({0, 50}, 0.2);
+        passing.velocity = {30, 0};
+        const BodyId gone = add(world, passing);
+        world.update();
+        world.removeBody(gone);
+        world.update();
+        BodyDef floor = box({0, 0}, 5, 1);
+        floor.friction = 1;
+        floor.kind = BodyKind::Static;
+        const BodyId here = add(world, floor);
+        QCOMPARE(here.index, gone.index);
+        BodyDef crate = box({0, 1.5}, 0.5, 0.5);
+        crate.friction = 1;
+        const BodyId resting = add(world, crate);
+        futureOf(world, 50);
+        QVERIFY2(std::abs(world.body(resting).massCenter.x()) < 1e-6,
+                 qPrintable(QString("%1 m").arg(world.body(resting).massCenter.x())));
     }
 
     void aCopyLivesOnWithoutItsOriginal_data() { sceneRows(); }

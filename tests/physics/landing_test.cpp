@@ -183,34 +183,35 @@ class LandingTest : public QObject {
         run(silo.world, 0.7);
         WorldData some = silo.world.data();
         WorldData all = silo.world.data();
+        const SolverScratch& last = silo.world.data().scratch.solver;
         const Slot here = some.islands.roots[silo.balls.front().index];
         const Slot there = some.islands.roots[silo.balls.back().index];
         QVERIFY(here != there && some.circleContacts.size() > 50);
-        some.islands.unconverged.assign(some.motions.size(), 0);
-        some.islands.unconverged[here] = 1;
+        some.scratch.solver.unconverged.assign(some.motions.size(), 0);
+        some.scratch.solver.unconverged[here] = 1;
         reserveForUnconverged(some);
         // The velocities of the last iteration, with impulses that are to be found anew.
         for (WorldData* data : {&some, &all}) {
-            data->batches.velocities = data->batches.plannedVelocities;
-            data->batches.velocities.emplace_back();
+            data->scratch.solver.velocities = last.plannedVelocities;
+            data->scratch.solver.velocities.emplace_back();
             for (const CircleContact& c : data->circleContacts) {
                 data->batches.circles[c.lane.batch].normalImpulse[c.lane.lane] = 0;
                 data->batches.circles[c.lane.batch].tangentImpulse[c.lane.lane] = 0;
             }
         }
         solveUnconverged(some, 3);
-        overrelaxPass(all.batches);
-        overrelaxPass(all.batches);
-        solvePass(all.batches);
+        overrelaxPass(all.batches, all.scratch.solver.velocities);
+        overrelaxPass(all.batches, all.scratch.solver.velocities);
+        solvePass(all.batches, all.scratch.solver.velocities);
         bool any = false;
         for (const BodyId id : silo.balls) {
             const Slot slot = id.index;
             const bool solved = some.islands.roots[slot] == here;
             const WorldData& expected = solved ? all : some;
             const BodyVelocity& velocity =
-                solved ? expected.batches.velocities[slot] : expected.batches.plannedVelocities[slot];
-            QVERIFY(isSame(some.batches.velocities[slot], velocity));
-            any |= solved && !isSame(some.batches.velocities[slot], some.batches.plannedVelocities[slot]);
+                solved ? expected.scratch.solver.velocities[slot] : last.plannedVelocities[slot];
+            QVERIFY(isSame(some.scratch.solver.velocities[slot], velocity));
+            any |= solved && !isSame(some.scratch.solver.velocities[slot], last.plannedVelocities[slot]);
         }
         QVERIFY(any);
     }

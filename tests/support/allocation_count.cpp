@@ -6,14 +6,17 @@
 namespace {
 
 thread_local std::uint64_t count = 0;
+thread_local std::uint64_t bytes = 0;
 
 void* allocated(std::size_t size) noexcept {
     ++count;
+    bytes += size;
     return std::malloc(size > 0 ? size : 1);
 }
 
 void* allocated(std::size_t size, std::align_val_t alignment) noexcept {
     ++count;
+    bytes += size;
     const auto unit = static_cast<std::size_t>(alignment);
     return std::aligned_alloc(unit, size > 0 ? (size + unit - 1) / unit * unit : unit);
 }
@@ -28,6 +31,10 @@ namespace spacetow::test {
 
 std::uint64_t allocationCount() {
     return count;
+}
+
+std::uint64_t allocatedBytes() {
+    return bytes;
 }
 
 } // namespace spacetow::test

@@ -9,4 +9,7 @@ namespace spacetow::test {
 /// Calls of any operator new by the calling thread since it began.
 std::uint64_t allocationCount();
 
+/// What they asked for, of which some may have been given back.
+std::uint64_t allocatedBytes();
+
 } // namespace spacetow::test

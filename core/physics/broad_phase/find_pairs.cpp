@@ -65,7 +65,7 @@ void add(WorldData& data, const MovingProxy& a, const MovingProxy& b) {
     const bool ordered = a.body < b.body;
     const MovingProxy& first = ordered ? a : b;
     const MovingProxy& second = ordered ? b : a;
-    data.foundPairs.emplace_back(first.body, second.body, first.part, second.part);
+    data.scratch.search.foundPairs.emplace_back(first.body, second.body, first.part, second.part);
 }
 
 /// Whether the box of another stays clear of a long part.
@@ -89,9 +89,9 @@ bool isFoundBy(const WorldData& data, std::uint32_t index, std::uint32_t other) 
 
 void findMovingOf(WorldData& data, std::uint32_t index) {
     const Aabb& box = data.boxes[index];
-    data.found.clear();
-    data.tree.query(box, data.found);
-    for (const std::uint32_t other : data.found) {
+    data.scratch.search.found.clear();
+    data.tree.query(box, data.scratch.search.found);
+    for (const std::uint32_t other : data.scratch.search.found) {
         if (!data.proxies[other].isStaleInTree && isFoundBy(data, index, other)) {
             consider(data, index, other);
         }
@@ -105,9 +105,9 @@ void findMovingOf(WorldData& data, std::uint32_t index) {
 
 /// The tree has all where they are.
 void findAllMoving(WorldData& data) {
-    data.overlapping.clear();
-    data.tree.queryAll(data.overlapping);
-    for (const auto& [a, b] : data.overlapping) {
+    data.scratch.search.overlapping.clear();
+    data.tree.queryAll(data.scratch.search.overlapping);
+    for (const auto& [a, b] : data.scratch.search.overlapping) {
         if (data.proxies[a].movedProxy || data.proxies[b].movedProxy) {
             consider(data, a, b);
         }
@@ -115,16 +115,16 @@ void findAllMoving(WorldData& data) {
 }
 
 void findStaticsOf(WorldData& data, std::uint32_t index) {
-    findStatics(*data.statics, data.boxes[index], data.found);
+    findStatics(*data.statics, data.boxes[index], data.scratch.search.found);
     const MovingProxy& collider = data.proxies[index];
-    for (const std::uint32_t other : data.found) {
+    for (const std::uint32_t other : data.scratch.search.found) {
         const StaticGeometry::Collider& wall = data.statics->colliders[other];
-        data.foundPairs.emplace_back(collider.body, wall.body, collider.part, wall.part);
+        data.scratch.search.foundPairs.emplace_back(collider.body, wall.body, collider.part, wall.part);
     }
 }
 
 void markMovedProxies(WorldData& data, bool movedProxy) {
-    for (const Slot slot : data.movedBodies) {
+    for (const Slot slot : data.scratch.search.movedBodies) {
         forProxiesOf(data, slot, [&](std::uint32_t i) { data.proxies[i].movedProxy = movedProxy; });
     }
 }
@@ -132,7 +132,7 @@ void markMovedProxies(WorldData& data, bool movedProxy) {
 /// Proxies whose boxes are no longer what the tree has are searched one by one while they are few.
 void refreshTree(WorldData& data) {
     const std::size_t count = data.boxes.size();
-    for (const Slot slot : data.movedBodies) {
+    for (const Slot slot : data.scratch.search.movedBodies) {
         forProxiesOf(data, slot, [&](std::uint32_t i) {
             if (!data.proxies[i].isStaleInTree) {
                 data.proxies[i].isStaleInTree = true;
@@ -140,7 +140,7 @@ void refreshTree(WorldData& data) {
             }
         });
     }
-    if (!data.pairsStale && data.staleProxies.size() * data.movedBodies.size() <= 8 * count &&
+    if (!data.flags.pairsStale && data.staleProxies.size() * data.scratch.search.movedBodies.size() <= 8 * count &&
         8 * data.staleProxies.size() <= count) {
         return;
     }
@@ -170,26 +170,26 @@ void sortNearlySorted(std::span<FoundPair> pairs) {
 
 /// By their first bodies in linear time, then the few of each body, which come nearly sorted.
 void sortFound(WorldData& data) {
-    if (4 * data.foundPairs.size() < data.records.size()) {
-        std::sort(data.foundPairs.begin(), data.foundPairs.end());
+    if (4 * data.scratch.search.foundPairs.size() < data.records.size()) {
+        std::sort(data.scratch.search.foundPairs.begin(), data.scratch.search.foundPairs.end());
         return;
     }
-    std::vector<std::uint32_t>& ends = data.pairEnds;
+    std::vector<std::uint32_t>& ends = data.scratch.search.pairEnds;
     ends.assign(data.records.size() + 1, 0);
-    for (const FoundPair& pair : data.foundPairs) {
+    for (const FoundPair& pair : data.scratch.search.foundPairs) {
         ++ends[pair.bodyA + 1];
     }
     for (std::size_t i = 1; i < ends.size(); ++i) {
         ends[i] += ends[i - 1];
     }
-    data.sortedPairs.resize(data.foundPairs.size());
-    for (const FoundPair& pair : data.foundPairs) {
-        data.sortedPairs[ends[pair.bodyA]++] = pair;
+    data.scratch.search.sortedPairs.resize(data.scratch.search.foundPairs.size());
+    for (const FoundPair& pair : data.scratch.search.foundPairs) {
+        data.scratch.search.sortedPairs[ends[pair.bodyA]++] = pair;
     }
     for (std::size_t i = 0, first = 0; i + 1 < ends.size(); first = ends[i++]) {
-        sortNearlySorted(std::span(data.sortedPairs).subspan(first, ends[i] - first));
+        sortNearlySorted(std::span(data.scratch.search.sortedPairs).subspan(first, ends[i] - first));
     }
-    data.foundPairs.swap(data.sortedPairs);
+    data.scratch.search.foundPairs.swap(data.scratch.search.sortedPairs);
 }
 
 } // namespace
@@ -197,7 +197,7 @@ void sortFound(WorldData& data) {
 void listProxies(WorldData& data) {
     data.proxies.clear();
     data.firstProxies.resize(data.records.size());
-    data.movedBodies = data.moving;
+    data.scratch.search.movedBodies = data.moving;
     for (const Slot slot : data.moving) {
         listProxiesOf(data, slot);
     }
@@ -216,12 +216,12 @@ void listProxies(WorldData& data) {
 
 void enlargeAabbs(WorldData& data, double seconds) {
     constexpr std::size_t ahead = 4;
-    for (std::size_t k = 0; k < data.movedBodies.size(); ++k) {
-        if (k + ahead < data.movedBodies.size()) {
-            prefetch(data.records[data.movedBodies[k + ahead]].parts);
-            prefetch(data.records[data.movedBodies[k + ahead]].bounds);
+    for (std::size_t k = 0; k < data.scratch.search.movedBodies.size(); ++k) {
+        if (k + ahead < data.scratch.search.movedBodies.size()) {
+            prefetch(data.records[data.scratch.search.movedBodies[k + ahead]].parts);
+            prefetch(data.records[data.scratch.search.movedBodies[k + ahead]].bounds);
         }
-        const Slot slot = data.movedBodies[k];
+        const Slot slot = data.scratch.search.movedBodies[k];
         BodyStep& s = data.steps[slot];
         BodyRecord& record = data.records[slot];
         s.fat = fatAabbAround(data.motions[slot], s, seconds);
@@ -237,12 +237,12 @@ void enlargeAabbs(WorldData& data, double seconds) {
 void collectPairs(WorldData& data) {
     refreshTree(data);
     markMovedProxies(data, true);
-    data.foundPairs.clear();
-    const bool most = data.staleProxies.empty() && 2 * data.movedBodies.size() > data.moving.size();
+    data.scratch.search.foundPairs.clear();
+    const bool most = data.staleProxies.empty() && 2 * data.scratch.search.movedBodies.size() > data.moving.size();
     if (most) {
         findAllMoving(data);
     }
-    for (const Slot slot : data.movedBodies) {
+    for (const Slot slot : data.scratch.search.movedBodies) {
         forProxiesOf(data, slot, [&](std::uint32_t i) {
             if (!most) {
                 findMovingOf(data, i);

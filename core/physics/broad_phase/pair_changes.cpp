@@ -63,21 +63,21 @@ bool limitsFraction(const WorldData& data, const Pair& pair) {
 }
 
 void noteDropped(WorldData& data, std::size_t index) {
-    data.dropped.push_back(static_cast<std::uint32_t>(index));
+    data.scratch.changes.dropped.push_back(static_cast<std::uint32_t>(index));
     if (data.table.flags[index].reported) {
-        data.droppedTouches.push_back(data.table.pairs[index].bodies());
+        data.scratch.changes.droppedTouches.push_back(data.table.pairs[index].bodies());
     }
 }
 
 /// All pairs have been found: they make a new table. What is known of their contacts remains.
 void fillNewTable(WorldData& data) {
     const PairTable& old = data.table;
-    PairTable& renewed = data.newTable;
+    PairTable& renewed = data.scratch.changes.newTable;
     renewed.clear();
-    data.dropped.clear();
-    data.runs.clear();
+    data.scratch.changes.dropped.clear();
+    data.scratch.changes.runs.clear();
     std::size_t i = 0;
-    for (const FoundPair& found : data.foundPairs) {
+    for (const FoundPair& found : data.scratch.search.foundPairs) {
         if (!shouldCollide(data, found.bodyA, found.bodyB)) {
             continue;
         }
@@ -93,7 +93,7 @@ void fillNewTable(WorldData& data) {
         if (renewed.pairs.back().kind == old.pairs[i].kind) {
             renewed.pairs.back().contact = old.pairs[i].contact;
         } else {
-            data.dropped.push_back(static_cast<std::uint32_t>(i)); // but its touch goes on
+            data.scratch.changes.dropped.push_back(static_cast<std::uint32_t>(i)); // but its touch goes on
         }
         renewed.flags.back() = old.flags[i++];
         renewed.flags.back().limitsFraction = covered;
@@ -105,74 +105,78 @@ void fillNewTable(WorldData& data) {
 
 /// The pairs of moved proxies.
 void listMovedPairs(WorldData& data) {
-    for (const Slot slot : data.movedBodies) {
-        data.isMovedProxy[slot + 1] = 1;
+    for (const Slot slot : data.scratch.search.movedBodies) {
+        data.scratch.changes.isMovedProxy[slot] = 1;
     }
-    if (data.movedPairs.capacity() < data.table.size()) {
-        data.movedPairs.reserve(data.table.capacity()); // resizing would add no more than what is needed now
+    if (data.scratch.changes.movedPairs.capacity() < data.table.size()) {
+        data.scratch.changes.movedPairs.reserve(
+            data.table.capacity()); // resizing would add no more than what is needed now
     }
-    data.movedPairs.resize(data.table.size());
+    data.scratch.changes.movedPairs.resize(data.table.size());
     std::size_t count = 0;
     for (std::size_t i = 0; i < data.table.size(); ++i) {
         const PairBound& bound = data.table.bounds[i];
-        data.movedPairs[count] = static_cast<std::uint32_t>(i);
-        count += data.isMovedProxy[bound.moverA] | data.isMovedProxy[bound.moverB];
+        data.scratch.changes.movedPairs[count] = static_cast<std::uint32_t>(i);
+        count += data.scratch.changes.isMovedProxy[bound.moverA] | data.scratch.changes.isMovedProxy[bound.moverB];
     }
-    data.movedPairs.resize(count);
-    for (const Slot slot : data.movedBodies) {
-        data.isMovedProxy[slot + 1] = 0;
+    data.scratch.changes.movedPairs.resize(count);
+    for (const Slot slot : data.scratch.search.movedBodies) {
+        data.scratch.changes.isMovedProxy[slot] = 0;
     }
 }
 
 /// What is to change in the table: `dropped` by index, and new pairs with the indices before which they belong.
 void diffPairs(WorldData& data) {
     const std::vector<Pair>& pairs = data.table.pairs;
-    data.dropped.clear();
-    data.newPairs.clear();
-    data.newPlaces.clear();
+    data.scratch.changes.dropped.clear();
+    data.scratch.changes.newPairs.clear();
+    data.scratch.changes.newPlaces.clear();
     std::size_t i = 0;
     std::size_t first = 0; // no new pair belongs before that
-    for (const FoundPair& found : data.foundPairs) {
-        for (; i < data.movedPairs.size() && FoundPair(pairs[data.movedPairs[i]]) < found;
-             first = data.movedPairs[i++] + 1) {
-            noteDropped(data, data.movedPairs[i]);
+    for (const FoundPair& found : data.scratch.search.foundPairs) {
+        for (;
+             i < data.scratch.changes.movedPairs.size() && FoundPair(pairs[data.scratch.changes.movedPairs[i]]) < found;
+             first = data.scratch.changes.movedPairs[i++] + 1) {
+            noteDropped(data, data.scratch.changes.movedPairs[i]);
         }
-        const std::size_t end = i < data.movedPairs.size() ? data.movedPairs[i] : pairs.size();
+        const std::size_t end =
+            i < data.scratch.changes.movedPairs.size() ? data.scratch.changes.movedPairs[i] : pairs.size();
         if (end < pairs.size() && !(found < FoundPair(pairs[end]))) {
-            first = data.movedPairs[i++] + 1;
+            first = data.scratch.changes.movedPairs[i++] + 1;
         } else if (shouldCollide(data, found.bodyA, found.bodyB)) {
             const auto begin = pairs.begin();
             const auto place =
                 std::lower_bound(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end),
                                  found, [](const Pair& a, const FoundPair& b) { return FoundPair(a) < b; });
             first = static_cast<std::size_t>(place - begin);
-            data.newPlaces.push_back(static_cast<std::uint32_t>(first));
-            data.newPairs.push_back(makePair(data, found));
+            data.scratch.changes.newPlaces.push_back(static_cast<std::uint32_t>(first));
+            data.scratch.changes.newPairs.push_back(makePair(data, found));
         }
     }
-    for (; i < data.movedPairs.size(); ++i) {
-        noteDropped(data, data.movedPairs[i]);
+    for (; i < data.scratch.changes.movedPairs.size(); ++i) {
+        noteDropped(data, data.scratch.changes.movedPairs[i]);
     }
 }
 
 /// Between what is dropped and what is new the table stays as it is. The places of new pairs become those in the table
 /// as it will be.
 void listRuns(WorldData& data) {
-    std::vector<std::uint32_t>& places = data.newPlaces;
+    std::vector<std::uint32_t>& places = data.scratch.changes.newPlaces;
     const auto size = static_cast<std::uint32_t>(data.table.size());
-    data.runs.clear();
+    data.scratch.changes.runs.clear();
     std::uint32_t begin = 0;
     std::uint32_t added = 0;
     std::uint32_t removed = 0;
     while (begin < size || added < places.size()) {
-        const std::uint32_t nextDropped = removed < data.dropped.size() ? data.dropped[removed] : size;
+        const std::uint32_t nextDropped =
+            removed < data.scratch.changes.dropped.size() ? data.scratch.changes.dropped[removed] : size;
         const std::uint32_t end = added < places.size() ? std::min(places[added], nextDropped) : nextDropped;
-        data.runs.push_back({begin, end, begin + added - removed});
+        data.scratch.changes.runs.push_back({begin, end, begin + added - removed});
         begin = end;
         for (; added < places.size() && places[added] == end; ++added) {
             places[added] = end + added - removed;
         }
-        if (removed < data.dropped.size() && nextDropped == end) {
+        if (removed < data.scratch.changes.dropped.size() && nextDropped == end) {
             ++removed;
             ++begin;
         }
@@ -201,13 +205,14 @@ void rearrange(std::vector<T>& list, const std::vector<Run>& runs, std::size_t n
 
 void rearrangeTable(WorldData& data) {
     PairTable& table = data.table;
-    const std::size_t newSize = table.size() + data.newPairs.size() - data.dropped.size();
-    rearrange(table.bounds, data.runs, newSize);
-    rearrange(table.flags, data.runs, newSize);
-    rearrange(table.pairs, data.runs, newSize);
-    for (std::size_t i = 0; i < data.newPairs.size(); ++i) {
-        const Pair& pair = data.newPairs[i];
-        const std::uint32_t place = data.newPlaces[i];
+    const std::size_t newSize =
+        table.size() + data.scratch.changes.newPairs.size() - data.scratch.changes.dropped.size();
+    rearrange(table.bounds, data.scratch.changes.runs, newSize);
+    rearrange(table.flags, data.scratch.changes.runs, newSize);
+    rearrange(table.pairs, data.scratch.changes.runs, newSize);
+    for (std::size_t i = 0; i < data.scratch.changes.newPairs.size(); ++i) {
+        const Pair& pair = data.scratch.changes.newPairs[i];
+        const std::uint32_t place = data.scratch.changes.newPlaces[i];
         table.bounds[place] = unknownBound(pair);
         table.flags[place] = {.limitsFraction = limitsFraction(data, pair)};
         table.pairs[place] = pair;
@@ -217,14 +222,14 @@ void rearrangeTable(WorldData& data) {
 } // namespace
 
 bool comparePairs(WorldData& data) {
-    if (data.pairsStale) {
+    if (data.flags.pairsStale) {
         fillNewTable(data);
         return true;
     }
-    data.isMovedProxy.resize(data.records.size() + 1, 0);
+    data.scratch.changes.isMovedProxy.resize(data.records.size());
     listMovedPairs(data);
     diffPairs(data);
-    if (data.dropped.empty() && data.newPairs.empty()) {
+    if (data.scratch.changes.dropped.empty() && data.scratch.changes.newPairs.empty()) {
         return false;
     }
     listRuns(data);
@@ -232,8 +237,8 @@ bool comparePairs(WorldData& data) {
 }
 
 void changeTable(WorldData& data) {
-    if (data.pairsStale) {
-        std::swap(data.table, data.newTable);
+    if (data.flags.pairsStale) {
+        std::swap(data.table, data.scratch.changes.newTable);
     } else {
         rearrangeTable(data);
     }

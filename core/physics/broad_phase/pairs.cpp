@@ -24,11 +24,12 @@ void listSensors(WorldData& data) {
             data.sensors.push_back(i);
         }
     }
-    data.islandsStale = true;
+    data.flags.islandsStale = true;
 }
 
 void listMoving(WorldData& data) {
     data.moving.clear();
+    data.scratch.solver.velocities.clear(); // of whatever does not move the solver takes them to be 0
     for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
         for (Slot slot = 0; slot < data.records.size(); ++slot) {
             const BodyRecord& record = data.records[slot];
@@ -41,7 +42,7 @@ void listMoving(WorldData& data) {
 
 void prepareStructure(WorldData& data) {
     refreshStatics(data);
-    if (!data.bodiesChanged) {
+    if (!data.flags.bodiesChanged) {
         return;
     }
     listMoving(data);
@@ -51,60 +52,61 @@ void prepareStructure(WorldData& data) {
             data.reporters.push_back(slot);
         }
     }
-    data.motionBounds.assign(data.records.size() + 1, 0);
-    data.mayNeedToi.assign(data.records.size() + 1, 0);
-    data.plannedMotions.resize(data.records.size() + 1);
-    data.extents.resize(data.records.size() + 1);
+    data.motionBounds.assign(data.records.size(), 0);
+    data.mayNeedToi.assign(data.records.size(), 0);
+    data.plannedMotions.resize(data.records.size());
+    data.extents.resize(data.records.size());
     for (const Slot slot : data.sleep.sleepers) {
-        data.motionBounds[slot + 1] = data.steps[slot].motionBound;
+        data.motionBounds[slot] = data.steps[slot].motionBound;
         data.notePlannedMotion(slot);
     }
     data.touchedTags.resize(data.records.size());
-    data.bodiesChanged = false;
-    data.pairsStale = true;
+    data.flags.bodiesChanged = false;
+    data.flags.pairsStale = true;
 }
 
 void measureMotion(WorldData& data, double ahead) {
-    data.anyMovedProxy = data.pairsStale;
-    data.anyFault = data.anyFast = false;
-    data.movedBodies.clear();
+    data.flags.anyMovedProxy = data.flags.pairsStale;
+    data.flags.anyFault = data.flags.anyFast = false;
+    data.scratch.search.movedBodies.clear();
     for (const Slot slot : data.moving) {
         BodyStep& s = data.steps[slot];
         const BodyMotion& m = data.motions[slot];
         const double reach = s.maxMotion();
-        data.anyFault |= !isSound(m, s);
-        data.motionBounds[slot + 1] = s.motionBound + reach;
+        data.flags.anyFault |= !isSound(m, s);
+        data.motionBounds[slot] = s.motionBound + reach;
         data.notePlannedMotion(slot);
         const bool far = exceedsMargin(s, reach);
-        data.anyFast |= far;
-        data.mayNeedToi[slot + 1] = far || s.bouncing || s.deflected ? 1 : 0;
+        data.flags.anyFast |= far;
+        data.mayNeedToi[slot] = far || s.bouncing || s.deflected ? 1 : 0;
         s.movedProxy = !s.fat.centers.contains(m.center) ||
                        !s.fat.centers.contains(Vec2(m.center + s.deltaPosition + ahead * m.velocity)) ||
                        std::abs(s.deltaAngle + ahead * m.angularVelocity) > s.fat.angleLeft;
         if (s.movedProxy) {
-            data.movedBodies.push_back(slot);
+            data.scratch.search.movedBodies.push_back(slot);
         }
     }
-    data.anyMovedProxy |= !data.movedBodies.empty();
+    data.flags.anyMovedProxy |= !data.scratch.search.movedBodies.empty();
 }
 
 bool findPairs(WorldData& data, const IterationStep& step) {
-    if (data.pairsStale) {
+    if (data.flags.pairsStale) {
         listProxies(data);
     }
     enlargeAabbs(data, step.remaining);
     collectPairs(data);
-    data.anyMovedProxy = false;
+    data.flags.anyMovedProxy = false;
     return comparePairs(data);
 }
 
 void changePairs(WorldData& data) {
     changeTable(data);
-    data.islandsStale = true;
-    if (data.pairsStale || !data.sensors.empty() || std::any_of(data.newPairs.begin(), data.newPairs.end(), isSensor)) {
+    data.flags.islandsStale = true;
+    if (data.flags.pairsStale || !data.sensors.empty() ||
+        std::any_of(data.scratch.changes.newPairs.begin(), data.scratch.changes.newPairs.end(), isSensor)) {
         listSensors(data);
     }
-    data.pairsStale = false;
+    data.flags.pairsStale = false;
 }
 
 } // namespace spacetow

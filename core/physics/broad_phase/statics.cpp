@@ -90,7 +90,7 @@ void renewSleepingPairs(WorldData& data) {
 } // namespace
 
 void refreshStatics(WorldData& data) {
-    if (!data.staticsChanged && data.statics) {
+    if (!data.flags.staticsChanged && data.statics) {
         return;
     }
     auto geometry = std::make_shared<StaticGeometry>();
@@ -108,9 +108,9 @@ void refreshStatics(WorldData& data) {
     }
     geometry->tree = StaticQuadtree(std::move(boxes));
     data.statics = std::move(geometry);
-    data.staticsChanged = false;
+    data.flags.staticsChanged = false;
     renewSleepingPairs(data);
-    data.pairsStale = true;
+    data.flags.pairsStale = true;
 }
 
 void findStatics(const StaticGeometry& geometry, const Aabb& box, std::vector<std::uint32_t>& out) {

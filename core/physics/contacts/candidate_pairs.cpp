@@ -10,14 +10,15 @@ namespace {
 
 void listByBounds(WorldData& data) {
     const auto count = static_cast<std::uint32_t>(data.table.size());
-    if (data.candidates.capacity() < count) {
-        data.candidates.reserve(data.table.capacity()); // resizing would add no more than what is needed now
+    if (data.scratch.narrow.candidates.capacity() < count) {
+        data.scratch.narrow.candidates.reserve(
+            data.table.capacity()); // resizing would add no more than what is needed now
     }
-    data.candidates.resize(count);
+    data.scratch.narrow.candidates.resize(count);
     std::size_t size = 0;
     const auto isCandidate = [&](std::uint32_t i) { return data.mayTouchNow(i) ? 1U : 0U; };
     const auto note = [&](std::uint32_t i) { // without a branch that could not be foretold
-        data.candidates[size] = i;
+        data.scratch.narrow.candidates[size] = i;
         size += isCandidate(i);
     };
     std::uint32_t i = 0;
@@ -31,7 +32,7 @@ void listByBounds(WorldData& data) {
     for (; i < count; ++i) {
         note(i);
     }
-    data.candidates.resize(size);
+    data.scratch.narrow.candidates.resize(size);
 }
 
 /// Whether the discs around the bodies are all that there is to go by.
@@ -43,21 +44,21 @@ bool isUnknown(const Pair& pair) {
 void boundByDiscs(WorldData& data) {
     constexpr std::size_t ahead = 16;
     std::size_t left = 0;
-    for (std::size_t k = 0; k < data.candidates.size(); ++k) {
-        if (k + ahead < data.candidates.size()) {
-            __builtin_prefetch(&data.table.pairs[data.candidates[k + ahead]]);
+    for (std::size_t k = 0; k < data.scratch.narrow.candidates.size(); ++k) {
+        if (k + ahead < data.scratch.narrow.candidates.size()) {
+            __builtin_prefetch(&data.table.pairs[data.scratch.narrow.candidates[k + ahead]]);
         }
-        const std::uint32_t i = data.candidates[k];
+        const std::uint32_t i = data.scratch.narrow.candidates[k];
         PairBound& bound = data.table.bounds[i];
         const Discs discs = discsOf(data, bound);
         const bool apart = isUnknown(data.table.pairs[i]) & discs.areApart();
         const double until = data.motionOf(bound) + discs.gap();
         bound.separationBound = apart ? until : bound.separationBound;
         data.table.flags[i].touching &= !apart;
-        data.candidates[left] = i;
+        data.scratch.narrow.candidates[left] = i;
         left += apart ? 0 : 1;
     }
-    data.candidates.resize(left);
+    data.scratch.narrow.candidates.resize(left);
 }
 
 } // namespace

@@ -5,7 +5,6 @@
 #include "core/physics/contacts/pack_constraint.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace spacetow {
 
@@ -32,7 +31,7 @@ CircleContact& openCircleLane(WorldData& data, std::uint32_t index) {
     const Lane lane = openLane(data, batches, pair.bodyA, pair.bodyB);
     kept.constraintIndex = static_cast<std::uint32_t>(data.circleContacts.size());
     data.table.flags[index].inSolver = true;
-    data.table.bounds[index].separationBound = std::numeric_limits<double>::infinity();
+    data.table.bounds[index].exclude();
     CircleContact& c = data.circleContacts.emplace_back();
     c = {pair.bodyA, pair.bodyB, index, pair.contact, lane, pair.staticB || kept.restitution > 0, false};
     CircleAnchors& anchors = batches.anchors(lane.batch);
@@ -46,7 +45,7 @@ CircleContact& openCircleLane(WorldData& data, std::uint32_t index) {
     batch.friction[lane.lane] = kept.friction;
     batch.normalImpulse[lane.lane] = kept.points[0].normalImpulse;
     batch.tangentImpulse[lane.lane] = kept.tangentImpulse;
-    data.anyScalarUpdate |= c.scalarUpdate;
+    data.flags.anyScalarUpdate |= c.scalarUpdate;
     ++data.constraintChanges;
     return c;
 }
@@ -133,13 +132,13 @@ void addCircleConstraint(WorldData& data, std::uint32_t pair, const CircleTouch&
         batch.normalImpulse[i] = batch.tangentImpulse[i] = 0;
     }
     c.bounces = target.bounces;
-    data.anyBounce |= c.bounces;
+    data.flags.anyBounce |= c.bounces;
 }
 
 void addManifoldConstraint(WorldData& data, const Constraint& constraint, double perSecond) {
     const ConstraintPoint& p = constraint.points[0];
     data.table.flags[p.pair].inSolver = true;
-    data.table.bounds[p.pair].separationBound = std::numeric_limits<double>::infinity();
+    data.table.bounds[p.pair].exclude();
     data.contacts[p.contact].constraintIndex = static_cast<std::uint32_t>(data.generalContacts.size());
     GeneralContact& c = data.generalContacts.emplace_back();
     c.a = constraint.a;
@@ -178,7 +177,7 @@ bool matchFeature(Contact& contact, std::uint32_t feature) {
 void removeConstraint(WorldData& data, std::uint32_t pair) {
     const Contact& kept = data.contacts[data.table.pairs[pair].contact];
     data.table.flags[pair].inSolver = data.table.flags[pair].touching = false;
-    data.table.bounds[pair].separationBound = 0;
+    data.table.bounds[pair].reset();
     ++data.constraintChanges;
     if (kept.manifold == Pair::none) {
         closeLane(data, data.circleContacts, data.batches.circles, kept.constraintIndex);
@@ -248,17 +247,17 @@ void saveImpulses(WorldData& data, const GeneralContact& contact) {
 }
 
 void saveImpulses(WorldData& data) {
-    if (data.constraintsValid) {
+    if (data.flags.constraintsValid) {
         saveAll(data, data.circleContacts);
         saveAll(data, data.generalContacts);
     }
 }
 
 void remapPairs(WorldData& data) {
-    if (!data.constraintsValid) {
+    if (!data.flags.constraintsValid) {
         return;
     }
-    for (const Run& s : data.runs) {
+    for (const Run& s : data.scratch.changes.runs) {
         if (s.to != s.begin) {
             remapPairs(data, s.to, s.to + s.end - s.begin);
         }
@@ -266,32 +265,32 @@ void remapPairs(WorldData& data) {
 }
 
 void releaseConstraints(WorldData& data) {
-    if (!data.constraintsValid) {
+    if (!data.flags.constraintsValid) {
         return;
     }
     saveImpulses(data);
     const auto release = [&](const auto& c) {
         data.table.flags[pairOf(c)].inSolver = false;
-        data.table.bounds[pairOf(c)].separationBound = 0;
+        data.table.bounds[pairOf(c)].reset();
     };
     std::for_each(data.circleContacts.begin(), data.circleContacts.end(), release);
     std::for_each(data.generalContacts.begin(), data.generalContacts.end(), release);
     for (const std::uint32_t pair : data.mergedPairs) {
-        data.table.bounds[pair].separationBound = 0;
+        data.table.bounds[pair].reset();
     }
     data.mergedPairs.clear();
-    data.constraintsValid = false;
+    data.flags.constraintsValid = false;
 }
 
 void resetConstraints(WorldData& data) {
     data.circleContacts.clear();
     data.generalContacts.clear();
-    data.constraints.clear();
+    data.scratch.narrow.constraints.clear();
     data.batches.circles.reset(data.motions.size());
     data.batches.general.reset(data.motions.size());
     data.mergeableContacts.assign(data.motions.size(), 0);
-    data.anyScalarUpdate = data.anySingular = data.anyBounce = data.mergeStale = false;
-    data.constraintsValid = true;
+    data.flags.anyScalarUpdate = data.flags.anySingular = data.flags.anyBounce = data.flags.mergeStale = false;
+    data.flags.constraintsValid = true;
 }
 
 } // namespace spacetow

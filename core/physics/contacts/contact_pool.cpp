@@ -48,8 +48,8 @@ void freeContact(WorldData& data, Pair& pair) {
         if (manifold != Pair::none) {
             data.freeManifolds.push_back(manifold);
         }
-        if (pair.contact < data.wholeImpulses.size()) {
-            data.wholeImpulses[pair.contact] = {};
+        if (pair.contact < data.scratch.narrow.wholeImpulses.size()) {
+            data.scratch.narrow.wholeImpulses[pair.contact] = {};
         }
         data.freeContacts.push_back(pair.contact);
         pair.contact = Pair::none;
@@ -57,8 +57,8 @@ void freeContact(WorldData& data, Pair& pair) {
 }
 
 void freeContactsOfDropped(WorldData& data) {
-    for (const std::uint32_t i : data.dropped) {
-        if (data.constraintsValid && data.table.flags[i].inSolver) {
+    for (const std::uint32_t i : data.scratch.changes.dropped) {
+        if (data.flags.constraintsValid && data.table.flags[i].inSolver) {
             removeConstraint(data, i);
         }
         freeContact(data, data.table.pairs[i]);
@@ -73,9 +73,9 @@ void resetManifolds(WorldData& data) {
 
 void beginPart(WorldData& data, double share) {
     releaseConstraints(data);
-    data.wholeImpulses.clear();
+    data.scratch.narrow.wholeImpulses.clear();
     for (Contact& contact : data.contacts) {
-        data.wholeImpulses.push_back(
+        data.scratch.narrow.wholeImpulses.push_back(
             {contact.tangentImpulse, contact.points[0].normalImpulse, contact.points[1].normalImpulse});
         contact.tangentImpulse *= share;
         contact.points[0].normalImpulse *= share;
@@ -85,14 +85,14 @@ void beginPart(WorldData& data, double share) {
 
 void endPart(WorldData& data, double share) {
     releaseConstraints(data);
-    for (std::size_t i = 0; i < data.wholeImpulses.size(); ++i) {
+    for (std::size_t i = 0; i < data.scratch.narrow.wholeImpulses.size(); ++i) {
         Contact& contact = data.contacts[i];
-        const auto& whole = data.wholeImpulses[i];
+        const auto& whole = data.scratch.narrow.wholeImpulses[i];
         contact.tangentImpulse += (1 - share) * whole[0];
         contact.points[0].normalImpulse += (1 - share) * whole[1];
         contact.points[1].normalImpulse += (1 - share) * whole[2];
     }
-    data.wholeImpulses.clear();
+    data.scratch.narrow.wholeImpulses.clear();
 }
 
 } // namespace spacetow

@@ -12,8 +12,8 @@ struct Levers {
 
 /// What moves no more than this under an impulse does not yield to it, 1/kg; see massOf.
 inline double leastInverseMass(const WorldData& data, Slot slotA, Slot slotB) {
-    const double radiusA = data.extents[slotA + 1].outerRadius;
-    const double radiusB = data.extents[slotB + 1].outerRadius;
+    const double radiusA = data.extents[slotA].outerRadius;
+    const double radiusB = data.extents[slotB].outerRadius;
     return 1e-4 * (data.motions[slotA].inverseInertia * radiusA * radiusA +
                    data.motions[slotB].inverseInertia * radiusB * radiusB);
 }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace spacetow {
 
@@ -68,7 +67,7 @@ double toleranceOf(const WorldData& data, const Constraint& c) {
 /// The pair is not updated while the merged contact has a lane.
 void shut(WorldData& data, std::uint32_t pair) {
     data.mergedPairs.push_back(pair);
-    data.table.bounds[pair].separationBound = std::numeric_limits<double>::infinity();
+    data.table.bounds[pair].exclude();
 }
 
 /// Both stand for one from now on.
@@ -128,7 +127,7 @@ void mergeInto(WorldData& data, Constraint& c, Constraint& d) {
 } // namespace
 
 void mergeContacts(WorldData& data) {
-    std::vector<Constraint>& all = data.constraints;
+    std::vector<Constraint>& all = data.scratch.narrow.constraints;
     for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
         for (end = first + 1; end < all.size() && all[end].a == all[first].a; ++end) {
             for (std::size_t i = first; i < end && !all[end].unmergeable; ++i) {

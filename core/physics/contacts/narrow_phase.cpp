@@ -49,7 +49,7 @@ void sweepCircles(WorldData& data, std::uint32_t index, std::uint32_t feature) {
     }
     matchFeature(data.contacts[pair.contact], feature);
     pair.sweep = true;
-    data.anySweep = true;
+    data.flags.anySweep = true;
     data.steps[pair.bodyA].bouncing = data.steps[pair.bodyB].bouncing = true;
 }
 
@@ -72,10 +72,10 @@ void addCircleContact(WorldData& data, std::uint32_t index, const CircleTouch& t
 
 void updateCircles(WorldData& data, std::uint32_t index, double perSecond) {
     const Pair& pair = data.table.pairs[index];
-    const PlannedMotion& a = data.plannedMotions[pair.bodyA + 1];
-    const PlannedMotion& b = data.plannedMotions[pair.bodyB + 1];
-    const double radiusA = data.extents[pair.bodyA + 1].outerRadius;
-    const double radiusB = data.extents[pair.bodyB + 1].outerRadius;
+    const PlannedMotion& a = data.plannedMotions[pair.bodyA];
+    const PlannedMotion& b = data.plannedMotions[pair.bodyB];
+    const double radiusA = data.extents[pair.bodyA].outerRadius;
+    const double radiusB = data.extents[pair.bodyB].outerRadius;
     const Vec2 apart = b.center - a.center;
     const double margin = speculativeMargin(a, b);
     const double reach = radiusA + radiusB + margin;
@@ -91,7 +91,7 @@ void updateCircles(WorldData& data, std::uint32_t index, double perSecond) {
 
 void updateCircleAtStatic(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
-    const PlannedMotion& way = data.plannedMotions[pair.bodyA + 1];
+    const PlannedMotion& way = data.plannedMotions[pair.bodyA];
     const Circle circle{way.center, std::get<Circle>(*pair.shapeA).radius};
     const double margin = speculativeMargin(way);
     const Manifold manifold = pair.kind == PairKind::CircleEdge
@@ -204,9 +204,9 @@ void resetPair(WorldData& data, std::uint32_t index) {
 /// Updates the pairs that have no constraint and may have come into contact.
 void updateCandidates(WorldData& data, double perSecond) {
     listCandidates(data);
-    for (std::size_t k = 0; k < data.candidates.size(); ++k) {
-        prefetchAhead(data, data.candidates, k);
-        const std::uint32_t i = data.candidates[k];
+    for (std::size_t k = 0; k < data.scratch.narrow.candidates.size(); ++k) {
+        prefetchAhead(data, data.scratch.narrow.candidates, k);
+        const std::uint32_t i = data.scratch.narrow.candidates[k];
         if (data.table.pairs[i].kind != PairKind::Sensor) {
             resetPair(data, i);
             updatePair(data, i, perSecond);
@@ -217,22 +217,22 @@ void updateCandidates(WorldData& data, double perSecond) {
 void rebuildConstraints(WorldData& data, double perSecond) {
     releaseConstraints(data);
     resetConstraints(data);
-    data.anySweep = false;
+    data.flags.anySweep = false;
     updateCandidates(data, perSecond);
     mergeContacts(data);
     orderConstraints(data);
-    for (const Constraint& constraint : data.constraints) {
+    for (const Constraint& constraint : data.scratch.narrow.constraints) {
         addManifoldConstraint(data, constraint, perSecond);
     }
     findMergeCandidates(data);
     data.constraintChanges = 0;
-    data.constraintsRebuilt = true;
+    data.flags.constraintsRebuilt = true;
 }
 
 /// Contacts that the kernels do not update.
 void updateScalar(WorldData& data, double perSecond) {
     constexpr std::size_t ahead = 8;
-    for (std::size_t i = data.circleContacts.size(); data.anyScalarUpdate && i-- > 0;) {
+    for (std::size_t i = data.circleContacts.size(); data.flags.anyScalarUpdate && i-- > 0;) {
         if (i >= 2 * ahead) {
             __builtin_prefetch(&data.table.pairs[data.circleContacts[i - 2 * ahead].pair]);
         }
@@ -248,18 +248,19 @@ void updateScalar(WorldData& data, double perSecond) {
 /// Adds the pairs of outdated contacts to the candidates.
 template <class Kind, class Batch>
 void listOutdated(WorldData& data, const std::vector<Kind>& list, const Batches<Batch>& batches) {
-    forLanes(batches, &BatchFlags::outdated,
-             [&](Lane at) { data.candidates.push_back(pairOf(list[batches.anchors(at.batch).owner[at.lane]])); });
+    forLanes(batches, &BatchFlags::outdated, [&](Lane at) {
+        data.scratch.narrow.candidates.push_back(pairOf(list[batches.anchors(at.batch).owner[at.lane]]));
+    });
 }
 
 void updateOutdated(WorldData& data, double perSecond) {
-    data.candidates.clear();
+    data.scratch.narrow.candidates.clear();
     listOutdated(data, data.circleContacts, data.batches.circles);
     listOutdated(data, data.generalContacts, data.batches.general);
-    for (std::size_t k = 0; k < data.candidates.size(); ++k) {
-        prefetchAhead(data, data.candidates, k);
-        prefetchShapes(data, data.candidates, k);
-        const std::uint32_t pair = data.candidates[k];
+    for (std::size_t k = 0; k < data.scratch.narrow.candidates.size(); ++k) {
+        prefetchAhead(data, data.scratch.narrow.candidates, k);
+        prefetchShapes(data, data.scratch.narrow.candidates, k);
+        const std::uint32_t pair = data.scratch.narrow.candidates[k];
         if (data.table.pairs[pair].kind == PairKind::General) {
             remakeManifold(data, pair, perSecond);
         } else {
@@ -277,12 +278,12 @@ bool anyMergedOutdated(const WorldData& data) {
 /// The contacts that there are, from where the bodies are now; then what may have come or gone. False when there are
 /// too many changes, or contacts may lie in one plane in another way than before.
 bool updateConstraints(WorldData& data, double perSecond) {
-    if (!data.constraintsValid || data.mergeStale) {
+    if (!data.flags.constraintsValid || data.flags.mergeStale) {
         return false;
     }
-    data.anySweep = data.anyBounce = data.constraintsRebuilt = false;
-    data.constraints.clear();
-    const PlannedMotion* first = data.plannedMotions.data() + 1;
+    data.flags.anySweep = data.flags.anyBounce = data.flags.constraintsRebuilt = false;
+    data.scratch.narrow.constraints.clear();
+    const PlannedMotion* first = data.plannedMotions.bodies();
     refreshContacts(data.batches,
                     {{&first->center, sizeof(PlannedMotion)}, {&first->deltaPosition, sizeof(PlannedMotion)}},
                     perSecond);
@@ -292,10 +293,10 @@ bool updateConstraints(WorldData& data, double perSecond) {
     updateOutdated(data, perSecond);
     updateScalar(data, perSecond);
     updateCandidates(data, perSecond);
-    if (data.anySingular) {
+    if (data.flags.anySingular) {
         updateSingular(data);
     }
-    for (const Constraint& constraint : data.constraints) {
+    for (const Constraint& constraint : data.scratch.narrow.constraints) {
         addManifoldConstraint(data, constraint, perSecond);
         findMergeCandidatesOfLast(data);
     }

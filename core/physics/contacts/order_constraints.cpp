@@ -17,7 +17,7 @@ double leastSeparation(const Constraint& c) {
 
 /// Moves the last of some contacts of a body up to its place among those with static bodies, of which it is one.
 void insertLast(WorldData& data, std::size_t first, std::size_t last) {
-    std::vector<Constraint>& all = data.constraints;
+    std::vector<Constraint>& all = data.scratch.narrow.constraints;
     for (std::size_t i = last; i-- > first;) {
         if (!isAtStatic(data, all[i])) {
             continue;
@@ -33,7 +33,7 @@ void insertLast(WorldData& data, std::size_t first, std::size_t last) {
 } // namespace
 
 void orderConstraints(WorldData& data) {
-    const std::vector<Constraint>& all = data.constraints;
+    const std::vector<Constraint>& all = data.scratch.narrow.constraints;
     std::size_t first = 0; // of the same body
     for (std::size_t i = 1; i < all.size(); ++i) {
         if (all[i].a != all[first].a) {

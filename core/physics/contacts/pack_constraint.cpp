@@ -126,7 +126,7 @@ void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double 
     contact.singular = packBlock(c, batch, i, perSecond);
     if (contact.singular) {
         keepDeeperPoint(batch, i);
-        data.anySingular = true;
+        data.flags.anySingular = true;
     }
     setLane(data.batches.general.anchors(contact.lane.batch).singular, i, contact.singular);
     packAnchors(data, c, data.batches.general.anchors(contact.lane.batch), i);
@@ -138,7 +138,7 @@ void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double 
         contact.points[k] = {p.pair, p.contact, p.index, p.bounces};
         contact.bounces |= p.bounces;
     }
-    data.anyBounce |= contact.bounces;
+    data.flags.anyBounce |= contact.bounces;
 }
 
 } // namespace spacetow

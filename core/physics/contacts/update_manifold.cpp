@@ -44,11 +44,11 @@ struct Poses {
 };
 
 Poses posesOf(const WorldData& data, const Pair& pair) {
-    const Transform a = data.plannedMotions[pair.bodyA + 1].pose();
+    const Transform a = data.plannedMotions[pair.bodyA].pose();
     if (pair.staticB) {
         return {a, {}, a};
     }
-    const Transform b = data.plannedMotions[pair.bodyB + 1].pose();
+    const Transform b = data.plannedMotions[pair.bodyB].pose();
     return {a, b, relative(a, b)};
 }
 
@@ -81,8 +81,8 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
     const Pair& pair = data.table.pairs[index];
     Contact& contact = data.contacts[pair.contact];
     KeptManifold& kept = data.manifolds[contact.manifold];
-    const PlannedMotion& a = data.plannedMotions[pair.bodyA + 1];
-    const PlannedMotion& b = data.plannedMotions[pair.bodyB + 1];
+    const PlannedMotion& a = data.plannedMotions[pair.bodyA];
+    const PlannedMotion& b = data.plannedMotions[pair.bodyB];
     kept.tolerance =
         margin + (pair.staticB ? toleranceShareAtWalls * a.innerRadius
                                : std::max(toleranceShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
@@ -130,7 +130,7 @@ bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double 
         const Target target = targetOf(approach(data, c, p), p.separation, c.restitution, perSecond);
         if (target.meeting == Meeting::WillBounce) {
             data.table.pairs[p.pair].sweep = true;
-            data.anySweep = true;
+            data.flags.anySweep = true;
             data.steps[c.a].bouncing = data.steps[c.b].bouncing = true;
             return false;
         }
@@ -143,11 +143,11 @@ bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double 
 /// False when there is none, as all of its points will bounce.
 bool prepareConstraint(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.table.pairs[index];
-    const Transform poseA = data.plannedMotions[pair.bodyA + 1].pose();
-    const Transform poseB = pair.staticB ? Transform{} : data.plannedMotions[pair.bodyB + 1].pose();
+    const Transform poseA = data.plannedMotions[pair.bodyA].pose();
+    const Transform poseB = pair.staticB ? Transform{} : data.plannedMotions[pair.bodyB].pose();
     const Contact& contact = data.contacts[pair.contact];
     const KeptManifold& kept = data.manifolds[contact.manifold];
-    Constraint& c = data.constraints.emplace_back();
+    Constraint& c = data.scratch.narrow.constraints.emplace_back();
     c.a = pair.bodyA;
     c.b = pair.bodyB;
     c.unmergeable = pair.unmergeable;
@@ -170,7 +170,7 @@ bool prepareConstraint(WorldData& data, std::uint32_t index, double perSecond) {
         c.count += setTarget(data, c, p, perSecond) ? 1 : 0;
     }
     if (c.count == 0) {
-        data.constraints.pop_back();
+        data.scratch.narrow.constraints.pop_back();
         return false;
     }
     couple(data, c);
@@ -178,8 +178,8 @@ bool prepareConstraint(WorldData& data, std::uint32_t index, double perSecond) {
 }
 
 double marginOf(const WorldData& data, const Pair& pair) {
-    const PlannedMotion& a = data.plannedMotions[pair.bodyA + 1];
-    return pair.staticB ? speculativeMargin(a) : speculativeMargin(a, data.plannedMotions[pair.bodyB + 1]);
+    const PlannedMotion& a = data.plannedMotions[pair.bodyA];
+    return pair.staticB ? speculativeMargin(a) : speculativeMargin(a, data.plannedMotions[pair.bodyB]);
 }
 
 /// Makes the manifold anew unless the one that is kept still holds.
@@ -188,7 +188,7 @@ void updateKeptManifold(WorldData& data, std::uint32_t index) {
     const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
     const double margin = marginOf(data, pair);
     const Poses poses = posesOf(data, pair);
-    double left = toleranceLeft(kept, poses.relative, data.extents[pair.bodyA + 1].outerRadius);
+    double left = toleranceLeft(kept, poses.relative, data.extents[pair.bodyA].outerRadius);
     if (left < margin) {
         makeManifold(data, index, poses, margin);
         left = kept.tolerance;
@@ -200,7 +200,7 @@ void updateKeptManifold(WorldData& data, std::uint32_t index) {
 
 double toleranceLeftOf(const WorldData& data, const Pair& pair) {
     const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
-    return toleranceLeft(kept, posesOf(data, pair).relative, data.extents[pair.bodyA + 1].outerRadius);
+    return toleranceLeft(kept, posesOf(data, pair).relative, data.extents[pair.bodyA].outerRadius);
 }
 
 double separationBoundOf(const WorldData& data, const Pair& pair) {
@@ -236,8 +236,8 @@ void remakeManifold(WorldData& data, std::uint32_t index, double perSecond) {
     saveImpulses(data, data.generalContacts[contact.constraintIndex]);
     makeManifold(data, index, posesOf(data, pair), marginOf(data, pair));
     if (contact.count > 0 && prepareConstraint(data, index, perSecond)) {
-        rewriteConstraint(data, data.constraints.back(), perSecond);
-        data.constraints.pop_back();
+        rewriteConstraint(data, data.scratch.narrow.constraints.back(), perSecond);
+        data.scratch.narrow.constraints.pop_back();
     } else {
         removeConstraint(data, index);
         boundSeparation(data, index, data.manifolds[contact.manifold].tolerance);

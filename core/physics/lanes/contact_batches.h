@@ -210,12 +210,8 @@ void forLanes(const Batches<Batch>& batches, LaneBits BatchFlags::*which, const 
     }
 }
 
-/// Working memory of the solver.
+/// All contacts that are solved together.
 struct ContactBatches {
-    std::vector<BodyVelocity> velocities;        // by slot, and one more for lanes without a contact
-    std::vector<BodyVelocity> startVelocities;   // by slot, at the beginning of the iteration
-    std::vector<BodyVelocity> plannedVelocities; // by slot, without the contacts' impulses
-    std::vector<BodyVelocity> corrections;       // by slot, and one more: out of overlaps, m and rad in the iteration
     Batches<CircleBatch> circles;
     Batches<ConstraintBatch> general;
 };

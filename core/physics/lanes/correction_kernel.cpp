@@ -47,26 +47,28 @@ SPACETOW_INLINE bool correctAll(BodyVelocity* corrections, Batches<Batch>& batch
     return any;
 }
 
-SPACETOW_INLINE bool correctBoth(ContactBatches& batches, const CorrectionRules& rules) {
-    const bool round = correctAll(batches.corrections.data(), batches.circles, rules);
-    return correctAll(batches.corrections.data(), batches.general, rules) || round;
+SPACETOW_INLINE bool correctBoth(ContactBatches& batches, BodyVelocity* corrections, const CorrectionRules& rules) {
+    const bool round = correctAll(corrections, batches.circles, rules);
+    return correctAll(corrections, batches.general, rules) || round;
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) bool correctWide(ContactBatches& batches, const CorrectionRules& rules) {
-    return correctBoth(batches, rules);
+__attribute__((target("avx2"))) bool correctWide(ContactBatches& batches, BodyVelocity* corrections,
+                                                 const CorrectionRules& rules) {
+    return correctBoth(batches, corrections, rules);
 }
 #endif
 
 } // namespace
 
-bool correctPositions(ContactBatches& batches, const CorrectionRules& rules, [[maybe_unused]] bool wide) {
+bool correctPositions(ContactBatches& batches, std::vector<BodyVelocity>& corrections, const CorrectionRules& rules,
+                      [[maybe_unused]] bool wide) {
 #if defined(__x86_64__)
     if (wide) {
-        return correctWide(batches, rules);
+        return correctWide(batches, corrections.data(), rules);
     }
 #endif
-    return correctBoth(batches, rules);
+    return correctBoth(batches, corrections.data(), rules);
 }
 
 } // namespace spacetow

@@ -191,8 +191,7 @@ SPACETOW_INLINE bool measureAll(const BodyVelocity* velocities, Batches<Batch>& 
     return closes != 0;
 }
 
-SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task) {
-    BodyVelocity* velocities = batches.velocities.data();
+SPACETOW_INLINE bool carryOut(ContactBatches& batches, BodyVelocity* velocities, Task task) {
     switch (task) {
     case Task::WarmStart:
         warmAll(velocities, batches.circles);
@@ -215,18 +214,18 @@ SPACETOW_INLINE bool carryOut(ContactBatches& batches, Task task) {
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) bool carryOutWide(ContactBatches& batches, Task task) {
-    return carryOut(batches, task);
+__attribute__((target("avx2"))) bool carryOutWide(ContactBatches& batches, BodyVelocity* velocities, Task task) {
+    return carryOut(batches, velocities, task);
 }
 #endif
 
-bool start(ContactBatches& batches, Task task, [[maybe_unused]] bool wide) {
+bool start(ContactBatches& batches, std::vector<BodyVelocity>& velocities, Task task, [[maybe_unused]] bool wide) {
 #if defined(__x86_64__)
     if (wide) {
-        return carryOutWide(batches, task);
+        return carryOutWide(batches, velocities.data(), task);
     }
 #endif
-    return carryOut(batches, task);
+    return carryOut(batches, velocities.data(), task);
 }
 
 } // namespace
@@ -240,20 +239,20 @@ bool hasWideRegisters() {
 #endif
 }
 
-void warmStart(ContactBatches& batches, bool wide) {
-    start(batches, Task::WarmStart, wide);
+void warmStart(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide) {
+    start(batches, velocities, Task::WarmStart, wide);
 }
 
-void solvePass(ContactBatches& batches, bool wide) {
-    start(batches, Task::Solve, wide);
+void solvePass(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide) {
+    start(batches, velocities, Task::Solve, wide);
 }
 
-void overrelaxPass(ContactBatches& batches, bool wide) {
-    start(batches, Task::Overrelax, wide);
+void overrelaxPass(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide) {
+    start(batches, velocities, Task::Overrelax, wide);
 }
 
-bool measureVelocities(ContactBatches& batches, bool wide) {
-    return start(batches, Task::Measure, wide);
+bool measureVelocities(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide) {
+    return start(batches, velocities, Task::Measure, wide);
 }
 
 } // namespace spacetow

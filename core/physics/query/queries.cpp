@@ -16,7 +16,7 @@ constexpr double rounding = 1e-6; // m: so much further candidates are looked fo
 
 /// Whether the static tree shows the static bodies as they are.
 bool isTreeFresh(const WorldData& data) {
-    return data.statics != nullptr && !data.staticsChanged;
+    return data.statics != nullptr && !data.flags.staticsChanged;
 }
 
 /// A part and what decides between equal answers: the first part of the first body.

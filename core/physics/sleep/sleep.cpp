@@ -43,17 +43,18 @@ bool sleeps(const WorldData& data, const Pair& pair) {
 /// Pairs nobody of which moves on one side, the others on the other.
 void partitionPairs(WorldData& data) {
     Sleep& sleep = data.sleep;
-    data.newTable.clear();
-    sleep.newTable.clear();
+    data.scratch.changes.newTable.clear();
+    data.scratch.sleep.newTable.clear();
     for (std::size_t i = 0, j = 0; i < data.table.size() || j < sleep.table.size();) {
         const bool first =
             j == sleep.table.size() || (i < data.table.size() && data.table.pairs[i] < sleep.table.pairs[j]);
         const PairTable& from = first ? data.table : sleep.table;
         const std::size_t index = first ? i++ : j++;
-        (sleeps(data, from.pairs[index]) ? sleep.newTable : data.newTable).addFrom(from, index);
+        (sleeps(data, from.pairs[index]) ? data.scratch.sleep.newTable : data.scratch.changes.newTable)
+            .addFrom(from, index);
     }
-    std::swap(data.table, data.newTable);
-    std::swap(sleep.table, sleep.newTable);
+    std::swap(data.table, data.scratch.changes.newTable);
+    std::swap(sleep.table, data.scratch.sleep.newTable);
 }
 
 /// All lists that depend on who sleeps.
@@ -86,7 +87,7 @@ void wake(WorldData& data, Slot slot, int iteration) {
 
 /// Everybody whose island is marked.
 void wakeMarked(WorldData& data, int iteration) {
-    const std::vector<std::uint8_t>& marked = data.sleep.marked;
+    const std::vector<std::uint8_t>& marked = data.scratch.sleep.marked;
     bool any = false;
     for (const Slot slot : data.sleep.sleepers) {
         if (marked[data.records[slot].island] != 0) {
@@ -100,12 +101,12 @@ void wakeMarked(WorldData& data, int iteration) {
 }
 
 void clearMarks(WorldData& data) {
-    data.sleep.marked.assign(data.records.size(), 0);
+    data.scratch.sleep.marked.assign(data.records.size(), 0);
 }
 
 void markIsland(WorldData& data, Slot slot) {
     if (data.records[slot].asleep) {
-        data.sleep.marked[data.records[slot].island] = 1;
+        data.scratch.sleep.marked[data.records[slot].island] = 1;
     }
 }
 
@@ -153,22 +154,22 @@ void rewind(WorldData& data) {
 
 /// Joins two bodies, or lets an anchor that is not at rest keep the other awake.
 void join(WorldData& data, Slot a, Slot b) {
-    std::vector<Slot>& parents = data.sleep.parents;
+    std::vector<Slot>& parents = data.scratch.sleep.parents;
     const bool anchorA = isAnchor(data, a);
     const bool anchorB = isAnchor(data, b);
     if (!anchorA && !anchorB) {
         joinSets(parents, a, b);
     } else if (!anchorA && !maySleep(data, b)) {
-        data.sleep.marked[a] = 1;
+        data.scratch.sleep.marked[a] = 1;
     } else if (!anchorB && !maySleep(data, a)) {
-        data.sleep.marked[b] = 1;
+        data.scratch.sleep.marked[b] = 1;
     }
 }
 
 void joinIslands(WorldData& data) {
-    Sleep& sleep = data.sleep;
-    sleep.parents.resize(data.records.size());
-    std::iota(sleep.parents.begin(), sleep.parents.end(), Slot{0});
+    std::vector<Slot>& parents = data.scratch.sleep.parents;
+    parents.resize(data.records.size());
+    std::iota(parents.begin(), parents.end(), Slot{0});
     for (const Pair& pair : data.table.pairs) {
         const bool touches = pair.contact != Pair::none && data.contacts[pair.contact].count > 0;
         if (pair.kind != PairKind::Sensor && touches) {
@@ -198,7 +199,7 @@ void putToSleep(WorldData& data, Slot slot, Slot island, int iteration) {
     s.angleCorrection = 0;
     s.fraction = 1;
     s.movedProxy = s.pushed = s.bounced = false;
-    data.motionBounds[slot + 1] = s.motionBound;
+    data.motionBounds[slot] = s.motionBound;
     data.notePlannedMotion(slot);
     data.events.fellAsleep.push_back({iteration, data.idOf(slot)});
 }
@@ -238,7 +239,7 @@ void beginSleep(WorldData& data, const Vec2& gravity) {
     const bool all = !sleep.sleepers.empty() && (!sleep.allowed || gravity != sleep.gravity);
     sleep.gravity = sleep.allowed ? gravity : Vec2(0, 0);
     if (all) {
-        sleep.marked.assign(data.records.size(), 1);
+        data.scratch.sleep.marked.assign(data.records.size(), 1);
         wakeMarked(data, -1);
         sleep.disturbed.clear();
     }
@@ -288,8 +289,8 @@ void fallAsleep(WorldData& data, double seconds, int iteration) {
     }
     clearMarks(data); // of who stays awake
     joinIslands(data);
-    std::vector<Slot>& parents = data.sleep.parents;
-    std::vector<std::uint8_t>& marked = data.sleep.marked;
+    std::vector<Slot>& parents = data.scratch.sleep.parents;
+    std::vector<std::uint8_t>& marked = data.scratch.sleep.marked;
     for (const Slot slot : data.moving) {
         if (marked[slot] != 0 || !maySleep(data, slot)) {
             marked[rootOf(parents, slot)] = 1;

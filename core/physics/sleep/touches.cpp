@@ -52,7 +52,7 @@ void report(WorldData& data, const Group& group, bool before, int iteration) {
 
 /// Pairs whose boxes have parted are no longer in the table; others of the same bodies may still touch.
 void reportDropped(WorldData& data, int iteration) {
-    for (const std::uint64_t bodies : data.droppedTouches) {
+    for (const std::uint64_t bodies : data.scratch.changes.droppedTouches) {
         const auto found = std::lower_bound(data.table.pairs.begin(), data.table.pairs.end(), bodies,
                                             [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });
         Group group{bodies};
@@ -61,7 +61,7 @@ void reportDropped(WorldData& data, int iteration) {
         }
         report(data, group, true, iteration);
     }
-    data.droppedTouches.clear();
+    data.scratch.changes.droppedTouches.clear();
 }
 
 void reportChanged(WorldData& data, int iteration) {

@@ -5,7 +5,7 @@ namespace spacetow {
 namespace {
 
 void findCarrier(WorldData& data, Slot a, Slot b, std::uint32_t pair) {
-    if ((data.movable[a + 1] & data.movable[b + 1]) != 0 || !data.table.flags[pair].touching ||
+    if ((data.movable[a] & data.movable[b]) != 0 || !data.table.flags[pair].touching ||
         data.table.pairs[pair].staticB) {
         return;
     }

@@ -59,9 +59,10 @@ void applyConnectorForces(WorldData& data, double h, Kick kick) {
         }
         BodyMotion& a = data.motions[c.a];
         BodyMotion& b = data.motions[c.b];
-        const Vec2 armA = data.trial[c.a].rotation * c.anchorA;
-        const Vec2 armB = data.trial[c.b].rotation * c.anchorB;
-        const Vec2 span = data.trial[c.b].position + armB - data.trial[c.a].position - armA;
+        const Vec2 armA = data.scratch.substeps.trial[c.a].rotation * c.anchorA;
+        const Vec2 armB = data.scratch.substeps.trial[c.b].rotation * c.anchorB;
+        const Vec2 span =
+            data.scratch.substeps.trial[c.b].position + armB - data.scratch.substeps.trial[c.a].position - armA;
         const double distance = std::sqrt(span.squaredNorm());
         if (distance == 0 || (c.slack && distance <= c.length)) {
             continue;

@@ -34,19 +34,19 @@ double sum(const Wide& w) {
 }
 
 EnergyBalance& balanceOf(WorldData& data, Slot slot) {
-    return data.islands.balances[data.islands.roots[slot]];
+    return data.scratch.solver.balances[data.islands.roots[slot]];
 }
 
 /// With a share x of its impulses an iteration changes a body's energy by a·x²/2 + b·x + c: a velocity v after it costs
 /// m·(v²/2 − d·v), where d is what the forces added to the velocity v₀ that it began with; their work on the way v·dt
 /// is in it.
 void measureBody(const WorldData& data, Slot slot, EnergyChange& change) {
-    const Wide planned = WideVelocity(data.batches.plannedVelocities[slot]).value;
-    const Wide push = WideVelocity(data.batches.velocities[slot]).value - planned;
+    const Wide planned = WideVelocity(data.scratch.solver.plannedVelocities[slot]).value;
+    const Wide push = WideVelocity(data.scratch.solver.velocities[slot]).value - planned;
     if (!isPush({push[0], push[1]}, push[2] * data.steps[slot].outerRadius)) {
         return;
     }
-    const Wide start = WideVelocity(data.batches.startVelocities[slot]).value;
+    const Wide start = WideVelocity(data.scratch.solver.startVelocities[slot]).value;
     const Wide forced = planned - start;
     const Wide inertia = WideVelocity(data.islands.inertias[slot]).value;
     change.a += inertia * push * push;
@@ -56,7 +56,7 @@ void measureBody(const WorldData& data, Slot slot, EnergyChange& change) {
 
 /// The sum of an island stays in registers while the bodies are its: through memory each would wait for the last.
 void measureBodies(WorldData& data) {
-    std::vector<EnergyChange>& changes = data.islands.changes;
+    std::vector<EnergyChange>& changes = data.scratch.solver.changes;
     EnergyChange sum;
     Slot root = noSlot;
     for (const Slot slot : data.moving) {
@@ -67,7 +67,7 @@ void measureBodies(WorldData& data) {
             root = data.islands.roots[slot];
             sum = changes[root];
         }
-        if (data.islands.driven[root] == 0) { // what is driven may gain what it likes
+        if (data.scratch.solver.driven[root] == 0) { // what is driven may gain what it likes
             measureBody(data, slot, sum);
         }
     }
@@ -87,15 +87,15 @@ Gain gainOf(const EnergyBalance& e) {
 /// Returns the worst of all islands.
 Gain measureIslands(WorldData& data) {
     for (const Slot root : data.islands.islandRoots) {
-        data.islands.changes[root] = {};
+        data.scratch.solver.changes[root] = {};
     }
     measureBodies(data);
     Gain worst = Gain::None;
     for (const Slot root : data.islands.islandRoots) {
-        const EnergyChange& change = data.islands.changes[root];
-        EnergyBalance& balance = data.islands.balances[root];
+        const EnergyChange& change = data.scratch.solver.changes[root];
+        EnergyBalance& balance = data.scratch.solver.balances[root];
         balance = {sum(change.a), sum(change.b), sum(change.c), 0};
-        if (data.islands.driven[root] != 0) {
+        if (data.scratch.solver.driven[root] != 0) {
             balance = {0, 0, -infinite, 0};
         }
         worst = std::max(worst, gainOf(balance));
@@ -114,9 +114,9 @@ bool costsTooMuch(const EnergyBalance& e) {
 
 /// More passes over these islands alone.
 void solveIslandsWhere(WorldData& data, Question which) {
-    data.islands.unconverged.assign(data.motions.size(), 0);
+    data.scratch.solver.unconverged.assign(data.motions.size(), 0);
     for (const Slot root : data.islands.islandRoots) {
-        data.islands.unconverged[root] = which(data.islands.balances[root]) ? 1 : 0;
+        data.scratch.solver.unconverged[root] = which(data.scratch.solver.balances[root]) ? 1 : 0;
     }
     solveUnconverged(data, extraPasses);
 }
@@ -142,7 +142,7 @@ bool soften(WorldData& data, Batches<Batch>& batches) {
     bool any = false;
     forLanes(batches, &BatchFlags::occupied, [&](Lane at) {
         Batch& batch = batches[at.batch];
-        if (gainsMuch(data.islands.balances[rootAt(data, batch, at.lane)])) {
+        if (gainsMuch(data.scratch.solver.balances[rootAt(data, batch, at.lane)])) {
             soften(batch, at.lane, any);
         }
     });
@@ -165,8 +165,8 @@ void scaleImpulses(WorldData& data) {
         const EnergyBalance& balance = balanceOf(data, slot);
         if (gainOf(balance) != Gain::None) {
             const double share = shareOf(balance);
-            const BodyVelocity& without = data.batches.plannedVelocities[slot];
-            BodyVelocity& velocity = data.batches.velocities[slot];
+            const BodyVelocity& without = data.scratch.solver.plannedVelocities[slot];
+            BodyVelocity& velocity = data.scratch.solver.velocities[slot];
             velocity.x = without.x + share * (velocity.x - without.x);
             velocity.y = without.y + share * (velocity.y - without.y);
             velocity.angular = without.angular + share * (velocity.angular - without.angular);
@@ -187,7 +187,7 @@ template <class Batch>
 void allowDeep(WorldData& data, const Batches<Batch>& batches) {
     forLanes(batches, &BatchFlags::occupied, [&](Lane at) {
         if (isDeep(batches[at.batch], at.lane)) {
-            EnergyBalance& balance = data.islands.balances[rootAt(data, batches[at.batch], at.lane)];
+            EnergyBalance& balance = data.scratch.solver.balances[rootAt(data, batches[at.batch], at.lane)];
             balance.c = costsTooMuch(balance) ? -infinite : balance.c;
         }
     });
@@ -196,12 +196,12 @@ void allowDeep(WorldData& data, const Batches<Batch>& batches) {
 /// What the corrections cost: the work against the forces that act on the bodies.
 void measureCorrections(WorldData& data, double dt) {
     for (const Slot slot : data.moving) {
-        const BodyVelocity& push = data.batches.corrections[slot];
+        const BodyVelocity& push = data.scratch.solver.corrections[slot];
         if (push.x == 0 && push.y == 0 && push.angular == 0) {
             continue;
         }
-        const BodyVelocity& start = data.batches.startVelocities[slot];
-        const BodyVelocity& planned = data.batches.plannedVelocities[slot];
+        const BodyVelocity& start = data.scratch.solver.startVelocities[slot];
+        const BodyVelocity& planned = data.scratch.solver.plannedVelocities[slot];
         const double along = push.x * (start.x - planned.x) + push.y * (start.y - planned.y);
         balanceOf(data, slot).corrections += data.islands.inertias[slot].x * along / dt;
         data.steps[slot].correction = {push.x, push.y};
@@ -212,8 +212,8 @@ void measureCorrections(WorldData& data, double dt) {
 } // namespace
 
 bool limitEnergyGain(WorldData& data) {
-    data.islands.changes.resize(data.motions.size());
-    data.islands.balances.resize(data.motions.size());
+    data.scratch.solver.changes.resize(data.motions.size());
+    data.scratch.solver.balances.resize(data.motions.size());
     Gain gain = measureIslands(data);
     bool changed = false;
     for (int round = 0; round < extraRounds && gain == Gain::Much; ++round) {
@@ -236,7 +236,7 @@ bool limitEnergyGain(WorldData& data) {
 
 void applyCorrections(WorldData& data, double dt) {
     measureCorrections(data, dt);
-    const std::vector<EnergyBalance>& balances = data.islands.balances;
+    const std::vector<EnergyBalance>& balances = data.scratch.solver.balances;
     if (std::none_of(data.islands.islandRoots.begin(), data.islands.islandRoots.end(),
                      [&](Slot root) { return costsTooMuch(balances[root]); })) {
         return;

@@ -23,7 +23,7 @@ void refuse(WorldData& data, std::uint32_t index, Slot slot, int iteration) {
 
 FieldSample sampleOf(const WorldData& data, Slot slot) {
     const BodyRecord& record = data.records[slot];
-    const Transform& trial = data.trial[slot];
+    const Transform& trial = data.scratch.substeps.trial[slot];
     return {.body = data.idOf(slot),
             .pose = {trial.position - trial.rotation * record.localCenter, trial.rotation},
             .massCenter = trial.position,

@@ -75,9 +75,9 @@ void integrateInSubsteps(WorldData& data, const IterationStep& step) {
     if (!data.sleep.sleepers.empty() && std::none_of(data.moving.begin(), data.moving.end(), substepped)) {
         return;
     }
-    data.trial.resize(data.motions.size());
+    data.scratch.substeps.trial.resize(data.motions.size());
     for (Slot slot = 0; slot < data.motions.size(); ++slot) {
-        data.trial[slot] = data.pose(slot);
+        data.scratch.substeps.trial[slot] = data.pose(slot);
     }
     for (int i = 0; i < step.substeps; ++i) {
         kick(data, step, i == 0 ? Kick::First : Kick::Between);
@@ -88,8 +88,9 @@ void integrateInSubsteps(WorldData& data, const IterationStep& step) {
             const Change change = integrated(data.motions[slot], data.steps[slot]);
             data.steps[slot].deltaPosition += change.deltaPosition;
             data.steps[slot].deltaAngle += change.deltaAngle;
-            data.trial[slot].position += change.deltaPosition;
-            data.trial[slot].rotation = turned(data.trial[slot].rotation, change.deltaAngle);
+            data.scratch.substeps.trial[slot].position += change.deltaPosition;
+            data.scratch.substeps.trial[slot].rotation =
+                turned(data.scratch.substeps.trial[slot].rotation, change.deltaAngle);
         }
     }
     kick(data, step, Kick::Last);

@@ -25,13 +25,13 @@ void joinPairs(WorldData& data) {
             ++sensors;
             continue;
         }
-        const Slot a = bound.moverA - 1;
-        const Slot b = bound.moverB - 1;
+        const Slot a = slotOf(bound.moverA);
+        const Slot b = slotOf(bound.moverB);
         if ((data.movable[bound.moverA] & data.movable[bound.moverB]) != 0) {
             if (roots[a] != roots[b]) {
                 joinSets(roots, a, b);
             }
-        } else if (bound.moverB != 0 && data.movable[bound.moverA] != 0) {
+        } else if (bound.moverB != Mover::Static && data.movable[bound.moverA] != 0) {
             noteDriver(data, b, a);
         } else if (data.movable[bound.moverB] != 0) {
             noteDriver(data, a, b);
@@ -58,10 +58,10 @@ void joinSets(std::vector<Slot>& parents, Slot a, Slot b) {
 }
 
 void findIslands(WorldData& data) {
-    if (!data.islandsStale) {
+    if (!data.flags.islandsStale) {
         return;
     }
-    data.islandsStale = false;
+    data.flags.islandsStale = false;
     std::vector<Slot>& roots = data.islands.roots;
     roots.resize(data.motions.size());
     std::iota(roots.begin(), roots.end(), Slot{0});
@@ -85,29 +85,29 @@ void findIslands(WorldData& data) {
 
 void findDriven(WorldData& data) {
     Islands& islands = data.islands;
-    islands.driven.assign(data.motions.size() + 1, 0);
+    data.scratch.solver.driven.assign(data.motions.size() + 1, 0);
     bool any = false;
     for (const Islands::Driver& driver : islands.drivers) {
         if (data.motions[driver.slot].isMoving()) {
-            islands.driven[driver.pushed] = 1;
+            data.scratch.solver.driven[driver.pushed] = 1;
             any = true;
         }
     }
     if (any) { // a root is the lowest of its island, so that it comes first
         for (Slot slot = 0; slot < data.motions.size(); ++slot) {
-            islands.driven[slot] = islands.driven[islands.roots[slot]];
+            data.scratch.solver.driven[slot] = data.scratch.solver.driven[data.islands.roots[slot]];
         }
     }
 }
 
 void measureInertias(WorldData& data) {
     data.islands.inertias.resize(data.motions.size());
-    data.movable.assign(data.motions.size() + 1, 0);
+    data.movable.assign(data.motions.size(), 0);
     for (Slot slot = 0; slot < data.motions.size(); ++slot) {
         const BodyMotion& m = data.motions[slot];
         const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
         data.islands.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
-        data.movable[slot + 1] = m.isMovable() ? 1 : 0;
+        data.movable[slot] = m.isMovable() ? 1 : 0;
     }
 }
 

@@ -136,14 +136,14 @@ bool limitOnce(const std::vector<BodyVelocity>& velocities, const PenetrationLim
 void reduceAcceleration(WorldData& data) {
     for (const Slot slot : data.moving) {
         BodyStep& s = data.steps[slot];
-        s.fraction = data.islands.fractions[slot];
+        s.fraction = data.scratch.solver.fractions[slot];
         if (s.fraction < s.acceleratedFraction) {
             const double lost = 1 - s.fraction / s.acceleratedFraction;
-            const BodyVelocity& start = data.batches.startVelocities[slot];
-            BodyVelocity& planned = data.batches.plannedVelocities[slot];
+            const BodyVelocity& start = data.scratch.solver.startVelocities[slot];
+            BodyVelocity& planned = data.scratch.solver.plannedVelocities[slot];
             const BodyVelocity change{lost * (planned.x - start.x), lost * (planned.y - start.y),
                                       lost * (planned.angular - start.angular), 0};
-            for (BodyVelocity* velocity : {&planned, &data.batches.velocities[slot]}) {
+            for (BodyVelocity* velocity : {&planned, &data.scratch.solver.velocities[slot]}) {
                 velocity->x -= change.x;
                 velocity->y -= change.y;
                 velocity->angular -= change.angular;
@@ -157,24 +157,24 @@ void reduceAcceleration(WorldData& data) {
 bool noneLimited(const WorldData& data) {
     const auto isLimited = [&](Slot slot) { return data.steps[slot].fraction < 1; };
     return std::none_of(data.moving.begin(), data.moving.end(), isLimited) &&
-           noneCloses(data.islands.driven, data.batches.circles) &&
-           noneCloses(data.islands.driven, data.batches.general);
+           noneCloses(data.scratch.solver.driven, data.batches.circles) &&
+           noneCloses(data.scratch.solver.driven, data.batches.general);
 }
 
 /// What is held back so far holds back what follows it.
 void propagateLimits(WorldData& data, double dt) {
-    Islands& islands = data.islands;
-    islands.fractions.assign(data.motions.size() + 1, 1);
-    islands.limited.assign(data.motions.size() + 1, 0);
+    SolverScratch& scratch = data.scratch.solver;
+    scratch.fractions.assign(data.motions.size() + 1, 1);
+    scratch.limited.assign(data.motions.size() + 1, 0);
     for (const Slot slot : data.moving) {
-        islands.fractions[slot] = data.steps[slot].fraction;
-        islands.limited[slot] = data.steps[slot].fraction < 1 ? 1 : 0;
+        scratch.fractions[slot] = data.steps[slot].fraction;
+        scratch.limited[slot] = data.steps[slot].fraction < 1 ? 1 : 0;
     }
     bool changed = true;
     for (int round = 0; round < roundsOfLimiting && changed; ++round) {
-        const PenetrationLimits holding{islands.fractions, islands.limited, islands.driven, dt, round};
-        changed = limitOnce(data.batches.velocities, holding, data.batches.circles);
-        changed |= limitOnce(data.batches.velocities, holding, data.batches.general);
+        const PenetrationLimits holding{scratch.fractions, scratch.limited, scratch.driven, dt, round};
+        changed = limitOnce(scratch.velocities, holding, data.batches.circles);
+        changed |= limitOnce(scratch.velocities, holding, data.batches.general);
     }
 }
 
@@ -194,7 +194,7 @@ void limitPenetrationOfFollowers(WorldData& data, double dt) {
     }
     propagateLimits(data, dt);
     for (const Slot slot : data.moving) {
-        data.steps[slot].fraction = data.islands.fractions[slot];
+        data.steps[slot].fraction = data.scratch.solver.fractions[slot];
     }
 }
 

@@ -26,19 +26,19 @@ constexpr int roundsOfConverging = 3;
 constexpr double smallDeflection = 0.01;
 
 void gatherVelocities(WorldData& data) {
-    ContactBatches& batches = data.batches;
-    batches.velocities.resize(data.motions.size() + 1);
-    batches.plannedVelocities.resize(data.motions.size());
-    batches.startVelocities.resize(data.motions.size());
-    batches.corrections.assign(data.motions.size() + 1, {});
-    batches.velocities.back() = {};
+    SolverScratch& scratch = data.scratch.solver;
+    scratch.velocities.resize(data.motions.size() + 1);
+    scratch.plannedVelocities.resize(data.motions.size());
+    scratch.startVelocities.resize(data.motions.size());
+    scratch.corrections.assign(data.motions.size() + 1, {});
+    scratch.velocities.back() = {};
     for (const Slot slot : data.moving) {
         const BodyMotion& m = data.motions[slot];
         const BodyStep& s = data.steps[slot];
-        batches.startVelocities[slot] = {s.startVelocity.x(), s.startVelocity.y(), s.startAngularVelocity, 0};
+        scratch.startVelocities[slot] = {s.startVelocity.x(), s.startVelocity.y(), s.startAngularVelocity, 0};
         // Not a copy of the other: reading at once what was just written in parts stalls.
-        batches.plannedVelocities[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
-        batches.velocities[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
+        scratch.plannedVelocities[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
+        scratch.velocities[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};
     }
 }
 
@@ -67,7 +67,7 @@ void markMerged(WorldData& data, GeneralContact& c) {
         any |= touching[k];
         open |= !near;
     }
-    data.mergeStale |= data.constraintsRebuilt ? any && open : touching != c.touching;
+    data.flags.mergeStale |= data.flags.constraintsRebuilt ? any && open : touching != c.touching;
     c.touching = touching;
 }
 
@@ -125,7 +125,7 @@ void finishBounces(WorldData& data) {
 void converge(WorldData& data, double dt) {
     reserveForUnconverged(data);
     for (int round = 0; round < roundsOfConverging; ++round) {
-        const bool closes = measureVelocities(data.batches);
+        const bool closes = measureVelocities(data.batches, data.scratch.solver.velocities);
         const bool holds = closes && (round > 0 || solveClosingIslands(data));
         if (holds) {
             limitPenetration(data, dt);
@@ -134,16 +134,16 @@ void converge(WorldData& data, double dt) {
             return;
         }
     }
-    measureVelocities(data.batches);
+    measureVelocities(data.batches, data.scratch.solver.velocities);
 }
 
 /// Bodies that the contacts pushed go where their new velocity takes them.
 void applyVelocities(WorldData& data, double dt) {
-    data.anyDeflected = false;
+    data.flags.anyDeflected = false;
     for (const Slot slot : data.moving) {
         BodyMotion& m = data.motions[slot];
         BodyStep& s = data.steps[slot];
-        const BodyVelocity& velocity = data.batches.velocities[slot];
+        const BodyVelocity& velocity = data.scratch.solver.velocities[slot];
         s.pushed = isPush({velocity.x - m.velocity.x(), velocity.y - m.velocity.y()},
                           (velocity.angular - m.angularVelocity) * s.outerRadius);
         if (s.pushed) {
@@ -153,10 +153,10 @@ void applyVelocities(WorldData& data, double dt) {
             const double turnChange = dt * m.angularVelocity - s.deltaAngle;
             s.deflected = std::abs(change.x()) + std::abs(change.y()) + std::abs(turnChange) * s.outerRadius >
                           std::max(smallDeflection * s.innerRadius, linearSlop);
-            data.anyDeflected |= s.deflected;
+            data.flags.anyDeflected |= s.deflected;
             s.deltaPosition = dt * m.velocity;
             s.deltaAngle = dt * m.angularVelocity;
-            data.anyFast |= isFast(s);
+            data.flags.anyFast |= isFast(s);
         }
         if (s.bounced) { // flies freely from here on: the velocity is that at the end, the way is that of the mean
             s.deltaPosition -= 0.5 * dt * dt * s.acceleration;
@@ -168,19 +168,19 @@ void applyVelocities(WorldData& data, double dt) {
 
 void solveVelocities(WorldData& data, const IterationStep& step) {
     gatherVelocities(data);
-    warmStart(data.batches);
+    warmStart(data.batches, data.scratch.solver.velocities);
     for (int pass = 0; pass < step.passes; ++pass) {
-        solvePass(data.batches);
+        solvePass(data.batches, data.scratch.solver.velocities);
     }
     converge(data, step.dt);
     markTouches(data, data.batches.circles, data.circleContacts);
     markTouches(data, data.batches.general, data.generalContacts);
     markMerged(data);
-    if (data.anyBounce) {
+    if (data.flags.anyBounce) {
         finishBounces(data);
     }
     const double share = std::min(correctionShare, correctionRate * step.dt);
-    if (correctPositions(data.batches, {step.dt, share, correctionSpeed * step.dt})) {
+    if (correctPositions(data.batches, data.scratch.solver.corrections, {step.dt, share, correctionSpeed * step.dt})) {
         applyCorrections(data, step.dt);
     }
     applyVelocities(data, step.dt);

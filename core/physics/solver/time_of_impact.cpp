@@ -110,11 +110,11 @@ struct Fractions {
 bool stop(WorldData& data, const Pair& pair, const Stoppable& which, const Fractions& left) {
     bool changed = false;
     if (which.a && shorten(data.steps[pair.bodyA], left.a, which.carrierOfA)) {
-        data.shortenedAt[pair.bodyA] = data.visits;
+        data.scratch.toi.shortenedAt[pair.bodyA] = data.scratch.toi.visits;
         changed = true;
     }
     if (which.b && shorten(data.steps[pair.bodyB], left.b, which.carrierOfB)) {
-        data.shortenedAt[pair.bodyB] = data.visits;
+        data.scratch.toi.shortenedAt[pair.bodyB] = data.scratch.toi.visits;
         changed = true;
     }
     return changed;
@@ -184,14 +184,14 @@ bool sweptBoundsOverlap(const WorldData& data, const Pair& pair) {
 /// Whether the pair is far apart or has a contact, while nothing is fast or bounces.
 bool cannotHit(const WorldData& data, std::uint32_t index) {
     const PairBound& bound = data.table.bounds[index];
-    const bool yield = bound.moverB == 0 || (data.movable[bound.moverA] & data.movable[bound.moverB]) != 0;
+    const bool yield = bound.moverB == Mover::Static || (data.movable[bound.moverA] & data.movable[bound.moverB]) != 0;
     return data.table.flags[index].inSolver || (yield && !data.mayTouchNow(index));
 }
 
 /// The pairs whose bodies may have to be stopped, with all that does not change while they are.
 void listToiCandidates(WorldData& data) {
-    data.toiCandidates.clear();
-    const bool onlyDeflected = !data.anyFast && !data.anySweep;
+    data.scratch.toi.candidates.clear();
+    const bool onlyDeflected = !data.flags.anyFast && !data.flags.anySweep;
     for (std::uint32_t i = 0; i < data.table.size(); ++i) {
         const PairBound& bound = data.table.bounds[i];
         if ((data.mayNeedToi[bound.moverA] | data.mayNeedToi[bound.moverB]) == 0 ||
@@ -204,13 +204,13 @@ void listToiCandidates(WorldData& data) {
         }
         // The solver keeps those that have a contact from closing their gap.
         if (!pair.sweep && hasContact(data, pair)) {
-            if (data.anyFast && pair.kind == PairKind::General) {
-                data.toiCandidates.push_back({i, pair.bodyA, pair.bodyB, 0, true});
+            if (data.flags.anyFast && pair.kind == PairKind::General) {
+                data.scratch.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, true});
             }
         } else if (sweptBoundsOverlap(data, pair)) {
             const Stoppable which = sweptOf(data, i);
             if (which.a || which.b) {
-                data.toiCandidates.push_back({i, pair.bodyA, pair.bodyB, 0, false, which.a, which.b});
+                data.scratch.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, false, which.a, which.b});
             }
         }
     }
@@ -218,11 +218,12 @@ void listToiCandidates(WorldData& data) {
 
 /// True when a motion was cut short.
 bool visit(WorldData& data, ToiCandidate& candidate) {
-    const std::uint32_t changed = std::max(data.shortenedAt[candidate.bodyA], data.shortenedAt[candidate.bodyB]);
+    const std::uint32_t changed =
+        std::max(data.scratch.toi.shortenedAt[candidate.bodyA], data.scratch.toi.shortenedAt[candidate.bodyB]);
     if (changed < candidate.visitedAt) {
         return false; // and would find the same
     }
-    candidate.visitedAt = ++data.visits;
+    candidate.visitedAt = ++data.scratch.toi.visits;
     const Pair& pair = data.table.pairs[candidate.pair];
     if (candidate.touches) {
         return limitTurn(data, pair);
@@ -258,15 +259,15 @@ double safeFraction(const WorldData& data, double least) {
 
 void stopAtImpacts(WorldData& data) {
     listToiCandidates(data);
-    if (data.toiCandidates.empty()) {
+    if (data.scratch.toi.candidates.empty()) {
         return;
     }
-    data.shortenedAt.assign(data.steps.size(), 0);
-    data.visits = 0;
+    data.scratch.toi.shortenedAt.assign(data.steps.size(), 0);
+    data.scratch.toi.visits = 0;
     bool changed = true;
     for (int round = 0; changed && round < maxRounds; ++round) {
         changed = false;
-        for (ToiCandidate& candidate : data.toiCandidates) {
+        for (ToiCandidate& candidate : data.scratch.toi.candidates) {
             changed |= visit(data, candidate);
         }
     }

@@ -4,9 +4,11 @@
 #include "core/geometry/part.h"
 #include "core/math/transform.h"
 #include "core/physics/lanes/contact_batches.h"
+#include "core/physics/state/mover.h"
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace spacetow {
@@ -42,8 +44,14 @@ struct Pair {
 /// Tells without reading the pair that it cannot be in contact yet: not before the motion bounds of its bodies add up
 /// to the separation bound.
 struct PairBound {
-    std::uint32_t moverA = 0, moverB = 0; // indices into WorldData::motionBounds
-    double separationBound = 0;           // m
+    Mover moverA = Mover::Static, moverB = Mover::Static;
+    double separationBound = 0; // m
+
+    // While the contact of the pair has a lane, alone or merged with others, the pair itself is not updated.
+    static constexpr double never = std::numeric_limits<double>::infinity();
+    void exclude() { separationBound = never; }
+    /// The pair is to be updated: nothing is known of its separation.
+    void reset() { separationBound = 0; }
 };
 
 /// Of a pair that nothing is known of.
@@ -52,7 +60,7 @@ PairBound unknownBound(const Pair& pair);
 struct PairFlags {
     bool touching = false;
     bool reported = false; // as events
-    bool inSolver = false; // its contact has a lane; until that is closed the separation bound is infinite
+    bool inSolver = false; // its contact has a lane; until that is closed the pair is excluded from updates
     bool limitsFraction =
         false; // the speculative margin may cover but a part of its motion; holds while pairs are not stale
 };

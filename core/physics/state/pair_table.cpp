@@ -3,7 +3,7 @@
 namespace spacetow {
 
 PairBound unknownBound(const Pair& pair) {
-    return {pair.bodyA + 1, pair.staticB ? 0 : pair.bodyB + 1, 0};
+    return {moverOf(pair.bodyA), pair.staticB ? Mover::Static : moverOf(pair.bodyB), 0};
 }
 
 void PairTable::clear() {

@@ -18,11 +18,6 @@ struct Sleep {
     std::vector<Slot> disturbed;      // since the last update
     PairTable table;                  // pairs of sleepers, with each other and with static bodies
     std::vector<TagMask> touchedTags; // by slot, of those pairs
-
-    // Working memory.
-    PairTable newTable;
-    std::vector<Slot> parents;        // by slot: islands as trees
-    std::vector<std::uint8_t> marked; // by slot
 };
 
 } // namespace spacetow

@@ -12,10 +12,12 @@
 #include "core/physics/state/force_data.h"
 #include "core/physics/state/island_data.h"
 #include "core/physics/state/iteration_step.h"
+#include "core/physics/state/mover.h"
+#include "core/physics/state/scratch.h"
 #include "core/physics/state/sleep_data.h"
 #include "core/physics/state/static_geometry.h"
+#include "core/physics/state/step_flags.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -25,17 +27,10 @@ namespace spacetow {
 
 using SlotPair = std::pair<Slot, Slot>; // lower first
 
-/// A pair that may have to be stopped where it meets; see time_of_impact.h.
-struct ToiCandidate {
-    std::uint32_t pair = 0;
-    Slot bodyA = 0, bodyB = 0;
-    std::uint32_t visitedAt = 0; // 0: not yet
-    bool touches = false;        // then only its turns are limited
-    bool stopsA = false, stopsB = false;
-};
-
+/// What a saved world is, and beside it what an update needs while it runs.
 struct WorldData {
     UpdateParameters parameters;
+    StepFlags flags;
 
     // Bodies, by slot.
     std::vector<BodyMotion> motions;
@@ -43,6 +38,17 @@ struct WorldData {
     std::vector<BodyRecord> records;
     std::vector<Slot> freeSlots;
     std::uint64_t nextSerial = 0;
+    std::vector<Slot> moving;           // active and awake, kinematic bodies first
+    std::vector<Slot> reporters;        // of touched tags
+    std::vector<TagMask> touchedTags;   // by slot, of the last iteration
+    std::vector<PendingChange> pending; // deferred changes
+
+    // Of bodies, what is asked for pairs. The motion bounds are those at the end of the iteration, m.
+    MoverArray<double> motionBounds;
+    MoverArray<PlannedMotion> plannedMotions;
+    MoverArray<BodyExtent> extents;
+    MoverArray<std::uint8_t> mayNeedToi; // whether the body may need a time of impact
+    MoverArray<std::uint8_t> movable;    // whether anything can move or turn it
 
     std::vector<ConnectorRecord> connectors;
     std::vector<std::uint32_t> freeConnectors;
@@ -50,78 +56,37 @@ struct WorldData {
 
     std::vector<FieldRecord> fields;
     std::vector<std::uint32_t> freeFields;
-    std::vector<Slot> fieldBodies; // that feel any of them
+    std::vector<Slot> fieldBodies; // on which any of them acts
 
-    std::vector<PendingChange> pending;
+    // The broad phase.
     std::shared_ptr<const StaticGeometry> statics;
-    bool staticsChanged = true;
-    bool bodiesChanged = true; // so that lists and pairs are to be made anew
-    bool pairsStale = true;    // so that nothing that is known of the pairs' distances holds
+    MovingQuadtree tree;
+    std::vector<MovingProxy> proxies;        // of `moving` and the sleepers
+    std::vector<Aabb> boxes;                 // of proxies, which they cannot leave unnoticed
+    std::vector<std::uint32_t> firstProxies; // by slot
+    std::vector<std::uint32_t> staleProxies; // that are not where the tree has them
 
     PairTable table;
-    std::vector<Contact> contacts; // of the pairs that have come near each other
+    std::vector<std::uint32_t> sensors; // indices of the pairs of sensors
+    std::vector<Contact> contacts;      // of the pairs that have come near each other
     std::vector<std::uint32_t> freeContacts;
     std::vector<KeptManifold> manifolds; // of the general ones
     std::vector<std::uint32_t> freeManifolds;
-    std::vector<CircleContact> circleContacts; // that the solver has, see constraint_list.h
+
+    // The constraints of the solver; see constraint_list.h.
+    std::vector<CircleContact> circleContacts;
     std::vector<GeneralContact> generalContacts;
     ContactBatches batches;
-    bool constraintsValid = false;                     // so that the above are those of the pairs
-    bool anyScalarUpdate = false, anySingular = false; // of these contacts
-    bool anyBounce = false;
     std::vector<std::uint16_t> mergeableContacts; // by slot: general contacts with what others may share a plane with
     std::vector<std::pair<std::uint32_t, std::uint32_t>> mergeCandidates; // contacts that may come to lie in one plane
     std::vector<std::uint32_t> mergedPairs;                               // pairs that merged contacts stand for
-    bool mergeStale = false;                                              // whether these may have changed
-    bool constraintsRebuilt = false;                                      // all contacts, in this iteration
     std::size_t constraintChanges = 0;                                    // since all were rebuilt
-    std::vector<TagMask> touchedTags;                                     // by slot, of the last iteration
+
+    Islands islands;
+    Sleep sleep;
     Events events;
 
-    Sleep sleep;
-
-    MovingQuadtree tree;
-    std::vector<Slot> moving;                  // active and awake, kinematic bodies first
-    std::vector<Slot> reporters;               // of touched tags
-    std::vector<MovingProxy> proxies;          // of `moving` and the sleepers
-    std::vector<double> motionBounds;          // m, at most, at the end of the iteration: 0, then by slot
-    std::vector<PlannedMotion> plannedMotions; // nothing, then by slot
-    std::vector<BodyExtent> extents;           // nothing, then by slot
-    std::vector<std::uint8_t> mayNeedToi;      // whether the body may need a time of impact: 0, then by slot
-
-    // Working memory, kept so that a steady update allocates nothing.
-    PairTable newTable;
-    std::vector<Pair> newPairs;
-    std::vector<std::uint32_t> pairEnds; // by slot, of the sorted pairs
-    std::vector<std::uint32_t> found;
-    std::vector<std::uint32_t> sensors;               // indices of the pairs of sensors
-    std::vector<std::uint32_t> candidates;            // indices of pairs to be updated
-    std::vector<Constraint> constraints;              // general contacts that have no lane yet
-    std::vector<std::array<double, 3>> wholeImpulses; // by contact, while an iteration is made in parts
-    Islands islands;
-    std::vector<std::uint64_t> droppedTouches; // body pairs whose boxes parted while they touched
-    std::vector<Transform> trial;              // poses during sub-steps, by slot
-    bool anyFault = false;                     // something is not finite
-    bool anyMovedProxy = false;
-    bool anyFast = false; // something moves further than anticipation covers
-    bool anySweep = false;
-    bool anyDeflected = false;
-    bool islandsStale = true;                     // the pairs or who moves have changed
-    std::vector<std::uint8_t> movable;            // 0, then by slot: whether anything can move or turn it
-    std::vector<Aabb> boxes;                      // that colliders cannot leave unnoticed
-    std::vector<std::uint32_t> firstProxies;      // by slot
-    std::vector<std::uint32_t> staleProxies;      // colliders that are not where the tree has them
-    std::vector<Slot> movedBodies;                // whose pairs are found anew
-    std::vector<MovingQuadtree::Two> overlapping; // colliders whose boxes do
-    std::vector<FoundPair> foundPairs, sortedPairs;
-    std::vector<std::uint8_t> isMovedProxy; // 0, then by slot: while the table is compared
-    std::vector<std::uint32_t> movedPairs;  // pairs of those who have
-    std::vector<std::uint32_t> dropped;     // of those, which were not found again
-    std::vector<std::uint32_t> newPlaces;   // of new pairs: the index before which they belong
-    std::vector<Run> runs;                  // of the table that remain
-    std::vector<ToiCandidate> toiCandidates;
-    std::vector<std::uint32_t> shortenedAt; // by slot: the visit of a pair that shortened the motion
-    std::uint32_t visits = 0;               // of candidates
+    Scratch scratch;
 
     /// Whether the parts of the pair may meet in this iteration.
     bool mayTouchNow(std::uint32_t pair) const {
@@ -134,8 +99,8 @@ struct WorldData {
     }
     /// To be called when the motion of the body has been planned, or it no longer moves.
     void notePlannedMotion(Slot slot) {
-        plannedMotions[slot + 1] = {motions[slot], steps[slot]};
-        extents[slot + 1] = {steps[slot].motionBound, steps[slot].outerRadius};
+        plannedMotions[slot] = {motions[slot], steps[slot]};
+        extents[slot] = {steps[slot].motionBound, steps[slot].outerRadius};
     }
     BodyId idOf(Slot slot) const { return {slot, records[slot].generation}; }
     Transform pose(Slot slot) const { return {motions[slot].center, motions[slot].rotation}; }

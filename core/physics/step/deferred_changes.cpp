@@ -22,7 +22,7 @@ void removeNow(WorldData& data, Slot slot, int iteration) {
     }
     removeFieldsOf(data, slot);
     BodyRecord& record = data.records[slot];
-    data.staticsChanged |= record.kind == BodyKind::Static;
+    data.flags.staticsChanged |= record.kind == BodyKind::Static;
     data.events.removed.push_back({iteration, data.idOf(slot), record.user});
     const std::uint32_t generation = record.generation + 1;
     record = BodyRecord{};
@@ -50,7 +50,7 @@ void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
     if (record.active && !active) {
         endTouches(data, slot, iteration);
     }
-    data.staticsChanged |= record.kind == BodyKind::Static && record.active != active;
+    data.flags.staticsChanged |= record.kind == BodyKind::Static && record.active != active;
     record.active = active;
 }
 
@@ -92,7 +92,7 @@ bool applyPending(WorldData& data, int iteration) {
         }
     }
     data.pending.clear();
-    data.bodiesChanged = true;
+    data.flags.bodiesChanged = true;
     refreshConnections(data);
     return true;
 }
@@ -106,7 +106,7 @@ void refreshInverseMass(WorldData& data, Slot slot) {
 }
 
 void refreshConnections(WorldData& data) {
-    data.pairsStale = true;
+    data.flags.pairsStale = true;
     data.notColliding.clear();
     for (const ConnectorRecord& c : data.connectors) {
         if (c.used && !c.bodiesCollide) {

@@ -32,10 +32,10 @@ constexpr int maxParts = 64;
 
 /// The pairs of bodies that have left their fat AABBs, and what depends on pairs.
 void refreshPairs(WorldData& data, const IterationStep& step) {
-    if (data.pairsStale || !data.mergedPairs.empty()) {
+    if (data.flags.pairsStale || !data.mergedPairs.empty()) {
         releaseConstraints(data);
     }
-    if (data.pairsStale) {
+    if (data.flags.pairsStale) {
         measureInertias(data);
         resetManifolds(data);
     }
@@ -51,12 +51,12 @@ bool planMotion(WorldData& data, const IterationStep& step, bool first) {
     const double ahead = first ? step.remaining - step.dt : 0; // fat AABBs for a whole update, if they will do
     integrateVelocities(data, step);
     measureMotion(data, ahead);
-    const bool fault = data.anyFault;
+    const bool fault = data.flags.anyFault;
     if (fault) {
         isolateFaults(data, step.index);
         measureMotion(data, ahead);
     }
-    if (data.anyMovedProxy) {
+    if (data.flags.anyMovedProxy) {
         refreshPairs(data, step);
     }
     return !fault;
@@ -72,9 +72,9 @@ void makeMotion(WorldData& data, const IterationStep& step) {
     findDriven(data);
     solveVelocities(data, step);
     findCarriers(data);
-    if (data.anyFast || data.anySweep || data.anyDeflected) {
+    if (data.flags.anyFast || data.flags.anySweep || data.flags.anyDeflected) {
         measureMotion(data, 0);
-        if (data.anyMovedProxy) {
+        if (data.flags.anyMovedProxy) {
             refreshPairs(data, step);
         }
         stopAtImpacts(data);
@@ -112,7 +112,7 @@ void iterateInParts(WorldData& data, IterationStep step, double share) {
         step.remaining -= step.dt;
         setDuration(data, step, left);
         const bool sound = planMotion(data, step, false);
-        share = sound && data.anyFast && parts > 1 ? safeFraction(data, 1.0 / parts) : 1;
+        share = sound && data.flags.anyFast && parts > 1 ? safeFraction(data, 1.0 / parts) : 1;
     }
     makePart(data, step, whole);
     setDuration(data, step, whole);
@@ -125,7 +125,7 @@ void iterate(WorldData& data, const IterationStep& step) {
         return;
     }
     const bool sound = planMotion(data, step, step.index == 0);
-    const double share = sound && data.anyFast ? safeFraction(data, 1.0 / maxParts) : 1;
+    const double share = sound && data.flags.anyFast ? safeFraction(data, 1.0 / maxParts) : 1;
     if (share < 1) {
         iterateInParts(data, step, share);
     } else {

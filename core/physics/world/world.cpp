@@ -69,8 +69,8 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     data.motions[slot] = made.value().motion;
     data.steps[slot] = made.value().step;
     refreshInverseMass(data, slot);
-    data.staticsChanged |= def.kind == BodyKind::Static;
-    data.bodiesChanged = true;
+    data.flags.staticsChanged |= def.kind == BodyKind::Static;
+    data.flags.bodiesChanged = true;
     refreshFields(data);
     disturb(data, slot);
     return data.idOf(slot);
@@ -103,8 +103,8 @@ void World::setPose(BodyId body, const Vec2& position, double angle) {
     m.rotation = Rot::fromAngle(angle);
     m.center = position + m.rotation * record.localCenter;
     record.bounds = Aabb{};
-    m_data->pairsStale = true;
-    m_data->staticsChanged |= record.kind == BodyKind::Static;
+    m_data->flags.pairsStale = true;
+    m_data->flags.staticsChanged |= record.kind == BodyKind::Static;
     disturb(*m_data, body.index);
 }
 
@@ -123,7 +123,7 @@ void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocit
 void World::setFilter(BodyId body, const Filter& filter) {
     EXPECTS(contains(body));
     m_data->records[body.index].filter = filter;
-    m_data->pairsStale = true;
+    m_data->flags.pairsStale = true;
     disturb(*m_data, body.index);
     if (!m_data->fields.empty()) {
         refreshSubsteps(*m_data);
