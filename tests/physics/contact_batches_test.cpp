@@ -3,6 +3,8 @@
 #include "core/physics/world/world.h"
 
 #include "core/base/random.h"
+#include "core/math/vec.h"
+#include "core/physics/lanes/contact_formulas.h"
 #include "core/physics/lanes/solver_kernels.h"
 #include "tests/support/test_main.h"
 
@@ -295,6 +297,56 @@ class ContactBatchesTest : public QObject {
                 QCOMPARE(corrections[0][i].angular, corrections[1][i].angular);
             }
         }
+    }
+
+    void circlesAreUpdatedByTheFormulasOfOneContact_data() { foursGiveTheBitsOfOneAfterTheOther_data(); }
+    void circlesAreUpdatedByTheFormulasOfOneContact() {
+        QFETCH(bool, wide);
+        constexpr double perSecond = 240;
+        int reached = 0;
+        for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+            Random random(seed);
+            const std::vector<Body> all = randomBodies(random);
+            std::vector<Lane> lanes;
+            const std::vector<Contact> contacts = randomContacts(random);
+            ContactBatches batches = packed(all, contacts, lanes).batches;
+            const std::vector<BodyVelocity> poses = randomRows(random);
+            const std::vector<BodyVelocity> motions = randomRows(random);
+            for (std::size_t i = 0; i < contacts.size(); ++i) {
+                CircleAnchors& anchors = batches.circles.anchors(lanes[i].batch);
+                anchors.a[lanes[i].lane] = contacts[i].a;
+                anchors.b[lanes[i].lane] = contacts[i].b;
+                anchors.wideUpdate[lanes[i].lane] = -1;
+                anchors.radiusA[lanes[i].lane] = anchors.radiusB[lanes[i].lane] = 0.1;
+            }
+            refreshContacts(batches, {{poses.data(), sizeof(BodyVelocity)}, {motions.data(), sizeof(BodyVelocity)}},
+                            perSecond, wide);
+            for (std::size_t i = 0; i < contacts.size(); ++i) {
+                const Contact& c = contacts[i];
+                const CircleBatch& batch = batches.circles[lanes[i].batch];
+                const std::uint32_t at = lanes[i].lane;
+                const Vec2 apart(poses[c.b].x - poses[c.a].x, poses[c.b].y - poses[c.a].y);
+                const double separation = std::sqrt(apart.x() * apart.x() + apart.y() * apart.y()) - 0.1 - 0.1;
+                const BodyVelocity& a = motions[c.a];
+                const BodyVelocity& b = motions[c.b];
+                const double margin = formulas::speculativeMargin(std::abs(a.x - b.x) + std::abs(a.y - b.y), //
+                                                                  a.padding + b.padding);
+                const bool outdated = (batches.circles.flags(lanes[i].batch).outdated >> at & 1) != 0;
+                struct {
+                    double massA, massB, inertiaA, inertiaB;
+                } masses{all[c.a].mass, all[c.b].mass, all[c.a].inertia, all[c.b].inertia};
+                struct {
+                    double a, b;
+                } levers{0.1 + 0.5 * separation, -0.1 - 0.5 * separation};
+                QVERIFY(batch.separation[at] == separation);
+                QVERIFY(batch.target[at] == formulas::targetVelocity(separation, perSecond));
+                QVERIFY(batch.closingLimit[at] == formulas::closingLimit(separation, perSecond));
+                QVERIFY(batch.tangentMass[at] == 1 / formulas::inverseMass(masses, levers, levers));
+                QVERIFY(outdated == (separation > margin) || std::abs(separation - margin) < 1e-12);
+                reached += outdated ? 0 : 1;
+            }
+        }
+        QVERIFY(reached > 100);
     }
 
     void aLaneThatWasGivenUpIsUsedAgain() {

@@ -2,6 +2,7 @@
 
 #include "core/base/prefetch.h"
 #include "core/physics/contacts/contact_rules.h"
+#include "core/physics/contacts/effective_mass.h"
 #include "core/physics/contacts/pack_constraint.h"
 
 #include <algorithm>
@@ -119,12 +120,11 @@ void addCircleConstraint(WorldData& data, std::uint32_t pair, const CircleTouch&
     const std::uint32_t i = c.lane.lane;
     const double leverA = touch.radiusA + 0.5 * touch.separation;
     const double leverB = -touch.radiusB - 0.5 * touch.separation;
-    const double inverseMass = a.inverseMass + b.inverseMass;
     batch.normalX[i] = touch.normal.x();
     batch.normalY[i] = touch.normal.y();
     batch.leverA[i] = leverA;
     batch.leverB[i] = leverB;
-    batch.tangentMass[i] = 1 / (inverseMass + a.inverseInertia * leverA * leverA + b.inverseInertia * leverB * leverB);
+    batch.tangentMass[i] = 1 / formulas::inverseMass(massesOf(a, b), Levers{leverA, leverB}, Levers{leverA, leverB});
     batch.separation[i] = touch.separation;
     batch.target[i] = target.velocity;
     batch.closingLimit[i] = target.closing;

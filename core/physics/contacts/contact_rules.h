@@ -1,6 +1,7 @@
 #pragma once
 // What every contact has in common: how near the surfaces have to be, and which velocity they are to part with.
 
+#include "core/physics/lanes/contact_formulas.h"
 #include "core/physics/state/world_data.h"
 
 #include <algorithm>
@@ -22,18 +23,17 @@ inline bool areParallelNormals(const Vec2& a, const Vec2& b) {
     return a.dot(b) >= 1 - 1e-9;
 }
 
-/// Surfaces no further apart than this may meet in this iteration. Anticipation is limited to half the inner radii:
-/// beyond that the sweep of fast bodies takes over, whose normal is that of the impact and not that of the start.
+/// See contact_formulas.h.
 inline double speculativeMargin(const PlannedMotion& a, const PlannedMotion& b) {
     const Vec2 apart = a.deltaPosition - b.deltaPosition;
     const double way = std::abs(apart.x()) + std::abs(apart.y()); // no less than the length, and cheaper
-    return linearSlop + std::min(way + a.turned + b.turned, 0.5 * (a.innerRadius + b.innerRadius));
+    return formulas::speculativeMargin(way + a.turned + b.turned, a.innerRadius + b.innerRadius);
 }
 
 /// The same against a static body.
 inline double speculativeMargin(const PlannedMotion& a) {
     const double way = std::abs(a.deltaPosition.x()) + std::abs(a.deltaPosition.y());
-    return linearSlop + std::min(way + a.turned, 0.5 * a.innerRadius);
+    return formulas::speculativeMargin(way + a.turned, a.innerRadius);
 }
 
 /// The discs around the bodies of a pair.
@@ -54,11 +54,6 @@ inline Discs discsOf(const WorldData& data, const PairBound& bound) {
     return {radii, radii + speculativeMargin(a, b), (b.center - a.center).squaredNorm()};
 }
 
-/// How far surfaces may go into each other in this iteration where the solver has not converged, m: up to the slop.
-inline double penetrationAllowance(double separation) {
-    return std::max(separation + linearSlop, 0.1 * linearSlop);
-}
-
 struct Approach {
     double before; // m/s along the normal at the beginning of the iteration, positive when closing
     double after;  // with this iteration's forces
@@ -74,7 +69,7 @@ struct Target {
 /// What the normal velocity is to be. Surfaces that touch bounce at once, and fall back under this iteration's forces;
 /// those still apart are to be stopped where they meet. `perSecond` is the number of iterations in a second.
 inline Target targetOf(const Approach& approach, double separation, double restitution, double perSecond) {
-    const double closing = separation > 0 ? -separation * perSecond : 0;
+    const double closing = formulas::targetVelocity(separation, perSecond);
     if (separation > linearSlop) {
         const bool meets = std::max(approach.before, approach.after) > (separation - linearSlop) * perSecond;
         return {meets && approach.after > bounceThreshold ? Meeting::WillBounce : Meeting::Rests, closing};

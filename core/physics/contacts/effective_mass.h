@@ -1,6 +1,7 @@
 #pragma once
 // What two bodies have against an impulse between them. E. Catto, "Iterative Dynamics with Temporal Coherence" (2005).
 
+#include "core/physics/lanes/contact_formulas.h"
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
@@ -29,9 +30,17 @@ inline double massOf(const WorldData& data, Slot slotA, Slot slotB, const Levers
     return inverse > leastInverseMass(data, slotA, slotB) ? 1 / inverse : 0;
 }
 
+/// Inverse ones, see contact_formulas.h.
+struct InverseMasses {
+    double massA, massB, inertiaA, inertiaB;
+};
+inline InverseMasses massesOf(const BodyMotion& a, const BodyMotion& b) {
+    return {a.inverseMass, b.inverseMass, a.inverseInertia, b.inverseInertia};
+}
+
 /// The off-diagonal element of the inverse mass matrix of two such impulses along one normal, 1/kg.
 inline double couplingOf(const BodyMotion& a, const BodyMotion& b, const Levers& l1, const Levers& l2) {
-    return a.inverseMass + b.inverseMass + a.inverseInertia * l1.a * l2.a + b.inverseInertia * l1.b * l2.b;
+    return formulas::inverseMass(massesOf(a, b), l1, l2);
 }
 
 /// From the point's arm.

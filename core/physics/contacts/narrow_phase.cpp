@@ -56,8 +56,8 @@ void sweepCircles(WorldData& data, std::uint32_t index, std::uint32_t feature) {
 void addCircleContact(WorldData& data, std::uint32_t index, const CircleTouch& touch, double perSecond) {
     Pair& pair = data.table.pairs[index];
     const Contact& kept = contactOf(data, pair);
-    const double closing = -perSecond * penetrationAllowance(touch.separation);
-    CircleTarget aim{touch.separation > 0 ? -touch.separation * perSecond : 0, closing, false};
+    const double closing = formulas::closingLimit(touch.separation, perSecond);
+    CircleTarget aim{formulas::targetVelocity(touch.separation, perSecond), closing, false};
     if (kept.restitution > 0) {
         const Target target =
             targetOf(approach(data, pair, touch.normal), touch.separation, kept.restitution, perSecond);

@@ -125,7 +125,7 @@ Approach approach(const WorldData& data, const Constraint& c, const ConstraintPo
 /// Sets what the normal velocity at a point is to be; false when it is to be swept instead.
 bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double perSecond) {
     p.bounces = false;
-    p.target = p.separation > 0 ? -p.separation * perSecond : 0;
+    p.target = formulas::targetVelocity(p.separation, perSecond);
     if (c.restitution > 0) {
         const Target target = targetOf(approach(data, c, p), p.separation, c.restitution, perSecond);
         if (target.meeting == Meeting::WillBounce) {

@@ -4,21 +4,15 @@
 // fused.
 
 #include "core/physics/lanes/contact_batches.h"
+#include "core/physics/lanes/contact_formulas.h"
 
 #include <array>
 #include <cstring>
 
-#define SPACETOW_INLINE inline __attribute__((always_inline))
-
 namespace spacetow::lanes {
 
-SPACETOW_INLINE Wide greater(Wide a, Wide b) {
-    return a > b ? a : b;
-}
-
-SPACETOW_INLINE Wide lesser(Wide a, Wide b) {
-    return a < b ? a : b;
-}
+using formulas::greater;
+using formulas::lesser;
 
 /// Four vectors of four. As velocities: x and y in m/s, z angular in rad/s. As poses: x and y of the centre of mass, z
 /// the cosine, w the sine.

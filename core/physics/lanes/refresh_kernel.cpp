@@ -9,6 +9,7 @@ namespace spacetow {
 namespace {
 
 using namespace lanes;
+using namespace formulas;
 
 /// What stays the same from the first lane to the last.
 struct Call {
@@ -34,13 +35,15 @@ SPACETOW_INLINE WideVec4 gather(const BodyRows& rows, const std::array<Slot, 4>&
     return transposed(row(rows, slots[0]), row(rows, slots[1]), row(rows, slots[2]), row(rows, slots[3]));
 }
 
-/// What the normal velocity is to be where nothing bounces.
-SPACETOW_INLINE Wide targetAt(Wide separation, const Call& call) {
-    return separation > Wide{} ? -separation * call.perSecond : Wide{};
-}
+/// About the centres of mass, m.
+struct LeverPair {
+    Wide a, b;
+};
 
-SPACETOW_INLINE Wide closingLimitAt(Wide separation, const Call& call) {
-    return -call.perSecond * greater(separation + linearSlop, Wide{} + 0.1 * linearSlop);
+/// With the same levers twice.
+template <class Batch>
+SPACETOW_INLINE Wide inverseMassOf(const Batch& c, Wide leverA, Wide leverB) {
+    return inverseMass(c, LeverPair{leverA, leverB}, LeverPair{leverA, leverB});
 }
 
 /// Which contacts are out of reach.
@@ -53,7 +56,7 @@ SPACETOW_INLINE Mask refresh(CircleBatch& c, const CircleAnchors& anchors, const
     const WideVec4 wayA = gather(call.bodies.plannedMotions, anchors.a);
     const WideVec4 wayB = gather(call.bodies.plannedMotions, anchors.b);
     const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y);
-    const Wide margin = linearSlop + lesser(way, 0.5 * (wayA.w + wayB.w));
+    const Wide margin = speculativeMargin(way, wayA.w + wayB.w);
     const Wide reach = anchors.radiusA + anchors.radiusB + margin;
     const Wide distance = root(squared);
     const Mask apart = distance > Wide{};
@@ -66,10 +69,10 @@ SPACETOW_INLINE Mask refresh(CircleBatch& c, const CircleAnchors& anchors, const
     c.separation = wideUpdate ? separation : c.separation;
     c.leverA = wideUpdate ? leverA : c.leverA;
     c.leverB = wideUpdate ? leverB : c.leverB;
-    const Wide mass = c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
-    c.tangentMass = wideUpdate ? 1 / mass : c.tangentMass;
-    c.target = wideUpdate ? targetAt(separation, call) : c.target;
-    c.closingLimit = wideUpdate ? closingLimitAt(separation, call) : c.closingLimit;
+    const Wide inverse = inverseMassOf(c, leverA, leverB);
+    c.tangentMass = wideUpdate ? 1 / inverse : c.tangentMass;
+    c.target = wideUpdate ? targetVelocity(separation, call.perSecond) : c.target;
+    c.closingLimit = wideUpdate ? closingLimit(separation, call.perSecond) : c.closingLimit;
     return wideUpdate & (squared > reach * reach);
 }
 
@@ -98,7 +101,7 @@ SPACETOW_INLINE Mask outdated(const ContactAnchors& s, const WideVec4& a, const 
     wayB.z = s.staticB ? Wide{} : wayB.z;
     wayB.w = s.staticB ? Wide{} : wayB.w;
     const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y) + wayA.z + wayB.z;
-    return left < linearSlop + lesser(way, 0.5 * (wayA.w + wayB.w));
+    return left < speculativeMargin(way, wayA.w + wayB.w);
 }
 
 /// From the centres of mass to a contact point.
@@ -108,16 +111,12 @@ struct Arms {
         : aX(x - a.x), aY(y - a.y), bX(x - b.x), bY(y - b.y) {}
 };
 
-SPACETOW_INLINE Wide inverseMass(const ConstraintBatch& c, Wide leverA, Wide leverB) {
-    return c.massA + c.massB + c.inertiaA * leverA * leverA + c.inertiaB * leverB * leverB;
-}
-
 SPACETOW_INLINE void setFriction(ConstraintBatch& c, const Arms& arms1, const Arms& arms2, Wide leastInverseMass) {
     c.tangentLeverA =
         0.5 * (arms1.aX * c.normalX + arms1.aY * c.normalY + (arms2.aX * c.normalX + arms2.aY * c.normalY));
     c.tangentLeverB =
         0.5 * (arms1.bX * c.normalX + arms1.bY * c.normalY + (arms2.bX * c.normalX + arms2.bY * c.normalY));
-    const Wide inverse = inverseMass(c, c.tangentLeverA, c.tangentLeverB);
+    const Wide inverse = inverseMassOf(c, c.tangentLeverA, c.tangentLeverB);
     c.tangentMass = inverse > leastInverseMass ? 1 / inverse : Wide{};
 }
 
@@ -127,15 +126,15 @@ SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ContactAnchors& s, const
     c.leverB1 = arms1.bX * c.normalY - arms1.bY * c.normalX;
     c.leverA2 = arms2.aX * c.normalY - arms2.aY * c.normalX;
     c.leverB2 = arms2.bX * c.normalY - arms2.bY * c.normalX;
-    const Wide k11 = inverseMass(c, c.leverA1, c.leverB1);
-    const Wide k22 = inverseMass(c, c.leverA2, c.leverB2);
+    const Wide k11 = inverseMassOf(c, c.leverA1, c.leverB1);
+    const Wide k22 = inverseMassOf(c, c.leverA2, c.leverB2);
     const Mask acts1 = s.first & (k11 > s.leastInverseMass);
     const Mask acts2 = s.second & (k22 > s.leastInverseMass);
     c.k11 = acts1 ? k11 : Wide{} + 1;
     c.k22 = acts2 ? k22 : c.k11;
     c.mass1 = 1 / c.k11;
     c.mass2 = 1 / c.k22;
-    const Wide coupling = c.massA + c.massB + c.inertiaA * c.leverA1 * c.leverA2 + c.inertiaB * c.leverB1 * c.leverB2;
+    const Wide coupling = inverseMass(c, LeverPair{c.leverA1, c.leverB1}, LeverPair{c.leverA2, c.leverB2});
     const Mask both = acts1 & acts2;
     const Wide largest = greater(c.k11, c.k22);
     const Mask singular = both & (largest * largest >= singularRatio * (c.k11 * c.k22 - coupling * coupling));
@@ -169,10 +168,10 @@ SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ContactAnchors& s, const 
     const Wide never = Wide{} + noTarget;
     c.separation1 = s.first ? separation1 : far;
     c.separation2 = s.second ? separation2 : far;
-    c.target1 = s.acts1 ? targetAt(separation1, call) : never;
-    c.target2 = s.acts2 ? targetAt(separation2, call) : never;
-    c.closingLimit1 = s.first ? closingLimitAt(separation1, call) : never;
-    c.closingLimit2 = s.second ? closingLimitAt(separation2, call) : never;
+    c.target1 = s.acts1 ? targetVelocity(separation1, call.perSecond) : never;
+    c.target2 = s.acts2 ? targetVelocity(separation2, call.perSecond) : never;
+    c.closingLimit1 = s.first ? closingLimit(separation1, call.perSecond) : never;
+    c.closingLimit2 = s.second ? closingLimit(separation2, call.perSecond) : never;
     const Arms arms1(a, b, onA1X + 0.5 * apart1X, onA1Y + 0.5 * apart1Y);
     const Arms arms2(a, b, onA2X + 0.5 * apart2X, onA2Y + 0.5 * apart2Y);
     setFriction(c, arms1, arms2, s.leastInverseMass);

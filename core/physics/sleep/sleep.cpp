@@ -144,14 +144,6 @@ void markPartners(WorldData& data, const std::vector<Slot>& disturbed) {
     }
 }
 
-/// Takes back what the iteration has changed so far.
-void rewind(WorldData& data) {
-    for (const Slot slot : data.moving) {
-        data.motions[slot].velocity = data.steps[slot].startVelocity;
-        data.motions[slot].angularVelocity = data.steps[slot].startAngularVelocity;
-    }
-}
-
 /// Joins two bodies, or lets an anchor that is not at rest keep the other awake.
 void join(WorldData& data, Slot a, Slot b) {
     std::vector<Slot>& parents = data.scratch.sleep.parents;
@@ -267,7 +259,7 @@ bool wakeTouched(WorldData& data, const IterationStep& step) {
         touch(c.b);
     }
     if (any) {
-        rewind(data);
+        restoreVelocities(data);
         wakeMarked(data, step.index);
         prepareSteps(data, step);
     }

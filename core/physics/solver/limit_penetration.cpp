@@ -46,19 +46,19 @@ bool limitClosing(const PenetrationLimits& h, const Closing& c) {
     // What nothing holds back takes along what it holds back: both have the same part of their way to each other left.
     const double fractionA = h.fractions[c.yieldsA ? c.a : c.b];
     const double fractionB = h.fractions[c.yieldsB ? c.b : c.a];
-    const double room = penetrationAllowance(c.separation);
-    if (h.dt * (fractionA * c.speedA - fractionB * c.speedB) <= room) {
+    const double allowance = formulas::penetrationAllowance(c.separation);
+    if (h.dt * (fractionA * c.speedA - fractionB * c.speedB) <= allowance) {
         return false;
     }
     if (c.yieldsA && c.yieldsB && c.speedA > 0 && c.speedB > 0) {
-        return hold(h, c.a, (room / h.dt + fractionB * c.speedB) / c.speedA);
+        return hold(h, c.a, (allowance / h.dt + fractionB * c.speedB) / c.speedA);
     }
     if (c.yieldsA && c.yieldsB && c.speedA < 0 && c.speedB < 0) {
-        return hold(h, c.b, (room / h.dt - fractionA * c.speedA) / -c.speedB);
+        return hold(h, c.b, (allowance / h.dt - fractionA * c.speedA) / -c.speedB);
     }
     const double both = std::min(fractionA, fractionB);
     const double closing = h.dt * (c.speedA - c.speedB);
-    const double fraction = closing * both > room ? room / closing : both;
+    const double fraction = closing * both > allowance ? allowance / closing : both;
     const bool heldA = c.yieldsA && hold(h, c.a, fraction);
     const bool heldB = c.yieldsB && hold(h, c.b, fraction);
     return heldA || heldB;

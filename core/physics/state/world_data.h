@@ -102,6 +102,10 @@ struct WorldData {
         plannedMotions[slot] = {motions[slot], steps[slot]};
         extents[slot] = {steps[slot].motionBound, steps[slot].outerRadius};
     }
+    bool contains(BodyId body) const {
+        return body.index < records.size() && records[body.index].used &&
+               records[body.index].generation == body.generation;
+    }
     BodyId idOf(Slot slot) const { return {slot, records[slot].generation}; }
     Transform pose(Slot slot) const { return {motions[slot].center, motions[slot].rotation}; }
 };

@@ -54,11 +54,6 @@ void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
     record.active = active;
 }
 
-bool isThere(const WorldData& data, BodyId body) {
-    return body.index < data.records.size() && data.records[body.index].used &&
-           data.records[body.index].generation == body.generation;
-}
-
 } // namespace
 
 bool applyPending(WorldData& data, int iteration) {
@@ -66,14 +61,14 @@ bool applyPending(WorldData& data, int iteration) {
         return false;
     }
     for (const PendingChange& change : data.pending) {
-        if (isThere(data, change.body)) {
+        if (data.contains(change.body)) {
             disturb(data, change.body.index);
         }
     }
     wakeDisturbed(data, iteration);
     for (const PendingChange& change : data.pending) {
         const Slot slot = change.body.index;
-        if (!isThere(data, change.body)) {
+        if (!data.contains(change.body)) {
             continue;
         }
         switch (change.kind) {

@@ -168,8 +168,7 @@ const Events& World::events() const {
 }
 
 bool World::contains(BodyId body) const {
-    return body.index < m_data->records.size() && m_data->records[body.index].used &&
-           m_data->records[body.index].generation == body.generation;
+    return m_data->contains(body);
 }
 
 BodyState World::body(BodyId body) const {
