@@ -8,7 +8,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr int affordable = 250; // segments that may be painted while the user waits for the frame; 2 to 4 ms
+constexpr int affordable = 250; // segments that may be painted while the user waits for the frame; 2 to 5 ms
 constexpr int ahead = 4;        // of the shorter side of the view, the part that is painted beyond it on each side
 
 Frame2D withMargin(const Frame2D& frame) {

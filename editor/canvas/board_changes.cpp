@@ -305,6 +305,14 @@ std::vector<int> rockMakers(const Level& level) {
     return places;
 }
 
+bool hasFadingBand(const Object& object) {
+    const auto* body = std::get_if<BodyObject>(&object.data);
+    return body != nullptr && std::ranges::any_of(body->shapes, [](const LevelShape& shape) {
+               const auto* chain = std::get_if<EdgeChain>(&shape);
+               return chain != nullptr && std::isinf(chain->depth);
+           });
+}
+
 double bandBehind(double reach) {
     return fadeDepth + (std::isfinite(reach) ? reach : 0);
 }

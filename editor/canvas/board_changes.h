@@ -40,6 +40,9 @@ std::optional<Vec2> commonMove(const Level& before, const Level& after, const st
 /// Places of the objects that may have matter without end behind closed walls.
 std::vector<int> rockMakers(const Level& level);
 
+/// Whether it has walls whose bands are filled in layers, which takes most of the time.
+bool hasFadingBand(const Object& object);
+
 /// How far behind its walls something of an object is painted, m, given its reach in the level's index.
 double bandBehind(double reach);
 

@@ -222,11 +222,14 @@ class BoardPicture::Planner {
                 work += work < enough ? index.segmentsNear(place, index.bounds()) : 0;
             });
         }
+        const bool hasBands = layer == BoardLayer::Objects || layer == BoardLayer::Moving;
+        const int layers = rimLayers(step.frame.view.scale);
         for (const QRect& rect : step.region) {
             const Aabb box = step.frame.worldIn(rect).grown(fadeDepth);
             const auto count = [&](int place) {
                 if (work < enough && index.boundsOf(place).overlaps(box)) {
-                    work += index.segmentsNear(place, box);
+                    const bool isLayered = hasBands && hasFadingBand(step.level->objects[place]);
+                    work += (isLayered ? layers : 1) * index.segmentsNear(place, box);
                 }
             };
             if (showsSome(layer)) {

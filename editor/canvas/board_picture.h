@@ -42,7 +42,7 @@ class BoardPicture {
         Vec2 moved{0, 0};                   // by how much what is painted is to be drawn elsewhere, world
         bool blank = false;                 // there is nothing to see
         bool other = false;                 // than what is there, of which nothing stays
-        int work = 0;                       // segments of outlines in the region
+        int work = 0;                       // segments of outlines in the region, as often as they are painted
     };
     struct Plan {
         BoardRequest request;

@@ -179,10 +179,14 @@ QPainterPath rockBehind(const Stage& stage, const Ground& ground) {
     return rock;
 }
 
+int rimLayers(double scale) {
+    // Layers that cannot be told apart would only cost time.
+    return std::clamp(static_cast<int>(std::clamp(fadeDepth * scale, fadeLeast, fadeMost) / 3), 1, fadeLayers);
+}
+
 void paintRims(const Stage& stage, std::span<const WallRun> runs, const QColor& color) {
     const double reach = std::clamp(stage.pixels(fadeDepth), fadeLeast, fadeMost);
-    // Layers that cannot be told apart would only cost time.
-    const int layers = std::clamp(static_cast<int>(reach / 3), 1, fadeLayers);
+    const int layers = rimLayers(stage.view.scale);
     for (const WallRun& run : runs) {
         if (std::isfinite(run.depth)) {
             fillRim(stage, run, std::max(run.depth, bandLeast * stage.view.pixel()), faded(color, 0.34));

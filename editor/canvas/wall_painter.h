@@ -42,6 +42,8 @@ struct Ground {
 /// Empty when there is no such loop.
 QPainterPath rockBehind(const Stage& stage, const Ground& ground);
 
+/// How many times the band of a wall without a back is filled, one over the other, at this zoom (pixels a metre).
+int rimLayers(double scale);
 /// The solid side of each run in one colour, without darker spots at its corners.
 void paintRims(const Stage& stage, std::span<const WallRun> runs, const QColor& color);
 /// Likewise of static walls that can be touched, in the colour of the ground; what lies behind closed walls stays in
