@@ -16,11 +16,10 @@ struct WallBack {
     };
     std::array<Limit, 3> limits;
     int count = 0;
+    Vec2 first{-1, 0}, last{1, 0}; // unit: whichever way it goes on without end lies between, anticlockwise
 
     /// Whether the box reaches into it; where only corners come near it, the answer may be yes in error.
     bool meets(const Aabb& box) const;
-    /// The box of what of it is inside of `area`.
-    Aabb within(const Aabb& area) const;
 };
 
 /// Of one side of a wall. Behind a hollow joint it reaches as far as the neighbour's does at the other side of the gap.

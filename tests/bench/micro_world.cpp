@@ -1,14 +1,19 @@
 // Pieces of whole worlds: the sub-steps of connectors, copies and hashes.
 
 #include "tests/support/allocation_count.h"
+#include "tests/support/bodies.h"
 #include "tests/support/scenes.h"
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 using namespace spacetow;
+using test::add;
+using test::ball;
+using test::edgeBody;
 
 namespace {
 
@@ -77,7 +82,74 @@ void hashes(benchmark::State& state, const char* name, int n) {
     }
 }
 
+/// One body an edge, `width` metres wide, and a ball that rolls about between hills.
+struct Terrain {
+    World world{UpdateParameters{.iterations = 20}};
+    std::vector<BodyId> edges;
+
+    Terrain(int count, double width, double depth) {
+        for (int i = 0; i < count; ++i) {
+            const auto at = [&](int k) {
+                const double x = width * k;
+                return Vec2(x, 3 * std::sin(0.7 * x) + 0.3 * std::sin(11 * x));
+            };
+            edges.push_back(add(world, edgeBody(at(i), at(i + 1), depth)));
+        }
+        add(world, ball({20, 5}, 0.2));
+    }
+};
+
+/// What moves is the same however much stands still.
+void oneBall(benchmark::State& state, double depth) {
+    Terrain terrain(static_cast<int>(state.range(0)), 0.2, depth);
+    for (int i = 0; i < 100; ++i) {
+        terrain.world.update();
+    }
+    for (auto _ : state) {
+        terrain.world.update();
+    }
+}
+
+/// Of edges as many as there are in 2 km.
+void firstUpdate(benchmark::State& state, double depth) {
+    const auto count = static_cast<int>(state.range(0));
+    const Terrain terrain(count, 2000.0 / count, depth);
+    for (auto _ : state) {
+        World world = terrain.world;
+        world.update();
+    }
+}
+
+void edit(benchmark::State& state) {
+    Terrain terrain(static_cast<int>(state.range(0)), 0.2, noBack);
+    terrain.world.update();
+    double x = 0;
+    for (auto _ : state) {
+        x = x == 0 ? 0.1 : 0;
+        terrain.world.setPose(terrain.edges[terrain.edges.size() / 2], {0, x}, 0);
+        terrain.world.update();
+    }
+}
+
+void registerLevels() {
+    const auto each = [](const char* name, void (*function)(benchmark::State&, double)) {
+        for (const double depth : {0.0, noBack}) {
+            benchmark::RegisterBenchmark((std::string(name) + (depth == 0 ? "/thin" : "/no-back")).c_str(),
+                                         [=](benchmark::State& state) { function(state, depth); })
+                ->Arg(2000)
+                ->Arg(50000)
+                ->Arg(200000)
+                ->Arg(400000)
+                ->Unit(benchmark::kMicrosecond);
+        }
+    };
+    each("one-ball-over-edges", oneBall);
+    each("first-update-of-edges", firstUpdate);
+    benchmark::RegisterBenchmark("edit-among-edges", edit)->Arg(2000)->Arg(100000)->Unit(benchmark::kMicrosecond);
+}
+
 bool registerAll() {
+    registerLevels();
     struct Sized {
         const char* name;
         int n;

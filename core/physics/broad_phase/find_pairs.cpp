@@ -115,10 +115,10 @@ void findAllMoving(WorldData& data) {
 }
 
 void findStaticsOf(WorldData& data, std::uint32_t index) {
-    findStatics(*data.statics, data.boxes[index], data.scratch.search.found);
+    findStatics(data, data.boxes[index], data.scratch.search.found);
     const MovingProxy& collider = data.proxies[index];
     for (const std::uint32_t other : data.scratch.search.found) {
-        const StaticGeometry::Collider& wall = data.statics->colliders[other];
+        const StaticGeometry::Collider& wall = data.staticCollider(other);
         data.scratch.search.foundPairs.emplace_back(collider.body, wall.body, collider.part, wall.part);
     }
 }

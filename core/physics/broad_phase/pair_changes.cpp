@@ -1,5 +1,7 @@
 #include "core/physics/broad_phase/pair_changes.h"
 
+#include "core/physics/broad_phase/statics.h"
+
 #include <algorithm>
 
 namespace spacetow {
@@ -45,8 +47,8 @@ Pair makePair(const WorldData& data, const FoundPair& found) {
     pair.partB = found.partB;
     pair.shapeA = &(*ra.parts)[pair.partA];
     if (pair.staticB) {
-        pair.collider = rb.firstStatic + pair.partB;
-        pair.shapeB = &data.statics->colliders[pair.collider].shape;
+        pair.collider = staticIndex(data, pair.bodyB, pair.partB);
+        pair.shapeB = &data.staticCollider(pair.collider).shape;
     } else {
         pair.shapeB = &(*rb.parts)[pair.partB];
     }

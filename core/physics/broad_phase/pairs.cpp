@@ -15,6 +15,56 @@ bool isSensor(const Pair& pair) {
     return pair.kind == PairKind::Sensor;
 }
 
+/// What the solver keeps by slot begins anew with all bodies; else it does so with those that move, as it writes no
+/// other.
+void clearBySlot(Scratch& scratch) {
+    scratch.solver.velocities.clear();
+    scratch.solver.corrections.clear();
+    scratch.solver.driven.clear();
+    scratch.solver.unconverged.clear();
+    scratch.solver.limited.clear();
+    scratch.solver.fractions.clear();
+    scratch.toi.shortenedAt.clear();
+}
+
+// Up to so many are put into the lists one by one.
+constexpr std::size_t fewBodies = 64;
+
+bool isNonStatic(const BodyRecord& record) {
+    return record.used && record.kind != BodyKind::Static;
+}
+
+/// In a sorted list, or not.
+void put(std::vector<Slot>& list, Slot slot, bool in) {
+    const auto at = std::lower_bound(list.begin(), list.end(), slot);
+    const bool listed = at != list.end() && *at == slot;
+    if (in && !listed) {
+        list.insert(at, slot);
+    } else if (!in && listed) {
+        list.erase(at);
+    }
+}
+
+void relist(WorldData& data, Slot slot) {
+    const BodyRecord& record = data.records[slot];
+    put(data.nonStatic, slot, isNonStatic(record));
+    put(data.reporters, slot, record.used && record.reportsTouches);
+}
+
+void listBodies(WorldData& data) {
+    data.nonStatic.clear();
+    data.reporters.clear();
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        const BodyRecord& record = data.records[slot];
+        if (isNonStatic(record)) {
+            data.nonStatic.push_back(slot);
+        }
+        if (record.used && record.reportsTouches) {
+            data.reporters.push_back(slot);
+        }
+    }
+}
+
 } // namespace
 
 void listSensors(WorldData& data) {
@@ -29,11 +79,11 @@ void listSensors(WorldData& data) {
 
 void listMoving(WorldData& data) {
     data.moving.clear();
-    data.scratch.solver.velocities.clear(); // of whatever does not move the solver takes them to be 0
+    clearBySlot(data.scratch);
     for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
-        for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        for (const Slot slot : data.nonStatic) {
             const BodyRecord& record = data.records[slot];
-            if (record.used && record.active && !record.asleep && record.kind == kind) {
+            if (record.active && !record.asleep && record.kind == kind) {
                 data.moving.push_back(slot);
             }
         }
@@ -42,26 +92,32 @@ void listMoving(WorldData& data) {
 
 void prepareStructure(WorldData& data) {
     refreshStatics(data);
-    if (!data.flags.bodiesChanged) {
+    const std::size_t bodies = data.records.size();
+    data.motionBounds.resize(bodies);
+    data.mayNeedToi.resize(bodies);
+    data.plannedMotions.resize(bodies);
+    data.extents.resize(bodies);
+    data.touchedTags.resize(bodies);
+    if (data.sleep.allowed) {
+        data.scratch.sleep.parents.resize(bodies);
+        data.scratch.sleep.marked.resize(bodies);
+    }
+    if (data.changedBodies.empty()) {
         return;
     }
+    if (data.changedBodies.size() <= fewBodies) {
+        std::for_each(data.changedBodies.begin(), data.changedBodies.end(), [&](Slot slot) { relist(data, slot); });
+    } else {
+        listBodies(data);
+    }
     listMoving(data);
-    data.reporters.clear();
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        if (data.records[slot].used && data.records[slot].reportsTouches) {
-            data.reporters.push_back(slot);
-        }
+    for (const Slot slot : data.changedBodies) {
+        data.motionBounds[slot] = data.records[slot].asleep ? data.steps[slot].motionBound : 0;
+        data.mayNeedToi[slot] = 0;
+        data.touchedTags[slot] = TagMask{};
     }
-    data.motionBounds.assign(data.records.size(), 0);
-    data.mayNeedToi.assign(data.records.size(), 0);
-    data.plannedMotions.resize(data.records.size());
-    data.extents.resize(data.records.size());
-    for (const Slot slot : data.sleep.sleepers) {
-        data.motionBounds[slot] = data.steps[slot].motionBound;
-        data.notePlannedMotion(slot);
-    }
-    data.touchedTags.resize(data.records.size());
-    data.flags.bodiesChanged = false;
+    data.renewed.insert(data.renewed.end(), data.changedBodies.begin(), data.changedBodies.end());
+    data.changedBodies.clear();
     data.flags.pairsStale = true;
 }
 

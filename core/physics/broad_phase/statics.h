@@ -1,14 +1,23 @@
 #pragma once
-// The static bodies' parts, in world coordinates, and their tree.
+// The static bodies' parts, in world coordinates, and what finds them. They are looked for in the geometry of all that
+// was made at once, and in that of those that have changed since. Whatever is asked for, the answer is that of all made
+// anew: where something has changed, joints are made anew as far as they reach.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// Replaces `statics` when a static body has been added, moved, switched or removed since it was made.
+/// Takes up what has become of static bodies since the last time: a few changes cost no more than what they change,
+/// however many bodies there are.
 void refreshStatics(WorldData& data);
 
-/// The indices of the parts that reach into the box, each once and always in the same order.
-void findStatics(const StaticGeometry& geometry, const Aabb& box, std::vector<std::uint32_t>& out);
+/// The index of a part as it is now.
+std::uint32_t staticIndex(const WorldData& data, Slot body, std::uint32_t part);
+
+/// The indices of the parts that reach into the box with what is solid, each once and always in the same order.
+void findStatics(const WorldData& data, const Aabb& box, std::vector<std::uint32_t>& out);
+
+/// Likewise of shapes themselves; walls are segments.
+void findStaticShapes(const WorldData& data, const Aabb& box, std::vector<std::uint32_t>& out);
 
 } // namespace spacetow

@@ -283,12 +283,14 @@ void releaseConstraints(WorldData& data) {
 }
 
 void resetConstraints(WorldData& data) {
+    for (const GeneralContact& c : data.generalContacts) {
+        data.mergeableContacts[c.a] = 0;
+    }
     data.circleContacts.clear();
     data.generalContacts.clear();
     data.scratch.narrow.constraints.clear();
     data.batches.circles.reset(data.motions.size());
     data.batches.general.reset(data.motions.size());
-    data.mergeableContacts.assign(data.motions.size(), 0);
     data.flags.anyScalarUpdate = data.flags.anySingular = data.flags.anyBounce = data.flags.mergeStale = false;
     data.flags.constraintsValid = true;
 }

@@ -95,7 +95,7 @@ void updateCircleAtStatic(WorldData& data, std::uint32_t index, double perSecond
     const Circle circle{way.center, std::get<Circle>(*pair.shapeA).radius};
     const double margin = speculativeMargin(way);
     const Manifold manifold = pair.kind == PairKind::CircleEdge
-                                  ? sideAgainstCircle(data.statics->colliders[pair.collider].side, circle, margin)
+                                  ? sideAgainstCircle(data.staticCollider(pair.collider).side, circle, margin)
                                   : collideCircle(*pair.shapeB, circle, margin);
     if (manifold.count == 0) {
         separate(data, index, manifold.apart);
@@ -107,7 +107,7 @@ void updateCircleAtStatic(WorldData& data, std::uint32_t index, double perSecond
 
 SPACETOW_PREFETCHES void prefetchWall(const WorldData& data, const Pair& pair) {
     if (pair.kind == PairKind::CircleEdge) {
-        prefetch(data.statics->colliders[pair.collider].side);
+        prefetch(data.staticCollider(pair.collider).side);
     }
 }
 

@@ -12,7 +12,12 @@ constexpr std::uint32_t pause = 2;
 } // namespace
 
 void BatchPlan::reset(std::size_t bodies) {
-    m_free.assign(bodies, 0);
+    constexpr std::uint32_t most = 1U << 30;
+    m_before += static_cast<std::uint32_t>(m_filled.size()) + pause;
+    if (m_free.size() != bodies || m_before > most) {
+        m_free.assign(bodies, 0);
+        m_before = 0;
+    }
     m_next.clear();
     m_filled.clear();
 }
@@ -35,7 +40,7 @@ std::uint32_t BatchPlan::firstWithRoom(std::uint32_t from) {
 }
 
 std::uint32_t BatchPlan::place(Slot a, bool movableA, Slot b, bool movableB) {
-    const std::uint32_t earliest = std::max(movableA ? m_free[a] : 0, movableB ? m_free[b] : 0);
+    const std::uint32_t earliest = std::max(movableA ? freeFrom(a) : 0, movableB ? freeFrom(b) : 0);
     const std::uint32_t batch = firstWithRoom(earliest);
     while (batch >= m_filled.size()) {
         m_next.push_back(static_cast<std::uint32_t>(m_filled.size()));
@@ -44,8 +49,7 @@ std::uint32_t BatchPlan::place(Slot a, bool movableA, Slot b, bool movableB) {
     if (++m_filled[batch] == 4) {
         m_next[batch] = batch + 1;
     }
-    m_free[a] = batch + pause;
-    m_free[b] = batch + pause;
+    m_free[a] = m_free[b] = m_before + batch + pause;
     return batch;
 }
 

@@ -11,7 +11,7 @@ namespace spacetow {
 /// Assigns contacts to batches: each to the first with room after those of its bodies' earlier contacts.
 class BatchPlan {
   public:
-    /// `bodies` slots are in use.
+    /// `bodies` slots are in use. Costs no more for many bodies than for few while there are as many as before.
     void reset(std::size_t bodies);
     /// Room for as many batches and bodies as `other` has room for.
     void reserve(const BatchPlan& other);
@@ -25,8 +25,10 @@ class BatchPlan {
 
   private:
     std::uint32_t firstWithRoom(std::uint32_t from);
+    std::uint32_t freeFrom(Slot slot) const { return m_free[slot] > m_before ? m_free[slot] - m_before : 0; }
 
-    std::vector<std::uint32_t> m_free;  // by slot: the first batch that the body is not yet in
+    std::uint32_t m_before = 0;         // batches of former plans: what is no more than that in m_free is of those
+    std::vector<std::uint32_t> m_free;  // by slot: the first batch that the body is not yet in, after those before
     std::vector<std::uint32_t> m_next;  // by batch: itself, or one nearer to the first with room
     std::vector<std::uint8_t> m_filled; // lanes, by batch
 };

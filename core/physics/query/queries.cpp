@@ -3,6 +3,7 @@
 #include "core/geometry/bounds.h"
 #include "core/geometry/cast.h"
 #include "core/geometry/closest.h"
+#include "core/physics/broad_phase/statics.h"
 #include "core/physics/state/world_data.h"
 
 #include <algorithm>
@@ -40,12 +41,16 @@ void forEachPartNear(const WorldData& data, const Aabb& area, const Visit& visit
     const bool fresh = isTreeFresh(data);
     if (fresh) {
         std::vector<std::uint32_t> found;
-        data.statics->tree.query(area, found);
+        findStaticShapes(data, area, found);
         for (const std::uint32_t i : found) {
-            visitPart(data, data.statics->colliders[i].body, data.statics->colliders[i].part, visit);
+            const StaticGeometry::Collider& collider = data.staticCollider(i);
+            visitPart(data, collider.body, collider.part, visit);
         }
     }
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+    const bool listed = fresh && data.changedBodies.empty(); // else there is nothing to go by but all bodies
+    const std::size_t count = listed ? data.nonStatic.size() : data.records.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Slot slot = listed ? data.nonStatic[i] : static_cast<Slot>(i);
         const BodyRecord& record = data.records[slot];
         const bool inTree = fresh && record.kind == BodyKind::Static;
         if (!record.used || !record.active || inTree ||
@@ -77,6 +82,17 @@ Aabb exactBounds(const WorldData& data, Slot slot) {
         box.include(boundsOf(part, data.pose(slot)));
     }
     return box;
+}
+
+template <class Visit>
+void forEachTree(const WorldData& data, const Visit& visit) {
+    if (data.statics) {
+        visit(data.statics->tree);
+    }
+    if (data.staticChanges) {
+        visit(data.staticChanges->geometry.tree);
+    }
+    visit(data.tree);
 }
 
 /// Nearest among what reaches into the square of `reach` metres around the point.
@@ -161,28 +177,24 @@ std::optional<NearestPoint> closestBody(const World& world, const Vec2& point, c
 }
 
 std::vector<Aabb> quadtreeCells(const World& world) {
-    const WorldData& data = world.data();
-    std::vector<Aabb> cells = data.statics ? data.statics->tree.cells() : std::vector<Aabb>{};
-    const std::vector<Aabb> moving = data.tree.cells();
-    cells.insert(cells.end(), moving.begin(), moving.end());
+    std::vector<Aabb> cells;
+    forEachTree(world.data(), [&](const auto& tree) {
+        const std::vector<Aabb> own = tree.cells();
+        cells.insert(cells.end(), own.begin(), own.end());
+    });
     return cells;
 }
 
 std::vector<QuadtreeCell> occupiedCells(const World& world) {
-    const WorldData& data = world.data();
     std::vector<QuadtreeCell> cells;
     std::vector<std::uint32_t> found;
-    const auto append = [&](const auto& tree) {
+    forEachTree(world.data(), [&](const auto& tree) {
         for (const Aabb& cell : tree.cells()) {
             found.clear();
             tree.query(cell, found);
             cells.push_back({cell, static_cast<int>(found.size())});
         }
-    };
-    if (data.statics) {
-        append(data.statics->tree);
-    }
-    append(data.tree);
+    });
     return cells;
 }
 

@@ -8,7 +8,6 @@
 #include "core/physics/solver/islands.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace spacetow {
 
@@ -62,7 +61,7 @@ void rebuildLists(WorldData& data) {
     releaseConstraints(data);
     Sleep& sleep = data.sleep;
     sleep.sleepers.clear();
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+    for (const Slot slot : data.nonStatic) {
         if (data.records[slot].asleep) {
             sleep.sleepers.push_back(slot);
         }
@@ -70,8 +69,7 @@ void rebuildLists(WorldData& data) {
     partitionPairs(data);
     listMoving(data);
     listSensors(data);
-    sleep.touchedTags.assign(sleep.sleepers.empty() ? 0 : data.touchedTags.size(), TagMask{});
-    addTouchedTags(data, sleep.table, sleep.touchedTags);
+    relistTouchedTags(data);
 }
 
 void wake(WorldData& data, Slot slot, int iteration) {
@@ -101,7 +99,11 @@ void wakeMarked(WorldData& data, int iteration) {
 }
 
 void clearMarks(WorldData& data) {
-    data.scratch.sleep.marked.assign(data.records.size(), 0);
+    std::vector<std::uint8_t>& marked = data.scratch.sleep.marked;
+    marked.resize(data.records.size());
+    for (const Slot slot : data.sleep.sleepers) {
+        marked[data.records[slot].island] = 0;
+    }
 }
 
 void markIsland(WorldData& data, Slot slot) {
@@ -158,10 +160,29 @@ void join(WorldData& data, Slot a, Slot b) {
     }
 }
 
+/// Each body that may be joined to others by itself, and not marked.
+void beginSets(WorldData& data) {
+    SleepSearch& sleep = data.scratch.sleep;
+    sleep.parents.resize(data.records.size());
+    sleep.marked.resize(data.records.size());
+    const auto begin = [&](Slot slot) {
+        sleep.parents[slot] = slot;
+        sleep.marked[slot] = 0;
+    };
+    std::for_each(data.moving.begin(), data.moving.end(), begin);
+    for (const Pair& pair : data.table.pairs) {
+        begin(pair.bodyA);
+        begin(pair.bodyB);
+    }
+    for (const ConnectorRecord& c : data.connectors) {
+        if (c.used) {
+            begin(c.a);
+            begin(c.b);
+        }
+    }
+}
+
 void joinIslands(WorldData& data) {
-    std::vector<Slot>& parents = data.scratch.sleep.parents;
-    parents.resize(data.records.size());
-    std::iota(parents.begin(), parents.end(), Slot{0});
     for (const Pair& pair : data.table.pairs) {
         const bool touches = pair.contact != Pair::none && data.contacts[pair.contact].count > 0;
         if (pair.kind != PairKind::Sensor && touches) {
@@ -242,10 +263,12 @@ bool wakeTouched(WorldData& data, const IterationStep& step) {
     if (data.sleep.sleepers.empty()) {
         return false;
     }
-    clearMarks(data);
     bool any = false;
     const auto touch = [&](Slot slot) {
         if (data.records[slot].asleep && !isAnchor(data, slot)) {
+            if (!any) {
+                clearMarks(data);
+            }
             markIsland(data, slot);
             any = true;
         }
@@ -279,7 +302,7 @@ void fallAsleep(WorldData& data, double seconds, int iteration) {
     if (!anyReady) {
         return;
     }
-    clearMarks(data); // of who stays awake
+    beginSets(data); // and mark who stays awake
     joinIslands(data);
     std::vector<Slot>& parents = data.scratch.sleep.parents;
     std::vector<std::uint8_t>& marked = data.scratch.sleep.marked;

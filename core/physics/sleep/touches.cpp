@@ -73,6 +73,37 @@ void reportChanged(WorldData& data, int iteration) {
     }
 }
 
+/// Of pairs of sleepers.
+TagMask tagsOfSleepers(const WorldData& data, Slot slot) {
+    const std::vector<TouchedTags>& all = data.sleep.touchedTags;
+    const auto at = std::lower_bound(all.begin(), all.end(), slot,
+                                     [](const TouchedTags& touched, Slot body) { return touched.body < body; });
+    return at != all.end() && at->body == slot ? at->tags : TagMask{};
+}
+
+/// But for those of sleepers.
+void forgetTouchedTags(WorldData& data) {
+    for (const Slot slot : data.moving) {
+        data.touchedTags[slot] = TagMask{};
+    }
+    for (const Slot slot : data.tagged) {
+        data.touchedTags[slot] = tagsOfSleepers(data, slot);
+    }
+    data.tagged.clear();
+}
+
+/// Calls `visit(body, tags)` for both bodies of the pairs of the table that touch.
+template <class Visit>
+void forTouching(const WorldData& data, const PairTable& table, const Visit& visit) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (table.flags[i].touching) {
+            const Pair& pair = table.pairs[i];
+            visit(pair.bodyA, data.records[pair.bodyB].filter.tags);
+            visit(pair.bodyB, data.records[pair.bodyA].filter.tags);
+        }
+    }
+}
+
 } // namespace
 
 void reportTouches(WorldData& data, int iteration) {
@@ -105,19 +136,42 @@ void joinTagReports(WorldData& data, std::size_t first) {
 }
 
 void collectTouchedTags(WorldData& data) {
-    std::fill(data.touchedTags.begin(), data.touchedTags.end(), TagMask{});
-    std::copy(data.sleep.touchedTags.begin(), data.sleep.touchedTags.end(), data.touchedTags.begin());
-    addTouchedTags(data, data.table, data.touchedTags);
+    forgetTouchedTags(data);
+    if (data.tagged.capacity() < 2 * data.table.size()) {
+        data.tagged.reserve(2 * data.table.capacity());
+    }
+    forTouching(data, data.table, [&](Slot slot, TagMask tags) {
+        data.touchedTags[slot] = data.touchedTags[slot] | tags;
+        const BodyRecord& record = data.records[slot];
+        if (record.kind == BodyKind::Static || record.asleep) {
+            data.tagged.push_back(slot);
+        }
+    });
 }
 
-void addTouchedTags(const WorldData& data, const PairTable& table, std::vector<TagMask>& tags) {
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        if (table.flags[i].touching) {
-            const Pair& pair = table.pairs[i];
-            tags[pair.bodyA] = tags[pair.bodyA] | data.records[pair.bodyB].filter.tags;
-            tags[pair.bodyB] = tags[pair.bodyB] | data.records[pair.bodyA].filter.tags;
+void relistTouchedTags(WorldData& data) {
+    std::vector<TouchedTags>& all = data.sleep.touchedTags;
+    const auto note = [&] {
+        for (const TouchedTags& touched : all) {
+            data.tagged.push_back(touched.body);
+        }
+    };
+    note();
+    all.clear();
+    forTouching(data, data.sleep.table, [&](Slot slot, TagMask tags) { all.push_back({slot, tags}); });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const TouchedTags& a, const TouchedTags& b) { return a.body < b.body; });
+    std::size_t count = 0;
+    for (const TouchedTags& touched : all) {
+        if (count > 0 && all[count - 1].body == touched.body) {
+            all[count - 1].tags = all[count - 1].tags | touched.tags;
+        } else {
+            all[count++] = touched;
         }
     }
+    all.resize(count);
+    note();
+    data.tagged.insert(data.tagged.end(), data.nonStatic.begin(), data.nonStatic.end());
 }
 
 void endTouches(WorldData& data, Slot slot, int iteration) {

@@ -15,8 +15,8 @@ void joinTagReports(WorldData& data, std::size_t first);
 /// The tags that every body touched in the last iteration.
 void collectTouchedTags(WorldData& data);
 
-/// Adds those of the touching pairs of a table, by slot.
-void addTouchedTags(const WorldData& data, const PairTable& table, std::vector<TagMask>& tags);
+/// Those of the pairs of sleepers, when these or who sleeps have changed.
+void relistTouchedTags(WorldData& data);
 
 /// Ends all touches of a body that is about to leave or to be switched off.
 void endTouches(WorldData& data, Slot slot, int iteration);

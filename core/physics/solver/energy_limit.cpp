@@ -114,7 +114,7 @@ bool costsTooMuch(const EnergyBalance& e) {
 
 /// More passes over these islands alone.
 void solveIslandsWhere(WorldData& data, Question which) {
-    data.scratch.solver.unconverged.assign(data.motions.size(), 0);
+    settleAll(data);
     for (const Slot root : data.islands.islandRoots) {
         data.scratch.solver.unconverged[root] = which(data.scratch.solver.balances[root]) ? 1 : 0;
     }

@@ -8,6 +8,11 @@ namespace spacetow {
 
 namespace {
 
+bool anyActsOn(const WorldData& data, Slot slot) {
+    return std::any_of(data.fields.begin(), data.fields.end(),
+                       [&](const FieldRecord& field) { return actsOn(data, field, slot); });
+}
+
 bool isSound(const FieldForce& f) {
     return isFinite(f.force) && std::isfinite(f.torque);
 }
@@ -78,19 +83,31 @@ bool actsOn(const WorldData& data, const FieldRecord& field, Slot slot) {
                            : field.def->tags.intersects(data.records[slot].filter.tags);
 }
 
+void noteSubstepped(WorldData& data, Slot slot) {
+    if (!data.records[slot].substepped) {
+        data.records[slot].substepped = true;
+        data.substepped.push_back(slot);
+    }
+}
+
 void refreshFields(WorldData& data) {
     data.fieldBodies.clear();
     if (data.fields.size() == data.freeFields.size()) {
         return;
     }
     for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        BodyRecord& record = data.records[slot];
-        const bool isAffected = record.used && std::any_of(data.fields.begin(), data.fields.end(),
-                                                           [&](const FieldRecord& f) { return actsOn(data, f, slot); });
-        if (isAffected) {
-            record.substepped = true;
+        if (data.records[slot].used && anyActsOn(data, slot)) {
+            noteSubstepped(data, slot);
             data.fieldBodies.push_back(slot);
         }
+    }
+}
+
+void refreshFieldsOf(WorldData& data, Slot slot) {
+    const auto at = std::lower_bound(data.fieldBodies.begin(), data.fieldBodies.end(), slot);
+    if (anyActsOn(data, slot)) {
+        noteSubstepped(data, slot);
+        data.fieldBodies.insert(at, slot);
     }
 }
 

@@ -8,8 +8,13 @@ namespace spacetow {
 /// Whether the field acts on the body.
 bool actsOn(const WorldData& data, const FieldRecord& field, Slot slot);
 
+/// The body moves in sub-steps.
+void noteSubstepped(WorldData& data, Slot slot);
+
 /// Marks the bodies that feel any field as moving in sub-steps, and lists them.
 void refreshFields(WorldData& data);
+/// Likewise a body that is new.
+void refreshFieldsOf(WorldData& data, Slot slot);
 
 /// The impulses of all fields during `seconds` at the trial poses; changes velocities only. Each body feels the sum of
 /// its fields at once, so that their order does not matter; values that are not finite are left out and reported.

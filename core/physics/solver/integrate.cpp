@@ -76,7 +76,7 @@ void integrateInSubsteps(WorldData& data, const IterationStep& step) {
         return;
     }
     data.scratch.substeps.trial.resize(data.motions.size());
-    for (Slot slot = 0; slot < data.motions.size(); ++slot) {
+    for (const Slot slot : data.substepped) {
         data.scratch.substeps.trial[slot] = data.pose(slot);
     }
     for (int i = 0; i < step.substeps; ++i) {

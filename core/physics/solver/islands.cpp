@@ -1,7 +1,6 @@
 #include "core/physics/solver/islands.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace spacetow {
 
@@ -12,6 +11,23 @@ void noteDriver(WorldData& data, Slot driver, Slot pushed) {
     const Islands::Driver found{driver, pushed};
     if (data.islands.drivers.empty() || data.islands.drivers.back() != found) {
         data.islands.drivers.push_back(found);
+    }
+}
+
+/// Of whoever may be joined; all others are their own roots ever since renewSlots().
+void beginRoots(WorldData& data) {
+    std::vector<Slot>& roots = data.islands.roots;
+    for (const Slot slot : data.moving) {
+        roots[slot] = slot;
+    }
+    if (data.sleep.sleepers.empty()) {
+        return;
+    }
+    for (const PairBound& bound : data.table.bounds) {
+        roots[slotOf(bound.moverA)] = slotOf(bound.moverA);
+        if (bound.moverB != Mover::Static) {
+            roots[slotOf(bound.moverB)] = slotOf(bound.moverB);
+        }
     }
 }
 
@@ -39,6 +55,26 @@ void joinPairs(WorldData& data) {
     }
 }
 
+/// Nothing pushes their islands any more.
+void forgetDrivers(WorldData& data) {
+    std::vector<std::uint8_t>& driven = data.scratch.solver.driven;
+    for (const Islands::Driver& driver : data.islands.drivers) {
+        if (driver.pushed < driven.size()) {
+            driven[driver.pushed] = 0;
+        }
+    }
+}
+
+/// What it weighs, and nothing of what was there before.
+void renewSlot(WorldData& data, Slot slot) {
+    const BodyMotion& m = data.motions[slot];
+    const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
+    data.islands.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
+    data.movable[slot] = m.isMovable() ? 1 : 0;
+    data.islands.roots[slot] = slot;
+    data.mergeableContacts[slot] = 0;
+}
+
 } // namespace
 
 Slot rootOf(std::vector<Slot>& parents, Slot slot) {
@@ -62,10 +98,11 @@ void findIslands(WorldData& data) {
         return;
     }
     data.flags.islandsStale = false;
+    beginRoots(data);
     std::vector<Slot>& roots = data.islands.roots;
-    roots.resize(data.motions.size());
-    std::iota(roots.begin(), roots.end(), Slot{0});
     std::vector<Islands::Driver>& drivers = data.islands.drivers;
+    forgetDrivers(data);
+    data.islands.drivenStale = true;
     drivers.clear();
     joinPairs(data);
     data.islands.islandRoots.clear();
@@ -85,30 +122,37 @@ void findIslands(WorldData& data) {
 
 void findDriven(WorldData& data) {
     Islands& islands = data.islands;
-    data.scratch.solver.driven.assign(data.motions.size() + 1, 0);
+    std::vector<std::uint8_t>& driven = data.scratch.solver.driven;
+    beginBySlot(driven, data.motions.size() + 1, std::uint8_t{0});
+    for (const Slot root : islands.islandRoots) {
+        driven[root] = 0;
+    }
+    forgetDrivers(data);
     bool any = false;
     for (const Islands::Driver& driver : islands.drivers) {
         if (data.motions[driver.slot].isMoving()) {
-            data.scratch.solver.driven[driver.pushed] = 1;
+            driven[driver.pushed] = 1;
             any = true;
         }
     }
-    if (any) { // a root is the lowest of its island, so that it comes first
-        for (Slot slot = 0; slot < data.motions.size(); ++slot) {
-            data.scratch.solver.driven[slot] = data.scratch.solver.driven[data.islands.roots[slot]];
+    if (any || islands.drivenStale) {
+        for (const Slot slot : data.moving) {
+            driven[slot] = driven[islands.roots[slot]];
         }
     }
+    islands.drivenStale = any;
 }
 
-void measureInertias(WorldData& data) {
-    data.islands.inertias.resize(data.motions.size());
-    data.movable.assign(data.motions.size(), 0);
-    for (Slot slot = 0; slot < data.motions.size(); ++slot) {
-        const BodyMotion& m = data.motions[slot];
-        const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
-        data.islands.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
-        data.movable[slot] = m.isMovable() ? 1 : 0;
+void renewSlots(WorldData& data, std::span<const Slot> slots) {
+    const std::size_t bodies = data.motions.size();
+    data.islands.roots.resize(bodies);
+    data.islands.inertias.resize(bodies);
+    data.movable.resize(bodies);
+    data.mergeableContacts.resize(bodies);
+    for (const Slot slot : slots) {
+        renewSlot(data, slot);
     }
+    data.flags.islandsStale = true;
 }
 
 } // namespace spacetow

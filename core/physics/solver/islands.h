@@ -3,14 +3,26 @@
 
 #include "core/physics/state/world_data.h"
 
+#include <span>
+
 namespace spacetow {
 
 /// Sets of slots as trees: each slot leads to another of its set, the lowest one to itself. Returns the latter.
 Slot rootOf(std::vector<Slot>& parents, Slot slot);
 void joinSets(std::vector<Slot>& parents, Slot a, Slot b);
 
-/// Notes the inertia of every body, and which can be moved. They hold while pairs are not stale.
-void measureInertias(WorldData& data);
+/// Begins what is kept of bodies by slot anew for those that are new or have changed: their inertia, whether they can
+/// be moved, and what iterations write.
+void renewSlots(WorldData& data, std::span<const Slot> slots);
+
+/// What an iteration keeps by slot, before it begins with the bodies that move: all are written only when that has been
+/// cleared, as it is when other bodies move than before.
+template <class T>
+void beginBySlot(std::vector<T>& list, std::size_t size, const T& initial) {
+    if (list.size() != size) {
+        list.assign(size, initial);
+    }
+}
 
 /// By the pairs there are, when these have changed since the last time.
 void findIslands(WorldData& data);

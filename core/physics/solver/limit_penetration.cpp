@@ -1,6 +1,7 @@
 #include "core/physics/solver/limit_penetration.h"
 
 #include "core/physics/contacts/contact_rules.h"
+#include "core/physics/solver/islands.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -164,8 +165,8 @@ bool noneLimited(const WorldData& data) {
 /// What is held back so far holds back what follows it.
 void propagateLimits(WorldData& data, double dt) {
     SolverScratch& scratch = data.scratch.solver;
-    scratch.fractions.assign(data.motions.size() + 1, 1);
-    scratch.limited.assign(data.motions.size() + 1, 0);
+    beginBySlot(scratch.fractions, data.motions.size() + 1, 1.0);
+    beginBySlot(scratch.limited, data.motions.size() + 1, std::uint8_t{0});
     for (const Slot slot : data.moving) {
         scratch.fractions[slot] = data.steps[slot].fraction;
         scratch.limited[slot] = data.steps[slot].fraction < 1 ? 1 : 0;

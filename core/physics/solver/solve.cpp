@@ -3,6 +3,7 @@
 #include "core/physics/contacts/contact_rules.h"
 #include "core/physics/lanes/solver_kernels.h"
 #include "core/physics/solver/energy_limit.h"
+#include "core/physics/solver/islands.h"
 #include "core/physics/solver/limit_penetration.h"
 #include "core/physics/solver/solve_unconverged.h"
 
@@ -30,11 +31,12 @@ void gatherVelocities(WorldData& data) {
     scratch.velocities.resize(data.motions.size() + 1);
     scratch.plannedVelocities.resize(data.motions.size());
     scratch.startVelocities.resize(data.motions.size());
-    scratch.corrections.assign(data.motions.size() + 1, {});
-    scratch.velocities.back() = {};
+    beginBySlot(scratch.corrections, data.motions.size() + 1, BodyVelocity{});
+    scratch.velocities.back() = scratch.corrections.back() = {};
     for (const Slot slot : data.moving) {
         const BodyMotion& m = data.motions[slot];
         const BodyStep& s = data.steps[slot];
+        scratch.corrections[slot] = {};
         scratch.startVelocities[slot] = {s.startVelocity.x(), s.startVelocity.y(), s.startAngularVelocity, 0};
         // Not a copy of the other: reading at once what was just written in parts stalls.
         scratch.plannedVelocities[slot] = {m.velocity.x(), m.velocity.y(), m.angularVelocity, 0};

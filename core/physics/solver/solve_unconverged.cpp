@@ -28,7 +28,7 @@ void markClosing(WorldData& data, const Batches<Batch>& batches) {
 /// Marks the islands in which contacts close; whether there are any. Not those that something drives which cannot be
 /// stopped: they are not held back either, and in a turning drum something always closes.
 bool markClosing(WorldData& data) {
-    data.scratch.solver.unconverged.assign(data.motions.size(), 0);
+    settleAll(data);
     markClosing(data, data.batches.circles);
     markClosing(data, data.batches.general);
     const std::vector<Slot>& roots = data.islands.islandRoots;
@@ -64,6 +64,19 @@ void relaxPasses(ContactBatches& batches, std::vector<BodyVelocity>& velocities,
 }
 
 } // namespace
+
+void settleAll(WorldData& data) {
+    std::vector<std::uint8_t>& unconverged = data.scratch.solver.unconverged;
+    beginBySlot(unconverged, data.motions.size(), std::uint8_t{0});
+    for (const Slot root : data.islands.islandRoots) {
+        unconverged[root] = 0;
+    }
+    if (!data.sleep.sleepers.empty()) { // whose island is that of somebody asleep
+        for (const Slot slot : data.moving) {
+            unconverged[data.islands.roots[slot]] = 0;
+        }
+    }
+}
 
 void solveUnconverged(WorldData& data, int passes) {
     SolverScratch& scratch = data.scratch.solver;

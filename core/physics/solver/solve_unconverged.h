@@ -6,6 +6,9 @@
 
 namespace spacetow {
 
+/// Marks no island in `islands.unsettled`.
+void settleAll(WorldData& data);
+
 /// More passes, at least one, over the contacts of the islands that are marked in `islands.unsettled`; all but the last
 /// are over-relaxed.
 void solveUnconverged(WorldData& data, int passes);

@@ -2,6 +2,7 @@
 
 #include "core/geometry/cast.h"
 #include "core/physics/contacts/update_manifold.h"
+#include "core/physics/solver/islands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -166,7 +167,7 @@ bool sweptBoundsOverlap(const WorldData& data, const Pair& pair) {
     const Vec2& centerA = data.motions[pair.bodyA].center;
     if (pair.staticB) {
         const double reach = a.outerRadius + 2 * gap;
-        const Aabb& wall = data.statics->colliders[pair.collider].bounds;
+        const Aabb& wall = data.staticCollider(pair.collider).bounds;
         Aabb way{centerA, centerA};
         way.include(centerA + a.deltaPosition);
         return way.grown(reach).overlaps(wall);
@@ -262,7 +263,10 @@ void stopAtImpacts(WorldData& data) {
     if (data.scratch.toi.candidates.empty()) {
         return;
     }
-    data.scratch.toi.shortenedAt.assign(data.steps.size(), 0);
+    beginBySlot(data.scratch.toi.shortenedAt, data.steps.size(), std::uint32_t{0});
+    for (const Slot slot : data.moving) {
+        data.scratch.toi.shortenedAt[slot] = 0;
+    }
     data.scratch.toi.visits = 0;
     bool changed = true;
     for (int round = 0; changed && round < maxRounds; ++round) {

@@ -33,7 +33,7 @@ struct Pair {
     bool staticB = false;
     bool unmergeable = false;     // no other part of the same body, nor another static body, can share a plane with it
     bool sweep = false;           // the parts are to be stopped where they meet, to bounce from there
-    std::uint32_t collider = 0;   // index in StaticGeometry, of a static part
+    std::uint32_t collider = 0;   // of a static part, see WorldData
     std::uint32_t contact = none; // index of what is known of their contact
 
     std::uint64_t bodies() const { return std::uint64_t{bodyA} << 32 | bodyB; }

@@ -18,6 +18,7 @@ struct Islands {
     };
     std::vector<Slot> roots; // by slot: the lowest of its island
     std::vector<Driver> drivers;
+    bool drivenStale = true;            // bodies may have other marks in `driven` than their islands
     std::vector<Slot> islandRoots;      // roots of the bodies that move
     std::vector<BodyVelocity> inertias; // by slot: mass, mass and inertia
 };

@@ -8,8 +8,8 @@ struct StepFlags {
 
     // Static bodies have been added, removed, moved or switched: set by whoever does so, cleared by refreshStatics.
     bool staticsChanged = true;
-    // Bodies have come, gone or been switched: set likewise, cleared by prepareStructure, which sets `pairsStale`.
-    bool bodiesChanged = true;
+    // Connectors have come or gone: set likewise, cleared by refreshConnections, which sets `pairsStale`.
+    bool connectionsStale = false;
     // All pairs are to be found anew, as their bodies, filters or statics have changed: cleared by changePairs.
     bool pairsStale = true;
     // The pairs, or who moves, have changed: set by changePairs and listSensors, cleared by findIslands.

@@ -41,6 +41,7 @@ struct WorldData {
     std::vector<Slot> moving;           // active and awake, kinematic bodies first
     std::vector<Slot> reporters;        // of touched tags
     std::vector<TagMask> touchedTags;   // by slot, of the last iteration
+    std::vector<Slot> tagged;           // who has any and does not move
     std::vector<PendingChange> pending; // deferred changes
 
     // Of bodies, what is asked for pairs. The motion bounds are those at the end of the iteration, m.
@@ -57,9 +58,15 @@ struct WorldData {
     std::vector<FieldRecord> fields;
     std::vector<std::uint32_t> freeFields;
     std::vector<Slot> fieldBodies; // on which any of them acts
+    std::vector<Slot> substepped;  // see BodyRecord
 
     // The broad phase.
-    std::shared_ptr<const StaticGeometry> statics;
+    std::shared_ptr<const StaticGeometry> statics;      // of all static bodies
+    std::shared_ptr<const StaticChanges> staticChanges; // since that was made, if any
+    std::vector<Slot> changedStatics;                   // in neither as they are now
+    std::vector<Slot> changedBodies;                    // so that lists and pairs are to be made anew
+    std::vector<Slot> renewed;                          // whose entries in what is kept by slot are to begin anew
+    std::vector<Slot> nonStatic;                        // by slot, but for changed bodies
     MovingQuadtree tree;
     std::vector<MovingProxy> proxies;        // of `moving` and the sleepers
     std::vector<Aabb> boxes;                 // of proxies, which they cannot leave unnoticed
@@ -105,6 +112,16 @@ struct WorldData {
     bool contains(BodyId body) const {
         return body.index < records.size() && records[body.index].used &&
                records[body.index].generation == body.generation;
+    }
+    /// The static body is no longer what its geometry says.
+    void noteStaticChange(Slot slot) {
+        flags.staticsChanged = true;
+        changedStatics.push_back(slot);
+    }
+    /// By its index in `statics`, or after those in `staticChanges`.
+    const StaticGeometry::Collider& staticCollider(std::uint32_t index) const {
+        const std::size_t first = statics->colliders.size();
+        return index < first ? statics->colliders[index] : staticChanges->geometry.colliders[index - first];
     }
     BodyId idOf(Slot slot) const { return {slot, records[slot].generation}; }
     Transform pose(Slot slot) const { return {motions[slot].center, motions[slot].rotation}; }

@@ -22,7 +22,9 @@ void removeNow(WorldData& data, Slot slot, int iteration) {
     }
     removeFieldsOf(data, slot);
     BodyRecord& record = data.records[slot];
-    data.flags.staticsChanged |= record.kind == BodyKind::Static;
+    if (record.kind == BodyKind::Static) {
+        data.noteStaticChange(slot);
+    }
     data.events.removed.push_back({iteration, data.idOf(slot), record.user});
     const std::uint32_t generation = record.generation + 1;
     record = BodyRecord{};
@@ -50,7 +52,9 @@ void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
     if (record.active && !active) {
         endTouches(data, slot, iteration);
     }
-    data.flags.staticsChanged |= record.kind == BodyKind::Static && record.active != active;
+    if (record.kind == BodyKind::Static && record.active != active) {
+        data.noteStaticChange(slot);
+    }
     record.active = active;
 }
 
@@ -71,6 +75,7 @@ bool applyPending(WorldData& data, int iteration) {
         if (!data.contains(change.body)) {
             continue;
         }
+        data.changedBodies.push_back(slot);
         switch (change.kind) {
         case PendingChange::Kind::Remove:
             removeNow(data, slot, iteration);
@@ -87,7 +92,6 @@ bool applyPending(WorldData& data, int iteration) {
         }
     }
     data.pending.clear();
-    data.flags.bodiesChanged = true;
     refreshConnections(data);
     return true;
 }
@@ -102,6 +106,7 @@ void refreshInverseMass(WorldData& data, Slot slot) {
 
 void refreshConnections(WorldData& data) {
     data.flags.pairsStale = true;
+    data.flags.connectionsStale = false;
     data.notColliding.clear();
     for (const ConnectorRecord& c : data.connectors) {
         if (c.used && !c.bodiesCollide) {
@@ -113,13 +118,14 @@ void refreshConnections(WorldData& data) {
 }
 
 void refreshSubsteps(WorldData& data) {
-    for (BodyRecord& record : data.records) {
-        record.substepped = false;
+    for (const Slot slot : data.substepped) {
+        data.records[slot].substepped = false;
     }
+    data.substepped.clear();
     for (const ConnectorRecord& c : data.connectors) {
         if (c.used && data.records[c.a].active && data.records[c.b].active) {
-            data.records[c.a].substepped = true;
-            data.records[c.b].substepped = true;
+            noteSubstepped(data, c.a);
+            noteSubstepped(data, c.b);
         }
     }
     refreshFields(data);

@@ -36,7 +36,8 @@ void refreshPairs(WorldData& data, const IterationStep& step) {
         releaseConstraints(data);
     }
     if (data.flags.pairsStale) {
-        measureInertias(data);
+        renewSlots(data, data.renewed);
+        data.renewed.clear();
         resetManifolds(data);
     }
     if (findPairs(data, step)) {
@@ -139,6 +140,9 @@ void updateWorld(WorldData& data, const UpdateParameters& parameters) {
     data.events.clear();
     beginSleep(data, parameters.gravity);
     applyPending(data, -1);
+    if (data.flags.connectionsStale) {
+        refreshConnections(data);
+    }
     IterationStep step = iterationStep(parameters);
     prepareStructure(data);
     prepareMotion(data, step, parameters.gravity);

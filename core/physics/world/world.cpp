@@ -69,9 +69,11 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     data.motions[slot] = made.value().motion;
     data.steps[slot] = made.value().step;
     refreshInverseMass(data, slot);
-    data.flags.staticsChanged |= def.kind == BodyKind::Static;
-    data.flags.bodiesChanged = true;
-    refreshFields(data);
+    if (def.kind == BodyKind::Static) {
+        data.noteStaticChange(slot);
+    }
+    data.changedBodies.push_back(slot);
+    refreshFieldsOf(data, slot);
     disturb(data, slot);
     return data.idOf(slot);
 }
@@ -104,7 +106,9 @@ void World::setPose(BodyId body, const Vec2& position, double angle) {
     m.center = position + m.rotation * record.localCenter;
     record.bounds = Aabb{};
     m_data->flags.pairsStale = true;
-    m_data->flags.staticsChanged |= record.kind == BodyKind::Static;
+    if (record.kind == BodyKind::Static) {
+        m_data->noteStaticChange(body.index);
+    }
     disturb(*m_data, body.index);
 }
 
@@ -203,7 +207,11 @@ const std::vector<Shape>& World::shapes(BodyId body) const {
 Aabb World::bounds(BodyId body) const {
     EXPECTS(contains(body));
     const BodyRecord& record = m_data->records[body.index];
-    Aabb box = record.bounds; // what is pushed out of an overlap may leave it in the last iteration
+    Aabb box = record.bounds;
+    if (record.kind == BodyKind::Static && !box.isEmpty()) {
+        return box; // holds until it is put elsewhere, however many parts there are
+    }
+    // What is pushed out of an overlap may leave it in the last iteration.
     for (const Part& part : *record.parts) {
         box.include(boundsOf(part, m_data->pose(body.index)));
     }

@@ -3,7 +3,6 @@
 #include "core/base/contract.h"
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/state/world_data.h"
-#include "core/physics/step/deferred_changes.h"
 #include "core/physics/world/world.h"
 
 #include <algorithm>
@@ -87,7 +86,7 @@ Result<ConnectorId> World::addConnector(const ConnectorDef& def) {
     c.bodiesCollide = def.bodiesCollide;
     c.truncation = def.truncation;
     c.tension = 0;
-    refreshConnections(data);
+    data.flags.connectionsStale = true;
     disturbEnds(data, c);
     return ConnectorId{index, c.generation};
 }
@@ -104,7 +103,7 @@ void World::removeConnector(ConnectorId connector) {
     c.used = false;
     ++c.generation;
     m_data->freeConnectors.push_back(connector.index);
-    refreshConnections(*m_data);
+    m_data->flags.connectionsStale = true;
 }
 
 ConnectorState World::connector(ConnectorId connector) const {

@@ -1,0 +1,78 @@
+#include "core/physics/broad_phase/static_parts.h"
+
+#include "core/geometry/bounds.h"
+#include "core/geometry/convex_parts.h"
+#include "core/geometry/moved.h"
+
+namespace spacetow {
+
+namespace {
+
+/// Whether most of its box would be what is behind it.
+bool isDeepWall(const Part& part) {
+    const auto* wall = std::get_if<WallPart>(&part);
+    return wall != nullptr && wall->oneWay && wall->depth > 0 &&
+           wall->depth * wall->depth > (wall->b - wall->a).squaredNorm();
+}
+
+Aabb segmentBox(const WallPart& wall) {
+    Aabb box{wall.a, wall.a};
+    box.include(wall.b);
+    return box;
+}
+
+} // namespace
+
+StaticGeometry::Collider staticColliderOf(const WorldData& data, Slot body, std::uint32_t part) {
+    const Transform pose = data.pose(body);
+    const Part inWorld =
+        std::visit([&pose](const auto& p) -> Part { return moved(p, pose); }, (*data.records[body].parts)[part]);
+    return {body, part, inWorld, boundsOf(inWorld, Transform{}), {}};
+}
+
+void joinStatics(StaticGeometry& geometry) {
+    std::vector<WallPart*> walls;
+    std::vector<ConvexPart*> convexParts;
+    for (StaticGeometry::Collider& collider : geometry.colliders) {
+        if (auto* wall = std::get_if<WallPart>(&collider.shape)) {
+            walls.push_back(wall);
+        } else if (auto* convex = std::get_if<ConvexPart>(&collider.shape)) {
+            convexParts.push_back(convex);
+        }
+    }
+    joinWalls(walls);
+    joinConvexParts(convexParts);
+    for (StaticGeometry::Collider& collider : geometry.colliders) {
+        if (const auto* wall = std::get_if<WallPart>(&collider.shape); wall != nullptr && wall->oneWay) {
+            collider.side = sideOf(*wall, false);
+        }
+    }
+}
+
+void buildStaticTrees(StaticGeometry& geometry) {
+    std::vector<Aabb> boxes;
+    std::vector<WallBackTree::Item> backs;
+    boxes.reserve(geometry.colliders.size());
+    for (const StaticGeometry::Collider& collider : geometry.colliders) {
+        if (isDeepWall(collider.shape)) {
+            const Aabb box = segmentBox(std::get<WallPart>(collider.shape));
+            backs.push_back({static_cast<std::uint32_t>(boxes.size()), backOf(collider.side), box});
+            boxes.push_back(box);
+        } else {
+            boxes.push_back(collider.bounds);
+        }
+    }
+    geometry.tree = StaticQuadtree(std::move(boxes));
+    geometry.backs = WallBackTree(std::move(backs));
+}
+
+void noteStaticBounds(WorldData& data, std::span<const StaticGeometry::Collider> colliders) {
+    for (const StaticGeometry::Collider& collider : colliders) {
+        BodyRecord& record = data.records[collider.body];
+        const bool wall = std::holds_alternative<WallPart>(collider.shape);
+        record.bounds.include(wall ? enlargedEdgeBounds(collider.bounds) : collider.bounds);
+        record.solid.include(collider.bounds);
+    }
+}
+
+} // namespace spacetow
