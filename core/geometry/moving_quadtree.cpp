@@ -127,8 +127,12 @@ void MovingQuadtree::query(const Aabb& area, std::vector<std::uint32_t>& out) co
     }
 }
 
-void MovingQuadtree::appendOverlapping(const Entry& entry, Entries with, std::vector<Two>& out) const {
+void MovingQuadtree::appendOverlapping(const Entry& entry, Entries with, const Found& found) const {
+    std::vector<Two>& out = found.all;
     std::size_t size = out.size();
+    if (size > found.most) {
+        return;
+    }
     out.resize(size + with.end - with.first);
     for (std::uint32_t i = with.first; i < with.end; ++i) {
         out[size] = {entry.number, m_entries[i].number};
@@ -138,25 +142,26 @@ void MovingQuadtree::appendOverlapping(const Entry& entry, Entries with, std::ve
 }
 
 /// What the boxes of a row overlap of those that come after them on their level.
-void MovingQuadtree::appendLater(const Level& level, std::uint32_t row, std::vector<Two>& out) const {
+void MovingQuadtree::appendLater(const Level& level, std::uint32_t row, const Found& found) const {
     const Entries own = entriesIn(level, row, {0, level.side - 1, row, row});
     for (std::uint32_t i = own.first; i < own.end; ++i) {
         const Range range = rangeFor(level, m_entries[i].box);
-        appendOverlapping(m_entries[i], {i + 1, entriesIn(level, row, range).end}, out);
+        appendOverlapping(m_entries[i], {i + 1, entriesIn(level, row, range).end}, found);
         for (std::uint32_t above = row + 1; above <= range.top; ++above) {
-            appendOverlapping(m_entries[i], entriesIn(level, above, range), out);
+            appendOverlapping(m_entries[i], entriesIn(level, above, range), found);
         }
     }
 }
 
-void MovingQuadtree::queryAll(std::vector<Two>& out) const {
+void MovingQuadtree::queryAll(std::vector<Two>& out, std::size_t most) const {
+    const Found found{out, most};
     for (std::size_t depth = 0; depth < m_levels.size(); ++depth) {
         const Level& level = m_levels[depth];
         if (level.count == 0) {
             continue;
         }
         for (std::uint32_t row = 0; row < level.side; ++row) {
-            appendLater(level, row, out);
+            appendLater(level, row, found);
         }
         const Entries all{m_starts[level.first], m_starts[level.first] + level.count};
         for (std::size_t k = 0; k < depth; ++k) { // its boxes with larger ones
@@ -166,7 +171,7 @@ void MovingQuadtree::queryAll(std::vector<Two>& out) const {
             for (std::uint32_t i = all.first; i < all.end; ++i) {
                 const Range range = rangeFor(m_levels[k], m_entries[i].box);
                 for (std::uint32_t row = range.bottom; row <= range.top; ++row) {
-                    appendOverlapping(m_entries[i], entriesIn(m_levels[k], row, range), out);
+                    appendOverlapping(m_entries[i], entriesIn(m_levels[k], row, range), found);
                 }
             }
         }

@@ -7,7 +7,9 @@
 #include "core/math/aabb.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,8 +29,8 @@ class MovingQuadtree {
         std::uint32_t a, b;
     };
     /// Appends all that overlap, borders included, each two once and always in the same order. Cheaper than a query for
-    /// every box.
-    void queryAll(std::vector<Two>& out) const;
+    /// every box. Where there are more than `most` it leaves off some time after that.
+    void queryAll(std::vector<Two>& out, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
     int depth() const { return m_depth; }
     /// The rectangles of the cells that a box of their level overlaps.
@@ -57,8 +59,13 @@ class MovingQuadtree {
     std::uint32_t cellAlong(const Level& level, int axis, double coordinate) const;
     Range rangeFor(const Level& level, const Aabb& area) const;
     Entries entriesIn(const Level& level, std::uint32_t row, const Range& range) const;
-    void appendOverlapping(const Entry& entry, Entries with, std::vector<Two>& out) const;
-    void appendLater(const Level& level, std::uint32_t row, std::vector<Two>& out) const;
+    /// What is found, and how much of it at most.
+    struct Found {
+        std::vector<Two>& all;
+        std::size_t most;
+    };
+    void appendOverlapping(const Entry& entry, Entries with, const Found& found) const;
+    void appendLater(const Level& level, std::uint32_t row, const Found& found) const;
     int levelFor(const Aabb& box) const;
     void layOut(std::span<const Aabb> boxes);
 

@@ -7,6 +7,7 @@
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/overlaps.h"
 #include "core/physics/query/queries.h"
+#include "core/physics/state/world_data.h"
 
 #include <algorithm>
 #include <set>
@@ -271,6 +272,27 @@ class BroadPhaseTest : public QObject {
             QVERIFY2(began == expected, seedText(seed));
         }
         QVERIFY(found > 2000);
+    }
+
+    void thousandsOfBodiesAtOnePlaceTakeNoMemoryForEachTwoOfThem() {
+        constexpr int count = 1500;
+        World world(withIterations(1, {0, 0}));
+        for (int i = 0; i < count; ++i) {
+            add(world, ball({0, 0}, 0.2));
+        }
+        for (int i = 0; i < 3; ++i) {
+            world.update();
+            const std::size_t pairs = world.data().table.size();
+            QVERIFY2(pairs > 100 * count && pairs < 400000, qPrintable(QString::number(pairs)));
+            QVERIFY(world.data().scratch.search.overlapping.capacity() < 1000000);
+        }
+        for (const BodyId id : world.bodies()) { // nobody is forgotten for good
+            world.setPose(id, {0.39 * (id.index % 40), 0.39 * static_cast<double>(id.index / 40)}, 0);
+        }
+        world.update();
+        world.update();
+        QVERIFY(world.data().table.size() > 2 * count);
+        QVERIFY(!world.data().flags.crowded);
     }
 };
 

@@ -110,7 +110,7 @@ struct Twins {
 
     void update() {
         auto& data = const_cast<WorldData&>(anew.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast)
-        if (data.staticsChanged || !data.pending.empty()) {
+        if (data.flags.staticsChanged || !data.pending.empty()) {
             data.statics = nullptr;
         }
         patched.update();

@@ -38,6 +38,22 @@ class TouchTest : public QObject {
         QCOMPARE(world.body(id).touchedTags.bits, 0u);
     }
 
+    void aBodyOfSeveralPartsThatIsPutElsewhereEndsItsTouchOnce() {
+        World world(withIterations(4, {0, 0}));
+        BodyDef zone = ball({0, 0}, 1);
+        zone.kind = BodyKind::Static;
+        zone.tangible = false;
+        add(world, zone);
+        BodyDef def = ball({-0.3, 0}, 0.2);
+        def.shapes.emplace_back(Circle{{0.6, 0}, 0.2});
+        const BodyId id = add(world, def);
+        world.update();
+        QCOMPARE(world.events().began.size(), std::size_t{1});
+        world.setPose(id, {50, 0}, 0);
+        world.update();
+        QCOMPARE(world.events().ended.size(), std::size_t{1});
+    }
+
     void tagsTouchedAreReportedFromWhenTheyAreAskedForUntilTheyAreNot() {
         World world(withIterations(20));
         add(world, floorOf("edge"));

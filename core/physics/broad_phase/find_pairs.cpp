@@ -74,10 +74,18 @@ bool staysClear(const WorldData& data, const MovingProxy& of, const Aabb& box) {
                                          data.motions[of.body].rotation, data.steps[of.body].fat);
 }
 
+/// Whether no more are to be found.
+bool isCrowded(WorldData& data) {
+    const bool many = data.scratch.search.foundPairs.size() >= data.scratch.search.mostFound;
+    data.flags.crowded |= many;
+    return many;
+}
+
 void consider(WorldData& data, std::uint32_t index, std::uint32_t other) {
     const MovingProxy& a = data.proxies[index];
     const MovingProxy& b = data.proxies[other];
-    if (a.body != b.body && !staysClear(data, a, data.boxes[other]) && !staysClear(data, b, data.boxes[index])) {
+    if (a.body != b.body && !isCrowded(data) && !staysClear(data, a, data.boxes[other]) &&
+        !staysClear(data, b, data.boxes[index])) {
         add(data, a, b);
     }
 }
@@ -88,6 +96,9 @@ bool isFoundBy(const WorldData& data, std::uint32_t index, std::uint32_t other) 
 }
 
 void findMovingOf(WorldData& data, std::uint32_t index) {
+    if (isCrowded(data)) {
+        return;
+    }
     const Aabb& box = data.boxes[index];
     data.scratch.search.found.clear();
     data.tree.query(box, data.scratch.search.found);
@@ -106,7 +117,7 @@ void findMovingOf(WorldData& data, std::uint32_t index) {
 /// The tree has all where they are.
 void findAllMoving(WorldData& data) {
     data.scratch.search.overlapping.clear();
-    data.tree.queryAll(data.scratch.search.overlapping);
+    data.tree.queryAll(data.scratch.search.overlapping, data.scratch.search.mostFound);
     for (const auto& [a, b] : data.scratch.search.overlapping) {
         if (data.proxies[a].movedProxy || data.proxies[b].movedProxy) {
             consider(data, a, b);
@@ -234,7 +245,13 @@ void enlargeAabbs(WorldData& data, double seconds) {
     }
 }
 
+std::size_t mostPairs(const WorldData& data) {
+    return (std::size_t{1} << 18) + 64 * data.proxies.size();
+}
+
 void collectPairs(WorldData& data) {
+    data.scratch.search.mostFound =
+        mostPairs(data) - (data.flags.pairsStale ? 0 : std::min(data.table.size(), mostPairs(data)) / 2);
     refreshTree(data);
     markMovedProxies(data, true);
     data.scratch.search.foundPairs.clear();

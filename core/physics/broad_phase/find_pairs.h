@@ -11,7 +11,12 @@ void listProxies(WorldData& data);
 /// Gives moved bodies new fat AABBs, large enough for so many seconds.
 void enlargeAabbs(WorldData& data, double seconds);
 
-/// Fills `foundPairs` with all pairs of those, sorted as the table is.
+/// So many pairs of moving bodies are kept, many times what the densest heap has. Where thousands of bodies are at one
+/// place there are more, as many as would fill all memory; whoever finds nobody then has to push his way out later.
+std::size_t mostPairs(const WorldData& data);
+
+/// Fills `foundPairs` with all pairs of those, sorted as the table is; with as many as are kept when the place is
+/// `crowded`.
 void collectPairs(WorldData& data);
 
 } // namespace spacetow

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace spacetow {
 
@@ -92,6 +93,7 @@ void listMoving(WorldData& data) {
 
 void prepareStructure(WorldData& data) {
     refreshStatics(data);
+    data.flags.pairsStale |= std::exchange(data.flags.crowded, false);
     const std::size_t bodies = data.records.size();
     data.motionBounds.resize(bodies);
     data.mayNeedToi.resize(bodies);

@@ -52,6 +52,9 @@ void report(WorldData& data, const Group& group, bool before, int iteration) {
 
 /// Pairs whose boxes have parted are no longer in the table; others of the same bodies may still touch.
 void reportDropped(WorldData& data, int iteration) {
+    std::vector<std::uint64_t>& dropped = data.scratch.changes.droppedTouches;
+    std::sort(dropped.begin(), dropped.end());
+    dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
     for (const std::uint64_t bodies : data.scratch.changes.droppedTouches) {
         const auto found = std::lower_bound(data.table.pairs.begin(), data.table.pairs.end(), bodies,
                                             [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });

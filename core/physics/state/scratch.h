@@ -22,6 +22,7 @@ struct PairSearch {
     std::vector<MovingQuadtree::Two> overlapping; // proxies whose boxes do
     std::vector<FoundPair> foundPairs, sortedPairs;
     std::vector<std::uint32_t> pairEnds; // by slot, of the sorted pairs
+    std::size_t mostFound = 0;           // pairs at a time
 };
 
 /// Of pair_changes: from the table of pairs to the next one.

@@ -12,6 +12,8 @@ struct StepFlags {
     bool connectionsStale = false;
     // All pairs are to be found anew, as their bodies, filters or statics have changed: cleared by changePairs.
     bool pairsStale = true;
+    // There are more pairs than are kept: set by collectPairs, cleared by prepareStructure, which sets `pairsStale`.
+    bool crowded = false;
     // The pairs, or who moves, have changed: set by changePairs and listSensors, cleared by findIslands.
     bool islandsStale = true;
     // Every lane belongs to the contact of a pair in the table. Set by resetConstraints; cleared by releaseConstraints,

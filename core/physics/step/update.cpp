@@ -1,5 +1,6 @@
 #include "core/physics/step/update.h"
 
+#include "core/physics/broad_phase/find_pairs.h"
 #include "core/physics/broad_phase/pairs.h"
 #include "core/physics/contacts/constraint_list.h"
 #include "core/physics/contacts/contact_pool.h"
@@ -32,6 +33,7 @@ constexpr int maxParts = 64;
 
 /// The pairs of bodies that have left their fat AABBs, and what depends on pairs.
 void refreshPairs(WorldData& data, const IterationStep& step) {
+    data.flags.pairsStale |= data.table.size() >= mostPairs(data);
     if (data.flags.pairsStale || !data.mergedPairs.empty()) {
         releaseConstraints(data);
     }
