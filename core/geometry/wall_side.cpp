@@ -1,11 +1,13 @@
 #include "core/geometry/wall_side.h"
 
+#include "core/geometry/near_points.h"
+
 namespace spacetow {
 
 namespace {
 
-constexpr double slack = 1e-9;        // m by which faces overlap at a smooth joint, so that rounding leaves no gap
-constexpr double straightTurn = 1e-9; // sine of the turn below which a joint counts as straight
+constexpr double slack = jointTolerance; // m by which faces overlap at a smooth joint, so that no gap is left there
+constexpr double straightTurn = 1e-9;    // sine of the turn below which a joint counts as straight
 constexpr double sameNormal = 1e-9;
 
 Vec2 unitOr(const Vec2& v, const Vec2& fallback) {
