@@ -1,6 +1,8 @@
+#include "core/geometry/bearing.h"
 #include "core/geometry/clip.h"
 #include "core/geometry/collide_pairs.h"
 #include "core/geometry/intersect.h"
+#include "core/geometry/near_points.h"
 
 namespace spacetow {
 
@@ -8,7 +10,7 @@ namespace {
 
 enum Feature : unsigned { CornerOfFirst = 16, CornerOfSecond, CornerToCorner };
 
-constexpr double tie = 1e-6; // m: separations nearer than this count as equal
+constexpr double tie = sameDepth;
 
 // Something that has come a little way through a cut, and so through the thin end of the part beyond it, is that
 // part's affair; the outer faces of this one are far away and would throw it out in the wrong direction.
@@ -25,18 +27,6 @@ struct Axis {
     double allowed = none; // largest of those that may be contact normals
     int allowedFace = -1;
 };
-
-/// Whether the corner, or another one that is as deep along the normal, may meet a face: what comes down flat does so
-/// with two, one of which may be in the middle of a side of the outline.
-bool levelBears(const ConvexPart& part, int corner, const Vec2& normal) {
-    const double depth = normal.dot(cornerOf(part, corner));
-    for (int k = 0; k < part.count; ++k) {
-        if (std::fabs(normal.dot(cornerOf(part, k)) - depth) <= tie && cornerBears(part, k, -normal)) {
-            return true;
-        }
-    }
-    return false;
-}
 
 /// Separations along the face normals of `reference`; the rest of them is skipped once one exceeds the margin.
 Axis bestAxis(const ConvexPart& reference, const ConvexPart& other, double margin) {
@@ -56,8 +46,8 @@ Axis bestAxis(const ConvexPart& reference, const ConvexPart& other, double margi
                 return axis;
             }
         }
-        if (cut && separation > axis.allowed && isOuterFace(reference, i) &&
-            levelBears(other, deepestCorner(other, normal), normal)) {
+        if (cut && separation > axis.allowed && isOuterFace(reference, i) && isBeside(reference, i, other) &&
+            levelBears(other, deepestCorner(other, normal), reference, i)) {
             axis.allowed = separation;
             axis.allowedFace = i;
         }
@@ -80,6 +70,16 @@ struct Reference {
     bool swapped; // it is the second of the parts
 };
 
+/// How far beyond a corner the plane of a face bears, m: where a face of another part continues it, no gap is left.
+double reachBeyond(const ConvexPart& part, int face, int corner) {
+    const bool joined =
+        isCut(part) && isOuterFace(part, corner) != isOuterFace(part, corner > 0 ? corner - 1 : part.count - 1);
+    const Vec2& beyond = part.normalsBeyond[static_cast<std::size_t>(corner)];
+    const bool straight = joined && normalOf(part, face).dot(beyond) > 0 &&
+                          std::fabs(cross(normalOf(part, face), beyond)) <= parallelTurn;
+    return straight ? jointTolerance : 0;
+}
+
 /// Contact with the normal of the face. A point is named after the corner that ends the stretch on which
 /// the two sides face each other, so that the name does not depend on which of the parts is the reference.
 Manifold faceManifold(const Reference& of, const ConvexPart& other, double margin) {
@@ -90,7 +90,9 @@ Manifold faceManifold(const Reference& of, const ConvexPart& other, double margi
     const int opposite = facing(other, normal);
     const std::array<int, 2> corners{opposite, cornerAfter(other, opposite)};
     const std::array<int, 2> ends{face, cornerAfter(reference, face)};
-    const auto clipped = clipToFace(from, leftOf(normal), faceLength(reference, face),
+    const double before = reachBeyond(reference, face, ends[0]);
+    const double length = before + faceLength(reference, face) + reachBeyond(reference, face, ends[1]);
+    const auto clipped = clipToFace(from - before * leftOf(normal), leftOf(normal), length,
                                     {cornerOf(other, corners[0]), cornerOf(other, corners[1])});
     Manifold manifold;
     manifold.normal = of.swapped ? Vec2(-normal) : normal;
@@ -152,6 +154,13 @@ struct NearestFeatures {
     int faceB = -1;
 };
 
+/// Of what is equally near a face goes before a corner: what lies flat is at both.
+bool isNearer(const NearestFeatures& nearest, double squared, bool atCorner) {
+    const bool noFace = nearest.faceA < 0 && nearest.faceB < 0;
+    const double rounding = !atCorner && noFace ? 1e-9 : -1e-9;
+    return squared < nearest.squared * (1 + rounding);
+}
+
 /// Looks at the corners of `part` over the faces of `reference`.
 void includeCorners(const ConvexPart& reference, const ConvexPart& part, bool referenceIsA, NearestFeatures& nearest) {
     for (int i = 0; i < reference.count; ++i) {
@@ -161,11 +170,11 @@ void includeCorners(const ConvexPart& reference, const ConvexPart& part, bool re
             const Vec2& p = cornerOf(part, k);
             const Vec2 on = closestOnSegment(from, to, p);
             const double d = (p - on).squaredNorm();
-            if (!(d < nearest.squared * (1 - 1e-9))) {
+            const bool atCorner = on == from || on == to;
+            if (!isNearer(nearest, d, atCorner)) {
                 continue;
             }
             nearest.squared = d;
-            const bool atCorner = on == from || on == to;
             const int corner = on == from ? i : cornerAfter(reference, i);
             const int ofReference = atCorner ? corner : -1;
             nearest.faceA = referenceIsA && !atCorner ? i : -1;
@@ -176,24 +185,25 @@ void includeCorners(const ConvexPart& reference, const ConvexPart& part, bool re
     }
 }
 
-/// Whether the corner of `other` that is nearest to the face lies over it, and their distance is that of the parts.
+/// Whether what of `other` is nearest to the face lies over it, and their distance is that of the parts: one of its
+/// corners, or two where it lies flat, which are as near but for rounding.
 bool isOverFace(const ConvexPart& reference, int face, const ConvexPart& other) {
     const Vec2& normal = normalOf(reference, face);
-    const Vec2& corner = cornerOf(other, deepestCorner(other, normal));
-    const double t = leftOf(normal).dot(corner - cornerOf(reference, face));
-    return 0 <= t && t <= faceLength(reference, face);
+    const int opposite = facing(other, normal);
+    const bool isFlat = liesFlat(other, opposite, normal);
+    const int first = isFlat ? opposite : deepestCorner(other, normal);
+    const int second = isFlat ? cornerAfter(other, opposite) : first;
+    return Span(reference, face).meets(cornerOf(other, first), cornerOf(other, second));
 }
 
 Manifold nearestManifold(const ConvexPart& a, const ConvexPart& b, const NearestFeatures& nearest, double margin) {
     Manifold manifold;
     if (nearest.faceA >= 0) {
-        const Vec2& normal = normalOf(a, nearest.faceA);
-        const bool allowed = isOuterFace(a, nearest.faceA) && levelBears(b, nearest.cornerB, normal);
+        const bool allowed = isOuterFace(a, nearest.faceA) && levelBears(b, nearest.cornerB, a, nearest.faceA);
         return allowed ? faceManifold({a, nearest.faceA, false}, b, margin) : manifold;
     }
     if (nearest.faceB >= 0) {
-        const Vec2& normal = normalOf(b, nearest.faceB);
-        const bool allowed = isOuterFace(b, nearest.faceB) && levelBears(a, nearest.cornerA, normal);
+        const bool allowed = isOuterFace(b, nearest.faceB) && levelBears(a, nearest.cornerA, b, nearest.faceB);
         return allowed ? faceManifold({b, nearest.faceB, true}, a, margin) : manifold;
     }
     const Vec2& onA = cornerOf(a, nearest.cornerA);

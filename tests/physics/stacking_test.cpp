@@ -69,6 +69,40 @@ class StackingTest : public QObject {
         pile.verifyStands(fullOrQuick(60, 10), 0);
     }
 
+    void aTowerHardlyOutOfLineStands_data() {
+        QTest::addColumn<bool>("hexagons");
+        QTest::addColumn<int>("iterations");
+        for (const int iterations : iterationCounts) {
+            QTest::addRow("boxes, %d iterations", iterations) << false << iterations;
+            QTest::addRow("hexagons, %d iterations", iterations) << true << iterations;
+        }
+    }
+    void aTowerHardlyOutOfLineStands() {
+        QFETCH(bool, hexagons);
+        QFETCH(int, iterations);
+        for (const double aside : {0.0, 1e-12, 1e-9, 1e-6}) {
+            World world(withIterations(iterations));
+            BodyDef ground = floorOf("edge");
+            ground.friction = 0.5;
+            add(world, ground);
+            std::vector<std::pair<BodyId, Vec2>> tower;
+            const double half = hexagons ? 0.25 * std::sqrt(0.75) : 0.26;
+            for (int i = 0; i < 15; ++i) {
+                BodyDef def = hexagons ? hexagon({0, 0}) : box({0, 0}, 0.15, 0.26);
+                def.angle = hexagons ? pi / 6 : 0;
+                def.friction = 0.5;
+                def.position = {i % 2 == 1 ? -aside : 0, half + 0.001 + i * (2 * half + 0.001)};
+                tower.emplace_back(add(world, def), Vec2(def.position.x(), half + 2 * half * i));
+            }
+            for (int i = 0; i < fullOrQuick(1500, 250); ++i) {
+                world.update();
+            }
+            for (const auto& [id, at] : tower) {
+                QVERIFY2((world.body(id).massCenter - at).norm() < 0.01, qPrintable(QString("%1 m aside").arg(aside)));
+            }
+        }
+    }
+
     void aPyramidOfTwentyRowsStands_data() { iterationRows(); }
     void aPyramidOfTwentyRowsStands() {
         QFETCH(int, iterations);
