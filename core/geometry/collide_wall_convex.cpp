@@ -1,6 +1,8 @@
 #include "core/geometry/clip.h"
 #include "core/geometry/collide_pairs.h"
 #include "core/geometry/intersect.h"
+#include "core/geometry/near_points.h"
+#include "core/geometry/polygon_at_wall.h"
 #include "core/geometry/wall_side.h"
 
 namespace spacetow {
@@ -20,6 +22,9 @@ constexpr double farFromWall = 0.01;      // m beyond twice the way
 // Below this distance the nearest features are a matter of rounding, and the overlapping case decides.
 constexpr double wallTie = 1e-6; // m
 
+// What is no more than this higher is as high: both ends of a side that lies on a wall.
+constexpr double levelEnough = 1e-12; // m
+
 constexpr double noSeparation = -std::numeric_limits<double>::infinity();
 
 /// A wall and a polygon, and what is asked of every pair.
@@ -33,12 +38,29 @@ struct Pair {
     }
 };
 
+/// How far beyond its end a wall bears what is on it, m: where it is joined, no gap is left.
+double reachBeyond(const WallEnd& end) {
+    return end.kind == WallEnd::Kind::Smooth ? jointTolerance : 0;
+}
+
+/// Whether a cut of a polygon's side at a joint stands for nothing: the side goes on to a corner over the neighbour. If
+/// that corner is the deeper one it rests there before the cut comes down on this wall, and else the other end does
+/// here.
+bool isIdleCut(const WallSide& side, const ClippedPoint& cut, const Vec2& corner) {
+    const WallEnd& end = cut.cutAt == 0 ? side.start : side.end;
+    const double overNext = (cut.cutAt == 0 ? -1 : 1) * end.nextDirection.dot(corner - end.point);
+    return end.kind == WallEnd::Kind::Smooth && overNext >= 0 &&
+           std::fabs(side.above(corner) - side.above(cut.point)) > levelEnough;
+}
+
 /// The face of the wall stops the polygon: the points of one side of it that are over the wall.
 Manifold faceManifold(const Pair& pair, int face) {
     const WallSide& side = pair.side;
     const ConvexPart& convex = pair.convex;
     const std::array<int, 2> corners{face, cornerAfter(convex, face)};
-    const auto clipped = clipToFace(side.start.point, side.direction, side.length,
+    const double before = reachBeyond(side.start);
+    const auto clipped = clipToFace(side.start.point - before * side.direction, side.direction,
+                                    before + side.length + reachBeyond(side.end),
                                     {cornerOf(convex, corners[0]), cornerOf(convex, corners[1])});
     Manifold manifold;
     manifold.normal = side.normal;
@@ -48,7 +70,7 @@ Manifold faceManifold(const Pair& pair, int face) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
         const ClippedPoint& clip = clipped.points[i];
         const double separation = side.above(clip.point);
-        if (separation > margin) {
+        if (separation > margin || (clip.cutAt >= 0 && isIdleCut(side, clip, cornerOf(convex, corners[i])))) {
             continue;
         }
         const std::uint32_t id = clip.cutAt < 0 ? pair.id(OnFace, corners[i], 0) : pair.id(OnFaceCut, face, clip.cutAt);
@@ -279,13 +301,21 @@ Manifold frontManifold(const Pair& pair) {
     if (clearlyAbove(neighbours, best) || cameThroughCut(choice, best)) {
         return {};
     }
-    if (!clearlyAbove(choice.separation, above)) {
-        Manifold manifold = faceManifold(pair);
-        if (manifold.count > 0) {
-            return manifold;
-        }
+    if (choice.face >= 0 && clearlyAbove(choice.separation, above)) {
+        return underFaceManifold(pair, *choice.end, choice.face);
     }
-    return choice.face >= 0 ? underFaceManifold(pair, *choice.end, choice.face) : Manifold{};
+    const Manifold manifold = faceManifold(pair);
+    if (manifold.count > 0) {
+        return manifold;
+    }
+    // No side is over the wall: at most the tie beyond one end of it.
+    const Extent extent = extentAlong(side, pair.convex);
+    const WallEnd& end = extent.from + extent.to > side.length ? side.end : side.start;
+    if (end.kind == WallEnd::Kind::Smooth) {
+        return {}; // the affair of the neighbour
+    }
+    const FaceChoice atEnd = chooseFace(pair, &end);
+    return atEnd.face >= 0 ? underFaceManifold(pair, end, atEnd.face) : Manifold{};
 }
 
 /// An end of the wall against a polygon that the face lets through.
@@ -309,51 +339,6 @@ Manifold endManifold(const Pair& pair, const WallEnd& end) {
     const bool othersTurn =
         clearlyAbove(neighbourSeparation(pair, end), choice.separation) || cameThroughCut(choice, choice.separation);
     return choice.face >= 0 && !othersTurn ? pointUnderFace(pair, end, choice.face) : Manifold{};
-}
-
-/// How far the wall is overlooked by the polygon, along the wall: of its corners.
-struct Extent {
-    double from = std::numeric_limits<double>::infinity(); // m from the start of the wall
-    double to = -std::numeric_limits<double>::infinity();
-};
-
-Extent extentAlong(const WallSide& side, const ConvexPart& convex) {
-    Extent extent;
-    for (int i = 0; i < convex.count; ++i) {
-        const double t = side.along(cornerOf(convex, i));
-        extent.from = std::min(extent.from, t);
-        extent.to = std::max(extent.to, t);
-    }
-    return extent;
-}
-
-/// Whether what of the polygon is over the line lies mostly to its right.
-bool leansRight(const WallPart& line, const ConvexPart& convex) {
-    const WallSide side = faceOf(line, false);
-    double sum = 0;
-    for (int i = 0; i < convex.count; ++i) {
-        const auto clipped = clipToFace(side.start.point, side.direction, side.length,
-                                        {cornerOf(convex, i), cornerOf(convex, cornerAfter(convex, i))});
-        for (int k = 0; k < clipped.count; ++k) {
-            sum += side.above(clipped.points[static_cast<std::size_t>(k)].point);
-        }
-    }
-    return sum < 0;
-}
-
-/// On which side of a line a polygon is that its centre is not over: the line and the one that continues it, both
-/// prolonged to the centre, may disagree; then what of the polygon is over the line decides.
-bool isMostlyOnRight(const WallPart& line, const ConvexPart& convex) {
-    const bool right = cross(line.b - line.a, convex.center - line.a) < 0;
-    return right == isOnRight(line, convex.center) ? right : leansRight(line, convex);
-}
-
-/// Whether the wall stops a part whose centre is behind its face. The parts of a polygon that is inside the depth as a
-/// whole belong together, even where some are deeper.
-bool isHeld(const WallSide& side, const ConvexPart& convex) {
-    const bool wholeInside =
-        isCut(convex) && side.above(convex.whole) >= -side.depth && side.above(convex.whole) <= onTheFace;
-    return side.holds(convex.center) || (wholeInside && side.spans(convex.center));
 }
 
 } // namespace

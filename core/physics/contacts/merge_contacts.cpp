@@ -1,5 +1,6 @@
 #include "core/physics/contacts/merge_contacts.h"
 
+#include "core/geometry/near_points.h"
 #include "core/math/vec.h"
 #include "core/physics/contacts/contact_rules.h"
 #include "core/physics/contacts/effective_mass.h"
@@ -16,6 +17,9 @@ namespace {
 // Points of merged contacts that are no further apart are one, m.
 constexpr double coincident = 1e-9;
 
+// Points this far above each other are in one plane, m: walls that meet within the tolerance are one surface.
+constexpr double onePlane = 2 * jointTolerance;
+
 bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) {
     const bool sameBodies =
         c.b == d.b || (data.records[c.b].kind == BodyKind::Static && data.records[d.b].kind == BodyKind::Static);
@@ -26,17 +30,18 @@ bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) 
     // Points lie half way between the surfaces; half the separation further on is the surface of b.
     const double planeC = c.points[0].armA.dot(c.normal) + 0.5 * c.points[0].separation;
     const double planeD = d.points[0].armA.dot(c.normal) + 0.5 * d.points[0].separation;
-    return std::abs(planeC - planeD) < 1e-6;
+    return std::abs(planeC - planeD) < onePlane;
 }
 
-/// Whether the outermost two points of both stand for all: none between them is deeper than they are.
+/// Whether the outermost two points of both stand for all: none between them is deeper than the line through them, but
+/// for the tolerance. Depths do not count, as what is in the plane is held by any of them.
 bool isFlat(const Constraint& c, const Constraint& d) {
     const Vec2 tangent = leftOf(c.normal);
     std::array<Vec2, 4> points; // along the plane, and above it
     std::size_t count = 0;
     for (const Constraint* from : {&c, &d}) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(from->count); ++i) {
-            points[count++] = {from->points[i].armA.dot(tangent), from->points[i].separation};
+            points[count++] = {from->points[i].armA.dot(tangent), std::max(from->points[i].separation, 0.0)};
         }
     }
     const auto byPlace = [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); };
@@ -45,7 +50,7 @@ bool isFlat(const Constraint& c, const Constraint& d) {
     const Vec2 along = *ends.second - first;
     return std::all_of(points.begin(), points.begin() + count, [&](const Vec2& p) {
         const double share = along.x() > 0 ? (p.x() - first.x()) / along.x() : 0;
-        return p.y() >= first.y() + share * along.y() - linearSlop;
+        return p.y() >= first.y() + share * along.y() - onePlane;
     });
 }
 
