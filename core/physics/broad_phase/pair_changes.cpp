@@ -99,6 +99,7 @@ void fillNewTable(WorldData& data) {
         }
         renewed.flags.back() = old.flags[i++];
         renewed.flags.back().limitsFraction = covered;
+        renewed.flags.back().passed = false; // it may have become solid since
     }
     for (; i < old.size(); ++i) {
         noteDropped(data, i);

@@ -19,10 +19,6 @@ namespace spacetow {
 
 namespace {
 
-Transform poseOfB(const WorldData& data, const Pair& pair) {
-    return pair.staticB ? Transform{} : data.pose(pair.bodyB);
-}
-
 /// The parts are apart: the pair gets a separation bound.
 void separate(WorldData& data, std::uint32_t index, double separation) {
     Pair& pair = data.table.pairs[index];
@@ -145,38 +141,22 @@ SPACETOW_PREFETCHES void prefetchShapes(const WorldData& data, const std::vector
     }
 }
 
-/// Where a body was when it had gone this part of its way.
-Transform poseAt(const WorldData& data, Slot slot, double fraction) {
-    const BodyMotion& m = data.motions[slot];
+/// The way that the body has gone in this iteration, about its centre of mass.
+Way wayOf(const WorldData& data, Slot slot) {
+    const Transform end = data.pose(slot);
+    if (data.records[slot].asleep) {
+        return Way(end);
+    }
     const BodyStep& s = data.steps[slot];
-    const double left = fraction - 1;
-    return {m.center + left * s.deltaPosition, turned(m.rotation, left * s.deltaAngle)};
+    return {{.start = data.plannedMotions[slot].pose(), .translation = s.deltaPosition, .turn = s.deltaAngle}, end};
 }
 
-// Poses along the motion of an iteration at which sensors look for overlaps, at most.
-constexpr int maxSensorSamples = 64;
-
-/// Whether the parts meet at the end of the iteration, or did on the way there, where that is longer than the bodies
-/// are wide.
-bool sensorOverlaps(const WorldData& data, const Pair& pair) {
-    if (overlaps(*pair.shapeA, data.pose(pair.bodyA), *pair.shapeB, poseOfB(data, pair))) {
-        return true;
-    }
-    const BodyStep& a = data.steps[pair.bodyA];
-    const BodyStep& b = data.steps[pair.bodyB];
-    const double way = a.maxMotion() + (pair.staticB ? 0 : b.maxMotion());
-    const double wide = a.innerRadius + (pair.staticB ? 0 : b.innerRadius);
-    const int visits = way <= wide                     ? 1
-                       : way < maxSensorSamples * wide ? static_cast<int>(std::ceil(way / wide))
-                                                       : maxSensorSamples;
-    for (int updateKeptManifold = 1; updateKeptManifold < visits; ++updateKeptManifold) {
-        const double fraction = static_cast<double>(updateKeptManifold) / visits;
-        const Transform poseB = pair.staticB ? Transform{} : poseAt(data, pair.bodyB, fraction);
-        if (overlaps(*pair.shapeA, poseAt(data, pair.bodyA, fraction), *pair.shapeB, poseB)) {
-            return true;
-        }
-    }
-    return false;
+/// Whether the sensor and the other meet at the end of the iteration, or did on the way.
+void updateSensor(const WorldData& data, const Pair& pair, PairFlags& flags) {
+    const Way a = wayOf(data, pair.bodyA);
+    const Way b = pair.staticB ? Way(Transform{}) : wayOf(data, pair.bodyB);
+    flags.touching = overlaps(*pair.shapeA, a.end, *pair.shapeB, b.end);
+    flags.passed = !flags.touching && !flags.reported && overlapsOnWay(*pair.shapeA, a, *pair.shapeB, b);
 }
 
 /// After more changes the constraints are rebuilt in the order of their pairs: bodies that are near each other are so
@@ -314,7 +294,7 @@ void findContacts(WorldData& data, const IterationStep& step) {
 
 void findOverlaps(WorldData& data) {
     for (const std::uint32_t i : data.sensors) {
-        data.table.flags[i].touching = sensorOverlaps(data, data.table.pairs[i]);
+        updateSensor(data, data.table.pairs[i], data.table.flags[i]);
     }
 }
 

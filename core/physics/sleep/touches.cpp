@@ -37,41 +37,51 @@ Group groupAround(const WorldData& data, std::size_t index) {
     return group;
 }
 
-void report(WorldData& data, const Group& group, bool before, int iteration) {
+/// What is passed between two iterations begins and ends in the same one.
+void report(WorldData& data, const Group& group, int iteration) {
     bool now = false;
+    bool passed = false;
+    bool before = false;
     for (std::size_t i = group.first; i < group.end; ++i) {
         PairFlags& flags = data.table.flags[i];
         now |= flags.touching;
+        passed |= flags.passed;
         before |= flags.reported;
         flags.reported = flags.touching;
     }
-    if (now != before) {
-        (now ? data.events.began : data.events.ended).push_back(touchEvent(data, group.bodies, iteration));
+    if (!before && (now || passed)) {
+        data.events.began.push_back(touchEvent(data, group.bodies, iteration));
+    }
+    if (!now && (before || passed)) {
+        data.events.ended.push_back(touchEvent(data, group.bodies, iteration));
     }
 }
 
-/// Pairs whose boxes have parted are no longer in the table; others of the same bodies may still touch.
+/// Pairs whose boxes have parted are no longer in the table. Where others of the same bodies are, these may still
+/// touch: one of them takes the place of what was dropped.
 void reportDropped(WorldData& data, int iteration) {
     std::vector<std::uint64_t>& dropped = data.scratch.changes.droppedTouches;
     std::sort(dropped.begin(), dropped.end());
     dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
-    for (const std::uint64_t bodies : data.scratch.changes.droppedTouches) {
+    for (const std::uint64_t bodies : dropped) {
         const auto found = std::lower_bound(data.table.pairs.begin(), data.table.pairs.end(), bodies,
                                             [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });
-        Group group{bodies};
         if (found != data.table.pairs.end() && found->bodies() == bodies) {
-            group = groupAround(data, static_cast<std::size_t>(found - data.table.pairs.begin()));
+            data.table.flags[static_cast<std::size_t>(found - data.table.pairs.begin())].reported = true;
+        } else {
+            data.events.ended.push_back(touchEvent(data, bodies, iteration));
         }
-        report(data, group, true, iteration);
     }
-    data.scratch.changes.droppedTouches.clear();
+    dropped.clear();
 }
 
 void reportChanged(WorldData& data, int iteration) {
     for (std::size_t i = 0; i < data.table.size(); ++i) {
         const PairFlags& flags = data.table.flags[i];
-        if (flags.touching != flags.reported) {
-            report(data, groupAround(data, i), false, iteration);
+        if (flags.touching != flags.reported || flags.passed) {
+            const Group group = groupAround(data, i);
+            report(data, group, iteration);
+            i = group.end - 1;
         }
     }
 }
@@ -99,7 +109,7 @@ void forgetTouchedTags(WorldData& data) {
 template <class Visit>
 void forTouching(const WorldData& data, const PairTable& table, const Visit& visit) {
     for (std::size_t i = 0; i < table.size(); ++i) {
-        if (table.flags[i].touching) {
+        if (table.flags[i].touching || table.flags[i].passed) {
             const Pair& pair = table.pairs[i];
             visit(pair.bodyA, data.records[pair.bodyB].filter.tags);
             visit(pair.bodyB, data.records[pair.bodyA].filter.tags);
@@ -183,11 +193,11 @@ void endTouches(WorldData& data, Slot slot, int iteration) {
         const Pair& pair = data.table.pairs[i];
         if (pair.bodyA == slot || pair.bodyB == slot) {
             for (const Group group = groupAround(data, i); i < group.end; ++i) {
-                data.table.flags[i].touching = false;
+                data.table.flags[i].touching = data.table.flags[i].passed = false;
                 freeContact(data, data.table.pairs[i]);
             }
             --i;
-            report(data, groupAround(data, i), false, iteration);
+            report(data, groupAround(data, i), iteration);
         }
     }
 }

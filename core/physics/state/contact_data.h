@@ -59,7 +59,8 @@ PairBound unknownBound(const Pair& pair);
 
 struct PairFlags {
     bool touching = false;
-    bool reported = false; // as events
+    bool passed = false;   // by a sensor within this iteration, without touching it at the end
+    bool reported = false; // as events, at the end of the last iteration
     bool inSolver = false; // its contact has a lane; until that is closed the pair is excluded from updates
     bool limitsFraction =
         false; // the speculative margin may cover but a part of its motion; holds while pairs are not stale
