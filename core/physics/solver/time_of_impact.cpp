@@ -53,10 +53,18 @@ double speculativeDistance(const BodyStep& a, const BodyStep& b, bool staticB) {
 double safeTurnFraction(const WorldData& data, const Pair& pair) {
     const BodyStep& a = data.steps[pair.bodyA];
     const BodyStep& b = data.steps[pair.bodyB];
-    const double way = a.maxTurnMotion() + (pair.staticB ? 0 : b.maxTurnMotion());
-    const double longest = std::max(a.outerRadius, pair.staticB ? 0 : b.outerRadius);
-    const double covered = std::max(speculativeDistance(a, b, pair.staticB), smallTurn * longest);
-    return way > covered ? covered / way : 1;
+    // Each by its own length, too: what is small is not to turn further because the wall that it touches is long.
+    const double least = speculativeDistance(a, b, pair.staticB);
+    const auto share = [&](double way, double longest) {
+        const double covered = std::max(least, smallTurn * longest);
+        return way > covered ? covered / way : 1;
+    };
+    if (pair.staticB) {
+        return share(a.maxTurnMotion(), a.outerRadius);
+    }
+    const double both = share(a.maxTurnMotion() + b.maxTurnMotion(), std::max(a.outerRadius, b.outerRadius));
+    const double each = std::min(share(a.maxTurnMotion(), a.outerRadius), share(b.maxTurnMotion(), b.outerRadius));
+    return std::min(both, each);
 }
 
 /// Whether one of them, which nothing can stop, moves towards the other by more than the speculative margin.
@@ -146,6 +154,12 @@ Stoppable sweptOf(const WorldData& data, std::uint32_t index) {
 }
 
 /// True when the motion of either body was cut short.
+bool limitTurn(WorldData& data, const Pair& pair) {
+    const double covered = safeTurnFraction(data, pair);
+    return covered < 1 && stop(data, pair, stoppable(data, pair), {covered, covered});
+}
+
+/// True when the motion of either body was cut short.
 bool sweepPair(WorldData& data, const Pair& pair, const Stoppable& which) {
     const std::optional<double> hit = timeOfImpactOf(data, pair);
     // What is near from the start and yet no contact is a corner that another part or wall answers for.
@@ -153,12 +167,6 @@ bool sweepPair(WorldData& data, const Pair& pair, const Stoppable& which) {
         return false;
     }
     return stop(data, pair, which, {data.steps[pair.bodyA].fraction * *hit, data.steps[pair.bodyB].fraction * *hit});
-}
-
-/// Likewise.
-bool limitTurn(WorldData& data, const Pair& pair) {
-    const double covered = safeTurnFraction(data, pair);
-    return covered < 1 && stop(data, pair, stoppable(data, pair), {covered, covered});
 }
 
 /// Whether the bodies come near each other at any fraction of their motions.
