@@ -1,6 +1,7 @@
 #include "core/physics/solver/time_of_impact.h"
 
 #include "core/geometry/cast.h"
+#include "core/geometry/collide.h"
 #include "core/physics/contacts/update_manifold.h"
 #include "core/physics/solver/islands.h"
 
@@ -159,9 +160,41 @@ bool limitTurn(WorldData& data, const Pair& pair) {
     return covered < 1 && stop(data, pair, stoppable(data, pair), {covered, covered});
 }
 
+/// How deep the parts are in each other when they have gone this share of what is left of their ways, m.
+double depthAt(const WorldData& data, const Pair& pair, double share) {
+    const Transform a = plannedMotion(data, pair.bodyA, share * data.steps[pair.bodyA].fraction).at(1);
+    const Transform b =
+        pair.staticB ? Transform{} : plannedMotion(data, pair.bodyB, share * data.steps[pair.bodyB].fraction).at(1);
+    const Manifold manifold = collide(*pair.shapeA, a, *pair.shapeB, b, 0);
+    double depth = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        depth = std::max(depth, -manifold.points[i].separation);
+    }
+    return depth;
+}
+
+/// Where one corner touches another may be about to bounce: the solver does not know of it, and a sweep sees the first
+/// alone. Looks where it goes in. True when the motion of either body was cut short.
+bool stopDeepening(WorldData& data, const Pair& pair) {
+    constexpr int visits = 16;
+    const double covered = safeTurnFraction(data, pair);
+    const double most = depthAt(data, pair, 0) + linearSlop;
+    int updateKeptManifold = 1; // who goes nowhere would look the same for ever
+    while (updateKeptManifold < visits && depthAt(data, pair, covered * (updateKeptManifold + 1) / visits) <= most) {
+        ++updateKeptManifold;
+    }
+    const double share = covered * updateKeptManifold / visits;
+    const Stoppable which = stoppable(data, pair);
+    return share < 1 &&
+           stop(data, pair, which, {data.steps[pair.bodyA].fraction * share, data.steps[pair.bodyB].fraction * share});
+}
+
 /// True when the motion of either body was cut short.
 bool sweepPair(WorldData& data, const Pair& pair, const Stoppable& which) {
     const std::optional<double> hit = timeOfImpactOf(data, pair);
+    if (hit && *hit <= 0 && hasContact(data, pair) && pair.kind == PairKind::General) {
+        return stopDeepening(data, pair);
+    }
     // What is near from the start and yet no contact is a corner that another part or wall answers for.
     if (!hit || *hit <= 0 || *hit >= 1) {
         return false;
