@@ -22,6 +22,7 @@ FatAabb fatAabbAround(const BodyMotion& m, const BodyStep& s, double seconds) {
     FatAabb fat;
     fat.centers = {m.center, m.center};
     fat.centers.include(m.center + seconds * m.velocity);
+    fat.centers.include(m.center + s.correction);
     fat.centers = fat.centers.grown(pad);
     const double turn = 1.5 * std::abs(m.angularVelocity) * seconds + 0.05;
     const bool anyTurn = s.isCircle || turn >= 1; // the box of its disc holds at every angle

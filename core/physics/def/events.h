@@ -20,6 +20,15 @@ struct TagsTouchedEvent {
     TagMask tags; // of everything it touched in this iteration; never empty
 };
 
+/// A body begins to be crushed: what nothing can stop drives it, perhaps through others, against what stands still. It
+/// stays on its side of that and is overlapped from behind; what becomes of it is for the owner of the world to say.
+struct CrushedEvent {
+    int iteration;
+    BodyId body;
+    BodyId by;      // overlaps it most
+    BodyId against; // stands still
+};
+
 struct RemovedEvent {
     int iteration; // −1: before the first
     BodyId body;   // no longer in the world
@@ -49,6 +58,7 @@ struct Events {
     std::vector<TouchEvent> began;
     std::vector<TouchEvent> ended;
     std::vector<TagsTouchedEvent> tagsTouched;
+    std::vector<CrushedEvent> crushed;
     std::vector<RemovedEvent> removed;
     std::vector<FaultEvent> faults;
     std::vector<FieldFaultEvent> fieldFaults;
@@ -59,6 +69,7 @@ struct Events {
         began.clear();
         ended.clear();
         tagsTouched.clear();
+        crushed.clear();
         removed.clear();
         faults.clear();
         fieldFaults.clear();

@@ -9,7 +9,7 @@ namespace spacetow {
 
 namespace {
 
-using Event = std::variant<TouchEvent, TagsTouchedEvent, RemovedEvent>;
+using Event = std::variant<TouchEvent, TagsTouchedEvent, CrushedEvent, RemovedEvent>;
 
 int iterationOf(const Event& event) {
     return std::visit([](const auto& e) { return e.iteration; }, event);
@@ -18,6 +18,7 @@ int iterationOf(const Event& event) {
 std::vector<Event> inOrder(const Events& events) {
     std::vector<Event> all(events.began.begin(), events.began.end());
     all.insert(all.end(), events.tagsTouched.begin(), events.tagsTouched.end());
+    all.insert(all.end(), events.crushed.begin(), events.crushed.end());
     all.insert(all.end(), events.removed.begin(), events.removed.end());
     std::stable_sort(all.begin(), all.end(),
                      [](const Event& a, const Event& b) { return iterationOf(a) < iterationOf(b); });
@@ -72,6 +73,12 @@ void Dispatcher::tell(const TouchEvent& touch) {
 void Dispatcher::tell(const TagsTouchedEvent& touched) {
     if (const Handler handler = find(touched.body); handler && handler->tagsTouched) {
         handler->tagsTouched(touched.tags, touched.iteration);
+    }
+}
+
+void Dispatcher::tell(const CrushedEvent& crushed) {
+    if (const Handler handler = find(crushed.body); handler && handler->crushed) {
+        handler->crushed(crushed);
     }
 }
 

@@ -19,6 +19,8 @@ struct BodyHandler {
     std::function<void(TagMask tags, int iteration)> tagsTouched;
     /// The body is no longer in the world. The last call; the handler is forgotten before it.
     std::function<void()> removed;
+    /// The body begins to be crushed. By now the others may be gone.
+    std::function<void(const CrushedEvent& crushed)> crushed;
 };
 
 class Dispatcher {
@@ -29,11 +31,11 @@ class Dispatcher {
     bool contains(BodyId body) const;
 
     /// To be called after each update. Calls come in the order of the iterations; within an iteration touches come
-    /// first, then tags, then removals, each in the order of the world's events, and of a touch `a` hears before `b`.
-    /// At the end come the removals that no event told of, because an update was not dispatched or another world was
-    /// put in place of this one. Who hears of an event is looked up when its turn has come: a handler that is set
-    /// meanwhile hears the rest, one that is removed nothing more. The events are those from before the first call,
-    /// even if a handler updates the world.
+    /// first, then tags, then who is crushed, then removals, each in the order of the world's events, and of a touch
+    /// `a` hears before `b`. At the end come the removals that no event told of, because an update was not dispatched
+    /// or another world was put in place of this one. Who hears of an event is looked up when its turn has come: a
+    /// handler that is set meanwhile hears the rest, one that is removed nothing more. The events are those from before
+    /// the first call, even if a handler updates the world.
     void dispatch(const World& world);
 
   private:
@@ -43,6 +45,7 @@ class Dispatcher {
     Handler find(BodyId body) const;
     void tell(const TouchEvent& touch);
     void tell(const TagsTouchedEvent& touched);
+    void tell(const CrushedEvent& crushed);
     void tell(const RemovedEvent& removed);
 
     struct Before {

@@ -91,6 +91,7 @@ struct WorldData {
 
     Islands islands;
     Sleep sleep;
+    std::vector<BodyId> crushed; // and reported so
     Events events;
 
     Scratch scratch;

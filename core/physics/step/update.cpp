@@ -8,6 +8,7 @@
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/sleep/touches.h"
 #include "core/physics/solver/carriers.h"
+#include "core/physics/solver/crush.h"
 #include "core/physics/solver/integrate.h"
 #include "core/physics/solver/islands.h"
 #include "core/physics/solver/limit_penetration.h"
@@ -84,6 +85,11 @@ void makeMotion(WorldData& data, const IterationStep& step) {
         limitPenetrationOfFollowers(data, step.dt);
     }
     carryStopped(data);
+    measureCorrections(data);
+    if (data.flags.anyMovedProxy) {
+        refreshPairs(data, step);
+    }
+    keepOutOfStatics(data, step.index);
     advance(data, step.dt);
     findOverlaps(data);
     reportTouches(data, step.index);

@@ -147,6 +147,9 @@ std::uint64_t World::hash() const {
     for (std::size_t i = 0; i < data.table.size(); ++i) {
         addPairState(hash, data, data.table, i);
     }
+    for (const BodyId body : data.crushed) {
+        hash.add(std::uint64_t{body.index} << 32 | body.generation);
+    }
     if (data.sleep.allowed || !data.sleep.sleepers.empty()) {
         addSleepState(hash, data);
     }
