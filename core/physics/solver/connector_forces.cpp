@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace spacetow {
 
@@ -16,24 +17,27 @@ struct Run {
     double inverseMass; // of the relative motion, 1/kg
 };
 
-/// For how long the tension acts, s: nothing is left for the end of the iteration where the whole sub-step was
-/// anticipated.
-double duration(double h, Kick kick, bool anticipated) {
-    if (anticipated) {
-        return kick == Kick::Last ? 0 : h;
-    }
-    return kickTime(h, kick);
+struct Spring {
+    double tension;   // N, without damping
+    double stiffness; // N/m, the secant: what truncation leaves of it
+};
+
+Spring springOf(const ConnectorRecord& c, double length) {
+    const double tension = truncated(c.truncation, c.stiffness * length);
+    return {tension, length != 0 ? tension / length : c.stiffness};
+}
+
+bool isStiff(const Spring& spring, double inverseMass, double h) {
+    return spring.stiffness * h * h * inverseMass > explicitLimit;
 }
 
 /// Sets the connector's tension and returns its impulse, N s.
 double pull(ConnectorRecord& c, const Run& s, double h, Kick kick) {
-    const double spring = truncated(c.truncation, c.stiffness * s.length);
-    // The secant: what truncation leaves of the stiffness.
-    const double stiffness = s.length != 0 ? spring / s.length : c.stiffness;
-    const bool stiff = stiffness * h * h * s.inverseMass > explicitLimit;
-    const double time = duration(h, kick, stiff);
-    const double resistance = c.damping + (stiff ? time * stiffness : 0);
-    const double tension = (spring + resistance * s.rate) / (1 + time * s.inverseMass * resistance);
+    const Spring spring = springOf(c, s.length);
+    const bool stiff = isStiff(spring, s.inverseMass, h);
+    const double time = kickTime(h, kick, stiff);
+    const double resistance = c.damping + (stiff ? time * spring.stiffness : 0);
+    const double tension = (spring.tension + resistance * s.rate) / (1 + time * s.inverseMass * resistance);
     c.tension = c.slack ? std::max(tension, 0.0) : tension;
     return time * c.tension;
 }
@@ -46,7 +50,65 @@ bool sleeps(const WorldData& data, const ConnectorRecord& c) {
            (b.asleep || b.kind == BodyKind::Static);
 }
 
+/// A connector that pulls, between the trial poses of its bodies.
+struct Pull {
+    Vec2 u{0, 1}; // unit, from a to b
+    double leverA = 0, leverB = 0;
+    Run stretch{};
+};
+
+std::optional<Pull> pullOf(const WorldData& data, const ConnectorRecord& c) {
+    const BodyMotion& a = data.motions[c.a];
+    const BodyMotion& b = data.motions[c.b];
+    const Vec2 armA = data.scratch.substeps.trial[c.a].rotation * c.anchorA;
+    const Vec2 armB = data.scratch.substeps.trial[c.b].rotation * c.anchorB;
+    const Vec2 span =
+        data.scratch.substeps.trial[c.b].position + armB - data.scratch.substeps.trial[c.a].position - armA;
+    const double distance = std::sqrt(span.squaredNorm());
+    if (distance == 0 || (c.slack && distance <= c.length)) {
+        return std::nullopt;
+    }
+    Pull p;
+    p.u = span / distance;
+    p.leverA = cross(armA, p.u);
+    p.leverB = cross(armB, p.u);
+    const double inverseMass =
+        a.inverseMass + b.inverseMass + a.inverseInertia * p.leverA * p.leverA + b.inverseInertia * p.leverB * p.leverB;
+    const double rate =
+        (b.velocity - a.velocity).dot(p.u) + b.angularVelocity * p.leverB - a.angularVelocity * p.leverA;
+    // An end whose state has overflowed is not to spoil the other.
+    if (inverseMass == 0 || !std::isfinite(distance + rate)) {
+        return std::nullopt;
+    }
+    p.stretch = {distance - c.length, rate, inverseMass};
+    return p;
+}
+
+/// Without a look at where its bodies are.
+bool mayBeStiff(const WorldData& data, const ConnectorRecord& c, double h) {
+    const BodyMotion& a = data.motions[c.a];
+    const BodyMotion& b = data.motions[c.b];
+    const double most = a.inverseMass + b.inverseMass + a.inverseInertia * c.anchorA.squaredNorm() +
+                        b.inverseInertia * c.anchorB.squaredNorm();
+    return c.truncation.rule == TruncationRule::Custom || c.stiffness * h * h * most > explicitLimit;
+}
+
+/// Whether it is there and not asleep.
+bool acts(const WorldData& data, const ConnectorRecord& c) {
+    return c.used && !sleeps(data, c) && data.records[c.a].active && data.records[c.b].active;
+}
+
 } // namespace
+
+void findAnticipated(WorldData& data, double h) {
+    data.scratch.substeps.anticipated.assign(data.motions.size(), 0);
+    for (const ConnectorRecord& c : data.connectors) {
+        const std::optional<Pull> p = acts(data, c) && mayBeStiff(data, c, h) ? pullOf(data, c) : std::nullopt;
+        if (p && isStiff(springOf(c, p->stretch.length), p->stretch.inverseMass, h)) {
+            data.scratch.substeps.anticipated[c.a] = data.scratch.substeps.anticipated[c.b] = 1;
+        }
+    }
+}
 
 void applyConnectorForces(WorldData& data, double h, Kick kick) {
     for (ConnectorRecord& c : data.connectors) {
@@ -54,36 +116,17 @@ void applyConnectorForces(WorldData& data, double h, Kick kick) {
             continue;
         }
         c.tension = 0;
-        if (!data.records[c.a].active || !data.records[c.b].active) {
+        const std::optional<Pull> p = acts(data, c) ? pullOf(data, c) : std::nullopt;
+        if (!p) {
             continue;
         }
+        const double impulse = pull(c, p->stretch, h, kick);
         BodyMotion& a = data.motions[c.a];
         BodyMotion& b = data.motions[c.b];
-        const Vec2 armA = data.scratch.substeps.trial[c.a].rotation * c.anchorA;
-        const Vec2 armB = data.scratch.substeps.trial[c.b].rotation * c.anchorB;
-        const Vec2 span =
-            data.scratch.substeps.trial[c.b].position + armB - data.scratch.substeps.trial[c.a].position - armA;
-        const double distance = std::sqrt(span.squaredNorm());
-        if (distance == 0 || (c.slack && distance <= c.length)) {
-            continue;
-        }
-        const Vec2 u = span / distance;
-        const double leverA = cross(armA, u);
-        const double leverB = cross(armB, u);
-        const double inverseMass =
-            a.inverseMass + b.inverseMass + a.inverseInertia * leverA * leverA + b.inverseInertia * leverB * leverB;
-        if (inverseMass == 0) {
-            continue;
-        }
-        const double rate = (b.velocity - a.velocity).dot(u) + b.angularVelocity * leverB - a.angularVelocity * leverA;
-        if (!std::isfinite(distance + rate)) { // an end whose state has overflowed is not to spoil the other
-            continue;
-        }
-        const double impulse = pull(c, {distance - c.length, rate, inverseMass}, h, kick);
-        a.velocity += impulse * a.inverseMass * u;
-        a.angularVelocity += impulse * a.inverseInertia * leverA;
-        b.velocity -= impulse * b.inverseMass * u;
-        b.angularVelocity -= impulse * b.inverseInertia * leverB;
+        a.velocity += impulse * a.inverseMass * p->u;
+        a.angularVelocity += impulse * a.inverseInertia * p->leverA;
+        b.velocity -= impulse * b.inverseMass * p->u;
+        b.angularVelocity -= impulse * b.inverseInertia * p->leverB;
     }
 }
 

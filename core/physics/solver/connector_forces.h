@@ -14,6 +14,14 @@ inline double kickTime(double h, Kick kick) {
     return kick == Kick::Between ? h : 0.5 * h;
 }
 
+/// The same for what a whole sub-step is anticipated of: nothing is left for the end of the iteration.
+inline double kickTime(double h, Kick kick, bool anticipated) {
+    return anticipated ? (kick == Kick::Last ? 0 : h) : kickTime(h, kick);
+}
+
+/// Notes which bodies have a connector that is too stiff for sub-steps of `h` seconds.
+void findAnticipated(WorldData& data, double h);
+
 /// The impulses for sub-steps of `h` seconds at the trial poses; changes velocities only. Damping, and the spring
 /// itself where it is too stiff for the sub-step, are taken implicitly, so that the result stays finite and gains no
 /// energy.

@@ -39,6 +39,14 @@ struct Change {
     return change;
 }
 
+/// Likewise between two kicks, which have the acceleration in them.
+[[gnu::always_inline]] inline Change coasted(BodyMotion& m, const BodyStep& s) {
+    Change change{s.linear.gain * m.velocity, s.angular.gain * m.angularVelocity};
+    m.velocity = s.linear.decay * m.velocity;
+    m.angularVelocity = s.angular.decay * m.angularVelocity;
+    return change;
+}
+
 /// What is stopped on its way has not gained all the energy of that way. A fall from rest arrives with the speed of the
 /// height; what contacts have pushed as well is slowed down by as much energy.
 void shorten(BodyMotion& m, const BodyStep& s, double dt) {
@@ -63,6 +71,14 @@ void kick(WorldData& data, const IterationStep& step, Kick kick) {
     applyFields(data, kickTime(step.substep, kick), step.index);
 }
 
+/// With as much of a sub-step as the connectors have in this kick, and before they look: what hangs at rest they then
+/// find about to fall by what they are to hold, however stiff or damped they are.
+void accelerate(WorldData& data, Slot slot, double h, Kick kick) {
+    const double time = kickTime(h, kick, data.scratch.substeps.anticipated[slot] != 0);
+    data.motions[slot].velocity += time * data.steps[slot].acceleration;
+    data.motions[slot].angularVelocity += time * data.steps[slot].angularAcceleration;
+}
+
 bool anySubstepped(const WorldData& data) {
     return data.connectors.size() != data.freeConnectors.size() || !data.fieldBodies.empty();
 }
@@ -79,18 +95,26 @@ void integrateInSubsteps(WorldData& data, const IterationStep& step) {
     for (const Slot slot : data.substepped) {
         data.scratch.substeps.trial[slot] = data.pose(slot);
     }
+    findAnticipated(data, step.substep);
+    for (const Slot slot : data.moving) {
+        if (data.records[slot].substepped) {
+            accelerate(data, slot, step.substep, Kick::First);
+        }
+    }
     for (int i = 0; i < step.substeps; ++i) {
+        const Kick next = i + 1 < step.substeps ? Kick::Between : Kick::Last;
         kick(data, step, i == 0 ? Kick::First : Kick::Between);
         for (const Slot slot : data.moving) {
             if (!data.records[slot].substepped) {
                 continue;
             }
-            const Change change = integrated(data.motions[slot], data.steps[slot]);
+            const Change change = coasted(data.motions[slot], data.steps[slot]);
             data.steps[slot].deltaPosition += change.deltaPosition;
             data.steps[slot].deltaAngle += change.deltaAngle;
             data.scratch.substeps.trial[slot].position += change.deltaPosition;
             data.scratch.substeps.trial[slot].rotation =
                 turned(data.scratch.substeps.trial[slot].rotation, change.deltaAngle);
+            accelerate(data, slot, step.substep, next);
         }
     }
     kick(data, step, Kick::Last);

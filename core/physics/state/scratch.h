@@ -95,7 +95,8 @@ struct ToiSearch {
 
 /// Of sub-steps.
 struct Substeps {
-    std::vector<Transform> trial; // poses, by slot
+    std::vector<Transform> trial;          // poses, by slot
+    std::vector<std::uint8_t> anticipated; // by slot: whether a connector is too stiff for the sub-steps
 };
 
 /// Of sleep.
