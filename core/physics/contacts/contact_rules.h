@@ -54,6 +54,14 @@ inline Discs discsOf(const WorldData& data, const PairBound& bound) {
     return {radii, radii + speculativeMargin(a, b), (b.center - a.center).squaredNorm()};
 }
 
+/// From which velocity on surfaces close faster than they may, so that their island is solved on, m/s. Where something
+/// bounces each wants what it aims at: a hit on what touches something else would lose energy.
+inline double closingLimit(double separation, double target, double restitution, double perSecond) {
+    constexpr double tolerance = 0.001; // m/s
+    const double closing = formulas::closingLimit(separation, perSecond);
+    return restitution > 0 ? std::max(closing, target - tolerance) : closing;
+}
+
 struct Approach {
     double before; // m/s along the normal at the beginning of the iteration, positive when closing
     double after;  // with this iteration's forces

@@ -61,7 +61,8 @@ void addCircleContact(WorldData& data, std::uint32_t index, const CircleTouch& t
             sweepCircles(data, index, touch.feature);
             return;
         }
-        aim = {target.velocity, closing, target.meeting == Meeting::Bounces};
+        const double limit = closingLimit(touch.separation, target.velocity, kept.restitution, perSecond);
+        aim = {target.velocity, limit, target.meeting == Meeting::Bounces};
     }
     addCircleConstraint(data, index, touch, aim);
 }

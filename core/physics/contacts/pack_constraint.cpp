@@ -47,8 +47,8 @@ bool packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, dou
     batch.inverseDeterminant[i] = 1 / determinant;
     batch.separation1[i] = p.separation;
     batch.separation2[i] = c.count == 2 ? q.separation : std::numeric_limits<double>::infinity();
-    batch.closingLimit1[i] = formulas::closingLimit(p.separation, perSecond);
-    batch.closingLimit2[i] = c.count == 2 ? formulas::closingLimit(q.separation, perSecond) : noTarget;
+    batch.closingLimit1[i] = closingLimit(p.separation, p.target, c.restitution, perSecond);
+    batch.closingLimit2[i] = c.count == 2 ? closingLimit(q.separation, q.target, c.restitution, perSecond) : noTarget;
     return singular;
 }
 
