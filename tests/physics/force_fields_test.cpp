@@ -42,7 +42,7 @@ ForceFieldDef constant(const Vec2& force) {
     return {.force = [force](const FieldSample&) { return FieldForce{force, 0}; }};
 }
 
-FieldId add(World& world, ForceFieldDef def) {
+FieldId fieldIn(World& world, ForceFieldDef def) {
     const Result<FieldId> field = world.addField(std::move(def));
     EXPECTS(bool(field));
     return field.value();
@@ -70,7 +70,7 @@ class ForceFieldsTest : public QObject {
         constexpr double stiffness = 400; // ω = 20 rad/s
         World world(weightless(iterations));
         const BodyId id = test::add(world, probe({0.1, 0}));
-        add(world, springTo({0, 0}, stiffness));
+        fieldIn(world, springTo({0, 0}, stiffness));
         const auto energy = [&] {
             const BodyState state = world.body(id);
             return 0.5 * state.velocity.squaredNorm() + 0.5 * stiffness * state.massCenter.squaredNorm();
@@ -109,7 +109,7 @@ class ForceFieldsTest : public QObject {
             return def;
         }());
         const double inertia = world.body(id).inertia;
-        add(world, drag(0.7, 1.1 * inertia));
+        fieldIn(world, drag(0.7, 1.1 * inertia));
         for (int second = 1; second <= 10; ++second) {
             runUpdates(world, 50);
             const BodyState state = world.body(id);
@@ -125,7 +125,7 @@ class ForceFieldsTest : public QObject {
         QFETCH(int, iterations);
         World world(weightless(iterations));
         const BodyId id = test::add(world, probe({0, 0}, {6, 0}));
-        add(world, {.force = [](const FieldSample& s) { return FieldForce{Vec2(3 * leftOf(s.velocity)), 0}; }});
+        fieldIn(world, {.force = [](const FieldSample& s) { return FieldForce{Vec2(3 * leftOf(s.velocity)), 0}; }});
         for (int i = 0; i < 500; ++i) {
             world.update();
             QVERIFY(std::abs((world.body(id).massCenter - Vec2(0, 2)).norm() - 2) < 0.01);
@@ -136,10 +136,10 @@ class ForceFieldsTest : public QObject {
     void aPlanetsOrbitKeepsEnergyAndAngularMomentum() {
         World world(weightless(20));
         const BodyId id = test::add(world, probe({1, 0}, {0, 1.2}));
-        add(world, {.force = [](const FieldSample& s) {
-                const double r = s.massCenter.norm();
-                return FieldForce{Vec2(s.massCenter * (-1 / (r * r * r))), 0};
-            }});
+        fieldIn(world, {.force = [](const FieldSample& s) {
+                    const double r = s.massCenter.norm();
+                    return FieldForce{Vec2(s.massCenter * (-1 / (r * r * r))), 0};
+                }});
         for (int i = 0; i < fullOrQuick(50000, 5000); ++i) {
             world.update();
             const BodyState s = world.body(id);
@@ -156,8 +156,8 @@ class ForceFieldsTest : public QObject {
             parameters.substeps = substeps;
             World world(parameters);
             const BodyId id = test::add(world, probe({1, 2}, {0.5, 1}));
-            add(world, constant({2, -5}));
-            add(world, constant({1, 2}));
+            fieldIn(world, constant({2, -5}));
+            fieldIn(world, constant({1, 2}));
             runUpdates(world, 500);
             const BodyState state = world.body(id);
             QVERIFY(relativeErrorOf(state.velocity.x(), 0.5 + 3 * 10) < 1e-9);
@@ -171,7 +171,7 @@ class ForceFieldsTest : public QObject {
         World world(weightless(20));
         test::add(world, edgeBody({-5, 0}, {5, 0}));
         const BodyId id = test::add(world, probe({0, 0.3}));
-        add(world, constant({0, -9.81}));
+        fieldIn(world, constant({0, -9.81}));
         runUpdates(world, 200);
         QVERIFY(std::abs(world.body(id).massCenter.y() - 0.1) < 0.005);
         QVERIFY(world.body(id).velocity.norm() < 1e-3);
@@ -184,11 +184,11 @@ class ForceFieldsTest : public QObject {
             const BodyId a = test::add(world, probe({0, 0}));
             const BodyId b = test::add(world, probe({1, 0}));
             if (fieldFirst) {
-                add(world, constant({1, 2}));
+                fieldIn(world, constant({1, 2}));
             }
             QVERIFY(bool(world.addConnector({.a = a, .b = b, .length = 0.8, .stiffness = 100})));
             if (!fieldFirst) {
-                add(world, constant({1, 2}));
+                fieldIn(world, constant({1, 2}));
             }
             runUpdates(world, 50);
             hashes[fieldFirst ? 1 : 0] = world.hash();
@@ -207,7 +207,7 @@ class ForceFieldsTest : public QObject {
         const BodyId without = test::add(world, def);
         ForceFieldDef field = constant({1, 0});
         field.tags = TagMask::bit(3) | TagMask::bit(7);
-        add(world, field);
+        fieldIn(world, field);
         runUpdates(world, 50);
         QVERIFY(relativeErrorOf(world.body(with).velocity.x(), 1) < 1e-9);
         QCOMPARE(world.body(without).velocity.x(), 0.0);
@@ -220,7 +220,7 @@ class ForceFieldsTest : public QObject {
 
     void aBodyAddedAfterAFieldFeelsIt() {
         World world(weightless(4));
-        add(world, constant({1, 0}));
+        fieldIn(world, constant({1, 0}));
         const BodyId id = test::add(world, probe({0, 0}));
         runUpdates(world, 50);
         QVERIFY(relativeErrorOf(world.body(id).velocity.x(), 1) < 1e-9);
@@ -237,7 +237,7 @@ class ForceFieldsTest : public QObject {
             }
             ForceFieldDef field = constant({1, 0});
             field.source = source;
-            add(world, field);
+            fieldIn(world, field);
             runUpdates(world, 50);
             QCOMPARE(world.body(ids[0]).velocity.x(), 0.0);
             QVERIFY(std::abs(world.body(ids[1]).velocity.x() - (source == ForceSource::Manual ? 1 : 0)) < 1e-9);
@@ -253,7 +253,7 @@ class ForceFieldsTest : public QObject {
         def = probe({5, 0});
         def.active = false;
         const BodyId inactive = test::add(world, def);
-        add(world, {.force = [](const FieldSample&) { return FieldForce{Vec2(1, 1), 0.01}; }});
+        fieldIn(world, {.force = [](const FieldSample&) { return FieldForce{Vec2(1, 1), 0.01}; }});
         runUpdates(world, 50);
         QCOMPARE(world.body(frozen).velocity, Vec2(0, 0));
         QVERIFY(world.body(frozen).angularVelocity > 0);
@@ -266,7 +266,7 @@ class ForceFieldsTest : public QObject {
     void aRemovedFieldActsNoMore() {
         World world(weightless(4));
         const BodyId id = test::add(world, probe({0, 0}));
-        const FieldId field = add(world, constant({1, 0}));
+        const FieldId field = fieldIn(world, constant({1, 0}));
         QVERIFY(world.contains(field));
         runUpdates(world, 50);
         world.removeField(field);
@@ -274,7 +274,7 @@ class ForceFieldsTest : public QObject {
         const Vec2 velocity = world.body(id).velocity;
         runUpdates(world, 50);
         QCOMPARE(world.body(id).velocity, velocity);
-        const FieldId next = add(world, constant({0, 1}));
+        const FieldId next = fieldIn(world, constant({0, 1}));
         QVERIFY(next != field && !world.contains(field));
     }
 
@@ -284,7 +284,7 @@ class ForceFieldsTest : public QObject {
         const BodyId other = test::add(world, probe({5, 0}));
         ForceFieldDef def = constant({1, 0});
         def.body = id;
-        const FieldId field = add(world, def);
+        const FieldId field = fieldIn(world, def);
         runUpdates(world, 50);
         QVERIFY(relativeErrorOf(world.body(id).velocity.x(), 1) < 1e-9);
         QCOMPARE(world.body(other).velocity.x(), 0.0);
@@ -311,11 +311,11 @@ class ForceFieldsTest : public QObject {
         World world(weightless(4));
         const BodyId id = test::add(world, probe({0, 0}));
         const BodyId far = test::add(world, probe({5, 0}));
-        add(world, constant({1, 0}));
-        const FieldId bad = add(world, {.force = [](const FieldSample& s) {
-                                    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-                                    return FieldForce{{s.massCenter.x() < 4 ? nan : 1, 0}, 0};
-                                }});
+        fieldIn(world, constant({1, 0}));
+        const FieldId bad = fieldIn(world, {.force = [](const FieldSample& s) {
+                                        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+                                        return FieldForce{{s.massCenter.x() < 4 ? nan : 1, 0}, 0};
+                                    }});
         for (int i = 0; i < 50; ++i) {
             world.update();
             QCOMPARE(world.events().fieldFaults.size(), std::size_t{1});
@@ -332,8 +332,8 @@ class ForceFieldsTest : public QObject {
         World world(weightless(20));
         test::add(world, edgeBody({-5, 0}, {5, 0}));
         test::add(world, probe({0, 1}, {0.3, 0}));
-        const FieldId field = add(world, springTo({0, -1}, 30));
-        add(world, drag(0.2));
+        const FieldId field = fieldIn(world, springTo({0, -1}, 30));
+        fieldIn(world, drag(0.2));
         runUpdates(world, 20);
         World copy = world;
         runUpdates(world, 50);
@@ -349,7 +349,7 @@ class ForceFieldsTest : public QObject {
         World without;
         ForceFieldDef field = constant({5, 5});
         field.tags = TagMask::bit(9);
-        add(with, field);
+        fieldIn(with, field);
         for (World* world : {&with, &without}) {
             test::add(*world, edgeBody({-5, 0}, {5, 0}));
             test::add(*world, probe({0, 1}, {0.3, 0}));

@@ -139,7 +139,7 @@ bool isInside(const Placed& placed, const Vec2& p) {
     return polygon != nullptr && contains(polygon->vertices, placed.pose.toLocal(p));
 }
 
-double distanceTo(const Placed& placed, const Vec2& p) {
+double distanceFrom(const Placed& placed, const Vec2& p) {
     if (isInside(placed, p)) {
         return 0;
     }
@@ -314,7 +314,7 @@ class QueryScenesTest : public QObject {
                 double least = noBack;
                 BodyId first;
                 forEachShape(world, [&](BodyId id, const Placed& placed) {
-                    const double distance = distanceTo(placed, p);
+                    const double distance = distanceFrom(placed, p);
                     if (world.body(id).filter.tags.intersects(mask) && distance < least - 1e-9) {
                         least = distance;
                         first = id;
@@ -333,7 +333,7 @@ class QueryScenesTest : public QObject {
                 QVERIFY2(std::abs((nearest->point - p).norm() - nearest->distance) < 1e-12, seedText(seed));
                 double ofBody = noBack;
                 for (const Shape& shape : world.shapes(nearest->body)) {
-                    ofBody = std::min(ofBody, distanceTo({shape, world.body(nearest->body).pose}, nearest->point));
+                    ofBody = std::min(ofBody, distanceFrom({shape, world.body(nearest->body).pose}, nearest->point));
                 }
                 QVERIFY2(ofBody < 1e-9, seedText(seed));
                 QVERIFY2(least > 0 || nearest->body == first, seedText(seed)); // inside of several: the first of them
@@ -355,8 +355,8 @@ class QueryScenesTest : public QObject {
                     nearest = (on - p).norm() < least ? on : nearest;
                     least = std::min(least, (on - p).norm());
                 }
-                QVERIFY2(std::abs(least - distanceTo(placed, p)) < 1e-9, seedText(seed));
-                QVERIFY2(distanceTo(placed, nearest) < 1e-9, seedText(seed));
+                QVERIFY2(std::abs(least - distanceFrom(placed, p)) < 1e-9, seedText(seed));
+                QVERIFY2(distanceFrom(placed, nearest) < 1e-9, seedText(seed));
             });
         }
     }

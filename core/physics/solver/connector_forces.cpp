@@ -101,11 +101,15 @@ bool acts(const WorldData& data, const ConnectorRecord& c) {
 } // namespace
 
 void findAnticipated(WorldData& data, double h) {
-    data.scratch.substeps.anticipated.assign(data.motions.size(), 0);
+    std::vector<std::uint8_t>& anticipated = data.scratch.substeps.anticipated;
+    anticipated.resize(data.motions.size());
+    for (const Slot slot : data.substepped) {
+        anticipated[slot] = 0;
+    }
     for (const ConnectorRecord& c : data.connectors) {
         const std::optional<Pull> p = acts(data, c) && mayBeStiff(data, c, h) ? pullOf(data, c) : std::nullopt;
         if (p && isStiff(springOf(c, p->stretch.length), p->stretch.inverseMass, h)) {
-            data.scratch.substeps.anticipated[c.a] = data.scratch.substeps.anticipated[c.b] = 1;
+            anticipated[c.a] = anticipated[c.b] = 1;
         }
     }
 }

@@ -229,7 +229,8 @@ void reportCrushed(WorldData& data, std::vector<Squeeze>& squeezes, int iteratio
 
 bool anyDriven(const WorldData& data) {
     const std::vector<std::uint8_t>& driven = data.scratch.solver.driven;
-    return std::any_of(driven.begin(), driven.end(), [](std::uint8_t d) { return d != 0; });
+    return std::any_of(data.moving.begin(), data.moving.end(),
+                       [&driven](Slot slot) { return slot < driven.size() && driven[slot] != 0; });
 }
 
 } // namespace
