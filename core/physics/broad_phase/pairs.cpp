@@ -16,16 +16,28 @@ bool isSensor(const Pair& pair) {
     return pair.kind == PairKind::Sensor;
 }
 
-/// What the solver keeps by slot begins anew with all bodies; else it does so with those that move, as it writes no
-/// other.
-void clearBySlot(Scratch& scratch) {
-    scratch.solver.velocities.clear();
-    scratch.solver.corrections.clear();
-    scratch.solver.driven.clear();
-    scratch.solver.unconverged.clear();
-    scratch.solver.limited.clear();
-    scratch.solver.fractions.clear();
-    scratch.toi.shortenedAt.clear();
+template <class T>
+void clearSlots(std::vector<T>& list, const std::vector<Slot>& slots) {
+    for (const Slot slot : slots) {
+        if (slot < list.size()) {
+            list[slot] = T{};
+        }
+    }
+}
+
+/// What the solver keeps by slot of those that have moved begins anew: it writes no other.
+void clearBySlot(Scratch& scratch, const std::vector<Slot>& moved) {
+    clearSlots(scratch.solver.velocities, moved);
+    clearSlots(scratch.solver.corrections, moved);
+    clearSlots(scratch.solver.driven, moved);
+    clearSlots(scratch.solver.unconverged, moved);
+    clearSlots(scratch.solver.limited, moved);
+    clearSlots(scratch.toi.shortenedAt, moved);
+    for (const Slot slot : moved) {
+        if (slot < scratch.solver.fractions.size()) {
+            scratch.solver.fractions[slot] = 1;
+        }
+    }
 }
 
 // Up to so many are put into the lists one by one.
@@ -79,8 +91,8 @@ void listSensors(WorldData& data) {
 }
 
 void listMoving(WorldData& data) {
+    clearBySlot(data.scratch, data.moving);
     data.moving.clear();
-    clearBySlot(data.scratch);
     for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
         for (const Slot slot : data.nonStatic) {
             const BodyRecord& record = data.records[slot];

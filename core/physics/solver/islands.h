@@ -15,12 +15,12 @@ void joinSets(std::vector<Slot>& parents, Slot a, Slot b);
 /// be moved, and what iterations write.
 void renewSlots(WorldData& data, std::span<const Slot> slots);
 
-/// What an iteration keeps by slot, before it begins with the bodies that move: all are written only when that has been
-/// cleared, as it is when other bodies move than before.
+/// What an iteration keeps by slot, before it begins with the bodies that move: new ones get the initial value. Those
+/// that no longer move have got it when the list of those that do was made.
 template <class T>
 void beginBySlot(std::vector<T>& list, std::size_t size, const T& initial) {
     if (list.size() != size) {
-        list.assign(size, initial);
+        list.resize(size, initial);
     }
 }
 
