@@ -2,6 +2,7 @@
 
 #include "core/level/file.h"
 #include "core/level/fixes.h"
+#include "core/level/leak_mesh.h"
 #include "core/level/lint.h"
 #include "tests/support/body_with.h"
 #include "tests/support/folders.h"
@@ -247,6 +248,16 @@ class LeakTest : public QObject {
             QVERIFY2(fixFor(*found) != nullptr, code);
             QVERIFY2(leaksIn(fixed(level, *found)).empty(), code);
         }
+    }
+
+    void wallsThatNearlyLieOnEachOtherMeetAtFewPlaces() {
+        const auto file = readLevel((sourceFolder() + "/tests/fuzz/found/level-3.json").toStdString());
+        QVERIFY(file && file.value().level);
+        const std::vector<LeakWall> walls = leakWalls(*file.value().level, isFine);
+        const LeakMesh mesh(walls, {2.3, 1.3}, leastShipWidth(), {});
+        QVERIFY(mesh.isSound());
+        QVERIFY2(mesh.net().vertexCount() < 10 * static_cast<int>(walls.size()),
+                 QByteArray::number(mesh.net().vertexCount()));
     }
 
     void shippedLevelsAreClean() {
