@@ -28,8 +28,8 @@ ConstrainedTriangulation::Crossed ConstrainedTriangulation::crossedBy(int a, int
     }
     EXPECTS(edge >= 0);
     // Where walls nearly lie on each other, crossings that are rounded would cross again next to where they did, and so
-    // on all along the wall. What passes a vertex as closely as the grid rounds leads through it instead (snap rounding:
-    // J. D. Hobby, "Practical segment intersection with finite precision output", 1999).
+    // on all along the wall. What passes a vertex as closely as the grid rounds leads through it instead (snap
+    // rounding: J. D. Hobby, "Practical segment intersection with finite precision output", 1999).
     const auto squared = [](const GridPoint& p, const GridPoint& q) {
         return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
     };

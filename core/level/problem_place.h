@@ -13,7 +13,7 @@ std::vector<Vec2> placeOf(const Level& level, const Problem& problem);
 
 struct ProblemMark {
     Vec2 at{0, 0};
-    std::vector<Vec2> line; // as in Problem, empty for a mere point
+    std::vector<Vec2> line;   // as in Problem, empty for a mere point
     std::vector<Vec2> wayOut; // as in Problem
     Severity severity = Severity::Note;
     int problem = 0; // its place among the problems

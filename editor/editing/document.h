@@ -119,7 +119,7 @@ class Document {
     std::uint64_t m_lastNumber = 0; // given to an entry
     int m_forgotten = 0;
     std::shared_ptr<const Level> m_saved;
-    bool m_wasSaved = false;  // since the level came
+    bool m_wasSaved = false; // since the level came
     bool m_savedGone = false;
     bool m_mergeable = false; // nothing happened since the last commit that the user would see as a break
 };

@@ -18,8 +18,8 @@ class ImportTags {
     /// Both must outlive this.
     ImportTags(const TagTable& table, Report& report) : m_table(table), m_report(report) {}
 
-    /// The tag of walls, which is what the ship may not touch, and those of these names, in either case. A name for which
-    /// there is no place any more is reported as "import-tags-full".
+    /// The tag of walls, which is what the ship may not touch, and those of these names, in either case. A name for
+    /// which there is no place any more is reported as "import-tags-full".
     TagMask maskOf(const DrawnItem& item, const std::vector<std::string>& names);
     const TagTable& table() const { return m_table; }
 

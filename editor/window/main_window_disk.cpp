@@ -13,9 +13,8 @@ void MainWindow::listenToDisk() {
     m_noticeListener = m_open->disk.noticed.connect([this] { showNotice(); });
     connect(&m_diskBar, &MessageBar::dismissed, this, [this] { m_open->disk.dismiss(); });
     connect(&m_recoveryBar, &RecoveryBar::closed, this, [this] { m_canvas.setFocus(); });
-    m_recoveryBar.setShow([this](const JournalEntry& entry, const std::shared_ptr<const Level>& found) {
-        showRecovered(entry, found);
-    });
+    m_recoveryBar.setShow(
+        [this](const JournalEntry& entry, const std::shared_ptr<const Level>& found) { showRecovered(entry, found); });
     showNotice();
 }
 

@@ -145,8 +145,9 @@ class LevelcTest : public QObject {
         const Run run = levelc(start);
         QCOMPARE(run.status, 0);
         QCOMPARE(run.out, QString());
-        QCOMPARE(run.err, QStringLiteral("levelc: %1: Text was left out (once, in line 4). Turn it into paths to have it.\n")
-                              .arg(path("drawing.svg")));
+        QCOMPARE(run.err,
+                 QStringLiteral("levelc: %1: Text was left out (once, in line 4). Turn it into paths to have it.\n")
+                     .arg(path("drawing.svg")));
         const Level level = *parseLevel(contents(path("out.json")).toStdString()).level;
         QCOMPARE(level.name, std::string("drawing"));
         QCOMPARE(level.objects.size(), 2);

@@ -156,10 +156,18 @@ class MessagesTest : public QObject {
         QTest::addColumn<QString>("count");
         QTest::addColumn<QString>("lines");
         QTest::addColumn<QString>("text");
-        QTest::newRow("one") << "1" << "3" << "Filters were not applied (once, in line 3).";
-        QTest::newRow("two lines") << "2" << "3, 5" << "Filters were not applied (2 times, in lines 3, 5).";
-        QTest::newRow("many") << "9" << "3, 5 …" << "Filters were not applied (9 times, in lines 3, 5 …).";
-        QTest::newRow("no lines") << "2" << "" << "Filters were not applied (2 times).";
+        QTest::newRow("one") << "1"
+                             << "3"
+                             << "Filters were not applied (once, in line 3).";
+        QTest::newRow("two lines") << "2"
+                                   << "3, 5"
+                                   << "Filters were not applied (2 times, in lines 3, 5).";
+        QTest::newRow("many") << "9"
+                              << "3, 5 …"
+                              << "Filters were not applied (9 times, in lines 3, 5 …).";
+        QTest::newRow("no lines") << "2"
+                                  << ""
+                                  << "Filters were not applied (2 times).";
     }
     void aReportSaysHowOftenAndWhere() {
         QFETCH(QString, count);
