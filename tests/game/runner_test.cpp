@@ -1,5 +1,6 @@
 #include "core/game/runner.h"
 #include "tests/support/game_levels.h"
+#include "tests/support/full_run.h"
 #include "tests/support/test_main.h"
 
 #include <fstream>
@@ -196,8 +197,11 @@ class RunnerTest : public QObject {
             QVERIFY(runner.recording() == Replay{});
         }
     }
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     void aGameWithoutMemoryEndsAndTheProgramDoesNot() {
+#ifdef __linux__
+        if (isSanitized) {
+            return; // a sanitizer takes address space of its own, without end
+        }
         const pid_t child = fork();
         if (child == 0) {
             std::ifstream pages("/proc/self/statm");
@@ -215,8 +219,8 @@ class RunnerTest : public QObject {
         QCOMPARE(waitpid(child, &status, 0), child);
         QVERIFY(WIFEXITED(status));
         QCOMPARE(WEXITSTATUS(status), 0);
-    }
 #endif
+    }
     void anyNumberOfThreadsMayAskAtOnce() {
         Runner runner(openSpace());
         std::atomic<bool> stop = false;
