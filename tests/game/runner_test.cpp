@@ -1,6 +1,6 @@
 #include "core/game/runner.h"
-#include "tests/support/game_levels.h"
 #include "tests/support/full_run.h"
+#include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
 
 #include <fstream>
