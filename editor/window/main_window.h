@@ -201,6 +201,7 @@ class MainWindow : public QMainWindow {
 
     void enterGame(const Replay* recorded);
     void tellErrors();
+    void showBoard();
     QString playedPhase() const;
     void updateTitle();
     void updateOrigin();

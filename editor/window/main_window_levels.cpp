@@ -94,15 +94,20 @@ void MainWindow::showWelcome() {
     updateMode();
 }
 
-void MainWindow::leaveWelcome() {
-    if (!isWelcoming()) {
-        return;
-    }
+/// From the welcome page or a game.
+void MainWindow::showBoard() {
     m_stack.setCurrentWidget(&m_frame);
     m_panels->setAway(m_panelsHidden);
     m_canvas.setFocus();
     updateTitle();
     updateMode();
+}
+
+void MainWindow::leaveWelcome() {
+    if (!isWelcoming()) {
+        return;
+    }
+    showBoard();
 }
 
 void MainWindow::finishWork() {

@@ -58,11 +58,7 @@ void MainWindow::stopPlaying() {
     if (!isPlaying()) {
         return;
     }
-    m_stack.setCurrentWidget(&m_frame);
-    m_panels->setAway(m_panelsHidden);
-    m_canvas.setFocus();
-    updateTitle();
-    updateMode();
+    showBoard();
 }
 
 } // namespace spacetow
