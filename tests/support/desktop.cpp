@@ -49,7 +49,8 @@ Desktop::Desktop() {
     m_display = QLatin1Char(':') + QString::fromLatin1(number);
     m_manager.setProcessEnvironment(environment());
     m_manager.start(QStringLiteral("openbox"), {});
-    if (!m_manager.waitForStarted()) {
+    // A window that is there before its manager never gets the focus.
+    if (!m_manager.waitForStarted() || !waitUntil([this] { return isManaged(); })) {
         m_trouble = QStringLiteral("openbox does not run");
     }
 }
@@ -75,6 +76,13 @@ QString Desktop::xdotool(const QStringList& arguments) const {
     tool.start(QStringLiteral("xdotool"), arguments);
     tool.waitForFinished(toolTime);
     return QString::fromUtf8(tool.readAllStandardOutput()).trimmed();
+}
+
+bool Desktop::isManaged() const {
+    QProcess tool;
+    tool.setProcessEnvironment(environment());
+    tool.start(QStringLiteral("xdotool"), {QStringLiteral("get_desktop")});
+    return tool.waitForFinished(toolTime) && tool.exitStatus() == QProcess::NormalExit && tool.exitCode() == 0;
 }
 
 QString Desktop::title() const {

@@ -31,6 +31,8 @@ class Desktop {
     void drag(int fromX, int fromY, int toX, int toY) const;
 
   private:
+    /// Only a window manager numbers the desktops.
+    bool isManaged() const;
     QString xdotool(const QStringList& arguments) const;
 
     QProcess m_server;
