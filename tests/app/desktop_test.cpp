@@ -1,6 +1,7 @@
 // The whole program as a user has it: its windows, a window manager, and keys and mouse that come through the X server.
 
 #include "core/level/file.h"
+#include "editor/editing/journal.h"
 #include "tests/support/desktop.h"
 #include "tests/support/folders.h"
 #include "tests/support/test_main.h"
@@ -58,16 +59,17 @@ struct Studio {
         return file ? file.value().level : std::nullopt;
     }
 
-    /// What is not saved is in the journal.
+    /// What is not saved is in the journal, all of it and under its own name.
     bool isKept() const {
-        QDirIterator files(folder.path(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+        QDirIterator files(folder.path(), {"*.journal"}, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
         while (files.hasNext()) {
             QFile file(files.next());
-            if (file.fileName() == path || !file.open(QIODevice::ReadOnly)) {
+            if (!file.open(QIODevice::ReadOnly)) {
                 continue;
             }
-            const QByteArray text = file.readAll(); // of a backup, which has a finish, or of the journal
-            if (text.contains("\"type\": \"payload\"") && !text.contains("\"type\": \"finish\"")) {
+            const std::optional<JournalEntry> entry = parsedJournal(file.readAll().toStdString());
+            if (entry && entry->text.find("\"payload\"") != std::string::npos &&
+                entry->text.find("\"type\": \"finish\"") == std::string::npos) {
                 return true;
             }
         }
