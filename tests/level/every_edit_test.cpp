@@ -1,18 +1,17 @@
 // Every edit there is, on levels made at random: its input stays as it was, and what comes out can be written, read
 // and is whole.
 #include "core/level/file.h"
-#include "core/level/lint.h"
 #include "tests/support/every_edit.h"
 #include "tests/support/folders.h"
 #include "tests/support/full_run.h"
 #include "tests/support/random_level.h"
+#include "tests/support/structural_breaches.h"
 #include "tests/support/test_main.h"
 
 #include <QDir>
 #include <QRegularExpression>
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 using namespace spacetow;
@@ -27,34 +26,6 @@ std::vector<EditRow> allEdits() {
     return rows;
 }
 
-/// What no edit may bring about, whatever is drawn.
-QStringList breaches(const Level& level) {
-    constexpr std::array<std::string_view, 17> structural{"bad-tag-name",
-                                                          "chain-too-short",
-                                                          "connector-end-missing",
-                                                          "connector-end-no-body",
-                                                          "duplicate-tag",
-                                                          "connector-same-ends",
-                                                          "key-taken",
-                                                          "layer-in-group",
-                                                          "no-shape",
-                                                          "not-finite",
-                                                          "parent-circle",
-                                                          "parent-missing",
-                                                          "parent-no-group",
-                                                          "polygon-too-few-vertices",
-                                                          "several-finishes",
-                                                          "several-payloads",
-                                                          "several-ships"};
-    QStringList codes;
-    for (const Problem& problem : lint(level)) {
-        if (std::ranges::find(structural, problem.code) != structural.end()) {
-            codes << QString::fromStdString(problem.code);
-        }
-    }
-    return codes;
-}
-
 /// What is not as it should be after the edit of this level; empty when all is well.
 QString faultOf(const EditRow& edit, std::uint64_t seed, const Level& input) {
     EditTask task(seed, input);
@@ -62,7 +33,7 @@ QString faultOf(const EditRow& edit, std::uint64_t seed, const Level& input) {
     if (!(task.level == soundLevel(seed))) {
         return QStringLiteral("changes its input");
     }
-    if (const QStringList codes = breaches(output); !codes.isEmpty()) {
+    if (const QStringList codes = structuralBreaches(output); !codes.isEmpty()) {
         return codes.join(QLatin1Char(' '));
     }
     if (const std::optional<Error> error = notWritable(output)) {
@@ -116,7 +87,7 @@ class EveryEditTest : public QObject {
 
     void theLevelsTheyAreTriedOnAreSound() {
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-            QCOMPARE(breaches(soundLevel(seed)), QStringList());
+            QCOMPARE(structuralBreaches(soundLevel(seed)), QStringList());
         }
     }
 

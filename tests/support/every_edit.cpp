@@ -10,6 +10,7 @@
 #include "core/level/field_survey.h"
 #include "core/level/groups.h"
 #include "core/level/guides.h"
+#include "core/level/kept_changes.h"
 #include "core/level/knife.h"
 #include "core/level/merge.h"
 #include "core/level/node_edits.h"
@@ -160,6 +161,18 @@ Level objectsTakenOver(EditTask& task) {
     return takenOver(task.level, other, task.some(task.all));
 }
 
+/// Of what a run has changed, some.
+Level changesKept(EditTask& task) {
+    Level after = regrouped(removed(task.level, task.keys), task.some(task.all), {task.group()});
+    after = reordered(moved(std::move(after), task.some(task.all), task.point()), task.some(task.all), OrderTo::Front);
+    const std::vector<LevelChange> changes = changesBetween(task.level, after);
+    std::vector<int> places;
+    for (int i = 0; i < static_cast<int>(changes.size()); ++i) {
+        places.push_back(i);
+    }
+    return withKept(task.level, after, changes, task.some(places));
+}
+
 constexpr EditRow editRows[] = {
     {"added",
      [](EditTask& t) {
@@ -228,6 +241,7 @@ constexpr EditRow editRows[] = {
     {"arrayed", arrayMade},
     {"merged", editsMerged},
     {"takenOver", objectsTakenOver},
+    {"withKept", changesKept},
     {"withTagsMeeting",
      [](EditTask& t) {
          return withTagsMeeting(t.level, t.below(TagTable::size), t.below(TagTable::size), t.chance());
