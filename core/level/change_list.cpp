@@ -81,8 +81,7 @@ class ChangeList {
         needAllGroupsTogether();
         for (LevelChange& change : m_changes) {
             std::ranges::sort(change.needs);
-            const auto twice = std::ranges::unique(change.needs);
-            change.needs.erase(twice.begin(), twice.end());
+            change.needs.erase(std::unique(change.needs.begin(), change.needs.end()), change.needs.end());
         }
         return std::move(m_changes);
     }

@@ -194,7 +194,10 @@ class KeptChangesTest : public QObject {
             std::ranges::copy_if(placesOf(changes), std::back_inserter(places),
                                  [&random](int) { return random.below(2) == 0; });
             const Level kept = withKept(before, after, changes, places);
-            const QStringList faults = structuralBreaches(kept);
+            QStringList faults = structuralBreaches(kept);
+            for (const QString& known : structuralBreaches(after)) {
+                faults.removeAll(known);
+            }
             QVERIFY2(faults.empty(), qPrintable(faults.join(QLatin1Char(' ')) + QString::number(seed)));
             QVERIFY2(!notWritable(kept), seedText(seed));
             QVERIFY2(parseLevel(levelText(kept), Checks::FileOnly).level == kept, seedText(seed));
