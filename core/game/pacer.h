@@ -32,6 +32,8 @@ class Pacer {
     /// When `due` will next be positive.
     double next() const { return m_next; }
     double period() const { return m_period; }
+    /// From the next update on.
+    void setPeriod(double period) { m_period = period; }
 
   private:
     double m_period;

@@ -2,9 +2,11 @@
 
 #include "core/game/crowd.h"
 
+#include <algorithm>
 #include <future>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 namespace spacetow {
 namespace {
@@ -87,12 +89,16 @@ void Runner::follow(std::vector<Replay::Run> recorded) {
 }
 
 void Runner::beginAnew() {
+    if (m_edited || m_session.sharedLevel() != m_start.sharedLevel()) {
+        m_start = Session(m_edited ? m_edited : m_session.sharedLevel(), m_recording.seed);
+        m_edited = nullptr;
+    }
     m_session = m_start;
     m_recording.runs.clear();
     m_followedRun = 0;
     m_followedTime = 0;
     m_latched.store(0);
-    m_pacer = Pacer(m_pacer.period());
+    m_pacer = Pacer(m_session.updateSeconds() / m_speed);
     m_pacer.restart(seconds(Clock::now()));
     m_last = m_session.snapshot(m_quadtree);
     post(m_last);
@@ -101,9 +107,46 @@ void Runner::beginAnew() {
 void Runner::wantQuadtree(bool wanted) {
     command([this, wanted] {
         m_quadtree = wanted;
-        m_last = m_session.snapshot(wanted);
+        showAgain();
+    });
+}
+
+void Runner::wantSession(bool wanted) {
+    command([this, wanted] {
+        m_withSession = wanted;
+        showAgain();
+    });
+}
+
+void Runner::setGrab(std::optional<Grab> grab) {
+    command([this, grab] { m_grab = grab; });
+}
+
+void Runner::setSpeed(double speed) {
+    command([this, speed] {
+        m_speed = speed >= slowest ? std::min(speed, fastest) : slowest;
+        m_pacer.setPeriod(m_session.updateSeconds() / m_speed);
+        m_pacer.restart(seconds(Clock::now()));
         post(m_last);
     });
+}
+
+void Runner::setLevel(std::shared_ptr<const Level> level) {
+    command([this, level = std::move(level)] {
+        m_edited = level;
+        showAgain();
+    });
+}
+
+void Runner::showAgain() {
+    if (m_edited) {
+        Session edited = m_session;
+        edited.adopt(m_edited);
+        m_last = edited.snapshot(m_quadtree);
+    } else {
+        m_last = m_session.snapshot(m_quadtree);
+    }
+    post(m_last);
 }
 
 Replay Runner::recording() {
@@ -182,8 +225,10 @@ void Runner::turn(const std::stop_token& stop) {
     }
     const int due = m_paused || m_unattended ? 0 : m_pacer.due(seconds(Clock::now()));
     for (int i = 0; i < due && !stop.stop_requested() && fault() == RunnerFault::None; ++i) {
+        m_more = i + 1 < due;
         update();
     }
+    m_more = false;
     std::unique_lock lock(m_mutex);
     const auto called = [this] { return !m_commands.empty(); };
     if (m_paused) {
@@ -212,7 +257,8 @@ void Runner::update() {
         return;
     }
     const Controls controls = nextControls();
-    m_session.step(controls);
+    m_session.step(StepInput{controls, m_grab, std::exchange(m_edited, nullptr)});
+    keepPace();
     if (m_session.updates() <= maxReplayUpdates) {
         m_recording.append(controls);
     }
@@ -222,9 +268,28 @@ void Runner::update() {
     post(before);
 }
 
+/// A level may have been given another length of its updates.
+void Runner::keepPace() {
+    const double period = m_session.updateSeconds() / m_speed;
+    if (period != m_pacer.period()) {
+        m_pacer.setPeriod(period);
+    }
+}
+
 void Runner::post(std::shared_ptr<const Snapshot> before) {
-    m_frames.post(std::make_shared<const Frame>(Frame{
-        std::move(before), m_last, Clock::now(), m_session.updateSeconds(), m_paused || m_unattended, m_pacer.lost()}));
+    std::shared_ptr<const Session> session;
+    if (m_withSession && !m_more) {
+        const auto copy = std::make_shared<Session>(m_session);
+        if (m_edited) {
+            copy->adopt(m_edited);
+        }
+        session = copy;
+    } else if (const std::shared_ptr<const Frame> last = m_frames.latest(); m_withSession && last) {
+        session = last->session;
+    }
+    m_frames.post(
+        std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(), m_speed,
+                                            m_paused || m_unattended, m_pacer.lost(), std::move(session)}));
 }
 
 } // namespace spacetow

@@ -22,9 +22,11 @@ namespace spacetow {
 struct Frame {
     std::shared_ptr<const Snapshot> before, now; // never null; the same in the first frame and after a restart
     std::chrono::steady_clock::time_point at;    // when `now` was taken
-    double period = 0.02;                        // s, simulated between the two
+    double period = 0.02;                        // s that pass between the two; simulated are `speed` times as many
+    double speed = 1;                            // of the game, in that of the clock
     bool paused = false;
     double lost = 0; // s, by which the game has fallen behind real time since it began or went on
+    std::shared_ptr<const Session> session{}; // a copy as it is at `now`; null unless it is wanted
 };
 
 /// Why a game has ended by itself.
@@ -53,6 +55,15 @@ class Runner {
     /// is that of the runner.
     void follow(std::vector<Replay::Run> recorded);
     void wantQuadtree(bool wanted);
+    /// Whether frames have a copy of the session. It costs what the copy does, once for what is due at a time.
+    void wantSession(bool wanted);
+    /// What the mouse holds from the next update on; none lets go.
+    void setGrab(std::optional<Grab> grab);
+    /// So many times as fast as the clock, within `slowest` … `fastest`.
+    void setSpeed(double speed);
+    static constexpr double slowest = 1.0 / 16, fastest = 8;
+    /// The level as it has been edited: shown at once, and taken over with the next update. A restart begins with it.
+    void setLevel(std::shared_ptr<const Level> level);
 
     /// Somebody looks. Who has once said so and then is silent for half a second does not see what happens, nor can
     /// they let go of a key: the game waits for them.
@@ -84,13 +95,19 @@ class Runner {
     void beginAnew();
     Controls nextControls();
     void update();
+    void keepPace();
     void post(std::shared_ptr<const Snapshot> before);
+    /// Of what is to be seen now, when nothing has moved.
+    void showAgain();
 
     const Mode m_mode;
 
     // Of the runner's thread, or of the caller's when manual.
-    const Session m_start;
+    Session m_start;
     Session m_session;
+    std::optional<Grab> m_grab;
+    std::shared_ptr<const Level> m_edited; // for the next update; null when it is that of the session
+    double m_speed = 1;
     std::shared_ptr<const Snapshot> m_last;
     Replay m_recording;
     std::vector<Replay::Run> m_followed;
@@ -100,6 +117,8 @@ class Runner {
     bool m_paused = false;
     bool m_unattended = false;
     bool m_quadtree = false;
+    bool m_withSession = false;
+    bool m_more = false; // updates are due at once
 
     // Between the threads.
     Mailbox<Frame> m_frames;

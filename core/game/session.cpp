@@ -27,11 +27,17 @@ struct Session::Verdict {
     bool payloadTouchedByShip = false;
 };
 
-Session::Session(const Level& level, std::uint64_t seed)
-    : m_level(std::make_shared<const Level>(level)), m_random(seed) {
-    buildStart();
+Session::Session(const Level& level, std::uint64_t seed) : Session(std::make_shared<const Level>(level), seed) {}
+
+Session::Session(std::shared_ptr<const Level> level, std::uint64_t seed) : m_level(std::move(level)), m_random(seed) {
+    begin();
+}
+
+void Session::begin() {
+    m_start = nullptr;
+    m_lastLook = 0;
     beginLevel();
-    const Aabb bounds = boundsOf(level);
+    const Aabb bounds = boundsOf(*m_level);
     const Vec2 middle = bounds.isEmpty() ? Vec2(0, 0) : bounds.center();
     m_camera.snapTo(m_ship ? m_shipSeen : middle);
 }
@@ -39,6 +45,8 @@ Session::Session(const Level& level, std::uint64_t seed)
 void Session::buildStart() {
     BuiltWorld built = builtWorld(*m_level);
     m_world = std::move(built.world);
+    m_startConnectors = std::make_shared<const std::vector<std::pair<Key, ConnectorId>>>(std::move(built.connectors));
+    m_actors.clear();
     for (const BodyId body : m_world.bodies()) {
         const BodyState state = m_world.body(body);
         const auto key = static_cast<Key>(state.user);
@@ -46,9 +54,7 @@ void Session::buildStart() {
                                       BodyLook{++m_lastLook, key, BodyRole::Object, state.kind, state.tangible,
                                                state.filter.tags.bits, m_world.shapes(body)})});
     }
-    if (const Object* finish = firstOf<FinishObject>(*m_level)) {
-        addActor(finishBody(std::get<FinishObject>(finish->data)), BodyRole::Finish, finish->key);
-    }
+    addActor(startOfFinish(*m_level), BodyRole::Finish);
     m_startActors = m_actors.size();
     m_start = std::make_shared<const World>(m_world);
 }
@@ -68,37 +74,37 @@ void Session::beginAttempt() {
         one.piece.def.velocity = state.velocity;
         one.piece.def.angularVelocity = state.angularVelocity;
     }
+    if (!m_start) {
+        buildStart();
+    }
     m_world = *m_start;
     m_actors.resize(m_startActors);
+    m_connectors = m_startConnectors;
     m_debris.clear();
-    m_ship = m_payload = {};
     m_rope = {};
     m_flown = 0;
     m_thrusted = 0;
     m_flippedFor = -1;
-    m_phase = Phase::Sandbox;
-    m_payloadState = PayloadState::Absent;
-    if (const Object* object = firstOf<PayloadObject>(*m_level)) {
-        const auto& data = std::get<PayloadObject>(object->data);
-        m_payload = addActor(payloadBody(data), BodyRole::Payload, object->key);
-        m_payloadState = m_payload ? PayloadState::Waiting : PayloadState::Absent;
-        m_payloadSeen = data.position;
-    }
-    if (const Object* object = firstOf<ShipObject>(*m_level)) {
-        const auto& data = std::get<ShipObject>(object->data);
-        BodyDef def = shipBody(data.position, data.angle);
-        def.positionFrozen = def.rotationFrozen = true;
-        m_ship = addActor(def, BodyRole::Ship, object->key);
-        m_phase = m_ship ? Phase::AwaitingInput : Phase::Sandbox;
-        m_shipSeen = data.position;
-    }
+    const std::optional<StartBody> payload = startOfPayload(*m_level);
+    m_payload = addActor(payload, BodyRole::Payload);
+    m_payloadState = m_payload ? PayloadState::Waiting : PayloadState::Absent;
+    m_payloadSeen = payload ? payload->def.position : m_payloadSeen;
+    const std::optional<StartBody> ship = startOfShip(*m_level);
+    m_ship = addActor(ship, BodyRole::Ship);
+    m_phase = m_ship ? Phase::AwaitingInput : Phase::Sandbox;
+    m_shipSeen = ship ? ship->def.position : m_shipSeen;
+    indexBodies();
     for (FlyingDebris& one : debris) {
         addDebris(one);
     }
 }
 
-void Session::step(const Controls& controls) {
+void Session::step(const StepInput& input) {
+    const Controls& controls = input.controls;
     m_sounds = 0;
+    if (input.level) {
+        adopt(input.level);
+    }
     ++m_update;
     m_rested = m_rested || controls == Controls{};
     obey(pressed(controls, m_controls));
@@ -107,6 +113,8 @@ void Session::step(const Controls& controls) {
         steer(m_world, m_ship, controls);
         ++m_flown;
     }
+    const std::optional<BodyId> held = input.grab ? bodyOf(input.grab->object) : std::nullopt;
+    m_grabForce = held ? pull(m_world, *held, *input.grab) : std::nullopt;
     m_world.update();
     judge();
     if (isPlaying() && controls.thrust) {
@@ -342,6 +350,10 @@ void Session::moveCamera() {
     m_camera.follow(m_ship || !payloadMoved ? m_shipSeen : m_payloadSeen, updateSeconds());
 }
 
+BodyId Session::addActor(const std::optional<StartBody>& start, BodyRole role) {
+    return start ? addActor(start->def, role, start->key) : BodyId{};
+}
+
 BodyId Session::addActor(const BodyDef& def, BodyRole role, Key key) {
     BodyDef named = def;
     named.user = key;
@@ -353,6 +365,18 @@ BodyId Session::addActor(const BodyDef& def, BodyRole role, Key key) {
                                                                                  def.tangible, def.filter.tags.bits,
                                                                                  m_world.shapes(added.value())})});
     return added.value();
+}
+
+void Session::indexBodies() {
+    auto table = std::make_shared<std::vector<std::pair<Key, BodyId>>>();
+    table->reserve(m_actors.size());
+    for (const Actor& actor : m_actors) {
+        if (actor.look->key != 0) {
+            table->emplace_back(actor.look->key, actor.body);
+        }
+    }
+    std::ranges::sort(*table, {}, &std::pair<Key, BodyId>::first);
+    m_bodies = std::move(table);
 }
 
 void Session::removeActor(BodyId& body) {

@@ -3,7 +3,8 @@
 // exactly like the original. It knows no clock and no thread; each step is one update of the world.
 //
 // An attempt begins with the level as it was drawn and the ship frozen. It ends when the payload is towed through the
-// finish, where ship and payload then stay, or costs one life when ship or payload is lost.
+// finish, where ship and payload then stay, or costs one life when ship or payload is lost. The level may be edited
+// meanwhile: the session then takes over the difference, object by object.
 
 #include "core/base/random.h"
 #include "core/game/camera.h"
@@ -11,10 +12,13 @@
 #include "core/game/debris.h"
 #include "core/game/payload.h"
 #include "core/game/snapshot.h"
+#include "core/game/start_bodies.h"
+#include "core/game/step_input.h"
 #include "core/physics/world/world.h"
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace spacetow {
@@ -22,10 +26,19 @@ namespace spacetow {
 class Session {
   public:
     explicit Session(const Level& level, std::uint64_t seed = 1);
+    explicit Session(std::shared_ptr<const Level> level, std::uint64_t seed = 1);
 
     /// One update. A press counts when the key was not held in the update before; after a crash all keys have to be let
     /// go first, so that whoever is still steering sees that it is over.
-    void step(const Controls& controls);
+    void step(const Controls& controls) { step(StepInput{controls, {}, {}}); }
+    /// The same. A level that is given holds from this update on. What was added stands where it starts; what was
+    /// moved, turned or given another start velocity goes on by so much from where it is now, as fast as it is and
+    /// more; everything else changes in place. An object that could not be built now goes on as it was. Before the
+    /// first update the session becomes that of the new level; a later attempt begins with it.
+    void step(const StepInput& input);
+    /// What is seen while the next update, with this level, is waited for: removed objects are gone from the pictures,
+    /// but still in the world.
+    void adopt(const std::shared_ptr<const Level>& level);
 
     Phase phase() const { return m_phase; }
     Hud hud() const;
@@ -38,6 +51,7 @@ class Session {
     /// Simulated by one step, s.
     double updateSeconds() const { return m_world.parameters().seconds; }
     const Level& level() const { return *m_level; }
+    const std::shared_ptr<const Level>& sharedLevel() const { return m_level; }
     const World& world() const { return m_world; }
     const Camera& camera() const { return m_camera; }
     PayloadState payloadState() const { return m_payloadState; }
@@ -45,6 +59,17 @@ class Session {
     std::optional<BodyState> ship() const;
     std::optional<BodyState> payload() const;
     bool payloadInRange() const;
+    /// Of an object of the level, ship, payload and finish included; none while it is not in the world.
+    std::optional<BodyId> bodyOf(Key object) const;
+    std::optional<ConnectorId> connectorOf(Key object) const;
+    /// 0 for what is of no object: debris, the rope.
+    Key keyOf(BodyId body) const;
+    Key keyOf(ConnectorId connector) const;
+    std::optional<BodyId> shipBody() const { return m_ship ? std::optional(m_ship) : std::nullopt; }
+    std::optional<BodyId> payloadBody() const { return m_payload ? std::optional(m_payload) : std::nullopt; }
+    std::optional<ConnectorId> rope() const;
+    /// Of the last update.
+    const std::optional<GrabForce>& grabForce() const { return m_grabForce; }
 
     /// A picture of the state now, with the sounds of the last step; the cells of the quadtrees on request.
     std::shared_ptr<const Snapshot> snapshot(bool withQuadtree = false) const;
@@ -61,8 +86,13 @@ class Session {
         BodyId body;
     };
     struct Verdict;
+    struct Adoption; // of an edited level
+    template <class Id>
+    using Table = std::shared_ptr<const std::vector<std::pair<Key, Id>>>; // sorted by key
 
+    void begin();
     void buildStart();
+    void indexBodies();
     void beginAttempt();
     void beginLevel();
     void obey(const Controls& fresh);
@@ -81,15 +111,21 @@ class Session {
     void moveCamera();
 
     BodyId addActor(const BodyDef& def, BodyRole role, Key key);
+    BodyId addActor(const std::optional<StartBody>& start, BodyRole role);
     void removeActor(BodyId& body);
     bool isPlaying() const { return m_phase == Phase::Flying || m_phase == Phase::Towing; }
     void hear(Sound sound) { m_sounds |= static_cast<std::uint32_t>(sound); }
 
     std::shared_ptr<const Level> m_level;
-    std::shared_ptr<const World> m_start; // the level's own bodies and the finish, before the first update
+    // The level's own bodies and the finish, before the first update; null once the level has been edited, until it is
+    // needed.
+    std::shared_ptr<const World> m_start;
+    Table<ConnectorId> m_startConnectors; // of m_start
     World m_world;
     std::vector<Actor> m_actors; // in order of creation; the first m_startActors are those of m_start
     std::size_t m_startActors = 0;
+    Table<BodyId> m_bodies; // of objects; some may no longer be in the world
+    Table<ConnectorId> m_connectors;
     std::vector<FlyingDebris> m_debris;
     std::uint64_t m_lastLook = 0;
     Random m_random;
@@ -106,6 +142,7 @@ class Session {
     double m_flippedFor = -1;    // s
     std::int64_t m_update = 0;
     std::uint32_t m_sounds = 0;
+    std::optional<GrabForce> m_grabForce;
     Camera m_camera;
     Vec2 m_shipSeen{0, 0}, m_payloadSeen{0, 0}; // where they are or were last
 };

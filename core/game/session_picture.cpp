@@ -4,6 +4,8 @@
 #include "core/game/session.h"
 #include "core/physics/query/queries.h"
 
+#include <algorithm>
+
 namespace spacetow {
 
 Hud Session::hud() const {
@@ -16,6 +18,31 @@ std::optional<BodyState> Session::ship() const {
 
 std::optional<BodyState> Session::payload() const {
     return m_payload ? std::optional(m_world.body(m_payload)) : std::nullopt;
+}
+
+std::optional<BodyId> Session::bodyOf(Key object) const {
+    const auto found = std::ranges::lower_bound(*m_bodies, object, {}, &std::pair<Key, BodyId>::first);
+    const bool known = found != m_bodies->end() && found->first == object && m_world.contains(found->second);
+    return known ? std::optional(found->second) : std::nullopt;
+}
+
+std::optional<ConnectorId> Session::connectorOf(Key object) const {
+    const auto found = std::ranges::lower_bound(*m_connectors, object, {}, &std::pair<Key, ConnectorId>::first);
+    const bool known = found != m_connectors->end() && found->first == object && m_world.contains(found->second);
+    return known ? std::optional(found->second) : std::nullopt;
+}
+
+Key Session::keyOf(BodyId body) const {
+    return m_world.contains(body) ? static_cast<Key>(m_world.body(body).user) : 0;
+}
+
+Key Session::keyOf(ConnectorId connector) const {
+    const auto found = std::ranges::find(*m_connectors, connector, &std::pair<Key, ConnectorId>::second);
+    return found != m_connectors->end() ? found->first : 0;
+}
+
+std::optional<ConnectorId> Session::rope() const {
+    return m_rope && m_world.contains(m_rope) ? std::optional(m_rope) : std::nullopt;
 }
 
 std::shared_ptr<const Snapshot> Session::snapshot(bool withQuadtree) const {

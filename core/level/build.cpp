@@ -54,6 +54,25 @@ struct AddShapes {
     void operator()(const Circle& circle) const { out.emplace_back(circle); }
 };
 
+std::vector<Key> keysWithErrors(const Level& level) {
+    std::vector<Key> keys;
+    for (const Problem& problem : problemsLeftOut(level)) {
+        keys.push_back(problem.object);
+    }
+    std::ranges::sort(keys);
+    return keys;
+}
+
+} // namespace
+
+std::vector<Shape> physicsShapes(const BodyObject& body) {
+    std::vector<Shape> shapes;
+    for (const LevelShape& shape : body.shapes) {
+        std::visit(AddShapes{shapes}, shape);
+    }
+    return shapes;
+}
+
 BodyDef bodyDef(const BodyObject& body, Key key) {
     BodyDef def;
     def.kind = body.kind;
@@ -93,25 +112,6 @@ ConnectorDef connectorDef(const ConnectorObject& connector, BodyId a, BodyId b) 
     return def;
 }
 
-std::vector<Key> keysWithErrors(const Level& level) {
-    std::vector<Key> keys;
-    for (const Problem& problem : problemsLeftOut(level)) {
-        keys.push_back(problem.object);
-    }
-    std::ranges::sort(keys);
-    return keys;
-}
-
-} // namespace
-
-std::vector<Shape> physicsShapes(const BodyObject& body) {
-    std::vector<Shape> shapes;
-    for (const LevelShape& shape : body.shapes) {
-        std::visit(AddShapes{shapes}, shape);
-    }
-    return shapes;
-}
-
 std::vector<Problem> problemsLeftOut(const Level& level) {
     std::vector<Problem> problems = buildingProblems(level);
     std::erase_if(problems,
@@ -123,7 +123,7 @@ std::vector<Problem> problemsLeftOut(const Level& level) {
 }
 
 BuiltWorld builtWorld(const Level& level) {
-    BuiltWorld built{World(updateParameters(level)), {}};
+    BuiltWorld built{World(updateParameters(level)), {}, {}};
     const std::vector<Key> bad = keysWithErrors(level);
     const auto isBad = [&bad](Key key) { return std::ranges::binary_search(bad, key); };
     for (const Object& object : level.objects) {
@@ -148,9 +148,12 @@ BuiltWorld builtWorld(const Level& level) {
         const BodyId a = bodyOf(connector->a);
         const BodyId b = bodyOf(connector->b);
         if (a && b) {
-            [[maybe_unused]] const Result<ConnectorId> id = built.world.addConnector(connectorDef(*connector, a, b));
+            if (const Result<ConnectorId> id = built.world.addConnector(connectorDef(*connector, a, b))) {
+                built.connectors.emplace_back(object.key, id.value());
+            }
         }
     }
+    std::ranges::sort(built.connectors, {}, &std::pair<Key, ConnectorId>::first);
     return built;
 }
 

@@ -12,7 +12,8 @@ namespace spacetow {
 /// What a level became. Bodies carry their object's key in `user`. Ship, payload and finish are left to the game.
 struct BuiltWorld {
     World world;
-    std::vector<std::pair<Key, BodyId>> bodies; // sorted by key
+    std::vector<std::pair<Key, BodyId>> bodies;          // sorted by key
+    std::vector<std::pair<Key, ConnectorId>> connectors; // likewise
 };
 
 /// Objects that lint reports as errors (a polygon that crosses itself, say) are left out.
@@ -22,6 +23,10 @@ std::vector<Problem> problemsLeftOut(const Level& level);
 
 /// The shapes of one body object as the physics takes them: chains become edges and lines.
 std::vector<Shape> physicsShapes(const BodyObject& body);
+
+/// What the physics makes each from; `user` is the key.
+BodyDef bodyDef(const BodyObject& body, Key key);
+ConnectorDef connectorDef(const ConnectorObject& connector, BodyId a, BodyId b);
 
 UpdateParameters updateParameters(const Level& level);
 
