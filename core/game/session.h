@@ -16,6 +16,7 @@
 #include "core/game/step_input.h"
 #include "core/physics/world/world.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -75,6 +76,8 @@ class Session {
     std::shared_ptr<const Snapshot> snapshot(bool withQuadtree = false) const;
     /// Over everything that decides the future.
     std::uint64_t hash() const;
+    /// Memory that a copy takes, about.
+    std::size_t copyBytes() const;
 
   private:
     struct Actor {

@@ -3,6 +3,7 @@
 #include "core/base/hash.h"
 #include "core/game/session.h"
 #include "core/physics/query/queries.h"
+#include "core/physics/query/world_bytes.h"
 
 #include <algorithm>
 
@@ -71,6 +72,11 @@ std::shared_ptr<const Snapshot> Session::snapshot(bool withQuadtree) const {
         picture->quadtree = quadtreeCells(m_world);
     }
     return picture;
+}
+
+std::size_t Session::copyBytes() const {
+    return sizeof(Session) + spacetow::copyBytes(m_world) + m_actors.size() * sizeof(Actor) +
+           m_debris.size() * sizeof(FlyingDebris);
 }
 
 std::uint64_t Session::hash() const {

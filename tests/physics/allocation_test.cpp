@@ -1,5 +1,6 @@
 // An update of a world that has found its pace asks for no memory.
 
+#include "core/physics/query/world_bytes.h"
 #include "core/physics/world/world.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/scenes.h"
@@ -26,6 +27,19 @@ class AllocationTest : public QObject {
         const std::uint64_t before = allocationCount();
         world.update();
         QVERIFY(allocationCount() > before);
+    }
+
+    void theBytesOfACopyAreEstimated() {
+        for (const auto& [scene, n] : {std::pair("balls", 600), {"pyramid", 20}, {"cave", 4000}, {"mesh", 10}}) {
+            World world = worldOf(*makeScene(scene, n));
+            for (int i = 0; i < 100; ++i) {
+                world.update();
+            }
+            const std::uint64_t before = allocatedBytes();
+            const World copy(world);
+            const double ratio = static_cast<double>(copyBytes(world)) / static_cast<double>(allocatedBytes() - before);
+            QVERIFY2(ratio > 0.75 && ratio < 1.25, qPrintable(QString("%1: %2").arg(scene).arg(ratio)));
+        }
     }
 
     void aSteadyUpdateAllocatesNothing_data() {

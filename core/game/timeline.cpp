@@ -1,0 +1,281 @@
+#include "core/game/timeline.h"
+
+#include <algorithm>
+
+namespace spacetow {
+namespace {
+
+constexpr std::size_t mostGhosts = 3;
+constexpr std::int64_t touchPause = 10; // updates, between two marks of touches
+
+bool sameInput(const StepInput& a, const StepInput& b) {
+    return a.controls == b.controls && a.grab == b.grab && a.level == b.level;
+}
+
+/// Ship or payload has begun to touch something solid.
+bool touchesBegan(const Session& session) {
+    const std::vector<TouchEvent>& began = session.world().events().began;
+    return std::ranges::any_of(began, [&](const TouchEvent& touch) {
+        return touch.solid && (touch.a == session.shipBody() || touch.b == session.shipBody() ||
+                               touch.a == session.payloadBody() || touch.b == session.payloadBody());
+    });
+}
+
+std::optional<MarkKind> markOf(Phase before, Phase after) {
+    const bool wasOver = before == Phase::Crashed || before == Phase::GameOver;
+    switch (after) {
+    case Phase::Towing:
+        return MarkKind::Tow;
+    case Phase::Flying:
+        return before == Phase::Towing ? std::optional(MarkKind::LetGo) : std::nullopt;
+    case Phase::Crashed:
+    case Phase::GameOver:
+        return MarkKind::Crash;
+    case Phase::Won:
+        return MarkKind::Win;
+    case Phase::AwaitingInput:
+        return wasOver ? std::optional(MarkKind::Attempt) : std::nullopt;
+    case Phase::Sandbox:
+        break;
+    }
+    return {};
+}
+
+} // namespace
+
+Timeline::Timeline(const Session& start, const Limits& limits)
+    : m_limits(limits), m_last(start.updates()), m_updateSeconds(start.updateSeconds()), m_phase(start.phase()) {
+    save(start);
+    m_tracks.add(start);
+}
+
+Timeline::Saved Timeline::saved(const Session& session) {
+    return {session.updates(), session.copyBytes(), std::make_shared<const Session>(session)};
+}
+
+std::int64_t Timeline::interval() const {
+    const double updates = m_limits.seconds / m_updateSeconds;
+    const double all = updates * static_cast<double>(m_saved.back().bytes);
+    const auto affordable = static_cast<std::int64_t>(all / static_cast<double>(m_limits.bytes)) + 1;
+    return std::max(m_limits.leastInterval, affordable);
+}
+
+void Timeline::add(const StepInput& input, const Session& after) {
+    EXPECTS(after.updates() == m_last + 1);
+    if (m_inputs.empty() || !sameInput(m_inputs.back().input, input)) {
+        m_inputs.push_back({m_last, input});
+    }
+    m_last = after.updates();
+    m_updateSeconds = after.updateSeconds();
+    mark(input, after);
+    m_phase = after.phase();
+    m_tracks.add(after);
+    if (m_last - m_saved.back().update >= interval()) {
+        save(after);
+        forgetOld();
+    }
+}
+
+void Timeline::save(const Session& session) {
+    m_saved.push_back(saved(session));
+}
+
+/// One saved session stays from before the time that can be gone back.
+void Timeline::forgetOld() {
+    const auto window = static_cast<std::int64_t>(m_limits.seconds / m_updateSeconds + 0.5);
+    const std::int64_t before = first();
+    while (m_saved.size() > 1 && m_saved[1].update <= m_last - window) {
+        m_saved.pop_front();
+    }
+    if (first() == before) {
+        return;
+    }
+    while (m_inputs.size() > 1 && m_inputs[1].from <= first()) {
+        m_inputs.pop_front();
+    }
+    std::erase_if(m_near, [this](const Saved& one) { return one.update < first(); });
+    m_tracks.forgetBefore(first());
+    if (m_marks && m_marks->front().update < first()) {
+        std::vector<TimelineMark> left = *m_marks;
+        std::erase_if(left, [this](const TimelineMark& mark) { return mark.update < first(); });
+        m_marks = left.empty() ? nullptr : std::make_shared<const std::vector<TimelineMark>>(std::move(left));
+    }
+    std::erase_if(m_ghosts, [this](const auto& ghost) { return ghost->from < first(); });
+}
+
+void Timeline::mark(const StepInput& input, const Session& after) {
+    std::vector<TimelineMark> fresh;
+    const std::optional<MarkKind> happened = after.phase() != m_phase ? markOf(m_phase, after.phase()) : std::nullopt;
+    if (input.level) {
+        fresh.push_back({m_last, MarkKind::Edit});
+    }
+    if (happened) {
+        fresh.push_back({m_last, *happened});
+    } else if (m_lastTouch + touchPause < m_last && touchesBegan(after)) {
+        fresh.push_back({m_last, MarkKind::Touch});
+        m_lastTouch = m_last;
+    }
+    if (!fresh.empty()) {
+        std::vector<TimelineMark> marks = m_marks ? *m_marks : std::vector<TimelineMark>();
+        marks.insert(marks.end(), fresh.begin(), fresh.end());
+        m_marks = std::make_shared<const std::vector<TimelineMark>>(std::move(marks));
+    }
+}
+
+std::size_t Timeline::runAt(std::int64_t update) const {
+    const auto next = std::ranges::upper_bound(m_inputs, update, {}, &Run::from);
+    EXPECTS(next != m_inputs.begin());
+    return static_cast<std::size_t>(next - m_inputs.begin()) - 1;
+}
+
+const StepInput& Timeline::input(std::int64_t update) const {
+    EXPECTS(update >= first() && update < m_last);
+    return m_inputs[runAt(update)].input;
+}
+
+std::vector<InputRun> Timeline::inputsFrom(std::int64_t update) const {
+    std::vector<InputRun> runs;
+    if (update >= m_last) {
+        return runs;
+    }
+    for (std::size_t i = runAt(update); i < m_inputs.size(); ++i) {
+        const std::int64_t end = i + 1 < m_inputs.size() ? m_inputs[i + 1].from : m_last;
+        runs.push_back({m_inputs[i].input, end - std::max(update, m_inputs[i].from)});
+    }
+    return runs;
+}
+
+const Timeline::Saved& Timeline::nearest(std::int64_t update) const {
+    const auto byUpdate = [](const auto& list, std::int64_t at) {
+        return std::ranges::upper_bound(list, at, {}, &Saved::update);
+    };
+    const auto saved = byUpdate(m_saved, update);
+    EXPECTS(saved != m_saved.begin());
+    const auto near = byUpdate(m_near, update);
+    const Saved& far = *(saved - 1);
+    return near == m_near.begin() || (near - 1)->update < far.update ? far : *(near - 1);
+}
+
+std::shared_ptr<const Session> Timeline::at(std::int64_t update) {
+    EXPECTS(update >= first() && update <= m_last);
+    const Saved& from = nearest(update);
+    if (from.update == update) {
+        return from.session;
+    }
+    Session session = *from.session;
+    simulate(session, update);
+    return std::make_shared<const Session>(std::move(session));
+}
+
+void Timeline::simulate(Session& session, std::int64_t until) {
+    const std::int64_t stride = std::max<std::int64_t>(1, interval() / 5);
+    while (session.updates() < until) {
+        session.step(input(session.updates()));
+        if (session.updates() % stride == 0 || session.updates() == until) {
+            keepNear(session);
+        }
+    }
+}
+
+void Timeline::prepareBackFrom(std::int64_t update) {
+    const auto next = std::ranges::upper_bound(m_saved, update, {}, &Saved::update);
+    const auto from = next - m_saved.begin() - 1;
+    if (from < 1) {
+        return;
+    }
+    const std::int64_t end = m_saved[static_cast<std::size_t>(from)].update - 1;
+    if (std::ranges::find(m_near, end, &Saved::update) == m_near.end()) {
+        Session session = *nearest(end).session;
+        simulate(session, end);
+    }
+}
+
+void Timeline::keepNear(const Session& session) {
+    const auto place = std::ranges::lower_bound(m_near, session.updates(), {}, &Saved::update);
+    if (place != m_near.end() && place->update == session.updates()) {
+        return;
+    }
+    m_near.insert(place, saved(session));
+    if (m_near.size() > mostNear) { // what is farthest from here
+        const bool front = session.updates() - m_near.front().update > m_near.back().update - session.updates();
+        m_near.erase(front ? m_near.begin() : m_near.end() - 1);
+    }
+}
+
+void Timeline::goOnFrom(const Session& session) {
+    const std::int64_t now = session.updates();
+    EXPECTS(now >= first() && now <= m_last);
+    if (now < m_last) {
+        std::vector<TracedPath> paths = pathsFrom(now);
+        if (!paths.empty()) {
+            m_ghosts.push_back(std::make_shared<const Ghost>(Ghost{now, std::move(paths)}));
+            m_ghosts.erase(m_ghosts.begin(),
+                           m_ghosts.end() - static_cast<std::ptrdiff_t>(std::min(mostGhosts, m_ghosts.size())));
+        }
+    }
+    const auto later = [now](const Saved& one) { return one.update > now; };
+    std::erase_if(m_saved, later);
+    std::erase_if(m_near, later);
+    while (!m_inputs.empty() && m_inputs.back().from >= now) {
+        m_inputs.pop_back();
+    }
+    m_tracks.forgetAfter(now);
+    if (m_marks) {
+        std::vector<TimelineMark> left = *m_marks;
+        std::erase_if(left, [now](const TimelineMark& mark) { return mark.update > now; });
+        m_marks = left.empty() ? nullptr : std::make_shared<const std::vector<TimelineMark>>(std::move(left));
+    }
+    m_last = now;
+    m_lastTouch = now - touchPause - 1;
+    m_phase = session.phase();
+    m_updateSeconds = session.updateSeconds();
+}
+
+std::size_t Timeline::bytes() const {
+    std::size_t sum = m_inputs.size() * sizeof(Run) + m_tracks.bytes();
+    for (const Saved& one : m_saved) {
+        sum += one.bytes;
+    }
+    for (const Saved& one : m_near) {
+        sum += one.bytes;
+    }
+    return sum + (m_marks ? m_marks->size() * sizeof(TimelineMark) : 0);
+}
+
+Future::Future(const Session& from, std::vector<InputRun> inputs)
+    : m_session(from), m_inputs(std::move(inputs)), m_goal(from.updates()) {
+    for (const InputRun& run : m_inputs) {
+        m_goal += run.count;
+    }
+}
+
+void Future::advance(Timeline& timeline, int updates) {
+    for (int i = 0; i < updates && !isDone(); ++i) {
+        const InputRun& run = m_inputs[m_run];
+        m_session.step(run.input);
+        timeline.add(run.input, m_session);
+        if (++m_done == run.count) {
+            ++m_run;
+            m_done = 0;
+        }
+    }
+}
+
+Future futureWithLevel(Timeline& timeline, const Session& session, std::shared_ptr<const Level> level) {
+    std::vector<InputRun> inputs = timeline.inputsFrom(session.updates());
+    for (InputRun& run : inputs) {
+        run.input.level = nullptr;
+    }
+    if (!inputs.empty()) {
+        InputRun first{inputs.front().input, 1};
+        first.input.level = std::move(level);
+        if (--inputs.front().count == 0) {
+            inputs.erase(inputs.begin());
+        }
+        inputs.insert(inputs.begin(), std::move(first));
+    }
+    timeline.goOnFrom(session);
+    return {session, std::move(inputs)};
+}
+
+} // namespace spacetow

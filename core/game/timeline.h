@@ -1,0 +1,143 @@
+#pragma once
+// The last minute of a run, kept so that any moment of it can be looked at again: saved sessions at intervals, and what
+// came from outside in each update between them. A timeline is a value; copies share what is saved. What `at` answers
+// is, by its hash, what a fresh run of the same inputs would be.
+//
+// Saved sessions are so far apart that all of them together stay within `Limits::bytes`: a small level is saved every
+// few updates, 2,000 balls three times a second. How long a session takes to copy and to simulate grows with its bytes,
+// too, so that looking at any moment takes about the same time everywhere.
+
+#include "core/game/session.h"
+#include "core/game/tracks.h"
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <vector>
+
+namespace spacetow {
+
+/// The same input in a number of updates one after the other.
+struct InputRun {
+    StepInput input;
+    std::int64_t count = 1;
+};
+
+enum class MarkKind : std::uint8_t { Touch, Tow, LetGo, Crash, Attempt, Win, Edit };
+
+/// Something that happened in the update that led to this number of updates.
+struct TimelineMark {
+    std::int64_t update = 0;
+    MarkKind kind = MarkKind::Touch;
+
+    bool operator==(const TimelineMark&) const = default;
+};
+
+class Timeline {
+  public:
+    struct Limits {
+        double seconds = 60;                        // that can be gone back
+        std::size_t bytes = std::size_t{420} << 20; // for saved sessions
+        std::int64_t leastInterval = 5;             // updates
+    };
+
+    explicit Timeline(const Session& start) : Timeline(start, Limits()) {}
+    Timeline(const Session& start, const Limits& limits);
+
+    /// The updates between which every moment can be looked at; 0 is the start of the run.
+    std::int64_t first() const { return m_saved.front().update; }
+    std::int64_t last() const { return m_last; }
+
+    /// The run has gone on by one update, from `last`.
+    void add(const StepInput& input, const Session& after);
+    /// The session after so many updates, within `first` … `last`. Simulates from the nearest session that is saved,
+    /// and keeps some on the way, so that going on backwards from there is quick.
+    std::shared_ptr<const Session> at(std::int64_t update);
+    /// Simulates what will be needed for going back from there beyond the nearest saved session. Costs what one `at`
+    /// does at most, and nothing when it has been done.
+    void prepareBackFrom(std::int64_t update);
+
+    /// What came from outside in the update after this one; `first` ≤ update < `last`.
+    const StepInput& input(std::int64_t update) const;
+    /// Of all later updates.
+    std::vector<InputRun> inputsFrom(std::int64_t update) const;
+
+    /// Another future begins after this session, which is one of the timeline. What was to come stays as a ghost.
+    void goOnFrom(const Session& session);
+    /// How far back one can go from now on.
+    void setSeconds(double seconds) { m_limits.seconds = seconds; }
+
+    /// In order. Null when there are none.
+    const std::shared_ptr<const std::vector<TimelineMark>>& marks() const { return m_marks; }
+    /// Of futures that were given up, the newest last.
+    const std::vector<std::shared_ptr<const Ghost>>& ghosts() const { return m_ghosts; }
+    /// Where ship and payload, or the bodies of a sandbox, have been from this update on; thinned.
+    std::vector<TracedPath> pathsFrom(std::int64_t update) const { return m_tracks.pathsFrom(update); }
+
+    /// Memory of what is saved, about.
+    std::size_t bytes() const;
+    std::size_t savedSessions() const { return m_saved.size(); }
+
+  private:
+    struct Saved {
+        std::int64_t update;
+        std::size_t bytes;
+        std::shared_ptr<const Session> session;
+    };
+    struct Run {
+        std::int64_t from; // updates before it
+        StepInput input;
+    };
+    static constexpr std::size_t mostNear = 12; // sessions
+
+    static Saved saved(const Session& session);
+    std::int64_t interval() const;
+    std::size_t runAt(std::int64_t update) const;
+    const Saved& nearest(std::int64_t update) const;
+    /// Goes on to the moment, and keeps what is passed.
+    void simulate(Session& session, std::int64_t until);
+    void keepNear(const Session& session);
+    void save(const Session& session);
+    void forgetOld();
+    void mark(const StepInput& input, const Session& after);
+
+    Limits m_limits;
+    std::deque<Saved> m_saved;
+    std::vector<Saved> m_near; // in order; those around the moment that was looked at last
+    std::deque<Run> m_inputs;
+    std::int64_t m_last = 0;
+    std::int64_t m_lastTouch = -1000; // update of the last mark of one
+    double m_updateSeconds = 0.02;
+    Phase m_phase = Phase::Sandbox; // at the end
+    std::shared_ptr<const std::vector<TimelineMark>> m_marks;
+    std::vector<std::shared_ptr<const Ghost>> m_ghosts;
+    Tracks m_tracks;
+};
+
+/// A future that is simulated a little at a time, and put on a timeline.
+class Future {
+  public:
+    /// `from` is the end of the timeline.
+    Future(const Session& from, std::vector<InputRun> inputs);
+
+    bool isDone() const { return m_run == m_inputs.size(); }
+    /// The last update, when it is done.
+    std::int64_t goal() const { return m_goal; }
+    const Session& session() const { return m_session; }
+    /// So many updates, or those that are left.
+    void advance(Timeline& timeline, int updates);
+
+  private:
+    Session m_session;
+    std::vector<InputRun> m_inputs;
+    std::size_t m_run = 0;
+    std::int64_t m_done = 0; // updates of the run
+    std::int64_t m_goal = 0;
+};
+
+/// What comes of the timeline when the level becomes another one after this session, one of the timeline, and
+/// everything else that came from outside comes again. The old future stays as a ghost. Later edits are left out: the
+/// level has them already.
+Future futureWithLevel(Timeline& timeline, const Session& session, std::shared_ptr<const Level> level);
+
+} // namespace spacetow

@@ -1,0 +1,104 @@
+#include "core/game/tracks.h"
+
+#include "core/game/thinned_path.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace spacetow {
+namespace {
+
+void addPath(std::vector<TracedPath>& paths, Key object, const std::vector<Vec2>& points) {
+    if (points.size() < 2) {
+        return;
+    }
+    TracedPath path{object, thinned(points, Tracks::tolerance)};
+    if (path.points.size() > 2 || (path.points.back() - path.points.front()).norm() > Tracks::tolerance) {
+        paths.push_back(std::move(path));
+    }
+}
+
+} // namespace
+
+void Tracks::add(const Session& session) {
+    if (session.sharedLevel() != m_level) {
+        choose(session);
+    }
+    constexpr double away = std::numeric_limits<double>::quiet_NaN();
+    for (Track& track : m_tracks) {
+        const std::optional<BodyId> body = session.bodyOf(track.object);
+        track.points.push_back(body ? session.world().body(*body).massCenter : Vec2(away, away));
+    }
+}
+
+void Tracks::choose(const Session& session) {
+    m_level = session.sharedLevel();
+    const Object* ship = firstOf<ShipObject>(*m_level);
+    const Object* payload = firstOf<PayloadObject>(*m_level);
+    for (const Object* object : {ship, payload}) {
+        if (object != nullptr) {
+            follow(object->key, session.updates());
+        }
+    }
+    if (ship != nullptr) {
+        return;
+    }
+    for (const Object& object : m_level->objects) {
+        const auto* body = std::get_if<BodyObject>(&object.data);
+        if (m_tracks.size() < mostBodies && body != nullptr && body->kind != BodyKind::Static) {
+            follow(object.key, session.updates());
+        }
+    }
+}
+
+void Tracks::follow(Key object, std::int64_t update) {
+    if (std::ranges::find(m_tracks, object, &Track::object) == m_tracks.end()) {
+        m_tracks.push_back({object, update, {}});
+    }
+}
+
+void Tracks::forgetBefore(std::int64_t update) {
+    for (Track& track : m_tracks) {
+        while (!track.points.empty() && track.first < update) {
+            track.points.pop_front();
+            ++track.first;
+        }
+    }
+}
+
+void Tracks::forgetAfter(std::int64_t update) {
+    std::erase_if(m_tracks, [update](const Track& track) { return track.first > update; });
+    for (Track& track : m_tracks) {
+        const auto left = static_cast<std::size_t>(update - track.first + 1);
+        track.points.resize(std::min(track.points.size(), left));
+    }
+    m_level = nullptr;
+}
+
+std::vector<TracedPath> Tracks::pathsFrom(std::int64_t update) const {
+    std::vector<TracedPath> paths;
+    for (const Track& track : m_tracks) {
+        std::vector<Vec2> points;
+        const std::int64_t skipped = std::max<std::int64_t>(0, update - track.first);
+        for (auto i = static_cast<std::size_t>(skipped); i < track.points.size(); ++i) {
+            if (isFinite(track.points[i])) {
+                points.push_back(track.points[i]);
+            } else {
+                addPath(paths, track.object, points);
+                points.clear();
+            }
+        }
+        addPath(paths, track.object, points);
+    }
+    return paths;
+}
+
+std::size_t Tracks::bytes() const {
+    std::size_t sum = 0;
+    for (const Track& track : m_tracks) {
+        sum += track.points.size() * sizeof(Vec2);
+    }
+    return sum;
+}
+
+} // namespace spacetow

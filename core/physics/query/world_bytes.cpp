@@ -1,0 +1,41 @@
+#include "core/physics/query/world_bytes.h"
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+namespace {
+
+template <class T>
+std::size_t bytesOf(const std::vector<T>& list) {
+    return list.size() * sizeof(T);
+}
+
+std::size_t bytesOf(const PairTable& table) {
+    return bytesOf(table.pairs) + bytesOf(table.bounds) + bytesOf(table.flags);
+}
+
+template <class Batch>
+std::size_t bytesOf(const Batches<Batch>& batches) {
+    return batches.size() * (sizeof(Batch) + sizeof(typename Batch::Anchors) + sizeof(BatchFlags));
+}
+
+} // namespace
+
+std::size_t copyBytes(const World& world) {
+    const WorldData& data = world.data();
+    constexpr std::size_t kept = sizeof(PlannedMotion) + sizeof(BodyExtent) + sizeof(double) + sizeof(BodyVelocity);
+    constexpr std::size_t lists = 12 * sizeof(Slot); // in which a body may be
+    const std::size_t bodies =
+        bytesOf(data.motions) + bytesOf(data.steps) + bytesOf(data.records) + data.records.size() * (kept + lists);
+    constexpr std::size_t places = sizeof(Aabb) + 4 * sizeof(std::uint32_t); // in the tree
+    const std::size_t proxies = bytesOf(data.proxies) + bytesOf(data.boxes) + data.proxies.size() * places;
+    const std::size_t contacts = bytesOf(data.contacts) + bytesOf(data.manifolds) + bytesOf(data.circleContacts) +
+                                 bytesOf(data.generalContacts) + bytesOf(data.batches.circles) +
+                                 bytesOf(data.batches.general);
+    const std::size_t events =
+        bytesOf(data.events.began) + bytesOf(data.events.ended) + bytesOf(data.events.tagsTouched);
+    return sizeof(WorldData) + bodies + proxies + bytesOf(data.table) + bytesOf(data.sleep.table) + contacts + events +
+           bytesOf(data.connectors) + bytesOf(data.notColliding);
+}
+
+} // namespace spacetow
