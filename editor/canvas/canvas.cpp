@@ -88,6 +88,27 @@ void Canvas::setView(const Viewport& view) {
     Q_EMIT viewChanged();
 }
 
+void Canvas::showLive(LiveScene* scene) {
+    if (scene == m_live) {
+        return;
+    }
+    loseMouse();
+    if (m_live == nullptr) {
+        m_kept = {m_view, m_fitted};
+        m_fitted = false;
+    }
+    m_live = scene;
+    setAccessibleName(isLive() ? tr("Drawing board, running") : tr("Drawing board"));
+    if (m_live == nullptr) {
+        setView(m_kept.view);
+        if (m_kept.fitted) {
+            fitLevel();
+        }
+    }
+    updateCursor();
+    update();
+}
+
 void Canvas::setGridVisible(bool visible) {
     m_grid = visible;
     update();
@@ -204,6 +225,11 @@ void Canvas::paintEvent(QPaintEvent*) {
     request.hovered = isLong ? m_overlay.hovered : 0;
     request.highlighted = m_highlighted;
     request.overlays = m_overlays;
+    if (isLive()) {
+        QPainter painter(this);
+        paintLive(painter, request.frame);
+        return;
+    }
     m_board.prepare(request);
     composeStill({request.frame, request.theme, m_grid ? m_toolbox.snap.fineStep() : 0, m_board.stillRevision()});
 
@@ -234,10 +260,38 @@ void Canvas::paintEvent(QPaintEvent*) {
     if (m_overlay.snap) {
         paintSnap(stage, *m_overlay.snap, m_snapName ? m_snapName(*m_overlay.snap) : QString(), labels);
     }
+    paintFocus(painter);
+}
+
+void Canvas::paintFocus(QPainter& painter) const {
     if (hasFocus()) {
         painter.setPen(stroke(palette().color(QPalette::Highlight), 1));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+/// What moves has left the place where the level has it: of the tool's marks only those are shown that go by the
+/// ground.
+void Canvas::paintLive(QPainter& painter, const Frame2D& frame) {
+    m_live->paint(painter, frame);
+    const Stage stage{painter, frame.view, editingTheme(shadeOf(palette()))};
+    const Edit& shown = m_document.shown();
+    LabelPainter labels(stage);
+    if (m_live->showsTool()) {
+        if (m_overlay.nodes) {
+            paintNodes(stage, *shown.level, shown.selection, *m_overlay.nodes);
+        }
+        paintToolOverlay(stage, m_overlay, labels);
+        if (m_overlay.snap) {
+            paintSnap(stage, *m_overlay.snap, m_snapName ? m_snapName(*m_overlay.snap) : QString(), labels);
+        }
+    } else if (m_toolbox.isDragging()) {
+        paintToolOverlay(stage, m_overlay, labels);
+    }
+    m_live->paintOver(painter, frame);
+    if (!m_live->isGame()) {
+        paintFocus(painter);
     }
 }
 
@@ -304,6 +358,7 @@ void Canvas::panBy(const QPointF& pixels) {
 void Canvas::updateCursor() {
     const Qt::CursorShape shape = m_drag == Drag::Pan ? Qt::ClosedHandCursor
                                   : m_spaceHeld       ? Qt::OpenHandCursor
+                                  : isLive()          ? shapeFor(m_live->cursor())
                                                       : shapeFor(m_toolbox.cursor());
     if (shape != cursor().shape()) {
         setCursor(shape);

@@ -6,6 +6,7 @@
 #include "editor/canvas/board.h"
 #include "editor/canvas/difference_painter.h"
 #include "editor/canvas/entry_box.h"
+#include "editor/canvas/live_scene.h"
 #include "editor/canvas/overlay_flags.h"
 #include "editor/editing/document.h"
 #include "editor/editing/toolbox.h"
@@ -48,6 +49,11 @@ class Canvas : public QWidget {
     bool areGuidesVisible() const { return m_toolbox.guidesVisible; }
     void setGuidesVisible(bool visible);
 
+    /// Shows the scene in place of the board, which comes back with null, and with it the view that it had. The scene
+    /// must outlive its being shown.
+    void showLive(LiveScene* scene);
+    bool isLive() const { return m_live != nullptr; }
+
     /// A drag that began on a ruler and goes on here. Positions are global; a guide of this angle comes out of it.
     void beginGuide(double angle, const QPointF& global, Qt::KeyboardModifiers modifiers);
     void dragGuide(const QPointF& global, Qt::KeyboardModifiers modifiers);
@@ -71,6 +77,8 @@ class Canvas : public QWidget {
 
     /// A button is down that moves something or the view. Nothing else acts until it is up, or the mouse is lost.
     bool isDragging() const { return m_drag != Drag::None; }
+    /// The view is what a drag moves now, or would move.
+    bool isPanning() const { return m_drag == Drag::Pan || m_spaceHeld; }
     /// Ends a drag without its release: what it moved is back where it was.
     void loseMouse();
     /// As if the key had been pressed on the canvas.
@@ -78,6 +86,9 @@ class Canvas : public QWidget {
 
     /// Where the pointer is or was last, in world coordinates; the middle of the view before it ever came.
     Vec2 pointerPosition() const;
+    Pointer pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
+    /// As what the mouse would do now has it.
+    void updateCursor();
 
     QSize sizeHint() const override { return {880, 660}; }
 
@@ -114,7 +125,6 @@ class Canvas : public QWidget {
         bool operator==(const Still&) const = default;
     };
 
-    Pointer pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
     void moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void modifiersChanged(Qt::KeyboardModifiers modifiers);
     bool nativeGesture(const QNativeGestureEvent& event);
@@ -122,7 +132,8 @@ class Canvas : public QWidget {
     bool opensEntry(const QKeyEvent& event) const;
     bool nudge(int key, Qt::KeyboardModifiers modifiers);
     void panBy(const QPointF& pixels);
-    void updateCursor();
+    void paintLive(QPainter& painter, const Frame2D& frame);
+    void paintFocus(QPainter& painter) const;
     void composeStill(const Still& wanted);
     void drawProblems(QPainter& painter, const Frame2D& frame, const Theme& theme);
 
@@ -151,6 +162,13 @@ class Canvas : public QWidget {
     std::function<QString(const SnapAnswer&)> m_snapName;
     bool m_grid = true;
     bool m_fitted = false; // since the last fitLevel() nobody has moved the view
+
+    LiveScene* m_live = nullptr;
+    struct KeptView {
+        Viewport view;
+        bool fitted = false;
+    };
+    KeptView m_kept; // of the board, while there is a scene in place of it
 
     Drag m_drag = Drag::None;
     Qt::MouseButton m_dragButton = Qt::NoButton;

@@ -54,7 +54,11 @@ std::optional<Vec2> arrowDirection(int key) {
 void Canvas::moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     m_position = position;
     const Pointer pointer = pointerAt(position, modifiers);
-    m_toolbox.move(pointer);
+    if (!isLive() || m_live->showsTool()) {
+        m_toolbox.move(pointer);
+    } else {
+        updateCursor();
+    }
     Q_EMIT pointerMoved(pointer.world.x(), pointer.world.y());
 }
 
@@ -106,6 +110,10 @@ void Canvas::mouseReleaseEvent(QMouseEvent* event) {
     const Drag drag = std::exchange(m_drag, Drag::None);
     if (drag == Drag::Tool) {
         m_toolbox.release(pointer);
+    } else if (drag == Drag::PanOrMenu && isLive()) {
+        if (!m_live->isGame() && !(m_live->showsTool() && m_toolbox.secondaryClick(pointer))) {
+            Q_EMIT menuWanted(event->globalPosition().toPoint());
+        }
     } else if (drag == Drag::PanOrMenu && !m_toolbox.secondaryClick(pointer)) {
         Q_EMIT menuWanted(event->globalPosition().toPoint());
     }
@@ -169,6 +177,9 @@ void Canvas::wheelEvent(QWheelEvent* event) {
 }
 
 bool Canvas::event(QEvent* event) {
+    if (isLive() && m_live->take(*event)) {
+        return true;
+    }
     if (event->type() == QEvent::NativeGesture) {
         return nativeGesture(*static_cast<QNativeGestureEvent*>(event));
     }
@@ -251,7 +262,7 @@ bool Canvas::nudge(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 void Canvas::modifiersChanged(Qt::KeyboardModifiers modifiers) {
-    if (m_position && m_drag != Drag::Pan) {
+    if (m_position && m_drag != Drag::Pan && (!isLive() || m_live->showsTool())) {
         m_toolbox.move(pointerAt(*m_position, modifiers));
     }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Which debug overlays are drawn over a level or a running game. The same switches serve the canvas, the play view,
-// the command line and the tests.
+// Which debug overlays are drawn over a level or a running game. The same switches serve the canvas, what
+// runs in it, the command line and the tests.
 
 namespace spacetow {
 

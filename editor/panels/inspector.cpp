@@ -68,6 +68,8 @@ Inspector::Inspector(Document& document, Words words, QWidget* parent)
         m_objectPage.form().revert();
         refresh();
     });
+    m_column.addWidget(&m_motion);
+    m_motion.hide();
     m_column.addLayout(&m_shapeRow);
     m_shapeRow.setContentsMargins(10, 0, 10, 0);
     m_shapeRow.addWidget(&m_shapeBox);
@@ -98,6 +100,16 @@ FormTarget Inspector::target() {
         m_document.select(Selection(keysTagged(*m_document.current().level, tag)));
     };
     return target;
+}
+
+/// Nothing stands for a body that is gone.
+void Inspector::showMotion(const std::optional<Motion>& motion) {
+    if (motion) {
+        m_motion.showMotion(*motion);
+    } else {
+        m_motion.showGone();
+    }
+    m_motion.show();
 }
 
 QStringList Inspector::foldedSections() const {

@@ -5,6 +5,7 @@
 #include "editor/editing/document.h"
 #include "editor/editing/field_targets.h"
 #include "editor/panels/level_panel.h"
+#include "editor/panels/motion_line.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -31,6 +32,11 @@ class Inspector : public QWidget {
     QString title() const { return m_title.text(); }
     /// Which shape of a body of several is meant; not in sight for anything else.
     QComboBox& shapeBox() { return m_shapeBox; }
+
+    /// How the selected body moves, while something runs; hidden again by `hideMotion`.
+    MotionLine& motion() { return m_motion; }
+    void showMotion(const std::optional<Motion>& motion);
+    void hideMotion() { m_motion.hide(); }
 
     /// Which sections are folded up, to be kept from one start of the program to the next.
     QStringList foldedSections() const;
@@ -63,6 +69,7 @@ class Inspector : public QWidget {
     QVBoxLayout m_column;
     QLabel m_title;
     QLabel m_subtitle;
+    MotionLine m_motion;
     QVBoxLayout m_shapeRow;
     QComboBox m_shapeBox;
     QStackedWidget m_pages;

@@ -161,6 +161,8 @@ enum class Act : std::uint8_t {
 
     // actions_play.cpp
     Play,
+    Simulate,
+    PlayFromHere,
     Stop,
     Pause,
     Step,

@@ -170,9 +170,9 @@ void Actions::tint(const QPalette& palette) const {
 }
 
 bool Actions::isPossible(const ActionRow& row) const {
-    const bool inThisMode = m_window.isPlaying()     ? (row.flags & WhilePlaying) != 0
+    const bool inThisMode = m_window.isInGame()      ? (row.flags & WhilePlaying) != 0
                             : m_window.isWelcoming() ? (row.flags & WithoutLevel) != 0
-                                                     : (row.flags & OnlyPlaying) == 0;
+                                                     : m_window.isPlaying() || (row.flags & OnlyPlaying) == 0;
     const Selection& selection = m_window.document().selection();
     const int selected = selection.size();
     return inThisMode && (selected >= 1 || (row.flags & NeedsSelection) == 0) &&
@@ -184,7 +184,7 @@ bool Actions::isPossible(const ActionRow& row) const {
 QString Actions::whyNot(const ActionRow& row) const {
     const Selection& selection = m_window.document().selection();
     const char* why = "";
-    if (m_window.isPlaying() && (row.flags & WhilePlaying) == 0) {
+    if (m_window.isInGame() && (row.flags & WhilePlaying) == 0) {
         why = QT_TRANSLATE_NOOP("Actions", "Not while a game is running.");
     } else if (m_window.isWelcoming() && (row.flags & WithoutLevel) == 0) {
         why = QT_TRANSLATE_NOOP("Actions", "Open a level first.");

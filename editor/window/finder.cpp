@@ -63,7 +63,7 @@ void Finder::paintEvent(QPaintEvent*) {
 void Finder::open(const QString& typed) {
     if (!isVisible()) {
         m_before = m_window.focusWidget();
-        m_window.playView().setWaiting(true);
+        m_window.liveRun().setWaiting(true);
         show();
         raise();
         m_field.setFocus(Qt::ShortcutFocusReason); // what was being typed elsewhere is entered
@@ -88,7 +88,7 @@ void Finder::close() {
     } else if (hasKeyboard) {
         m_window.canvas().setFocus(Qt::OtherFocusReason);
     }
-    m_window.playView().setWaiting(false);
+    m_window.liveRun().setWaiting(false);
 }
 
 bool Finder::eventFilter(QObject* watched, QEvent* event) {

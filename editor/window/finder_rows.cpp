@@ -31,7 +31,7 @@ FinderRows::FinderRows(MainWindow& window) : m_window(window), m_level(window.do
     for (int kind = 0; kind < kindCount(); ++kind) {
         m_kinds.push_back(kindName(kind));
     }
-    if (!window.isPlaying()) {
+    if (!window.isInGame()) {
         m_problems = window.problems().shown();
     } else {
         m_level = std::make_shared<const Level>(); // there is nothing to be selected in a game
@@ -63,7 +63,7 @@ void FinderRows::addActions() {
 }
 
 void FinderRows::addPanels() {
-    const char* const why = m_window.isPlaying() ? "Not while a game is running." : "Open a level first.";
+    const char* const why = m_window.isInGame() ? "Not while a game is running." : "Open a level first.";
     for (const PanelRow& row : panelRows()) {
         QDockWidget& dock = m_window.panels().dock(QLatin1String(row.name));
         m_few.push_back({.kind = FindKind::Panel,

@@ -22,7 +22,7 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
     : m_wardrobe(wardrobe()), m_application(application),
       m_open(level ? std::move(level) : std::make_shared<OpenLevel>()), m_document(m_open->document),
       m_files(m_open->files), m_toolbox(m_document), m_actions(*this), m_column(&m_center),
-      m_frame(m_document, m_toolbox), m_canvas(m_frame.canvas()),
+      m_frame(m_document, m_toolbox), m_canvas(m_frame.canvas()), m_live(m_document, m_toolbox, m_canvas, m_run),
       m_inspector(m_document, [](const Error& error) { return sentence(error); }), m_tagMatrix(m_document),
       m_collisions(m_document, m_canvas), m_problems(
                                               m_open->check, [](const Problem& problem) { return sentence(problem); },
@@ -58,7 +58,8 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
 }
 
 MainWindow::~MainWindow() {
-    m_play.stop();
+    m_run.stop();
+    m_live.hide();
     hide(); // what is being typed is entered while all that listens still lives
     m_document.changed.disconnect(m_documentListener);
     m_document.historyChanged.disconnect(m_historyListener);
@@ -66,7 +67,7 @@ MainWindow::~MainWindow() {
     m_files.opened.disconnect(m_openedListener);
     m_open->disk.noticed.disconnect(m_noticeListener);
     m_open->remove(*this);
-    for (QWidget* widget : std::initializer_list<QWidget*>{&m_canvas, &m_play, &m_problems, &m_status}) {
+    for (QObject* widget : std::initializer_list<QObject*>{&m_canvas, &m_run, &m_live, &m_problems, &m_status}) {
         widget->blockSignals(true);
     }
 }
@@ -84,7 +85,6 @@ void MainWindow::layOut() {
     m_column.addWidget(&m_exchange.exportBar());
     m_column.addWidget(&m_stack, 1);
     m_stack.addWidget(&m_frame);
-    m_stack.addWidget(&m_play);
     setCentralWidget(&m_center);
     setStatusBar(&m_status);
 
@@ -156,19 +156,20 @@ void MainWindow::updateKeys() {
     const KeyBindings bindings = m_files.preferences.keyBindings();
     m_actions.setKeys(bindings);
     m_panels->setKeys(bindings);
-    m_play.setKeys(playKeysOf(bindings));
+    m_live.setKeys(playKeysOf(bindings));
     updateTool(); // the hint names some of them
 }
 
 void MainWindow::setPanelsHidden(bool hidden) {
-    m_panelsHidden = hidden;
-    m_panels->setAway(hidden || isPlaying() || isWelcoming());
+    (isInGame() ? m_panelsInGame : m_panelsHidden) = isInGame() ? !hidden : hidden;
+    placePanels();
+    updateMode();
 }
 
 void MainWindow::setOverlays(const OverlayFlags& overlays) {
     m_overlays = overlays;
     m_canvas.setOverlays(overlays);
-    m_play.setOverlays(overlays);
+    m_live.setOverlays(overlays);
     m_files.preferences.setOverlays(overlays);
 }
 
@@ -210,7 +211,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    m_play.stop();
+    stopPlaying();
     if (m_open->views().size() <= 1) {
         m_open->recovery.close();
     }
@@ -232,13 +233,13 @@ void MainWindow::changeEvent(QEvent* event) {
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    if (!event->spontaneous()) {
+    if (!event->spontaneous() && !isPlaying()) {
         m_canvas.fitLevel();
     }
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && !isPlaying() && !isWelcoming()) {
+    if (event->key() == Qt::Key_Escape && !isInGame() && !isWelcoming()) {
         m_canvas.setFocus(); // out of the panels
     } else if (!actByPlace(*event)) {
         QMainWindow::keyPressEvent(event);
@@ -270,7 +271,7 @@ QString MainWindow::name() const {
 
 /// How the game stands, for the task bar and for who does not see the picture.
 QString MainWindow::playedPhase() const {
-    switch (m_play.phase()) {
+    switch (m_run.phase()) {
     case Phase::Won:
         return tr("won");
     case Phase::Crashed:
@@ -299,16 +300,10 @@ void MainWindow::updateOrigin() {
 }
 
 void MainWindow::updateTool() {
-    const QString back = m_actions[Act::Stop].shortcut().toString(QKeySequence::NativeText);
-    m_status.setHint(
-        isPlaying() && m_play.behind() > 0
-            ? tr("Too much for this computer: the game is %1 s behind real time · %2: back to the editor")
-                  .arg(QLocale().toString(m_play.behind(), 'f', 1), back)
-        : isPlaying() && m_recorded
-            ? tr("Playing a recorded flight · keys count when it has ended · %1: back to the editor").arg(back)
-        : isPlaying()   ? tr("Playing a copy of the level · %1: back to the editor · Esc: menu").arg(back)
-        : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")
-                        : sentence(m_toolbox.hint()) + snapHint());
+    const bool byTool = !isPlaying() || m_live.showsTool() || m_toolbox.isDragging();
+    m_status.setHint(isPlaying() && (m_run.behind() > 0 || !byTool) ? runHint()
+                     : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")
+                                     : sentence(m_toolbox.hint()) + snapHint());
     if (m_toolbox.current() != m_shownTool || m_toolbox.isBusy() != m_shownBusy) {
         m_shownTool = m_toolbox.current();
         m_shownBusy = m_toolbox.isBusy();
@@ -332,7 +327,7 @@ void MainWindow::updateSelection() {
 }
 
 void MainWindow::updateMode() {
-    const bool editing = !isPlaying() && !isWelcoming();
+    const bool editing = !isWelcoming();
     for (QWidget* panel : std::initializer_list<QWidget*>{&m_inspector, &m_tagMatrix, &m_problems, &m_nodes,
                                                           &m_outliner, &m_history, &m_levelPanel, &m_differences}) {
         panel->setEnabled(editing);
@@ -341,8 +336,8 @@ void MainWindow::updateMode() {
         action->setEnabled(editing); // there is nothing that they could show
     }
     m_menus.at(MenuId::Recent)->setEnabled(!isPlaying());
-    m_menus.at(MenuId::Backups)->setEnabled(editing);
-    m_status.setBoardShown(editing);
+    m_menus.at(MenuId::Backups)->setEnabled(editing && !isPlaying());
+    m_status.setBoardShown(editing && !isInGame());
     m_actions.refresh();
     updateTool();
 }

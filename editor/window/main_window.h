@@ -14,7 +14,7 @@
 #include "editor/panels/problems_panel.h"
 #include "editor/panels/tag_matrix_panel.h"
 #include "editor/panels/transform_bar.h"
-#include "editor/play/play_view.h"
+#include "editor/play/live_view.h"
 #include "editor/window/actions.h"
 #include "editor/window/appearance.h"
 #include "editor/window/collision_view.h"
@@ -28,6 +28,7 @@
 #include "editor/window/recovery_bar.h"
 #include "editor/window/status_line.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QMenu>
 #include <QStackedWidget>
@@ -74,11 +75,19 @@ class MainWindow : public QMainWindow {
     bool isWelcoming() const;
     WelcomePage& welcome();
 
+    /// A game where the level has a ship, else a simulation.
     void play();
+    /// The level runs in place, and the editor goes on.
+    void simulate();
+    /// A game in which the ship starts at the pointer.
+    void playFromPointer();
     /// The flight as it was recorded.
     void playReplay(const Replay& recorded);
     void stopPlaying();
-    bool isPlaying() const { return m_stack.currentWidget() == &m_play; }
+    /// A game or a simulation runs in place of the drawing board.
+    bool isPlaying() const { return m_live.isShown(); }
+    /// What runs is a game: it has the keyboard, and the panels are out of the way until they are called.
+    bool isInGame() const { return isPlaying() && m_inGame; }
 
     /// Enters and ends whatever is half done in this window.
     void finishWork();
@@ -107,9 +116,9 @@ class MainWindow : public QMainWindow {
     /// Shows the bar in which place, angle and name of this guide are typed.
     void openGuide(std::size_t index);
     void setSnap(const SnapSettings& snap);
-    /// By the user; while a game is running they are away in any case.
+    /// By the user; at the beginning of a game they are away in any case.
     void setPanelsHidden(bool hidden);
-    bool arePanelsHidden() const { return m_panelsHidden; }
+    bool arePanelsHidden() const { return isInGame() ? !m_panelsInGame : m_panelsHidden; }
     Appearance appearance() const { return m_wardrobe->appearance(); }
     void setAppearance(Appearance appearance);
     /// The keys that the preferences remember, on all actions and panels.
@@ -128,8 +137,10 @@ class MainWindow : public QMainWindow {
     const Canvas& canvas() const { return m_canvas; }
     CanvasFrame& canvasFrame() { return m_frame; }
     const CanvasFrame& canvasFrame() const { return m_frame; }
-    PlayView& playView() { return m_play; }
-    const PlayView& playView() const { return m_play; }
+    LiveRun& liveRun() { return m_run; }
+    const LiveRun& liveRun() const { return m_run; }
+    LiveView& liveView() { return m_live; }
+    const LiveView& liveView() const { return m_live; }
     Inspector& inspector() { return m_inspector; }
     TagMatrixPanel& tagMatrix() { return m_tagMatrix; }
     CollisionView& collisions() { return m_collisions; }
@@ -199,7 +210,12 @@ class MainWindow : public QMainWindow {
     /// A stroke that is nobody's key may be one by its place.
     bool actByPlace(const QKeyEvent& stroke);
 
-    void enterGame(const Replay* recorded);
+    void enterRun(LiveRun::Kind wanted, const Replay* recorded);
+    void listenToRun();
+    void placePanels();
+    QString runHint() const;
+    void updateMotion();
+    std::shared_ptr<const Level> levelToRun() const;
     void tellErrors();
     void showBoard();
     QString playedPhase() const;
@@ -228,7 +244,8 @@ class MainWindow : public QMainWindow {
 
     CanvasFrame m_frame;
     Canvas& m_canvas;
-    PlayView m_play;
+    LiveRun m_run;
+    LiveView m_live;
     Inspector m_inspector;
     TagMatrixPanel m_tagMatrix;
     CollisionView m_collisions;
@@ -251,6 +268,11 @@ class MainWindow : public QMainWindow {
     std::optional<Finder> m_finder; // above all the rest
     OverlayFlags m_overlays;
     bool m_panelsHidden = false;
+    bool m_panelsInGame = false;  // called back
+    bool m_inGame = false;        // what runs, or ran last, is a game
+    SnapSettings m_snapBefore;    // the run
+    std::optional<Vec2> m_shipAt; // where it starts in the run, if not where the level has it
+    QElapsedTimer m_sinceMotion;  // was shown
     ToolId m_shownTool = ToolId::Select;
     bool m_shownBusy = false;    // a shape was half drawn
     bool m_recorded = false;     // what is played

@@ -15,6 +15,8 @@ void MainWindow::listen() {
         }
         updateSelection();
         updateTool();
+        m_sinceMotion.invalidate();
+        updateMotion();
         const Selection& before = change.before.selection;
         const Selection& after = change.after.selection;
         if (before.size() != after.size() || before.nodes().size() != after.nodes().size()) {
@@ -31,6 +33,7 @@ void MainWindow::listen() {
         Q_EMIT fileChanged();
     });
     m_openedListener = m_files.opened.connect([this] {
+        stopPlaying();
         leaveWelcome();
         updateOrigin();
         m_toolbox.cancel();
@@ -96,19 +99,7 @@ void MainWindow::listenToPanels() {
         snap.division = parts;
         setSnap(snap);
     });
-    connect(&m_play, &PlayView::pausedChanged, this, [this] { m_actions.refresh(); });
-    connect(&m_play, &PlayView::phaseChanged, this, &MainWindow::updateTitle);
-    connect(&m_play, &PlayView::paceChanged, this, &MainWindow::updateTool);
-    connect(&m_play, &PlayView::finished, this, &MainWindow::stopPlaying);
-    connect(&m_play, &PlayView::failed, this, [this](RunnerFault fault) {
-        stopPlaying();
-        m_message.say(MessageBar::Tone::Error,
-                      fault == RunnerFault::Crowd
-                          ? tr("The game was ended: so many bodies lie in the same place that the computer's memory "
-                               "would not hold what happens between them. Move them apart, and play again.")
-                          : tr("The game was ended: there is not enough memory for this level. Nothing of the level is "
-                               "lost."));
-    });
+    listenToRun();
 }
 
 void MainWindow::updateProblems() {

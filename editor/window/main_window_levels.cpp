@@ -97,7 +97,7 @@ void MainWindow::showWelcome() {
 /// From the welcome page or a game.
 void MainWindow::showBoard() {
     m_stack.setCurrentWidget(&m_frame);
-    m_panels->setAway(m_panelsHidden);
+    placePanels();
     m_canvas.setFocus();
     updateTitle();
     updateMode();

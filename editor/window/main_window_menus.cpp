@@ -236,8 +236,9 @@ QList<QAction*> MainWindow::listedIn(MenuId id) {
 }
 
 void MainWindow::openMenuAt(const QPoint& global) {
+    const Pointer pointer{.world = m_canvas.pointerPosition(), .pixel = m_canvas.view().pixel()};
     const std::vector<GroupPick> under =
-        pickedMembers(m_document.current(), {.world = m_canvas.pointerPosition(), .pixel = m_canvas.view().pixel()});
+        isPlaying() ? m_live.hand().under(pointer) : pickedMembers(m_document.current(), pointer);
     if (!under.empty() && !m_document.selection().contains(under.front().key)) {
         m_document.select(Selection({under.front().key}).entering(under.front().entered));
     }

@@ -1,23 +1,63 @@
-// Between editing and playing.
+// Between editing and what runs.
 
 #include "editor/window/main_window.h"
 
+#include "core/level/object_geometry.h"
+
+#include <QLayout>
+#include <QLocale>
+
+#include <algorithm>
 #include <utility>
 
 namespace spacetow {
 
 void MainWindow::play() {
-    if (!isPlaying()) {
-        enterGame(nullptr);
+    if (!isInGame()) {
+        stopPlaying();
+        m_shipAt.reset();
+        enterRun(LiveRun::Kind::Game, nullptr);
     }
+}
+
+void MainWindow::simulate() {
+    if (!isPlaying()) {
+        m_shipAt.reset();
+        enterRun(LiveRun::Kind::Simulation, nullptr);
+    }
+}
+
+void MainWindow::playFromPointer() {
+    if (!isInGame()) {
+        const Vec2 pointer = m_canvas.pointerPosition();
+        stopPlaying();
+        m_shipAt = pointer;
+        enterRun(LiveRun::Kind::Game, nullptr);
+    }
+}
+
+/// The level as it is edited, but for what was said about this run.
+std::shared_ptr<const Level> MainWindow::levelToRun() const {
+    const std::shared_ptr<const Level>& level = m_document.current().level;
+    const Object* const object = m_shipAt ? firstOf<ShipObject>(*level) : nullptr;
+    if (object == nullptr) {
+        return level;
+    }
+    Object ship = *object;
+    std::get<ShipObject>(ship.data).position = *m_shipAt;
+    auto moved = std::make_shared<Level>(*level);
+    moved->objects.replace(level->objects.indexOf(ship.key), std::move(ship));
+    return moved;
 }
 
 void MainWindow::playReplay(const Replay& recorded) {
     stopPlaying();
-    enterGame(&recorded);
+    m_shipAt.reset();
+    enterRun(LiveRun::Kind::Game, &recorded);
 }
 
-void MainWindow::enterGame(const Replay* recorded) {
+void MainWindow::enterRun(LiveRun::Kind wanted, const Replay* recorded) {
+    const bool anew = isWelcoming();
     leaveWelcome();
     enterTyping();
     m_arrays.cancel();
@@ -28,17 +68,40 @@ void MainWindow::enterGame(const Replay* recorded) {
     m_errorsUntold = true;
     m_open->check.hurry();
     m_recorded = recorded != nullptr;
+    m_snapBefore = m_toolbox.snap;
+    m_toolbox.snap.grid = m_toolbox.snap.smart = false; // nothing stays where one could snap to it
+    m_status.setSnap(m_toolbox.snap);
+    const std::shared_ptr<const Level> level = levelToRun();
     if (m_recorded) {
-        m_play.start(*m_document.current().level, *recorded);
+        m_run.start(*level, *recorded);
     } else {
-        m_play.start(*m_document.current().level);
+        m_run.start(*level, wanted);
     }
-    m_panels->setAway(true);
-    m_stack.setCurrentWidget(&m_play);
-    m_play.setFocus();
+    m_inGame = m_run.isGame();
+    m_panelsInGame = false;
+    m_live.show(*level, anew);
+    placePanels();
+    m_canvas.setFocus();
     updateTitle();
     updateMode();
     tellErrors();
+}
+
+/// What is in the middle of the canvas stays where it is on the screen, however much room the panels leave.
+void MainWindow::placePanels() {
+    const bool away = isWelcoming() || arePanelsHidden();
+    if (away == m_panels->areAway()) {
+        return;
+    }
+    const QPointF middle(m_canvas.width() / 2.0, m_canvas.height() / 2.0);
+    const QPointF before = m_canvas.mapToGlobal(middle);
+    m_panels->setAway(away);
+    if (!isPlaying() || !m_canvas.isVisible()) {
+        return;
+    }
+    layout()->activate();
+    const QPointF moved = m_canvas.mapFromGlobal(before) - QPointF(m_canvas.width() / 2.0, m_canvas.height() / 2.0);
+    m_live.shiftView({moved.x(), moved.y()});
 }
 
 /// Of the level that is played; once it has been checked, which is not waited for.
@@ -54,11 +117,91 @@ void MainWindow::tellErrors() {
 }
 
 void MainWindow::stopPlaying() {
-    m_play.stop();
+    m_run.stop();
     if (!isPlaying()) {
         return;
     }
+    if (!m_toolbox.snap.grid && !m_toolbox.snap.smart) {
+        m_toolbox.snap = m_snapBefore;
+    }
+    m_status.setSnap(m_toolbox.snap);
+    m_status.setPace(QString());
+    m_inspector.hideMotion();
+    m_live.hide();
     showBoard();
+}
+
+void MainWindow::listenToRun() {
+    connect(&m_run, &LiveRun::pausedChanged, this, [this] {
+        m_actions.refresh();
+        updateTool();
+    });
+    connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateMotion);
+    connect(&m_live, &LiveView::framesCounted, this, [this](double perSecond) {
+        if (isPlaying()) {
+            m_status.setPace(tr("%1 fps").arg(qRound(perSecond)));
+        }
+    });
+    connect(&m_run, &LiveRun::phaseChanged, this, &MainWindow::updateTitle);
+    connect(&m_run, &LiveRun::paceChanged, this, &MainWindow::updateTool);
+    connect(&m_live, &LiveView::finished, this, &MainWindow::stopPlaying);
+    connect(&m_live, &LiveView::followingChanged, this, &MainWindow::updateTool);
+    connect(&m_run, &LiveRun::failed, this, [this](RunnerFault fault) {
+        stopPlaying();
+        m_message.say(MessageBar::Tone::Error,
+                      fault == RunnerFault::Crowd
+                          ? tr("The game was ended: so many bodies lie in the same place that the computer's memory "
+                               "would not hold what happens between them. Move them apart, and play again.")
+                          : tr("The game was ended: there is not enough memory for this level. Nothing of the level is "
+                               "lost."));
+    });
+}
+
+/// As often as one can read it.
+void MainWindow::updateMotion() {
+    constexpr qint64 interval = 100; // ms
+    if (!isPlaying() || (m_sinceMotion.isValid() && m_sinceMotion.elapsed() < interval && !m_run.isPaused())) {
+        return;
+    }
+    m_sinceMotion.start();
+    const std::vector<Key>& keys = m_document.selection().keys();
+    const Object* const object = keys.size() == 1 ? m_document.level().objects.find(keys.front()) : nullptr;
+    if (object == nullptr || !poseOf(*object)) {
+        m_inspector.hideMotion();
+        return;
+    }
+    const std::vector<BodyPicture>& bodies = m_live.picture().bodies;
+    const auto body = std::ranges::find_if(bodies, [&](const BodyPicture& one) {
+        return one.look->key == object->key && one.look->role != BodyRole::Debris;
+    });
+    m_inspector.showMotion(
+        body == bodies.end() ? std::nullopt : std::optional(Motion{body->pose, body->velocity, body->angularVelocity}));
+}
+
+/// What keys and mouse do to what runs.
+QString MainWindow::runHint() const {
+    const auto key = [this](Act act) { return m_actions[act].shortcut().toString(QKeySequence::NativeText); };
+    if (m_run.behind() > 0) {
+        return tr("Too much for this computer: the game is %1 s behind real time · %2: back to the editor")
+            .arg(QLocale().toString(m_run.behind(), 'f', 1), key(Act::Stop));
+    }
+    if (m_recorded) {
+        return tr("Playing a recorded flight · keys count when it has ended · %1: back to the editor")
+            .arg(key(Act::Stop));
+    }
+    if (isInGame()) {
+        const QString follow = m_run.keys().shown(PlayKey::Follow);
+        const QString view = m_live.isFollowing() || follow.isEmpty()
+                                 ? QString()
+                                 : tr("%1: follow the ship again").arg(follow) + QStringLiteral(" · ");
+        return view + tr("Playing a copy of the level · %1: back to the editor · Esc: menu").arg(key(Act::Stop));
+    }
+    return m_run.isPaused() ? tr("Simulation held · click: select · drag: move, band on empty ground · %1: go on · "
+                                 "%2: next frame · %3: back to the editor")
+                                  .arg(key(Act::Pause), key(Act::Step), key(Act::Stop))
+                            : tr("Simulation running · click: select · drag: band on empty ground, move what stands "
+                                 "still · %1: hold · %2: back to the editor")
+                                  .arg(key(Act::Pause), key(Act::Stop));
 }
 
 } // namespace spacetow

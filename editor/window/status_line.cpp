@@ -48,7 +48,10 @@ StatusLine::StatusLine(QWidget* parent)
     m_hintLabel.setContentsMargins(6, 0, 6, 0);
     m_hintLabel.installEventFilter(this);
     addWidget(&m_hintLabel, 1);
+    addPermanentWidget(&m_pace);
     addPermanentWidget(&m_selection);
+    m_pace.setObjectName(QStringLiteral("pace"));
+    m_pace.setTextFormat(Qt::PlainText);
     addPermanentWidget(&m_pointer);
     m_pointer.setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     // Wide enough for what is usual, so that the line does not jump about under the moving pointer.
@@ -138,13 +141,17 @@ void StatusLine::fit() {
     const bool selected = m_boardShown && !m_selectionCount.isEmpty();
     m_problems.setVisible(m_boardShown);
     m_selection.setText(m_selectionCount + m_selectionSize);
-    const int whole = widthOf(m_zoom) + widthOf(m_snap) + widthOf(m_pointer) + (selected ? widthOf(m_selection) : 0);
+    const int whole = widthOf(m_zoom) + widthOf(m_snap) + widthOf(m_pointer) + (selected ? widthOf(m_selection) : 0) +
+                      (m_pace.text().isEmpty() ? 0 : widthOf(m_pace));
     if (whole > room) {
         m_selection.setText(m_selectionCount);
     }
     int taken = 0;
-    const std::array<std::pair<QWidget*, bool>, 4> parts{
-        {{&m_zoom, m_boardShown}, {&m_selection, selected}, {&m_snap, m_boardShown}, {&m_pointer, m_boardShown}}};
+    const std::array<std::pair<QWidget*, bool>, 5> parts{{{&m_pace, !m_pace.text().isEmpty()},
+                                                          {&m_zoom, m_boardShown},
+                                                          {&m_selection, selected},
+                                                          {&m_snap, m_boardShown},
+                                                          {&m_pointer, m_boardShown}}};
     for (const auto& [part, wanted] : parts) {
         taken += wanted ? widthOf(*part) : 0;
         part->setVisible(wanted && taken <= room);
@@ -207,6 +214,13 @@ void StatusLine::setProblems(int errors, int warnings) {
                                         : tr("No problems");
     m_problems.setText(text);
     fit();
+}
+
+void StatusLine::setPace(const QString& pace) {
+    if (pace != m_pace.text()) {
+        m_pace.setText(pace);
+        fit();
+    }
 }
 
 void StatusLine::setBoardShown(bool shown) {

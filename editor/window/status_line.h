@@ -32,6 +32,9 @@ class StatusLine : public QStatusBar {
     void setSnap(const SnapSettings& snap);
     void setZoom(double zoom); // 1 is the original size
     void setProblems(int errors, int warnings);
+    /// How fast what runs is shown; empty while nothing runs.
+    void setPace(const QString& pace);
+    QString pace() const { return m_pace.text(); }
     /// Without a board that is drawn on, nothing is said about one.
     void setBoardShown(bool shown);
 
@@ -67,6 +70,7 @@ class StatusLine : public QStatusBar {
     QLabel m_hintLabel;
     QLabel m_pointer;
     QLabel m_selection;
+    QLabel m_pace;
     QMenu m_steps;
     QActionGroup m_stepGroup;
     std::vector<std::unique_ptr<QAction>> m_stepActions;

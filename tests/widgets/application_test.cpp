@@ -304,7 +304,7 @@ class ApplicationTest : public QObject {
         test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
         test.trigger(0, Act::Play);
         QVERIFY(test.window(0).windowTitle().startsWith("01_first_haul.json[*] (ready)"));
-        QTest::keyPress(&test.window(0).playView(), Qt::Key_Up);
+        QTest::keyPress(&test.window(0).canvas(), Qt::Key_Up);
         QVERIFY(QTest::qWaitFor([&] { return test.window(0).windowTitle().contains("(playing)"); }));
         test.trigger(0, Act::Stop);
         QVERIFY(test.window(0).windowTitle().startsWith("01_first_haul.json[*] - "));

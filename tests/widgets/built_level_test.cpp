@@ -67,7 +67,7 @@ const std::array<std::pair<bool Controls::*, Qt::Key>, 4> steering{{{&Controls::
                                                                     {&Controls::tow, Qt::Key_Space}}};
 
 /// Presses and lets go what is held differently now.
-void pressKeys(PlayView& view, const Controls& before, const Controls& now) {
+void pressKeys(Canvas& view, const Controls& before, const Controls& now) {
     for (const auto& [held, key] : steering) {
         if (now.*held && !(before.*held)) {
             QTest::keyPress(&view, key);
@@ -90,7 +90,7 @@ Replay flownByKeys(Game& game, const Level& level) {
         game.run(1);
     }
     pressKeys(game.view(), held, {});
-    return game.view().runner()->recording();
+    return game.live().runner()->recording();
 }
 
 } // namespace

@@ -318,16 +318,16 @@ class FinderTest : public QObject {
         TestWindow test;
         test.document().reset(spacetow::test::openSpace());
         test.trigger(Act::Play);
-        PlayView& play = test.window->playView();
+        LiveRun& play = test.window->liveRun();
         const auto updates = [&] { return play.runner()->frame()->now->update; };
-        QTest::keyPress(&play, Qt::Key_Up);
+        QTest::keyPress(&test.canvas(), Qt::Key_Up);
         QTRY_VERIFY(updates() > 2);
         Finder& finder = searchFor(test, "fit");
         QVERIFY(finder.isVisible() && !play.isPaused());
-        QVERIFY(!play.findChild<QWidget*>("pauseMenu")->isVisible());
+        QVERIFY(!test.canvas().findChild<QWidget*>("pauseMenu")->isVisible());
         QTRY_VERIFY(play.runner()->frame()->paused);
         pressIn(finder, Qt::Key_Escape);
-        QVERIFY(play.isVisible() && play.hasFocus() && !play.isPaused());
+        QVERIFY(test.canvas().isLive() && test.canvas().hasFocus() && !play.isPaused());
         const auto before = updates();
         QTRY_VERIFY(updates() > before + 2);
         // What was paused stays so.

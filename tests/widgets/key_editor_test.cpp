@@ -167,8 +167,8 @@ class KeyEditorTest : public QObject {
         // The game that is started now listens to them.
         open.test.document().reset(openSpace());
         open.test.trigger(Act::Play);
-        QTest::keyPress(&open.test.window->playView(), Qt::Key_Up);
-        QTRY_COMPARE(open.test.window->playView().phase(), Phase::Flying);
+        QTest::keyPress(&open.test.canvas(), Qt::Key_Up);
+        QTRY_COMPARE(open.test.window->liveRun().phase(), Phase::Flying);
         open.test.window->stopPlaying();
     }
 

@@ -222,11 +222,11 @@ class MainWindowTest : public QObject {
         const auto before = test.document().current().level;
         test.trigger(Act::Play);
         QVERIFY(test.window->isPlaying());
-        QVERIFY(test.window->playView().isRunning());
-        QTest::keyClick(&test.window->playView(), Qt::Key_Left);
+        QVERIFY(test.window->liveRun().isRunning());
+        QTest::keyClick(&test.canvas(), Qt::Key_Left);
         test.trigger(Act::Stop);
         QVERIFY(!test.window->isPlaying());
-        QVERIFY(!test.window->playView().isRunning());
+        QVERIFY(!test.window->liveRun().isRunning());
         QCOMPARE(test.document().current().level, before);
         QVERIFY(!test.document().canUndo());
         QVERIFY(!test.window->isWindowModified());
@@ -242,7 +242,8 @@ class MainWindowTest : public QObject {
                 const QKeyCombination stroke = key[0];
                 const bool plain = (stroke.keyboardModifiers() & ~Qt::ShiftModifier) == Qt::NoModifier &&
                                    (stroke.key() < Qt::Key_F1 || stroke.key() > Qt::Key_F35);
-                QVERIFY2(!plain || !action.isEnabled(), qPrintable(action.text()));
+                const bool callsPanels = row.id == ActionId(Act::HidePanels); // by Tab, which the game has no use for
+                QVERIFY2(!plain || callsPanels || !action.isEnabled(), qPrintable(action.text()));
             }
         }
         QVERIFY(test.window->actions()[Act::Stop].isEnabled());
@@ -254,7 +255,7 @@ class MainWindowTest : public QObject {
         TestWindow test;
         test.window->openExample();
         test.trigger(Act::Play);
-        Q_EMIT test.window->playView().finished();
+        Q_EMIT test.window->liveView().finished();
         QVERIFY(!test.window->isPlaying());
         QVERIFY(test.window->actions()[ToolId::Edge].isEnabled());
     }

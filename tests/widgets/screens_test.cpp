@@ -68,7 +68,7 @@ const std::vector<Mode>& modes() {
             {"pause",
              [](TestWindow& test) {
                  test.trigger(Act::Play);
-                 QTest::keyClick(&test.window->playView(), Qt::Key_Escape);
+                 QTest::keyClick(&test.canvas(), Qt::Key_Escape);
              }},
         };
         for (const ToolRow& tool : toolRows()) {

@@ -324,6 +324,7 @@ class TranslationsTest : public QObject {
             add("export", {Act::ExportAs});
             add("game", {Act::Play});
             add("held game", {Act::Play, Act::Pause});
+            add("simulation", {Act::Simulate});
         }
     }
     void nothingIsCutOffInASmallWindow() {
@@ -331,7 +332,11 @@ class TranslationsTest : public QObject {
         QFETCH(QList<Act>, acts);
         const Spoken spoken(locale);
         TestWindow test;
-        test.drawWalls();
+        if (acts.contains(Act::Play)) {
+            test.window->openExample(); // which has a ship
+        } else {
+            test.drawWalls();
+        }
         test.trigger(Act::SelectAll);
         for (const Act act : acts) {
             test.trigger(act);
@@ -347,10 +352,10 @@ class TranslationsTest : public QObject {
                  &test.window->arrayBar(), &test.window->transformBar(), &test.window->exchange().exportBar()}) {
             QCOMPARE(misplacedIn(*bar), QStringList());
         }
-        if (test.window->isPlaying()) {
-            QTest::keyClick(&test.window->playView(), Qt::Key_Escape);
+        if (test.window->isInGame()) {
+            QTest::keyClick(&test.canvas(), Qt::Key_Escape);
             QApplication::processEvents();
-            QVERIFY(test.window->playView().findChild<QWidget*>("pauseMenu")->isVisible());
+            QVERIFY(acts.contains(Act::Play) && test.canvas().findChild<QWidget*>("pauseMenu")->isVisible());
             QCOMPARE(cutOffTexts(*test.window), QStringList());
         }
     }

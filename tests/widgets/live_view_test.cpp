@@ -1,6 +1,5 @@
 #include "tests/support/test_main.h"
 
-#include "editor/play/play_view.h"
 #include "tests/support/game_levels.h"
 #include "tests/support/game_view.h"
 
@@ -25,7 +24,7 @@ Level ballAlone(double radius) {
 
 } // namespace
 
-class PlayViewTest : public QObject {
+class LiveViewTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -53,15 +52,15 @@ class PlayViewTest : public QObject {
         QVERIFY(game.picture()->controls == idle);
     }
     void aGameIsLeftWithoutWaitingForItsUpdate() {
-        PlayView view;
-        view.start(ballAlone(1));
-        QCOMPARE(view.ending(), 0);
-        view.stop();
-        QVERIFY(!view.isRunning());
-        QCOMPARE(view.ending(), 1); // it ends beside
-        view.start(ballAlone(2));
-        QVERIFY(view.isRunning());
-        QTRY_COMPARE(view.ending(), 0);
+        LiveRun run;
+        run.start(ballAlone(1));
+        QCOMPARE(run.ending(), 0);
+        run.stop();
+        QVERIFY(!run.isRunning());
+        QCOMPARE(run.ending(), 1); // it ends beside
+        run.start(ballAlone(2));
+        QVERIFY(run.isRunning());
+        QTRY_COMPARE(run.ending(), 0);
     }
     void lettingGoOfOneOfTwoKeysKeepsSteering() {
         Game game;
@@ -130,18 +129,18 @@ class PlayViewTest : public QObject {
 
     void escapeOpensTheMenuAndClosesItAgain() {
         Game game;
-        QSignalSpy paused(&game.view(), &PlayView::pausedChanged);
+        QSignalSpy paused(&game.live(), &LiveRun::pausedChanged);
         game.tap(Qt::Key_W);
         QTest::keyPress(&game.view(), Qt::Key_W);
         QTest::keyClick(&game.view(), Qt::Key_Escape);
         QVERIFY(game.menu()->isVisible());
-        QVERIFY(game.view().isPaused());
+        QVERIFY(game.live().isPaused());
         const std::int64_t at = game.picture()->update;
         game.run(50);
         QCOMPARE(game.picture()->update, at);
         QTest::keyClick(game.menu(), Qt::Key_Escape);
         QVERIFY(!game.menu()->isVisible());
-        QVERIFY(!game.view().isPaused());
+        QVERIFY(!game.live().isPaused());
         game.run(2);
         QVERIFY(game.picture()->controls == idle); // what was held is forgotten
         QCOMPARE(game.picture()->update, at + 2);
@@ -149,28 +148,28 @@ class PlayViewTest : public QObject {
     }
     void theMenuRestartsAndLeaves() {
         Game game;
-        QSignalSpy finished(&game.view(), &PlayView::finished);
+        QSignalSpy finished(&game.scene(), &LiveView::finished);
         game.tap(Qt::Key_W);
         QTest::keyClick(&game.view(), Qt::Key_Escape);
         QTest::mouseClick(game.button("Restart"), Qt::LeftButton);
-        QVERIFY(!game.view().isPaused());
+        QVERIFY(!game.live().isPaused());
         QCOMPARE(game.phase(), Phase::AwaitingInput);
         QCOMPARE(game.picture()->update, std::int64_t(0));
         QCOMPARE(finished.count(), 0);
         QTest::keyClick(&game.view(), Qt::Key_Escape);
         QTest::mouseClick(game.button("Back to the editor"), Qt::LeftButton);
         QCOMPARE(finished.count(), 1);
-        QVERIFY(!game.view().isRunning());
+        QVERIFY(!game.live().isRunning());
         QVERIFY(!game.menu()->isVisible());
         QTest::keyClick(&game.view(), Qt::Key_Escape); // nothing left to pause
         QVERIFY(!game.menu()->isVisible());
     }
     void theMenuWorksWithoutAMouse() {
         Game game;
-        QSignalSpy finished(&game.view(), &PlayView::finished);
+        QSignalSpy finished(&game.scene(), &LiveView::finished);
         QTest::keyClick(&game.view(), Qt::Key_Escape);
         QTest::keyClick(game.menu(), Qt::Key_Return); // on "Resume"
-        QVERIFY(!game.view().isPaused());
+        QVERIFY(!game.live().isPaused());
         QTest::keyClick(&game.view(), Qt::Key_Escape);
         QTest::keyClick(game.menu(), Qt::Key_Down);
         QTest::keyClick(game.menu(), Qt::Key_Down);
@@ -253,17 +252,17 @@ class PlayViewTest : public QObject {
         game.run(1);
         QFocusEvent away(QEvent::FocusOut, Qt::ActiveWindowFocusReason);
         QApplication::sendEvent(&game.view(), &away);
-        QVERIFY(game.view().isPaused());
+        QVERIFY(game.live().isPaused());
         QVERIFY(game.menu()->isVisible());
         QTest::mouseClick(game.button("Resume"), Qt::LeftButton);
-        QVERIFY(!game.view().isPaused());
+        QVERIFY(!game.live().isPaused());
         game.run(2);
         QVERIFY(game.picture()->controls == idle);
     }
     void hidingPausesAndShowingOffersToGoOn() {
         Game game;
         game.view().hide();
-        QVERIFY(game.view().isPaused());
+        QVERIFY(game.live().isPaused());
         game.view().show();
         QVERIFY(game.menu()->isVisible());
     }
@@ -280,7 +279,7 @@ class PlayViewTest : public QObject {
         QVERIFY(claimed(Qt::Key_Escape, Qt::NoModifier));
         QVERIFY(!claimed(Qt::Key_A, Qt::ControlModifier));
         QVERIFY(!claimed(Qt::Key_F5, Qt::NoModifier));
-        game.view().stop();
+        game.live().stop();
         QVERIFY(!claimed(Qt::Key_A, Qt::NoModifier));
     }
 
@@ -293,11 +292,12 @@ class PlayViewTest : public QObject {
     void circlesStayRoundAndTheClassicViewFits() {
         QFETCH(QSize, size);
         Game game(ballAlone(2), size);
-        const Aabb seen = game.view().viewport().visible();
+        const Aabb seen = game.viewport().visible();
         QVERIFY(seen.size().x() >= 13.33 - 0.01);
         QVERIFY(seen.size().y() >= 10 - 1e-9);
+        game.view().setGridVisible(false);
         const QImage with = game.view().grab().toImage();
-        game.view().start(Level{.gravity = Vec2(0, 0), .rules = {.background = "none"}});
+        game.start(Level{.gravity = Vec2(0, 0), .rules = {.background = "none"}});
         const QImage without = game.view().grab().toImage();
         QRect changed;
         for (int y = 0; y < with.height(); ++y) {
@@ -307,7 +307,7 @@ class PlayViewTest : public QObject {
                 }
             }
         }
-        const double expected = 4 * game.view().viewport().scale;
+        const double expected = 4 * game.viewport().scale;
         QVERIFY2(std::abs(changed.width() - changed.height()) <= 2,
                  qPrintable(QString("%1 x %2").arg(changed.width()).arg(changed.height())));
         QVERIFY(std::abs(changed.width() - expected) < 8);
@@ -319,8 +319,7 @@ class PlayViewTest : public QObject {
             game.run(5);
             for (const BodyPicture& body : game.picture()->bodies) {
                 if (body.look->role == BodyRole::Ship) {
-                    QVERIFY2(game.view().viewport().visible().contains(body.pose.position),
-                             qPrintable(QString::number(i)));
+                    QVERIFY2(game.viewport().visible().contains(body.pose.position), qPrintable(QString::number(i)));
                 }
             }
         }
@@ -330,35 +329,33 @@ class PlayViewTest : public QObject {
         Level level = ballAlone(1);
         addBall(level, Vec2(100, 3), 1, Vec2(0, 0));
         Game game(level);
-        const Aabb seen = game.view().viewport().visible();
+        const Aabb seen = game.viewport().visible();
         QVERIFY(seen.contains(Vec2(-1, 0)) && seen.contains(Vec2(101, 3)));
     }
     void wheelZoomsAndFFollowsAgain() {
         Game game;
-        const double scale = game.view().viewport().scale;
+        const double scale = game.viewport().scale;
         QWheelEvent wheel({400, 300}, {400, 300}, {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
         QApplication::sendEvent(&game.view(), &wheel);
-        QVERIFY(game.view().viewport().scale > 1.1 * scale);
+        QVERIFY(game.viewport().scale > 1.1 * scale);
         QTest::mousePress(&game.view(), Qt::RightButton, {}, {100, 100});
         QMouseEvent move(QEvent::MouseMove, QPointF(160, 100), QPointF(160, 100), Qt::NoButton, Qt::RightButton, {});
         QApplication::sendEvent(&game.view(), &move);
         QTest::mouseRelease(&game.view(), Qt::RightButton, {}, {160, 100});
-        const double moved = game.view().viewport().center.x();
+        const double moved = game.viewport().center.x();
         QTest::keyClick(&game.view(), Qt::Key_F);
-        QVERIFY(game.view().viewport().center.x() > moved + 0.5);
-        QCOMPARE(game.view().viewport().scale, scale);
+        QVERIFY(game.viewport().center.x() > moved + 0.5);
+        QCOMPARE(game.viewport().scale, scale);
     }
     void aThreadedGameRunsByItself() {
-        PlayView view;
-        view.resize(400, 300);
-        view.show();
-        view.start(openSpace());
-        QTRY_VERIFY_WITH_TIMEOUT(view.runner()->frame()->now->update >= 3, 10000);
-        view.stop();
-        QVERIFY(!view.isRunning());
-        view.stop(); // twice is once
+        LiveRun run;
+        run.start(openSpace());
+        QTRY_VERIFY_WITH_TIMEOUT(run.frame()->now->update >= 3, 10000);
+        run.stop();
+        QVERIFY(!run.isRunning());
+        run.stop(); // twice is once
     }
 };
 
-SPACETOW_TEST(PlayViewTest)
-#include "play_view_test.moc"
+SPACETOW_TEST(LiveViewTest)
+#include "live_view_test.moc"

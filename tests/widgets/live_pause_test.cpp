@@ -6,7 +6,7 @@
 using namespace spacetow;
 using namespace spacetow::test;
 
-class PlayPauseTest : public QObject {
+class LivePauseTest : public QObject {
     Q_OBJECT
 
   private slots:
@@ -15,14 +15,14 @@ class PlayPauseTest : public QObject {
         game.tap(Qt::Key_W);
         const std::int64_t at = game.picture()->update;
         QTest::keyClick(&game.view(), Qt::Key_P);
-        QVERIFY(game.view().isPaused());
+        QVERIFY(game.live().isPaused());
         QVERIFY(!game.menu()->isVisible());
         game.run(5);
         QTest::keyClick(&game.view(), Qt::Key_O);
         QTest::keyClick(&game.view(), Qt::Key_O);
         QCOMPARE(game.picture()->update, at + 2);
         QTest::keyClick(&game.view(), Qt::Key_P);
-        QVERIFY(!game.view().isPaused());
+        QVERIFY(!game.live().isPaused());
         game.run(1);
         QCOMPARE(game.picture()->update, at + 3);
     }
@@ -44,12 +44,12 @@ class PlayPauseTest : public QObject {
         level.updateSeconds = 1e-5; // a hundred thousand updates a second
         test.document().reset(level);
         test.trigger(Act::Play);
-        QTest::keyPress(&test.window->playView(), Qt::Key_W);
-        QTRY_VERIFY(test.window->playView().behind() > 0);
+        QTest::keyPress(&test.canvas(), Qt::Key_W);
+        QTRY_VERIFY(test.window->liveRun().behind() > 0);
         const QString hint = test.window->statusLine().hint();
         QVERIFY2(hint.contains("behind real time"), qPrintable(hint));
         test.trigger(Act::Stop);
-        QCOMPARE(test.window->playView().behind(), 0.0);
+        QCOMPARE(test.window->liveRun().behind(), 0.0);
     }
     void otherKeysThanTheUsualOnesPlayAndAreNamed() {
         Game game;
@@ -57,15 +57,15 @@ class PlayPauseTest : public QObject {
         keys.set(PlayKey::Thrust, {QKeySequence("I")});
         keys.set(PlayKey::Pause, {QKeySequence("K")});
         keys.set(PlayKey::Restart, {QKeySequence("L")});
-        game.view().setKeys(keys);
+        game.scene().setKeys(keys);
         game.tap(Qt::Key_W); // nobody's now
         QCOMPARE(game.phase(), Phase::AwaitingInput);
         game.tap(Qt::Key_I);
         QCOMPARE(game.phase(), Phase::Flying);
         QTest::keyClick(&game.view(), Qt::Key_K);
-        QVERIFY(game.view().isPaused());
+        QVERIFY(game.live().isPaused());
         QTest::keyClick(&game.view(), Qt::Key_K);
-        QVERIFY(!game.view().isPaused());
+        QVERIFY(!game.live().isPaused());
         QTest::keyClick(&game.view(), Qt::Key_Escape);
         QVERIFY(game.menu()->isVisible());
         QVERIFY(game.button("Restart")->toolTip().contains("(L)"));
@@ -109,5 +109,5 @@ class PlayPauseTest : public QObject {
     }
 };
 
-SPACETOW_TEST(PlayPauseTest)
-#include "play_pause_test.moc"
+SPACETOW_TEST(LivePauseTest)
+#include "live_pause_test.moc"

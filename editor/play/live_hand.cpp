@@ -1,0 +1,151 @@
+#include "editor/play/live_hand.h"
+
+#include "core/level/object_geometry.h"
+#include "editor/editing/select_gestures.h"
+#include "editor/play/live_pose.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace spacetow {
+namespace {
+
+constexpr double dragDistance = 4; // px that a click may move and still be a click
+
+bool standsStill(const Level& level, Key key) {
+    const Object* const object = level.objects.find(key);
+    const auto* body = object != nullptr ? std::get_if<BodyObject>(&object->data) : nullptr;
+    return (body != nullptr && body->kind != BodyKind::Dynamic) ||
+           (object != nullptr && std::holds_alternative<FinishObject>(object->data));
+}
+
+/// The one below what is selected, and the topmost after the last.
+GroupPick nextBelow(const std::vector<GroupPick>& pile, const Selection& selection) {
+    const auto at = std::ranges::find_if(pile, [&](const GroupPick& pick) { return selection.contains(pick.key); });
+    return at == pile.end() || std::next(at) == pile.end() ? pile.front() : *std::next(at);
+}
+
+} // namespace
+
+LiveHand::LiveHand(Document& document, Toolbox& toolbox, LiveRun& run)
+    : m_document(document), m_toolbox(toolbox), m_run(run), m_picture(std::make_shared<const Snapshot>()) {}
+
+LiveHand::~LiveHand() = default;
+
+void LiveHand::see(const Snapshot& picture) {
+    if (picture.update != m_picture->update || m_run.isPaused() || !m_edit) {
+        m_edit.reset();
+        m_picture = std::make_shared<const Snapshot>(picture);
+    }
+}
+
+const Edit& LiveHand::edit() const {
+    const std::shared_ptr<const Level>& level = m_document.current().level;
+    if (!m_edit || m_editOf != level) {
+        m_editOf = level;
+        m_edit = Edit{std::make_shared<const Level>(posed(*level, *m_picture)), {}};
+    }
+    m_edit->selection = m_document.current().selection;
+    return *m_edit;
+}
+
+std::vector<GroupPick> LiveHand::under(const Pointer& pointer) const {
+    return pickedMembers(edit(), pointer);
+}
+
+void LiveHand::press(const Pointer& pointer) {
+    m_pressed = pointer;
+    m_pointer = pointer;
+}
+
+void LiveHand::move(const Pointer& pointer) {
+    m_pointer = pointer;
+    if (m_pressed && !m_band && !m_dragging && (pointer.screen - m_pressed->screen).norm() > dragDistance) {
+        beginDrag(*m_pressed);
+    }
+    if (m_band) {
+        m_band->follow(pointer);
+    } else if (m_dragging) {
+        m_toolbox.move(pointer);
+    } else if (!m_pressed) {
+        const std::vector<GroupPick> pile = under(pointer);
+        m_hovered = pile.empty() ? 0 : pile.front().key;
+    }
+}
+
+/// Takes what is under the pointer in hand, or begins a band.
+void LiveHand::beginDrag(const Pointer& pointer) {
+    const std::vector<GroupPick> pile = pointer.modifiers.shift ? std::vector<GroupPick>() : under(pointer);
+    if (m_run.isGame()) {
+        return; // nobody edits by a slip of the hand while he flies
+    }
+    if (pile.empty()) {
+        m_band = std::make_unique<BandGesture>(edit(), pointer.world, pointer.modifiers.shift);
+        return;
+    }
+    const GroupPick& top = pile.front();
+    if (!m_run.isPaused() && !standsStill(*edit().level, top.object)) {
+        return;
+    }
+    if (!m_document.selection().contains(top.key)) {
+        m_document.select(Selection({top.key}).entering(top.entered));
+    }
+    const Object* const object = m_document.level().objects.find(top.key);
+    const std::optional<Vec2> place = object != nullptr ? placeOf(object->data) : std::nullopt;
+    m_toolbox.begin(std::make_unique<MoveGesture>(m_toolbox.context(), pointer, place.value_or(pointer.world)),
+                    pointer);
+    m_dragging = m_toolbox.isDragging();
+}
+
+void LiveHand::release(const Pointer& pointer) {
+    if (!m_pressed) {
+        return;
+    }
+    const bool clicks = !m_band && !m_dragging && (pointer.screen - m_pressed->screen).norm() <= dragDistance;
+    m_pressed.reset();
+    if (const std::unique_ptr<Gesture> band = std::move(m_band)) {
+        band->follow(pointer);
+        m_document.select(band->at(pointer).selection);
+    } else if (std::exchange(m_dragging, false)) {
+        m_toolbox.release(pointer);
+    } else if (clicks) {
+        m_document.select(clicked(pointer));
+    }
+}
+
+void LiveHand::loseMouse() {
+    m_pressed.reset();
+    m_band.reset();
+    if (std::exchange(m_dragging, false)) {
+        m_toolbox.loseMouse();
+    }
+}
+
+/// As the Select tool has it, but for the handles, which do not go along with what moves.
+Selection LiveHand::clicked(const Pointer& pointer) const {
+    const Selection& selection = m_document.selection();
+    const std::vector<GroupPick> pile = under(pointer);
+    const Modifiers& held = pointer.modifiers;
+    if (pile.empty()) {
+        return held.shift || held.ctrl ? selection : Selection().entering(selection.entered());
+    }
+    const GroupPick& top = pile.front();
+    if (held.ctrl && top.key != top.object) {
+        return directly(edit(), top.object);
+    }
+    if (held.shift || held.ctrl) {
+        return selection.toggled(top.key).entering(top.entered);
+    }
+    const GroupPick& chosen = held.alt ? nextBelow(pile, selection) : top;
+    return Selection({chosen.key}).entering(chosen.entered);
+}
+
+Overlay LiveHand::overlay() const {
+    return m_band ? m_band->overlay(m_pointer) : Overlay();
+}
+
+CursorShape LiveHand::cursor() const {
+    return m_dragging ? CursorShape::Move : m_hovered != 0 && !m_band ? CursorShape::Pointing : CursorShape::Arrow;
+}
+
+} // namespace spacetow

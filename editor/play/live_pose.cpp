@@ -1,0 +1,102 @@
+#include "editor/play/live_pose.h"
+
+#include "core/level/groups.h"
+#include "core/level/object_geometry.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace spacetow {
+namespace {
+
+using Poses = std::unordered_map<Key, Transform>;
+
+/// Of all bodies that objects have become.
+Poses posesIn(const Snapshot& snapshot) {
+    Poses poses;
+    for (const BodyPicture& body : snapshot.bodies) {
+        if (body.look->key != 0 && body.look->role != BodyRole::Debris) {
+            poses.emplace(body.look->key, body.pose);
+        }
+    }
+    return poses;
+}
+
+void place(ObjectData& data, const Transform& pose) {
+    if (auto* body = std::get_if<BodyObject>(&data)) {
+        body->position = pose.position;
+        body->angle = pose.rotation.angle();
+    } else if (auto* ship = std::get_if<ShipObject>(&data)) {
+        ship->position = pose.position;
+        ship->angle = pose.rotation.angle();
+    } else if (auto* payload = std::get_if<PayloadObject>(&data)) {
+        payload->position = pose.position;
+    }
+}
+
+bool isBodyThatMoves(const ObjectData& data) {
+    const auto* body = std::get_if<BodyObject>(&data);
+    return (body != nullptr && body->kind != BodyKind::Static) || std::holds_alternative<ShipObject>(data) ||
+           std::holds_alternative<PayloadObject>(data);
+}
+
+std::vector<Key> withEnds(const Level& level, std::vector<Key> keys) {
+    const std::size_t before = keys.size();
+    for (std::size_t i = 0; i < before; ++i) {
+        const Object* const object = level.objects.find(keys[i]);
+        const auto* connector = object != nullptr ? std::get_if<ConnectorObject>(&object->data) : nullptr;
+        if (connector != nullptr) {
+            keys.insert(keys.end(), {connector->a, connector->b});
+        }
+    }
+    return keys;
+}
+
+} // namespace
+
+Level posed(const Level& level, const Snapshot& snapshot) {
+    const Poses poses = posesIn(snapshot);
+    Level now = level;
+    std::vector<Key> gone;
+    for (int i = 0; i < level.objects.size(); ++i) {
+        if (!isBodyThatMoves(level.objects[i].data)) {
+            continue;
+        }
+        Object object = level.objects[i];
+        if (const auto pose = poses.find(object.key); pose != poses.end()) {
+            place(object.data, pose->second);
+            now.objects.replace(i, std::move(object));
+        } else {
+            gone.push_back(object.key);
+        }
+    }
+    if (!gone.empty()) {
+        std::ranges::sort(gone);
+        now.objects.eraseIf([&](const Object& object) { return std::ranges::binary_search(gone, object.key); });
+    }
+    return now;
+}
+
+Level posed(const ShownLevel& levels, const Snapshot& snapshot, std::span<const Key> keys) {
+    const Level& level = levels.shown;
+    std::vector<Key> all = withMembers(level, keys);
+    all.insert(all.end(), keys.begin(), keys.end());
+    Level few;
+    for (const int index : level.objects.indicesOf(withEnds(level, std::move(all)))) {
+        few.objects.append(level.objects[index]);
+    }
+    Level now = posed(few, snapshot);
+    for (int i = 0; i < now.objects.size() && &levels.shown != &levels.current; ++i) {
+        Object object = now.objects[i];
+        const Object* const before = levels.current.objects.find(object.key);
+        const std::optional<Vec2> from = before != nullptr ? placeOf(before->data) : std::nullopt;
+        const std::optional<Vec2> to = placeOf(level.objects.find(object.key)->data);
+        if (from && to && isBodyThatMoves(object.data)) {
+            move(object.data, *to - *from);
+            now.objects.replace(i, std::move(object));
+        }
+    }
+    return now;
+}
+
+} // namespace spacetow

@@ -1,0 +1,227 @@
+#include "editor/play/live_run.h"
+
+#include "core/game/blend.h"
+
+#include <QGuiApplication>
+#include <QScreen>
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace spacetow {
+namespace {
+
+/// Blended for the time that has passed since the newer picture was taken.
+double shareOf(const Frame& frame) {
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - frame.at;
+    return std::clamp(since.count() / frame.period, 0.0, 1.0);
+}
+
+} // namespace
+
+LiveRun::LiveRun(QObject* parent, Runner::Mode mode) : QObject(parent), m_mode(mode) {
+    m_frames.setTimerType(Qt::PreciseTimer);
+    connect(&m_frames, &QTimer::timeout, this, &LiveRun::look);
+}
+
+LiveRun::~LiveRun() = default;
+
+void LiveRun::start(const Level& level, Kind wanted) {
+    begin(level, {.wanted = wanted});
+}
+
+void LiveRun::start(const Level& level, const Replay& recorded) {
+    begin(level, {.seed = recorded.seed});
+    if (m_runner) {
+        m_runner->follow(recorded.runs);
+    }
+}
+
+void LiveRun::begin(const Level& level, const Beginning& beginning) {
+    stop();
+    try {
+        m_runner = std::make_unique<Runner>(level, m_mode, beginning.seed);
+    } catch (const std::bad_alloc&) {
+        fail(RunnerFault::Memory);
+        return;
+    }
+    m_kind = phase() == Phase::Sandbox ? Kind::Simulation : beginning.wanted;
+    m_runner->wantQuadtree(m_quadtree);
+    m_lost = 0;
+    m_paceTime.start();
+    m_shownPhase = phase();
+    const QScreen* const screen = QGuiApplication::primaryScreen();
+    const double rate = screen != nullptr ? std::clamp(screen->refreshRate(), 30.0, 240.0) : 60.0;
+    m_frames.start(static_cast<int>(1000 / rate));
+    Q_EMIT started();
+}
+
+void LiveRun::stop() {
+    m_frames.stop();
+    m_held.clear();
+    m_waiting = false;
+    m_behind = 0;
+    std::erase_if(m_ending, [](const auto& task) { return !task->isRunning(); });
+    if (!m_runner) {
+        return;
+    }
+    m_ending.push_back(std::make_unique<BackgroundTask>());
+    m_ending.back()->start([run = std::shared_ptr<Runner>(std::move(m_runner))](const std::stop_token&) mutable {
+        run.reset();
+        return [] {};
+    });
+    if (std::exchange(m_paused, false)) {
+        Q_EMIT pausedChanged(false);
+    }
+    Q_EMIT stopped();
+}
+
+int LiveRun::ending() const {
+    return static_cast<int>(std::ranges::count_if(m_ending, [](const auto& task) { return task->isRunning(); }));
+}
+
+void LiveRun::setPaused(bool paused) {
+    if (!m_runner || m_paused == paused) {
+        return;
+    }
+    m_paused = paused;
+    if (paused) {
+        m_runner->pause();
+    } else {
+        goOn();
+    }
+    Q_EMIT pausedChanged(paused);
+    Q_EMIT advanced();
+}
+
+void LiveRun::goOn() {
+    m_runner->hold(m_held.controls());
+    if (!m_waiting) {
+        m_runner->resume();
+    }
+}
+
+void LiveRun::setWaiting(bool waiting) {
+    if (!m_runner || m_waiting == waiting) {
+        return;
+    }
+    m_waiting = waiting;
+    if (waiting) {
+        letGo(); // the releases go elsewhere
+        m_runner->pause();
+    } else if (!m_paused) {
+        goOn();
+    }
+}
+
+void LiveRun::stepOnce() {
+    if (m_runner) {
+        setPaused(true);
+        m_runner->hold(m_held.controls());
+        m_runner->stepOnce();
+        Q_EMIT advanced();
+    }
+}
+
+void LiveRun::restart() {
+    if (m_runner) {
+        letGo();
+        m_runner->restart();
+        setPaused(false);
+        Q_EMIT advanced();
+    }
+}
+
+void LiveRun::wantQuadtree(bool wanted) {
+    m_quadtree = wanted;
+    if (m_runner) {
+        m_runner->wantQuadtree(wanted);
+    }
+}
+
+void LiveRun::setKeys(const PlayKeys& keys) {
+    m_keys = keys;
+    letGo(); // what is held may mean something else now
+}
+
+bool LiveRun::press(const QKeyEvent& event) {
+    const bool steers = m_held.press(event, m_keys);
+    if (steers && m_runner && !m_paused) {
+        m_runner->hold(m_held.controls());
+    }
+    return steers;
+}
+
+void LiveRun::release(const QKeyEvent& event) {
+    m_held.release(event);
+    if (m_runner) {
+        m_runner->hold(m_held.controls());
+    }
+}
+
+void LiveRun::letGo() {
+    m_held.clear();
+    if (m_runner) {
+        m_runner->hold({});
+    }
+}
+
+void LiveRun::tapIfOver() {
+    if (phase() == Phase::Crashed || phase() == Phase::GameOver) {
+        Controls tap = m_held.controls();
+        tap.tow = true;
+        m_runner->hold(tap);
+        m_runner->hold(m_held.controls());
+    }
+}
+
+void LiveRun::look() {
+    if (const RunnerFault fault = m_runner->fault(); fault != RunnerFault::None) {
+        fail(fault);
+        return;
+    }
+    m_runner->attend();
+    watchPace();
+    Q_EMIT advanced();
+    if (m_runner && phase() != m_shownPhase) {
+        m_shownPhase = phase();
+        Q_EMIT phaseChanged();
+    }
+}
+
+/// A moment's hold-up is nothing to speak of.
+void LiveRun::watchPace() {
+    constexpr qint64 interval = 1000; // ms
+    constexpr double bearable = 0.1;  // of the time that has passed
+    if (m_paceTime.elapsed() < interval) {
+        return;
+    }
+    const double passed = static_cast<double>(m_paceTime.restart()) / 1000;
+    const double lost = m_runner->frame()->lost;
+    const double behind = lost - m_lost > bearable * passed ? lost : 0;
+    m_lost = lost;
+    if (behind != m_behind) {
+        m_behind = behind;
+        Q_EMIT paceChanged();
+    }
+}
+
+/// Once whoever has called is done.
+void LiveRun::fail(RunnerFault fault) {
+    stop();
+    QMetaObject::invokeMethod(
+        this, [this, fault] { Q_EMIT failed(fault); }, Qt::QueuedConnection);
+}
+
+Phase LiveRun::phase() const {
+    return m_runner ? m_runner->frame()->now->phase : Phase::Sandbox;
+}
+
+Snapshot LiveRun::picture() const {
+    const std::shared_ptr<const Frame> frame = m_runner->frame();
+    const bool still = frame->paused || m_mode == Runner::Mode::Manual;
+    return blended(*frame->before, *frame->now, still ? 1 : shareOf(*frame));
+}
+
+} // namespace spacetow

@@ -1,0 +1,112 @@
+#pragma once
+// A game or a simulation that runs beside the editor, on a copy of the level. It owns the runner, turns keys into
+// controls and watches whether the computer keeps up; it has no picture of its own, see live_view.h.
+
+#include "core/game/runner.h"
+#include "editor/canvas/background_task.h"
+#include "editor/play/key_map.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+#include <vector>
+
+namespace spacetow {
+
+class LiveRun : public QObject {
+    Q_OBJECT
+
+  public:
+    /// A game has lives, a head-up display and the keyboard; beside a simulation the editor works on.
+    enum class Kind : std::uint8_t { Game, Simulation };
+
+    /// With a manual runner nothing moves but by Runner::advance, for tests and screenshots.
+    explicit LiveRun(QObject* parent = nullptr, Runner::Mode mode = Runner::Mode::Threaded);
+    ~LiveRun() override;
+
+    /// Runs the level from its beginning; what was running before is stopped. A level without a ship is no game.
+    void start(const Level& level, Kind wanted = Kind::Game);
+    /// The same as it was flown once; what is held down counts when the recording has ended.
+    void start(const Level& level, const Replay& recorded);
+    /// Of a level that is too much an update takes seconds; nobody waits for the one that is running.
+    void stop();
+    bool isRunning() const { return m_runner != nullptr; }
+    bool isGame() const { return m_runner && m_kind == Kind::Game; }
+    /// Runs whose last update has not ended yet.
+    int ending() const;
+
+    void setPaused(bool paused);
+    bool isPaused() const { return m_paused; }
+    /// The run waits while something else in the window has the keyboard, and then is as it was before.
+    void setWaiting(bool waiting);
+    bool isWaiting() const { return m_waiting; }
+    /// Pauses and makes one update.
+    void stepOnce();
+    void restart();
+    void wantQuadtree(bool wanted);
+
+    void setKeys(const PlayKeys& keys);
+    const PlayKeys& keys() const { return m_keys; }
+    /// True when the key steers. While paused it counts in the steps that follow, and when the run goes on.
+    bool press(const QKeyEvent& event);
+    void release(const QKeyEvent& event);
+    void letGo();
+    /// A key that steers nothing, for those messages that any key answers.
+    void tapIfOver();
+
+    /// Sandbox while nothing runs.
+    Phase phase() const;
+    /// How many have been made that can be seen; 0 while nothing runs.
+    std::int64_t updates() const { return m_runner ? m_runner->frame()->now->update : 0; }
+    /// By how many seconds the run is behind real time, while it falls back further; 0 while it keeps up.
+    double behind() const { return m_behind; }
+    /// The newest two pictures; null while nothing runs.
+    std::shared_ptr<const Frame> frame() const { return m_runner ? m_runner->frame() : nullptr; }
+    /// What there is to see now, between the newest two. Something must run.
+    Snapshot picture() const;
+    /// Null while nothing runs.
+    Runner* runner() { return m_runner.get(); }
+
+  signals:
+    void started();
+    void stopped();
+    /// There may be something new to see; at the display's rate.
+    void advanced();
+    void pausedChanged(bool paused);
+    /// Seen at the display's rate.
+    void phaseChanged();
+    /// Seen once a second.
+    void paceChanged();
+    /// The run could not go on, and has been stopped.
+    void failed(spacetow::RunnerFault fault);
+
+  private:
+    struct Beginning {
+        Kind wanted = Kind::Game;
+        std::uint64_t seed = 1;
+    };
+    void begin(const Level& level, const Beginning& beginning);
+    void look();
+    void watchPace();
+    void fail(RunnerFault fault);
+    void goOn();
+
+    const Runner::Mode m_mode;
+    Kind m_kind = Kind::Game;
+    std::unique_ptr<Runner> m_runner;
+    std::vector<std::unique_ptr<BackgroundTask>> m_ending;
+    QTimer m_frames;
+    PlayKeys m_keys;
+    HeldKeys m_held;
+    bool m_quadtree = false;
+    Phase m_shownPhase = Phase::Sandbox;
+    QElapsedTimer m_paceTime; // since it was looked at
+    double m_lost = 0;        // s, at that time
+    double m_behind = 0;      // s
+    bool m_paused = false;
+    bool m_waiting = false; // though not paused
+};
+
+} // namespace spacetow

@@ -1,0 +1,239 @@
+#include "editor/play/live_view.h"
+
+#include "core/level/bounds.h"
+#include "core/level/groups.h"
+#include "editor/canvas/grid_painter.h"
+#include "editor/canvas/guide_painter.h"
+#include "editor/canvas/overlay_painter.h"
+#include "editor/canvas/palette.h"
+#include "editor/canvas/scene_painter.h"
+#include "editor/play/backdrop.h"
+#include "editor/play/chase.h"
+#include "editor/play/hud.h"
+#include "editor/play/live_pose.h"
+#include "editor/play/pause_menu.h"
+#include "editor/play/scene_marks.h"
+
+#include <QScopedValueRollback>
+
+#include <algorithm>
+#include <utility>
+
+namespace spacetow {
+
+LiveView::LiveView(Document& document, Toolbox& toolbox, Canvas& canvas, LiveRun& run)
+    : m_document(document), m_toolbox(toolbox), m_canvas(canvas), m_run(run), m_hand(document, toolbox, run),
+      m_menu(new PauseMenu(&canvas)) {
+    connect(&run, &LiveRun::advanced, this, &LiveView::refresh);
+    connect(&canvas, &Canvas::viewChanged, this, &LiveView::viewMoved);
+    connect(m_menu, &PauseMenu::resumed, this, &LiveView::closeMenu);
+    connect(m_menu, &PauseMenu::restarted, this, [this] {
+        m_menu->hide();
+        m_canvas.setFocus(Qt::OtherFocusReason);
+        m_run.restart();
+    });
+    connect(m_menu, &PauseMenu::left, this, [this] {
+        m_run.stop();
+        Q_EMIT finished();
+    });
+    connect(&run, &LiveRun::pausedChanged, this, [this](bool paused) {
+        if (!paused && m_menu->isVisible()) {
+            m_menu->hide();
+            m_canvas.setFocus(Qt::OtherFocusReason);
+        }
+    });
+    connect(&run, &LiveRun::stopped, this, [this] { m_menu->hide(); });
+}
+
+LiveView::~LiveView() {
+    hide();
+}
+
+void LiveView::show(const Level& level, bool anew) {
+    m_background = QString::fromStdString(level.rules.background);
+    m_towRange = level.rules.towRange;
+    m_bounds = boundsOf(level);
+    if (!isFinite(m_bounds.size())) {
+        m_bounds = {};
+    }
+    m_ground.forget();
+    m_shown = true;
+    m_classic = false;
+    m_lastUpdate = 0;
+    m_sinceLook.start();
+    m_sinceCount.start();
+    m_frames = 0;
+    m_canvas.showLive(this);
+    m_lastView = m_canvas.view();
+    if (m_run.isRunning()) {
+        m_picture = m_run.picture();
+        m_hand.see(m_picture);
+    }
+    const std::optional<Vec2> ship = shipIn(m_picture);
+    if (anew || (m_run.isGame() && ship && !canFlyBy(m_canvas.view(), *ship))) {
+        takeClassicView();
+    }
+    m_firstScale = m_canvas.view().scale;
+    m_following = true;
+    m_run.wantQuadtree(m_overlays.quadtree);
+}
+
+void LiveView::hide() {
+    if (!m_shown) {
+        return;
+    }
+    m_hand.loseMouse();
+    m_menu->hide();
+    m_shown = false;
+    m_ground.forget();
+    m_canvas.showLive(nullptr);
+}
+
+void LiveView::setOverlays(const OverlayFlags& overlays) {
+    m_overlays = overlays;
+    m_run.wantQuadtree(overlays.quadtree);
+    m_canvas.update();
+}
+
+void LiveView::setKeys(const PlayKeys& keys) {
+    m_run.setKeys(keys);
+    m_menu->setKeys(keys);
+    m_canvas.update();
+}
+
+void LiveView::refresh() {
+    if (!m_shown || !m_run.isRunning()) {
+        return;
+    }
+    m_picture = m_run.picture();
+    m_hand.see(m_picture);
+    const double simulated = m_run.frame()->period * static_cast<double>(m_picture.update - m_lastUpdate);
+    const double passed = m_run.isPaused() ? 0 : static_cast<double>(m_sinceLook.elapsed()) / 1000;
+    m_sinceLook.restart();
+    m_lastUpdate = m_picture.update;
+    if (const std::optional<Vec2> ship = shipIn(m_picture); ship && m_following && m_run.isGame()) {
+        constexpr double longest = 0.25; // s, of what the eye can follow
+        moveView(chased(m_canvas.view(), *ship, std::clamp(std::max(simulated, passed), 0.0, longest)));
+    }
+    m_canvas.update();
+}
+
+void LiveView::shiftView(const Vec2& pixels) {
+    if (!m_classic) {
+        moveView(m_canvas.view().panned(pixels));
+    }
+}
+
+void LiveView::countFrame() {
+    constexpr qint64 interval = 1000; // ms
+    ++m_frames;
+    if (const qint64 passed = m_sinceCount.elapsed(); passed >= interval) {
+        m_sinceCount.restart();
+        const double perSecond = 1000.0 * std::exchange(m_frames, 0) / static_cast<double>(passed);
+        QMetaObject::invokeMethod( // not while it is being painted
+            this, [this, perSecond] { Q_EMIT framesCounted(perSecond); }, Qt::QueuedConnection);
+    }
+}
+
+void LiveView::takeClassicView() {
+    m_classic = true;
+    const Vec2 size(std::max(1, m_canvas.width()), std::max(1, m_canvas.height()));
+    moveView(classicView(m_picture, m_bounds, size));
+}
+
+void LiveView::moveView(const Viewport& view) {
+    const Viewport& now = m_canvas.view();
+    if (view.center == now.center && view.scale == now.scale) {
+        return;
+    }
+    const QScopedValueRollback<bool> guard(m_moving, true);
+    m_canvas.setView(view);
+}
+
+/// Whoever moves the view looks at something else than the ship; a window of another size does not.
+void LiveView::viewMoved() {
+    const Viewport& view = m_canvas.view();
+    const bool moved = !(view.center == m_lastView.center && view.scale == m_lastView.scale);
+    m_lastView = view;
+    if (m_shown && moved && !m_moving) {
+        m_classic = false;
+        setFollowing(false);
+    }
+}
+
+void LiveView::setFollowing(bool following) {
+    if (m_following != following) {
+        m_following = following;
+        Q_EMIT followingChanged();
+    }
+}
+
+void LiveView::follow() {
+    const std::optional<Vec2> ship = shipIn(m_picture);
+    if (!ship) {
+        return;
+    }
+    Viewport view = m_canvas.view();
+    view.scale = m_firstScale;
+    view.center = *ship;
+    moveView(view);
+    setFollowing(true);
+    m_canvas.update();
+}
+
+bool LiveView::showsTool() const {
+    return !m_run.isGame() && m_toolbox.current() != ToolId::Select;
+}
+
+CursorShape LiveView::cursor() const {
+    return showsTool() ? m_toolbox.cursor() : isGame() ? CursorShape::Arrow : m_hand.cursor();
+}
+
+Level LiveView::posedShown(std::span<const Key> keys) const {
+    return posed({m_document.level(), *m_document.current().level}, m_picture, keys);
+}
+
+void LiveView::paint(QPainter& painter, const Frame2D& frame) {
+    countFrame();
+    const bool game = m_run.isGame();
+    const Theme& theme = game ? canvasTheme() : editingTheme(shadeOf(m_canvas.palette()));
+    const Stage stage{painter, frame.view, theme};
+    if (game) {
+        paintBackdrop(stage, m_background);
+    } else {
+        painter.fillRect(QRectF(0, 0, frame.view.size.x() + 1, frame.view.size.y() + 1), theme.background);
+        if (m_canvas.isGridVisible()) {
+            paintGrid(stage, m_toolbox.snap.fineStep());
+        }
+    }
+    m_ground.draw(painter, frame, m_picture, theme);
+    if (!game && m_toolbox.guidesVisible) {
+        paintGuides(stage, m_document.level(), {});
+    }
+    paintFlame(stage, m_picture);
+    paintMoving(stage, m_picture, m_overlays);
+    if (game) {
+        paintTowRange(stage, m_picture, m_towRange);
+    }
+}
+
+void LiveView::paintOver(QPainter& painter, const Frame2D& frame) {
+    const Stage stage{painter, frame.view, m_run.isGame() ? canvasTheme() : editingTheme(shadeOf(m_canvas.palette()))};
+    if (const Key hovered = m_hand.hovered(); hovered != 0 && !showsTool() && !m_run.isGame()) {
+        paintHovered(stage, posedShown(std::span(&hovered, 1)), hovered);
+    }
+    const Selection& selection = m_document.selection();
+    if (!selection.empty()) {
+        paintSelection(stage, posedShown(selection.keys()), selection);
+    }
+    LabelPainter labels(stage);
+    paintToolOverlay(stage, m_hand.overlay(), labels);
+    if (m_menu->isVisible()) {
+        painter.fillRect(m_canvas.rect(), QColor(4, 8, 18, 130));
+    } else if (m_run.isGame()) {
+        paintHud(painter, hudLayout({m_picture.phase, m_picture.hud, m_run.isPaused(), m_run.keys()}, m_canvas.size(),
+                                    m_canvas.font()));
+    }
+}
+
+} // namespace spacetow

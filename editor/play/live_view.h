@@ -1,0 +1,102 @@
+#pragma once
+// A run as the canvas shows it in place of its board: bodies, the range of the rope, the head-up display of a game, the
+// menu over one that is held. It lets the canvas's view follow the ship, and hands keys and mouse on.
+
+#include "editor/canvas/canvas.h"
+#include "editor/canvas/live_scene.h"
+#include "editor/play/ground_picture.h"
+#include "editor/play/live_hand.h"
+#include "editor/play/live_run.h"
+
+#include <QElapsedTimer>
+
+namespace spacetow {
+
+class PauseMenu;
+
+class LiveView : public QObject, public LiveScene {
+    Q_OBJECT
+
+  public:
+    /// All of them must outlive the view.
+    LiveView(Document& document, Toolbox& toolbox, Canvas& canvas, LiveRun& run);
+    ~LiveView() override;
+
+    /// What runs, in place of the board. `anew`: nobody has looked at the level yet, so the classic view is taken; so
+    /// it is where the ship could not be seen.
+    void show(const Level& level, bool anew);
+    /// The board again, with the view that it had.
+    void hide();
+    bool isShown() const { return m_shown; }
+
+    /// Whether the view goes with the ship: until somebody moves it.
+    bool isFollowing() const { return m_following; }
+    /// Goes with the ship again, at the zoom that the run began with.
+    void follow();
+    /// Without letting go of the ship, as when the canvas has come to lie elsewhere on the screen; pixels.
+    void shiftView(const Vec2& pixels);
+    void setOverlays(const OverlayFlags& overlays);
+    void setKeys(const PlayKeys& keys);
+    /// Shows what the run has come to; it does so by itself at the display's rate.
+    void refresh();
+    /// What is shown of the run.
+    const Snapshot& picture() const { return m_picture; }
+    LiveHand& hand() { return m_hand; }
+
+    void paint(QPainter& painter, const Frame2D& frame) override;
+    void paintOver(QPainter& painter, const Frame2D& frame) override;
+    bool showsTool() const override;
+    bool isGame() const override { return m_run.isGame(); }
+    CursorShape cursor() const override;
+    bool take(QEvent& event) override;
+
+  signals:
+    /// The player wants to go back to the editor; the run has been stopped.
+    void finished();
+    void followingChanged();
+    /// How often it was painted in the last second.
+    void framesCounted(double perSecond);
+
+  private:
+    bool takeKey(QKeyEvent& event);
+    bool takeGameKey(QKeyEvent& event);
+    bool takeSimulationKey(QKeyEvent& event);
+    bool takeCommand(PlayKey meaning);
+    bool takeMouse(QEvent& event);
+    bool takePress(const Pointer& pointer);
+    Level posedShown(std::span<const Key> keys) const;
+    void focusLeft(Qt::FocusReason reason);
+    void openMenu();
+    void closeMenu();
+    void moveView(const Viewport& view);
+    void viewMoved();
+    void setFollowing(bool following);
+    void takeClassicView();
+    bool isSteering() const;
+    void countFrame();
+
+    Document& m_document;
+    Toolbox& m_toolbox;
+    Canvas& m_canvas;
+    LiveRun& m_run;
+    LiveHand m_hand;
+    PauseMenu* m_menu; // owned by the canvas
+    OverlayFlags m_overlays;
+    GroundPicture m_ground;
+    Snapshot m_picture;
+    QString m_background;
+    double m_towRange = 0; // m
+    Aabb m_bounds;         // of the level
+    Viewport m_lastView;
+    double m_firstScale = 1; // px a metre, with which the run began
+    QElapsedTimer m_sinceLook;
+    std::int64_t m_lastUpdate = 0;
+    QElapsedTimer m_sinceCount;
+    int m_frames = 0; // painted since
+    bool m_shown = false;
+    bool m_following = true;
+    bool m_classic = false; // the view has been the classic one all the time
+    bool m_moving = false;  // by this
+};
+
+} // namespace spacetow
