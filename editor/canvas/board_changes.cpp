@@ -248,7 +248,7 @@ std::optional<Vec2> connectorMove(const ConnectorObject& connector, const Level&
 
 } // namespace
 
-LevelChanges changesBetween(const Level& before, const Level& after) {
+LevelChanges boardChangesBetween(const Level& before, const Level& after) {
     return Comparison(before, after).changes();
 }
 

@@ -29,7 +29,7 @@ struct LevelChanges {
 };
 
 /// Between two levels of which one was made from the other; takes time with what they do not share.
-LevelChanges changesBetween(const Level& before, const Level& after);
+LevelChanges boardChangesBetween(const Level& before, const Level& after);
 
 /// Places, in `after`, of the objects that are not as in `before`, and of connectors that hang on these; ascending.
 std::vector<int> placesChanged(const Level& before, const Level& after);

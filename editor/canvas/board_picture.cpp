@@ -170,7 +170,7 @@ class BoardPicture::Planner {
         const Level& after = *levelFor(layer);
         ChangedAreas areas;
         if (part.level != levelFor(layer)) {
-            const LevelChanges changes = changesBetween(*part.level, after);
+            const LevelChanges changes = boardChangesBetween(*part.level, after);
             areas = layer == BoardLayer::Rock ? changes.rock : changes.objects;
             areas.everything = areas.everything || layer == BoardLayer::Overlays;
         }
