@@ -186,7 +186,7 @@ QString objectionTo(const QKeySequence& key, const KeyOwner& owner) {
         !owner.usual.contains(QKeySequence(Qt::Key_Tab))) {
         return KeyTexts::tr("%1 goes from field to field and cannot be given away.").arg(shown);
     }
-    if (owner.whilePlaying && isPlainKey(key[0])) {
+    if (owner.whilePlaying && isPlainKey(key[0]) && !owner.usual.contains(key)) {
         return KeyTexts::tr(
                    "“%1” works while a game is running too, when plain keys are the game's: use Ctrl, Alt or a "
                    "function key with it.")
