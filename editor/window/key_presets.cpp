@@ -34,6 +34,8 @@ constexpr PresetKeys inkscapeKeys[] = {
     {Act::NextProblem, "F3"},
     {Act::PreviousProblem, "Shift+F3"},
     {Act::Play, "Ctrl+F5"},
+    {Act::PlayFromHere, "Shift+F6"},
+    {Act::Simulate, "Ctrl+F8"},
     {Act::FlipHorizontally, "H"},
     {Act::FlipVertically, "V"},
     {Act::Hide, "Alt+Shift+H"},

@@ -163,6 +163,52 @@ class OneCanvasTest : public QObject {
         game.drag({-1, 1}, {3, -1}); // a band round the ball
         QVERIFY(game.document().selection().keys() == std::vector<Key>{1});
     }
+    void theInspectorSaysHowWhatIsSelectedMovesNow() {
+        TestWindow test;
+        test.document().reset(ballAndWall());
+        test.document().select(Selection({1}));
+        const MotionLine& motion = test.window->inspector().motion();
+        QVERIFY(!motion.isVisible());
+        test.trigger(Act::Simulate);
+        QTRY_VERIFY(test.window->liveRun().updates() > 5);
+        test.trigger(Act::Pause);
+        QTRY_VERIFY(motion.isVisible() && motion.text().contains("(x 1.000 · y 0.000)"));
+        QVERIFY2(!motion.text().contains("x 0.000 · y 0.000 m"), qPrintable(motion.text()));
+        test.document().select(Selection());
+        QVERIFY(!motion.isVisible());
+        test.document().select(Selection({2}));
+        QVERIFY2(motion.isVisible() && motion.text().contains("x 0.000 · y -2.000 m"), qPrintable(motion.text()));
+        test.trigger(Act::Stop);
+        QVERIFY(!motion.isVisible());
+    }
+    void playingFromThePointerStartsTheShipThere() {
+        TestWindow test;
+        test.document().reset(openSpace());
+        QTest::mouseMove(&test.canvas(), test.at(1.5, 0.5));
+        test.trigger(Act::PlayFromHere);
+        QVERIFY(test.window->isInGame());
+        const auto shipAt = [&] {
+            for (const BodyPicture& body : test.window->liveView().picture().bodies) {
+                if (body.look->key == shipKey) {
+                    return body.pose.position;
+                }
+            }
+            return Vec2(0, 0);
+        };
+        QVERIFY((shipAt() - Vec2(1.5, 0.5)).norm() < 0.03);
+        QVERIFY(test.level() == openSpace());
+        test.trigger(Act::Stop);
+        test.trigger(Act::Play);
+        QVERIFY((shipAt() - Vec2(0, 0)).norm() < 0.03);
+    }
+    void theStatusBarSaysHowManyFramesAreShown() {
+        TestWindow test;
+        test.document().reset(ballAndWall());
+        test.trigger(Act::Simulate);
+        QTRY_VERIFY(test.window->statusLine().pace().contains("fps"));
+        test.trigger(Act::Stop);
+        QVERIFY(test.window->statusLine().pace().isEmpty());
+    }
     void whatIsSelectedIsOutlinedWhereItIsNow() {
         Game game(ballAndWall());
         game.run(100);
