@@ -4,6 +4,8 @@
 #include "core/game/session.h"
 #include "core/level/file.h"
 
+#include <algorithm>
+
 namespace spacetow {
 
 void Replay::append(const Controls& controls) {
@@ -22,12 +24,60 @@ std::int64_t Replay::updates() const {
     return sum;
 }
 
+InputRuns inputsOf(const Replay& replay) {
+    InputRuns inputs;
+    std::optional<Grab> grab;
+    auto hold = replay.holds.begin();
+    auto edit = replay.edits.begin();
+    std::int64_t update = 0;
+    for (const Replay::Run& run : replay.runs) {
+        for (const std::int64_t end = update + run.count; update < end;) {
+            for (; hold != replay.holds.end() && hold->update <= update; ++hold) {
+                grab = hold->grab;
+            }
+            StepInput input{run.controls, grab, {}};
+            for (; edit != replay.edits.end() && edit->update <= update; ++edit) {
+                input.level = edit->level;
+            }
+            std::int64_t until = hold != replay.holds.end() ? std::min(end, hold->update) : end;
+            until = edit != replay.edits.end() ? std::min(until, edit->update) : until;
+            if (input.level) { // it comes once
+                until = update + 1;
+            }
+            inputs.append(input, until - update);
+            update = until;
+        }
+    }
+    return inputs;
+}
+
+void setInputs(Replay& replay, const InputRuns& inputs) {
+    replay.runs.clear();
+    replay.holds.clear();
+    replay.edits.clear();
+    std::optional<Grab> grab;
+    std::int64_t update = 0;
+    for (const InputRun& run : inputs.runs()) {
+        if (run.input.grab != grab) {
+            grab = run.input.grab;
+            replay.holds.push_back({update, grab});
+        }
+        if (run.input.level) {
+            replay.edits.push_back({update, run.input.level});
+        }
+        if (!replay.runs.empty() && replay.runs.back().controls == run.input.controls) {
+            replay.runs.back().count += run.count;
+        } else {
+            replay.runs.push_back({run.input.controls, run.count});
+        }
+        update += run.count;
+    }
+}
+
 Outcome replayed(const Level& level, const Replay& replay) {
     Session session(level, replay.seed);
-    for (const Replay::Run& run : replay.runs) {
-        for (std::int64_t i = 0; i < run.count; ++i) {
-            session.step(run.controls);
-        }
+    for (InputReader inputs(inputsOf(replay)); !inputs.isAtEnd();) {
+        session.step(inputs.next());
     }
     return {session.phase(),
             session.time(),

@@ -8,6 +8,7 @@
 
 #include "core/base/whole_file.h"
 #include "core/game/controls.h"
+#include "core/game/input_runs.h"
 #include "core/game/snapshot.h"
 #include "core/level/level.h"
 
@@ -32,10 +33,27 @@ struct Replay {
         bool operator==(const Run&) const = default;
     };
 
+    /// What the mouse holds in the update after so many, and until another entry says otherwise.
+    struct Hold {
+        std::int64_t update = 0;
+        std::optional<Grab> grab;
+
+        bool operator==(const Hold&) const = default;
+    };
+    /// The level becomes another one with the update after so many.
+    struct Edit {
+        std::int64_t update = 0;
+        std::shared_ptr<const Level> level; // never null
+
+        bool operator==(const Edit& other) const { return update == other.update && *level == *other.level; }
+    };
+
     std::string level; // file name, for people and tools
     std::optional<std::uint64_t> levelHash;
     std::uint64_t seed = 1;
     std::vector<Run> runs;
+    std::vector<Hold> holds; // in order; of a level that was played with alone
+    std::vector<Edit> edits; // likewise
 
     /// One more update.
     void append(const Controls& controls);
@@ -58,6 +76,10 @@ struct Outcome {
 
     bool operator==(const Outcome&) const = default;
 };
+
+/// What comes from outside in each update.
+InputRuns inputsOf(const Replay& replay);
+void setInputs(Replay& replay, const InputRuns& inputs);
 
 /// Flies the whole recording.
 Outcome replayed(const Level& level, const Replay& replay);

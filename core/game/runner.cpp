@@ -20,6 +20,7 @@ double seconds(Clock::time_point time) {
 constexpr auto patience = std::chrono::milliseconds(500); // after which nobody looks
 constexpr auto glance = std::chrono::milliseconds(50);    // between two looks whether somebody does
 constexpr std::int64_t crowdInterval = 50;                // updates
+constexpr auto slice = std::chrono::milliseconds(8);      // of simulating, between two looks at what is wanted
 
 std::int64_t ticks(Clock::time_point time) {
     return time.time_since_epoch().count();
@@ -32,9 +33,8 @@ Clock::time_point timePoint(double time) {
 } // namespace
 
 Runner::Runner(const Level& level, Mode mode, std::uint64_t seed)
-    : m_mode(mode), m_start(level, seed), m_session(m_start), m_last(m_session.snapshot()),
-      m_pacer(m_session.updateSeconds()) {
-    m_recording.seed = seed;
+    : m_mode(mode), m_course(std::make_shared<const Level>(level), seed), m_last(m_course.session().snapshot()),
+      m_pacer(m_course.session().updateSeconds()) {
     post(m_last);
     if (mode == Mode::Threaded) {
         m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -68,40 +68,107 @@ void Runner::pause() {
 void Runner::resume() {
     command([this] {
         m_paused = false;
+        m_watching = false;
+        m_pacer.restart(seconds(Clock::now()));
+        post(m_last);
+    });
+}
+
+void Runner::watch() {
+    command([this] {
+        m_paused = false;
+        m_watching = true;
         m_pacer.restart(seconds(Clock::now()));
         post(m_last);
     });
 }
 
 void Runner::stepOnce() {
-    command([this] { update(); });
+    command([this] {
+        const std::int64_t now = m_course.session().updates();
+        if (m_course.isAtEnd()) {
+            update();
+        } else {
+            m_course.seek(now + 1);
+            leap();
+        }
+    });
+}
+
+void Runner::stepBack() {
+    command([this] {
+        m_followed = InputReader({});
+        m_course.seek(m_course.session().updates() - 1);
+        leap();
+    });
+}
+
+void Runner::seek(std::int64_t update) {
+    command([this, update] {
+        m_followed = InputReader({});
+        m_course.seek(update);
+        leap();
+    });
+}
+
+void Runner::stepIteration() {
+    command([this] {
+        m_course.stepIteration({controlsFromBits(m_held.load()), m_grab, {}});
+        leap();
+    });
+}
+
+void Runner::open(const Replay& recorded) {
+    command([this, inputs = inputsOf(recorded)] {
+        m_followed = InputReader({});
+        m_course.open(inputs);
+        leap();
+        simulate();
+    });
+}
+
+void Runner::stopSimulating() {
+    command([this] {
+        m_course.stopSimulating();
+        post(m_last);
+    });
+}
+
+/// To another moment.
+void Runner::leap() {
+    m_paused = true;
+    m_watching = false;
+    m_prepared = false;
+    m_latched.store(0);
+    keepPace();
+    showAgain();
 }
 
 void Runner::restart() {
     command([this] { beginAnew(); });
 }
 
-void Runner::follow(std::vector<Replay::Run> recorded) {
-    command([this, runs = std::move(recorded)] {
-        m_followed = runs;
+void Runner::follow(const Replay& recorded) {
+    command([this, inputs = inputsOf(recorded)] {
+        m_followed = InputReader(inputs);
         beginAnew();
     });
 }
 
+void Runner::follow(std::vector<Replay::Run> recorded) {
+    Replay replay;
+    replay.runs = std::move(recorded);
+    follow(replay);
+}
+
 void Runner::beginAnew() {
-    if (m_edited || m_session.sharedLevel() != m_start.sharedLevel()) {
-        m_start = Session(m_edited ? m_edited : m_session.sharedLevel(), m_recording.seed);
-        m_edited = nullptr;
-    }
-    m_session = m_start;
-    m_recording.runs.clear();
-    m_followedRun = 0;
-    m_followedTime = 0;
+    m_course.restart();
+    m_followed.restart();
+    m_watching = false;
     m_latched.store(0);
-    m_pacer = Pacer(m_session.updateSeconds() / m_speed);
+    m_pacer = Pacer(m_course.session().updateSeconds() / m_speed);
     m_pacer.restart(seconds(Clock::now()));
-    m_last = m_session.snapshot(m_quadtree);
-    post(m_last);
+    showAgain();
 }
 
 void Runner::wantQuadtree(bool wanted) {
@@ -125,7 +192,7 @@ void Runner::setGrab(std::optional<Grab> grab) {
 void Runner::setSpeed(double speed) {
     command([this, speed] {
         m_speed = speed >= slowest ? std::min(speed, fastest) : slowest;
-        m_pacer.setPeriod(m_session.updateSeconds() / m_speed);
+        m_pacer.setPeriod(m_course.session().updateSeconds() / m_speed);
         m_pacer.restart(seconds(Clock::now()));
         post(m_last);
     });
@@ -133,31 +200,35 @@ void Runner::setSpeed(double speed) {
 
 void Runner::setLevel(std::shared_ptr<const Level> level) {
     command([this, level = std::move(level)] {
-        m_edited = level;
+        m_course.setLevel(level);
         showAgain();
+        simulate();
     });
 }
 
 void Runner::showAgain() {
-    if (m_edited) {
-        Session edited = m_session;
-        edited.adopt(m_edited);
-        m_last = edited.snapshot(m_quadtree);
-    } else {
-        m_last = m_session.snapshot(m_quadtree);
-    }
+    m_last = m_course.isShownAsIs() ? m_course.session().snapshot(m_quadtree) : m_course.shown().snapshot(m_quadtree);
     post(m_last);
 }
 
-Replay Runner::recording() {
-    auto promise = std::make_shared<std::promise<Replay>>();
-    std::future<Replay> answer = promise->get_future();
-    command([this, promise = std::move(promise)] { promise->set_value(m_recording); });
+template <class T>
+T Runner::answered(std::function<T()> ask) {
+    auto promise = std::make_shared<std::promise<T>>();
+    std::future<T> answer = promise->get_future();
+    command([ask = std::move(ask), promise = std::move(promise)] { promise->set_value(ask()); });
     try {
         return answer.get();
     } catch (const std::future_error&) { // nobody is there to answer
         return {};
     }
+}
+
+Replay Runner::recording() {
+    return answered<Replay>([this] { return m_course.recording(); });
+}
+
+std::shared_ptr<const Level> Runner::startLevel() {
+    return answered<std::shared_ptr<const Level>>([this] { return m_course.startLevel(); });
 }
 
 void Runner::advance(int updates) {
@@ -223,12 +294,22 @@ void Runner::turn(const std::stop_token& stop) {
         m_pacer.restart(seconds(Clock::now()));
         post(m_last);
     }
+    if (m_course.isSimulating()) {
+        simulate();
+    } else if (m_paused && !m_prepared) {
+        m_prepared = m_course.prepareBack(4);
+    }
     const int due = m_paused || m_unattended ? 0 : m_pacer.due(seconds(Clock::now()));
     for (int i = 0; i < due && !stop.stop_requested() && fault() == RunnerFault::None; ++i) {
         m_more = i + 1 < due;
-        update();
+        if (!update()) {
+            break;
+        }
     }
     m_more = false;
+    if (m_course.isSimulating() || (m_paused && !m_prepared)) {
+        return;
+    }
     std::unique_lock lock(m_mutex);
     const auto called = [this] { return !m_commands.empty(); };
     if (m_paused) {
@@ -238,58 +319,77 @@ void Runner::turn(const std::stop_token& stop) {
     }
 }
 
-Controls Runner::nextControls() {
+StepInput Runner::nextInput() {
     const Controls held = controlsFromBits(m_held.load() | m_latched.exchange(0));
-    if (m_followedRun == m_followed.size()) {
-        return held;
-    }
-    const Replay::Run& run = m_followed[m_followedRun];
-    if (++m_followedTime == run.count) {
-        ++m_followedRun;
-        m_followedTime = 0;
-    }
-    return run.controls;
+    return m_followed.isAtEnd() ? StepInput{held, m_grab, {}} : m_followed.next();
 }
 
-void Runner::update() {
-    if (m_session.updates() % crowdInterval == 0 && isCrowded(m_session.world())) {
+bool Runner::isCrowdedAt(std::int64_t update, const World& world) {
+    if (update % crowdInterval == 0 && isCrowded(world)) {
         m_fault = RunnerFault::Crowd;
-        return;
+        return true;
     }
-    const Controls controls = nextControls();
-    m_session.step(StepInput{controls, m_grab, std::exchange(m_edited, nullptr)});
+    return false;
+}
+
+/// False when nothing moves any more.
+bool Runner::update() {
+    if (isCrowdedAt(m_course.session().updates(), m_course.session().world())) {
+        return false;
+    }
+    if (!m_watching) {
+        m_course.goOn(nextInput());
+    } else if (!m_course.goAlong()) {
+        if (!m_course.isSimulating()) {
+            leap();
+        }
+        return false;
+    }
     keepPace();
-    if (m_session.updates() <= maxReplayUpdates) {
-        m_recording.append(controls);
-    }
     const std::shared_ptr<const Snapshot> before = m_last;
-    m_last = m_session.snapshot(m_quadtree);
+    m_last = m_course.session().snapshot(m_quadtree);
     m_sounds.fetch_or(m_last->sounds);
     post(before);
+    return true;
+}
+
+/// A threaded runner does a little of it at a time, for it may be told something else meanwhile.
+void Runner::simulate() {
+    const Clock::time_point until = Clock::now() + slice;
+    std::int64_t at = m_course.session().updates();
+    while (m_course.isSimulating() && (m_mode == Mode::Manual || Clock::now() < until)) {
+        if (isCrowdedAt(m_course.simulated(), m_course.newestWorld())) {
+            return;
+        }
+        m_course.simulate(1);
+    }
+    if (at != m_course.session().updates()) {
+        leap();
+    } else {
+        post(m_last);
+    }
 }
 
 /// A level may have been given another length of its updates.
 void Runner::keepPace() {
-    const double period = m_session.updateSeconds() / m_speed;
+    const double period = m_course.session().updateSeconds() / m_speed;
     if (period != m_pacer.period()) {
         m_pacer.setPeriod(period);
     }
 }
 
 void Runner::post(std::shared_ptr<const Snapshot> before) {
+    const std::shared_ptr<const Frame> last = m_frames.latest();
     std::shared_ptr<const Session> session;
-    if (m_withSession && !m_more) {
-        const auto copy = std::make_shared<Session>(m_session);
-        if (m_edited) {
-            copy->adopt(m_edited);
-        }
-        session = copy;
-    } else if (const std::shared_ptr<const Frame> last = m_frames.latest(); m_withSession && last) {
-        session = last->session;
+    if (m_withSession && m_more && last) {
+        session = last->session; // others follow at once
+    } else if (m_withSession) {
+        session = std::make_shared<const Session>(m_course.isShownAsIs() ? m_course.session() : m_course.shown());
     }
+    const bool paused = m_paused || m_unattended;
     m_frames.post(
-        std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(), m_speed,
-                                            m_paused || m_unattended, m_pacer.lost(), std::move(session)}));
+        std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(), m_speed, paused,
+                                            m_pacer.lost(), std::move(session), m_course.summary(m_paused)}));
 }
 
 } // namespace spacetow

@@ -3,9 +3,8 @@
 // no lock is held while the session steps. While paused no time passes.
 
 #include "core/base/mailbox.h"
+#include "core/game/course.h"
 #include "core/game/pacer.h"
-#include "core/game/replay.h"
-#include "core/game/session.h"
 
 #include <atomic>
 #include <chrono>
@@ -20,13 +19,14 @@ namespace spacetow {
 
 /// The newest two pictures, to be blended while the next update is awaited.
 struct Frame {
-    std::shared_ptr<const Snapshot> before, now; // never null; the same in the first frame and after a restart
+    std::shared_ptr<const Snapshot> before, now; // never null; the same in the first frame and after every leap in time
     std::chrono::steady_clock::time_point at;    // when `now` was taken
     double period = 0.02;                        // s that pass between the two; simulated are `speed` times as many
     double speed = 1;                            // of the game, in that of the clock
     bool paused = false;
     double lost = 0; // s, by which the game has fallen behind real time since it began or went on
-    std::shared_ptr<const Session> session{}; // a copy as it is at `now`; null unless it is wanted
+    std::shared_ptr<const Session> session{};          // a copy as it is at `now`; null unless it is wanted
+    std::shared_ptr<const TimelineSummary> timeline{}; // never null
 };
 
 /// Why a game has ended by itself.
@@ -47,12 +47,25 @@ class Runner {
     void hold(const Controls& controls);
     void pause();
     void resume();
-    /// One update, whether paused or not.
+    /// One update, whether paused or not; before the end of the run, the next one as it was.
     void stepOnce();
+    /// Whoever looks at a moment, here and below, has paused. To go on from there is to begin another future.
+    void stepBack();
+    /// One iteration of the next update, for looking only; the last one makes the update.
+    void stepIteration();
+    /// The moment after so many updates, or the nearest that is kept.
+    void seek(std::int64_t update);
+    /// Goes on along the run as it was, and pauses at its end.
+    void watch();
+    /// Begins anew with a recorded run, and pauses: all of it is simulated at once, and can be looked at.
+    void open(const Replay& recorded);
+    /// What is being simulated ends where it has come to.
+    void stopSimulating();
     /// Back to the first update with the same seed; the recording starts again as well.
     void restart();
     /// Begins anew and holds what the recording held, instead of what is held down, until the recording ends. Its seed
     /// is that of the runner.
+    void follow(const Replay& recorded);
     void follow(std::vector<Replay::Run> recorded);
     void wantQuadtree(bool wanted);
     /// Whether frames have a copy of the session. It costs what the copy does, once for what is due at a time.
@@ -62,7 +75,8 @@ class Runner {
     /// So many times as fast as the clock, within `slowest` … `fastest`.
     void setSpeed(double speed);
     static constexpr double slowest = 1.0 / 16, fastest = 8;
-    /// The level as it has been edited: shown at once, and taken over with the next update. A restart begins with it.
+    /// The level as it has been edited: shown at once, and taken over with the next update. Before the end of the run
+    /// the future is simulated again, beside what else happens. A restart begins with it.
     void setLevel(std::shared_ptr<const Level> level);
 
     /// Somebody looks. Who has once said so and then is silent for half a second does not see what happens, nor can
@@ -77,6 +91,8 @@ class Runner {
     /// The flight so far. Waits for the running update to end; the name of the level is left to the caller. Empty after
     /// a fault.
     Replay recording();
+    /// With which the recording begins. Waits likewise; null after a fault.
+    std::shared_ptr<const Level> startLevel();
 
     /// Of a manual runner: makes updates unless paused.
     void advance(int updates = 1);
@@ -93,26 +109,28 @@ class Runner {
     template <class Do>
     void guarded(const Do& work);
     void beginAnew();
-    Controls nextControls();
-    void update();
+    void leap();
+    StepInput nextInput();
+    bool update();
+    void simulate();
+    bool isCrowdedAt(std::int64_t update, const World& world);
     void keepPace();
     void post(std::shared_ptr<const Snapshot> before);
-    /// Of what is to be seen now, when nothing has moved.
+    /// When nothing has moved but how it is looked at.
     void showAgain();
+    template <class T>
+    T answered(std::function<T()> ask);
 
     const Mode m_mode;
 
     // Of the runner's thread, or of the caller's when manual.
-    Session m_start;
-    Session m_session;
+    Course m_course;
     std::optional<Grab> m_grab;
-    std::shared_ptr<const Level> m_edited; // for the next update; null when it is that of the session
     double m_speed = 1;
     std::shared_ptr<const Snapshot> m_last;
-    Replay m_recording;
-    std::vector<Replay::Run> m_followed;
-    std::size_t m_followedRun = 0;   // the one that is held now
-    std::int64_t m_followedTime = 0; // updates it has been held
+    InputReader m_followed{{}}; // instead of what is held, until it ends
+    bool m_watching = false;
+    bool m_prepared = true; // for going back
     Pacer m_pacer;
     bool m_paused = false;
     bool m_unattended = false;

@@ -100,6 +100,14 @@ void Session::beginAttempt() {
 }
 
 void Session::step(const StepInput& input) {
+    stepWith(input, {});
+}
+
+void Session::stepPartly(const StepInput& input, int iterations) {
+    stepWith(input, iterations);
+}
+
+void Session::stepWith(const StepInput& input, std::optional<int> iterations) {
     const Controls& controls = input.controls;
     m_sounds = 0;
     if (input.level) {
@@ -115,7 +123,13 @@ void Session::step(const StepInput& input) {
     }
     const std::optional<BodyId> held = input.grab ? bodyOf(input.grab->object) : std::nullopt;
     m_grabForce = held ? pull(m_world, *held, *input.grab) : std::nullopt;
-    m_world.update();
+    UpdateParameters parameters = m_world.parameters();
+    if (iterations && *iterations < parameters.iterations) {
+        EXPECTS(*iterations > 0);
+        parameters.seconds *= static_cast<double>(*iterations) / parameters.iterations;
+        parameters.iterations = *iterations;
+    }
+    m_world.update(parameters);
     judge();
     if (isPlaying() && controls.thrust) {
         ++m_thrusted;
@@ -312,30 +326,6 @@ void Session::destroyPayload() {
     hear(Sound::PayloadLost);
 }
 
-void Session::scatter(const BodyState& source, int least) {
-    for (DebrisPiece& piece : debrisOf(source, least, m_random)) {
-        FlyingDebris one{std::move(piece), {}};
-        addDebris(one);
-    }
-}
-
-void Session::addDebris(FlyingDebris& debris) {
-    debris.body = addActor(debris.piece.def, BodyRole::Debris, 0);
-    if (debris.body) { // refused where its source was not finite
-        m_debris.push_back(std::move(debris));
-    }
-}
-
-void Session::ageDebris() {
-    for (FlyingDebris& one : m_debris) {
-        one.piece.life -= updateSeconds();
-        if (one.piece.life <= 0) {
-            removeActor(one.body);
-        }
-    }
-    std::erase_if(m_debris, [](const FlyingDebris& one) { return !one.body; });
-}
-
 void Session::moveCamera() {
     if (m_phase == Phase::Sandbox) {
         return;
@@ -348,41 +338,6 @@ void Session::moveCamera() {
     }
     const bool payloadMoved = m_payloadState != PayloadState::Absent && m_payloadState != PayloadState::Waiting;
     m_camera.follow(m_ship || !payloadMoved ? m_shipSeen : m_payloadSeen, updateSeconds());
-}
-
-BodyId Session::addActor(const std::optional<StartBody>& start, BodyRole role) {
-    return start ? addActor(start->def, role, start->key) : BodyId{};
-}
-
-BodyId Session::addActor(const BodyDef& def, BodyRole role, Key key) {
-    BodyDef named = def;
-    named.user = key;
-    const Result<BodyId> added = m_world.addBody(named);
-    if (!added) {
-        return {};
-    }
-    m_actors.push_back({added.value(), std::make_shared<const BodyLook>(BodyLook{++m_lastLook, key, role, def.kind,
-                                                                                 def.tangible, def.filter.tags.bits,
-                                                                                 m_world.shapes(added.value())})});
-    return added.value();
-}
-
-void Session::indexBodies() {
-    auto table = std::make_shared<std::vector<std::pair<Key, BodyId>>>();
-    table->reserve(m_actors.size());
-    for (const Actor& actor : m_actors) {
-        if (actor.look->key != 0) {
-            table->emplace_back(actor.look->key, actor.body);
-        }
-    }
-    std::ranges::sort(*table, {}, &std::pair<Key, BodyId>::first);
-    m_bodies = std::move(table);
-}
-
-void Session::removeActor(BodyId& body) {
-    m_world.removeBody(body);
-    std::erase_if(m_actors, [&](const Actor& actor) { return actor.body == body; });
-    body = {};
 }
 
 } // namespace spacetow

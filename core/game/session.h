@@ -37,6 +37,9 @@ class Session {
     /// more; everything else changes in place. An object that could not be built now goes on as it was. Before the
     /// first update the session becomes that of the new level; a later attempt begins with it.
     void step(const StepInput& input);
+    /// To be looked at in the middle of an update: the first `iterations` of it, in their share of its time. All of
+    /// them are a step.
+    void stepPartly(const StepInput& input, int iterations);
     /// What is seen while the next update, with this level, is waited for: removed objects are gone from the pictures,
     /// but still in the world.
     void adopt(const std::shared_ptr<const Level>& level);
@@ -101,6 +104,7 @@ class Session {
     void obey(const Controls& fresh);
     void attachRope();
     void letGoOfRope();
+    void stepWith(const StepInput& input, std::optional<int> iterations);
     Verdict verdict() const;
     void judge();
     void loseAttempt();

@@ -15,6 +15,9 @@ struct StepInput {
     Controls controls;
     std::optional<Grab> grab;
     std::shared_ptr<const Level> level; // as it has been edited, from this update on; null: as before
+
+    /// Of levels: the very same one.
+    bool operator==(const StepInput&) const = default;
 };
 
 } // namespace spacetow

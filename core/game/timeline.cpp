@@ -8,10 +8,6 @@ namespace {
 constexpr std::size_t mostGhosts = 3;
 constexpr std::int64_t touchPause = 10; // updates, between two marks of touches
 
-bool sameInput(const StepInput& a, const StepInput& b) {
-    return a.controls == b.controls && a.grab == b.grab && a.level == b.level;
-}
-
 /// Ship or payload has begun to touch something solid.
 bool touchesBegan(const Session& session) {
     const std::vector<TouchEvent>& began = session.world().events().began;
@@ -62,7 +58,7 @@ std::int64_t Timeline::interval() const {
 
 void Timeline::add(const StepInput& input, const Session& after) {
     EXPECTS(after.updates() == m_last + 1);
-    if (m_inputs.empty() || !sameInput(m_inputs.back().input, input)) {
+    if (m_inputs.empty() || !(m_inputs.back().input == input)) {
         m_inputs.push_back({m_last, input});
     }
     m_last = after.updates();
@@ -133,16 +129,16 @@ const StepInput& Timeline::input(std::int64_t update) const {
     return m_inputs[runAt(update)].input;
 }
 
-std::vector<InputRun> Timeline::inputsFrom(std::int64_t update) const {
-    std::vector<InputRun> runs;
+InputRuns Timeline::inputsFrom(std::int64_t update) const {
+    InputRuns inputs;
     if (update >= m_last) {
-        return runs;
+        return inputs;
     }
     for (std::size_t i = runAt(update); i < m_inputs.size(); ++i) {
         const std::int64_t end = i + 1 < m_inputs.size() ? m_inputs[i + 1].from : m_last;
-        runs.push_back({m_inputs[i].input, end - std::max(update, m_inputs[i].from)});
+        inputs.append(m_inputs[i].input, end - std::max(update, m_inputs[i].from));
     }
-    return runs;
+    return inputs;
 }
 
 const Timeline::Saved& Timeline::nearest(std::int64_t update) const {
@@ -177,17 +173,19 @@ void Timeline::simulate(Session& session, std::int64_t until) {
     }
 }
 
-void Timeline::prepareBackFrom(std::int64_t update) {
+bool Timeline::prepareBackFrom(std::int64_t update, int updates) {
     const auto next = std::ranges::upper_bound(m_saved, update, {}, &Saved::update);
     const auto from = next - m_saved.begin() - 1;
     if (from < 1) {
-        return;
+        return true;
     }
     const std::int64_t end = m_saved[static_cast<std::size_t>(from)].update - 1;
-    if (std::ranges::find(m_near, end, &Saved::update) == m_near.end()) {
-        Session session = *nearest(end).session;
-        simulate(session, end);
+    if (nearest(end).update == end) {
+        return true;
     }
+    Session session = *nearest(end).session;
+    simulate(session, std::min(end, session.updates() + updates));
+    return session.updates() == end;
 }
 
 void Timeline::keepNear(const Session& session) {
@@ -202,10 +200,10 @@ void Timeline::keepNear(const Session& session) {
     }
 }
 
-void Timeline::goOnFrom(const Session& session) {
+void Timeline::goOnFrom(const Session& session, bool withGhost) {
     const std::int64_t now = session.updates();
     EXPECTS(now >= first() && now <= m_last);
-    if (now < m_last) {
+    if (withGhost && now < m_last) {
         std::vector<TracedPath> paths = pathsFrom(now);
         if (!paths.empty()) {
             m_ghosts.push_back(std::make_shared<const Ghost>(Ghost{now, std::move(paths)}));
@@ -242,40 +240,12 @@ std::size_t Timeline::bytes() const {
     return sum + (m_marks ? m_marks->size() * sizeof(TimelineMark) : 0);
 }
 
-Future::Future(const Session& from, std::vector<InputRun> inputs)
-    : m_session(from), m_inputs(std::move(inputs)), m_goal(from.updates()) {
-    for (const InputRun& run : m_inputs) {
-        m_goal += run.count;
-    }
-}
-
 void Future::advance(Timeline& timeline, int updates) {
     for (int i = 0; i < updates && !isDone(); ++i) {
-        const InputRun& run = m_inputs[m_run];
-        m_session.step(run.input);
-        timeline.add(run.input, m_session);
-        if (++m_done == run.count) {
-            ++m_run;
-            m_done = 0;
-        }
+        const StepInput& input = m_inputs.next();
+        m_session.step(input);
+        timeline.add(input, m_session);
     }
-}
-
-Future futureWithLevel(Timeline& timeline, const Session& session, std::shared_ptr<const Level> level) {
-    std::vector<InputRun> inputs = timeline.inputsFrom(session.updates());
-    for (InputRun& run : inputs) {
-        run.input.level = nullptr;
-    }
-    if (!inputs.empty()) {
-        InputRun first{inputs.front().input, 1};
-        first.input.level = std::move(level);
-        if (--inputs.front().count == 0) {
-            inputs.erase(inputs.begin());
-        }
-        inputs.insert(inputs.begin(), std::move(first));
-    }
-    timeline.goOnFrom(session);
-    return {session, std::move(inputs)};
 }
 
 } // namespace spacetow

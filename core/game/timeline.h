@@ -7,6 +7,7 @@
 // few updates, 2,000 balls three times a second. How long a session takes to copy and to simulate grows with its bytes,
 // too, so that looking at any moment takes about the same time everywhere.
 
+#include "core/game/input_runs.h"
 #include "core/game/session.h"
 #include "core/game/tracks.h"
 
@@ -16,12 +17,6 @@
 #include <vector>
 
 namespace spacetow {
-
-/// The same input in a number of updates one after the other.
-struct InputRun {
-    StepInput input;
-    std::int64_t count = 1;
-};
 
 enum class MarkKind : std::uint8_t { Touch, Tow, LetGo, Crash, Attempt, Win, Edit };
 
@@ -53,17 +48,18 @@ class Timeline {
     /// The session after so many updates, within `first` … `last`. Simulates from the nearest session that is saved,
     /// and keeps some on the way, so that going on backwards from there is quick.
     std::shared_ptr<const Session> at(std::int64_t update);
-    /// Simulates what will be needed for going back from there beyond the nearest saved session. Costs what one `at`
-    /// does at most, and nothing when it has been done.
-    void prepareBackFrom(std::int64_t update);
+    /// Simulates, so many updates at a time, what will be needed for going back from there beyond the nearest saved
+    /// session. True when nothing is left to be done.
+    bool prepareBackFrom(std::int64_t update, int updates);
 
     /// What came from outside in the update after this one; `first` ≤ update < `last`.
     const StepInput& input(std::int64_t update) const;
     /// Of all later updates.
-    std::vector<InputRun> inputsFrom(std::int64_t update) const;
+    InputRuns inputsFrom(std::int64_t update) const;
 
-    /// Another future begins after this session, which is one of the timeline. What was to come stays as a ghost.
-    void goOnFrom(const Session& session);
+    /// Another future begins after this session, which is one of the timeline. What was to come stays as a ghost, if
+    /// so.
+    void goOnFrom(const Session& session, bool withGhost = true);
     /// How far back one can go from now on.
     void setSeconds(double seconds) { m_limits.seconds = seconds; }
 
@@ -118,9 +114,10 @@ class Timeline {
 class Future {
   public:
     /// `from` is the end of the timeline.
-    Future(const Session& from, std::vector<InputRun> inputs);
+    Future(const Session& from, InputRuns inputs)
+        : m_session(from), m_inputs(std::move(inputs)), m_goal(from.updates() + m_inputs.updates()) {}
 
-    bool isDone() const { return m_run == m_inputs.size(); }
+    bool isDone() const { return m_inputs.isAtEnd(); }
     /// The last update, when it is done.
     std::int64_t goal() const { return m_goal; }
     const Session& session() const { return m_session; }
@@ -129,15 +126,8 @@ class Future {
 
   private:
     Session m_session;
-    std::vector<InputRun> m_inputs;
-    std::size_t m_run = 0;
-    std::int64_t m_done = 0; // updates of the run
-    std::int64_t m_goal = 0;
+    InputReader m_inputs;
+    std::int64_t m_goal;
 };
-
-/// What comes of the timeline when the level becomes another one after this session, one of the timeline, and
-/// everything else that came from outside comes again. The old future stays as a ghost. Later edits are left out: the
-/// level has them already.
-Future futureWithLevel(Timeline& timeline, const Session& session, std::shared_ptr<const Level> level);
 
 } // namespace spacetow
