@@ -41,7 +41,7 @@ Simulated simulated(const Level& level, int updates, bool withGame) {
     }
     Session session(level, 1);
     for (int i = 0; i < updates; ++i) {
-        session.step({});
+        session.step(Controls{});
     }
     return {session.world(), session.hash()};
 }
