@@ -319,7 +319,7 @@ bool Application::quit() {
             continue;
         }
         asked.push_back(&level);
-        if (level.document.isModified()) {
+        if (level.document.isModified() || level.runChanges.areWaiting()) {
             level.front()->comeForward();
         }
         if (!level.files.mayLeave()) {

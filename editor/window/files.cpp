@@ -210,6 +210,7 @@ bool Files::saveAs() {
 }
 
 bool Files::mayLeave() {
+    leaving.emit();
     if (!m_document.isModified()) {
         return true;
     }

@@ -76,6 +76,7 @@ class Files {
     /// What the file held when it was last read or written here.
     const FileState& disk() const { return m_disk; }
 
+    Signal<> leaving;  // unless the user would rather stay
     Signal<> conflict; // saving would replace what somebody else has written
     Signal<> changed;  // path or name
     Signal<> saving;   // is about to

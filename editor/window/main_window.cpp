@@ -30,7 +30,7 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
       m_nodes(m_document), m_outliner(m_document, m_toolbox),
       m_history(m_document, m_toolbox, [](const Label& label) { return sentence(label); }),
       m_levelPanel(m_document, [](const Error& error) { return sentence(error); }), m_differences(m_document, m_canvas),
-      m_minimap(m_document, m_canvas),
+      m_runChanges(m_open->runChanges, m_document, m_canvas), m_minimap(m_document, m_canvas),
       m_recoveryBar(journalFolder(), [this](const JournalEntry& entry) { return restoreWork(entry); }),
       m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
       m_exchange(m_document, m_toolbox, m_canvas,
@@ -43,6 +43,7 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
     listen();
     listenToPanels();
     listenToDisk();
+    listenToRunChanges();
     m_view = m_open->add(*this);
     setWindowModified(m_document.isModified());
     updateTitle();
@@ -62,6 +63,7 @@ MainWindow::~MainWindow() {
     m_live.hide();
     hide(); // what is being typed is entered while all that listens still lives
     m_document.changed.disconnect(m_documentListener);
+    m_document.changed.disconnect(m_runListener);
     m_document.historyChanged.disconnect(m_historyListener);
     m_files.changed.disconnect(m_fileListener);
     m_files.opened.disconnect(m_openedListener);
@@ -328,8 +330,9 @@ void MainWindow::updateSelection() {
 
 void MainWindow::updateMode() {
     const bool editing = !isWelcoming();
-    for (QWidget* panel : std::initializer_list<QWidget*>{&m_inspector, &m_tagMatrix, &m_problems, &m_nodes,
-                                                          &m_outliner, &m_history, &m_levelPanel, &m_differences}) {
+    for (QWidget* panel :
+         std::initializer_list<QWidget*>{&m_inspector, &m_tagMatrix, &m_problems, &m_nodes, &m_outliner, &m_history,
+                                         &m_levelPanel, &m_differences, &m_runChanges}) {
         panel->setEnabled(editing);
     }
     for (QAction* action : m_panels->actions()) {

@@ -26,6 +26,7 @@
 #include "editor/window/open_level.h"
 #include "editor/window/panels.h"
 #include "editor/window/recovery_bar.h"
+#include "editor/window/run_changes_panel.h"
 #include "editor/window/status_line.h"
 
 #include <QElapsedTimer>
@@ -153,6 +154,7 @@ class MainWindow : public QMainWindow {
     Minimap& minimap() { return m_minimap; }
     LevelPanel& levelPanel() { return m_levelPanel; }
     DifferencePanel& differences() { return m_differences; }
+    RunChangesPanel& runChangesPanel() { return m_runChanges; }
     ArrayBar& arrayBar() { return m_arrays; }
     TransformBar& transformBar() { return m_transform; }
     Actions& actions() { return m_actions; }
@@ -204,6 +206,8 @@ class MainWindow : public QMainWindow {
     void listenToPanels();
     void listenToDisk();
     void showNotice();
+    void listenToRunChanges();
+    void tellRun();
     bool restoreWork(const JournalEntry& entry);
     void showRecovered(const JournalEntry& entry, const std::shared_ptr<const Level>& found);
     void restore();
@@ -255,6 +259,7 @@ class MainWindow : public QMainWindow {
     HistoryPanel m_history;
     LevelPanel m_levelPanel;
     DifferencePanel m_differences;
+    RunChangesPanel m_runChanges;
     Minimap m_minimap;
     RecoveryBar m_recoveryBar;
     MessageBar m_diskBar; // what others do to the file
@@ -279,7 +284,9 @@ class MainWindow : public QMainWindow {
     bool m_errorsUntold = false; // of what is played
     int m_view = 0;              // its number among the views of the level
     bool m_mayClose = false;     // without another question
+    std::shared_ptr<const Level> m_told; // that the run has heard of
     int m_documentListener = 0;
+    int m_runListener = 0;
     int m_historyListener = 0;
     int m_fileListener = 0;
     int m_openedListener = 0;

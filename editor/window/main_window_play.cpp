@@ -67,10 +67,12 @@ void MainWindow::enterRun(LiveRun::Kind wanted, const Replay* recorded) {
     finishDrawing();
     m_errorsUntold = true;
     m_open->check.hurry();
+    m_open->runChanges.begin();
     m_recorded = recorded != nullptr;
     m_snapBefore = m_toolbox.snap;
     m_toolbox.snap.grid = m_toolbox.snap.smart = false; // nothing stays where one could snap to it
     m_status.setSnap(m_toolbox.snap);
+    m_told = m_document.current().level;
     const std::shared_ptr<const Level> level = levelToRun();
     if (m_recorded) {
         m_run.start(*level, *recorded);
@@ -128,7 +130,9 @@ void MainWindow::stopPlaying() {
     m_status.setPace(QString());
     m_inspector.hideMotion();
     m_live.hide();
+    finishWork(); // it belongs to the run
     showBoard();
+    m_open->runChanges.end();
 }
 
 void MainWindow::listenToRun() {

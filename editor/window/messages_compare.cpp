@@ -123,6 +123,14 @@ class Speaker {
         }
         return std::move(m_lines);
     }
+    /// Several fields of the level in one line.
+    QString levelLine(const std::vector<FieldDifference>& fields) const {
+        QStringList parts;
+        for (const FieldDifference& field : fields) {
+            parts << changed(levelRows(), field);
+        }
+        return Compared::tr("Level: %1").arg(parts.join(QStringLiteral("; ")));
+    }
 
   private:
     void say(const QString& text) { m_lines.push_back({0, ObjectChange::Changed, text}); }
@@ -205,6 +213,18 @@ class Speaker {
 std::vector<DifferenceLine> differenceLines(const Level& before, const Level& after,
                                             const LevelDifference& difference) {
     return Speaker(before, after).lines(difference);
+}
+
+QString changeText(const Level& before, const Level& after, const LevelChange& change) {
+    Speaker speaker(before, after);
+    if (!change.what.fields.empty()) {
+        return speaker.levelLine(change.what.fields);
+    }
+    QStringList texts;
+    for (const DifferenceLine& line : speaker.lines(change.what)) {
+        texts << line.text;
+    }
+    return texts.isEmpty() ? Compared::tr("Guides: in another order") : texts.join(QStringLiteral("; "));
 }
 
 QString sentence(const MergeConflict& conflict, const Level& level) {

@@ -2,6 +2,7 @@
 // What is different between two levels, and what a merge could not decide, in words.
 
 #include "core/level/compare.h"
+#include "core/level/kept_changes.h"
 #include "core/level/merge.h"
 
 #include <QString>
@@ -18,6 +19,9 @@ struct DifferenceLine {
 
 /// In the order of the difference, which is that between the two levels.
 std::vector<DifferenceLine> differenceLines(const Level& before, const Level& after, const LevelDifference& difference);
+
+/// One line, without a full stop.
+QString changeText(const Level& before, const Level& after, const LevelChange& change);
 
 /// `level` is the merged one.
 QString sentence(const MergeConflict& conflict, const Level& level);

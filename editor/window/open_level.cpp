@@ -9,7 +9,7 @@
 namespace spacetow {
 
 OpenLevel::OpenLevel()
-    : check(document),
+    : runChanges(document), check(document),
       files(document, dialogQuestions([this]() -> QWidget* { return front(); }),
             [this](MessageBar::Tone tone, const QString& text, const std::vector<MessageBar::Choice>& choices) {
                 if (MainWindow* const view = front()) {
@@ -39,6 +39,10 @@ void OpenLevel::listen() {
             front()->messageBar().say(tone, text);
         }
     };
+    recovery.undecided = [this] { return runChanges.undecided(); };
+    runChanges.changed.connect([this] { recovery.lookAgain(); });
+    // Who leaves without a word about them has them; the question about what is not saved comes next.
+    files.leaving.connect([this] { runChanges.keepAll(); });
     recovery.failed.connect([say](const Error& error) {
         say(MessageBar::Tone::Warning,
             MainWindow::tr("Should the program end all of a sudden, what is not saved will be lost:") +

@@ -2,6 +2,7 @@
 // A level that is open: its document and its file, and the windows that show it, which may be several.
 
 #include "editor/editing/document.h"
+#include "editor/editing/run_changes.h"
 #include "editor/panels/level_check.h"
 #include "editor/window/disk_changes.h"
 #include "editor/window/files.h"
@@ -18,6 +19,8 @@ class OpenLevel {
     OpenLevel();
 
     Document document;
+    /// What a run has changed and nobody has decided about.
+    RunChanges runChanges;
     /// For all views.
     LevelCheck check;
     /// Asks and speaks through the view that was used last.

@@ -69,6 +69,13 @@ constexpr PanelRow allPanels[] = {
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.differences(); }},
+    {.name = "runChanges",
+     .title = QT_TRANSLATE_NOOP("Panels", "&Run Changes"),
+     .keys = "Ctrl+Alt+A",
+     .area = Qt::RightDockWidgetArea,
+     .shownAtFirst = false,
+     .tabOf = "inspector",
+     .make = [](MainWindow& window) -> QWidget* { return &window.runChangesPanel(); }},
 };
 
 QString translatedTitle(const char* words) {

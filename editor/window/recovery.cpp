@@ -54,6 +54,9 @@ Recovery::~Recovery() {
 }
 
 std::shared_ptr<const Level> Recovery::wanted() const {
+    if (std::shared_ptr<const Level> level = undecided ? undecided() : nullptr) {
+        return level;
+    }
     return m_document.isModified() ? m_document.current().level : nullptr;
 }
 

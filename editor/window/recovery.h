@@ -20,6 +20,11 @@ class Recovery : public QObject {
     /// What the document would hold if what is half done were ended now, or null; asked every few seconds.
     std::function<std::shared_ptr<const Level>()> unfinished;
 
+    /// What would be lost though the document does not hold it, or null; see lookAgain.
+    std::function<std::shared_ptr<const Level>()> undecided;
+
+    /// After `undecided` has another answer.
+    void lookAgain() { m_soon.start(0); }
     /// Waits until the journal holds what the document does. False when it cannot be written.
     bool flush();
     /// The user has let go of the document: nothing of it stays.

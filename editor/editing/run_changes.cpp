@@ -1,0 +1,215 @@
+#include "editor/editing/run_changes.h"
+
+#include "core/level/merge.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace spacetow {
+
+namespace {
+
+using ChangeName = std::tuple<Key, bool, bool, bool, int, ObjectChange, std::string>;
+
+/// By which a change is known, whatever its values become.
+ChangeName nameOf(const LevelChange& change) {
+    const LevelDifference& what = change.what;
+    const bool isOfLevel = change.object == 0;
+    const std::vector<FieldDifference>& fields = isOfLevel ? what.fields : what.objects.front().fields;
+    return {change.object,
+            change.guides,
+            what.unknownFields,
+            what.hiddenProblems,
+            what.tags.empty() ? -1 : what.tags.front().index,
+            isOfLevel ? ObjectChange::Changed : what.objects.front().change,
+            fields.empty() ? std::string() : std::string(fields.front().field.name)};
+}
+
+/// What each needs comes before it.
+std::vector<int> neededFirst(const std::vector<LevelChange>& changes, const std::vector<int>& places) {
+    std::vector<int> order;
+    std::vector<bool> seen(changes.size(), false);
+    const std::function<void(int)> visit = [&](int place) {
+        if (seen[static_cast<std::size_t>(place)]) {
+            return;
+        }
+        seen[static_cast<std::size_t>(place)] = true;
+        std::ranges::for_each(changes[static_cast<std::size_t>(place)].needs, visit);
+        order.push_back(place);
+    };
+    std::ranges::for_each(places, visit);
+    return order;
+}
+
+} // namespace
+
+Label keptLabel(const LevelChange& change) {
+    if (change.object == 0) {
+        return {"keep-level", 1};
+    }
+    switch (change.what.objects.front().change) {
+    case ObjectChange::Added:
+        return {"keep-added", 1};
+    case ObjectChange::Removed:
+        return {"keep-removed", 1};
+    case ObjectChange::Moved:
+        return {"keep-moved", 1};
+    case ObjectChange::Retagged:
+        return {"keep-tags", 1};
+    case ObjectChange::Reordered:
+        return {"keep-order", 1};
+    case ObjectChange::Changed:
+        break;
+    }
+    return {"keep-change", 1};
+}
+
+RunChanges::RunChanges(Document& document) : m_document(document) {
+    m_listener = m_document.changed.connect([this](const Change&) { follow(); });
+}
+
+RunChanges::~RunChanges() {
+    m_document.changed.disconnect(m_listener);
+}
+
+void RunChanges::begin() {
+    if (m_runs++ == 0) {
+        m_start = m_document.current().level;
+    }
+}
+
+void RunChanges::end() {
+    if (m_runs == 0 || --m_runs > 0) {
+        return;
+    }
+    const std::shared_ptr<const Level> before = std::exchange(m_start, nullptr);
+    std::shared_ptr<const Level> after = m_document.current().level;
+    if (before == after && !areWaiting()) {
+        return;
+    }
+    if (areWaiting()) { // from a run before this one
+        after = std::make_shared<const Level>(merged(*m_before, *after, *m_after).level);
+    }
+    m_committing = true;
+    m_document.commit({"end-run", 1}, {before, m_document.selection()});
+    m_committing = false;
+    list(m_document.current().level, std::move(after));
+}
+
+void RunChanges::list(std::shared_ptr<const Level> before, std::shared_ptr<const Level> after) {
+    std::set<ChangeName> unticked;
+    for (std::size_t i = 0; i < m_changes.size(); ++i) {
+        if (!m_ticked[i]) {
+            unticked.insert(nameOf(m_changes[i]));
+        }
+    }
+    std::vector<LevelChange> changes = changesBetween(*before, *after);
+    if (changes.empty()) {
+        forget();
+        return;
+    }
+    m_before = std::move(before);
+    m_after = std::move(after);
+    m_changes = std::move(changes);
+    m_ticked.assign(m_changes.size(), true);
+    for (std::size_t i = 0; i < m_changes.size(); ++i) {
+        m_ticked[i] = !unticked.contains(nameOf(m_changes[i]));
+    }
+    untickUnmet();
+    changed.emit();
+}
+
+/// What needs something that has no tick has none either.
+void RunChanges::untickUnmet() {
+    for (bool more = true; more;) {
+        more = false;
+        for (std::size_t i = 0; i < m_changes.size(); ++i) {
+            const bool met = std::ranges::all_of(m_changes[i].needs, [this](int place) { return isTicked(place); });
+            more = more || (m_ticked[i] && !met);
+            m_ticked[i] = m_ticked[i] && met;
+        }
+    }
+}
+
+void RunChanges::forget() {
+    const bool were = areWaiting();
+    m_changes.clear();
+    m_ticked.clear();
+    m_before = nullptr;
+    m_after = nullptr;
+    if (were) {
+        changed.emit();
+    }
+}
+
+/// What is done by hand meanwhile is no longer in the list.
+void RunChanges::follow() {
+    const std::shared_ptr<const Level> level = m_document.current().level;
+    const std::shared_ptr<const Level> known = isRunning() ? m_start : m_before;
+    if (m_committing || !known || level == known) {
+        return;
+    }
+    if (m_document.historySize() == 0) { // another level has come
+        m_start = nullptr;
+        m_runs = 0;
+        forget();
+    } else if (!isRunning()) {
+        list(level, std::make_shared<const Level>(merged(*m_before, *level, *m_after).level));
+    }
+}
+
+int RunChanges::ticked() const {
+    return static_cast<int>(std::ranges::count(m_ticked, true));
+}
+
+void RunChanges::setTicked(int place, bool ticked) {
+    if (ticked) {
+        for (const int needed : keptTogether(m_changes, std::vector{place})) {
+            m_ticked[static_cast<std::size_t>(needed)] = true;
+        }
+    } else {
+        m_ticked[static_cast<std::size_t>(place)] = false;
+        untickUnmet();
+    }
+    changed.emit();
+}
+
+void RunChanges::keepTicked() {
+    std::vector<int> places;
+    for (int i = 0; i < static_cast<int>(m_changes.size()); ++i) {
+        if (isTicked(i)) {
+            places.push_back(i);
+        }
+    }
+    keep(places);
+}
+
+void RunChanges::keepAll() {
+    std::vector<int> places(m_changes.size());
+    std::iota(places.begin(), places.end(), 0);
+    keep(places);
+}
+
+void RunChanges::keep(const std::vector<int>& places) {
+    m_committing = true;
+    std::vector<int> kept;
+    for (const int place : neededFirst(m_changes, places)) {
+        const LevelChange& change = m_changes[static_cast<std::size_t>(place)];
+        kept.push_back(place);
+        auto level = std::make_shared<const Level>(withKept(*m_before, *m_after, m_changes, kept));
+        m_document.commit(keptLabel(change), {std::move(level), m_document.selection()});
+    }
+    m_committing = false;
+    forget();
+}
+
+void RunChanges::discard() {
+    forget();
+}
+
+} // namespace spacetow

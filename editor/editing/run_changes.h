@@ -1,0 +1,70 @@
+#pragma once
+// What has been changed in a level while it ran. During the run these are edits of the document like all others; when
+// it ends, the document goes back to the level before the run, and the changes wait in a list, each to be kept or not.
+// Until somebody decides, the list follows what else is done to the document.
+
+#include "core/level/kept_changes.h"
+#include "editor/editing/document.h"
+
+#include <memory>
+#include <vector>
+
+namespace spacetow {
+
+class RunChanges {
+  public:
+    /// The document must outlive this.
+    explicit RunChanges(Document& document);
+    ~RunChanges();
+    RunChanges(const RunChanges&) = delete;
+    RunChanges& operator=(const RunChanges&) = delete;
+
+    /// One more window runs the level.
+    void begin();
+    /// One less. With the last, back to the level before the run, as one step that can be undone.
+    void end();
+    bool isRunning() const { return m_runs > 0; }
+
+    /// Whether changes wait to be kept or discarded; the rest is about these.
+    bool areWaiting() const { return !m_changes.empty(); }
+    const std::vector<LevelChange>& changes() const { return m_changes; }
+    const Level& before() const { return *m_before; }
+    const Level& after() const { return *m_after; }
+    /// With all of them, for the journal; null while none waits.
+    std::shared_ptr<const Level> undecided() const { return areWaiting() ? m_after : nullptr; }
+
+    /// All are at first.
+    bool isTicked(int place) const { return m_ticked[static_cast<std::size_t>(place)]; }
+    int ticked() const;
+    /// Ticks with it what it needs, or takes the tick from what needs it.
+    void setTicked(int place, bool ticked);
+
+    /// Each is one step of the history; then none waits.
+    void keepTicked();
+    void keepAll();
+    /// Undoing after it brings back all of them.
+    void discard();
+
+    Signal<> changed; // the list, or what is ticked in it
+
+  private:
+    void follow();
+    void list(std::shared_ptr<const Level> before, std::shared_ptr<const Level> after);
+    void untickUnmet();
+    void keep(const std::vector<int>& places);
+    void forget();
+
+    Document& m_document;
+    int m_runs = 0;                       // that are going on
+    std::shared_ptr<const Level> m_start; // of the first of them
+    std::shared_ptr<const Level> m_before, m_after;
+    std::vector<LevelChange> m_changes;
+    std::vector<bool> m_ticked;
+    bool m_committing = false;
+    int m_listener = 0;
+};
+
+/// What the step is called that keeps the change.
+Label keptLabel(const LevelChange& change);
+
+} // namespace spacetow

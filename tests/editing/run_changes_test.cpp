@@ -1,0 +1,235 @@
+#include "editor/editing/run_changes.h"
+
+#include "core/base/random.h"
+#include "core/level/edits.h"
+#include "core/level/file.h"
+#include "tests/support/every_edit.h"
+#include "tests/support/full_run.h"
+#include "tests/support/random_level.h"
+#include "tests/support/seed_text.h"
+#include "tests/support/test_main.h"
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+using RunKeys = std::vector<Key>;
+
+Object runBall(Key key) {
+    return {key, "ball", BodyObject{.shapes = {Circle{{0, 0}, 0.5}}, .position = {double(key), 0}}, {}};
+}
+
+/// Two balls, and a run of them.
+struct RunDesk {
+    RunDesk() : document(start()), changes(document) {
+        before = levelText(document.level());
+        changes.begin();
+    }
+    static Level start() {
+        Level level;
+        level.objects.append(runBall(1));
+        level.objects.append(runBall(2));
+        return level;
+    }
+    void edit(Level level, const char* code = "change") {
+        document.commit({code, 1}, {std::make_shared<const Level>(std::move(level)), {}});
+    }
+    void moveBall(Key key, double way) { edit(moved(document.level(), RunKeys{key}, {way, 0}), "move"); }
+    void setGravity(double gravity) {
+        Level level = document.level();
+        level.gravity.y() = gravity;
+        edit(level);
+    }
+    double placeOf(Key key) { return std::get<BodyObject>(document.level().objects.find(key)->data).position.x(); }
+    std::string text() { return levelText(document.level()); }
+    QStringList history() {
+        QStringList codes;
+        for (int i = 0; i < document.historySize(); ++i) {
+            codes << QString::fromStdString(document.label(i).code);
+        }
+        return codes;
+    }
+
+    Document document;
+    RunChanges changes;
+    std::string before;
+};
+
+} // namespace
+
+class RunChangesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aRunWithoutEditsLeavesNothingBehind() {
+        RunDesk desk;
+        desk.changes.end();
+        QVERIFY(!desk.changes.areWaiting());
+        QCOMPARE(desk.document.historySize(), 0);
+    }
+
+    void onStopTheLevelIsAsBeforeAndTheChangesWait() {
+        RunDesk desk;
+        desk.setGravity(-3);
+        desk.moveBall(1, 4);
+        desk.moveBall(1, 1);
+        desk.changes.end();
+        QVERIFY(desk.text() == desk.before);
+        QVERIFY(!desk.document.isModified());
+        QCOMPARE(desk.changes.changes().size(), std::size_t(2));
+        QCOMPARE(desk.changes.ticked(), 2);
+        QVERIFY(desk.changes.undecided() != nullptr);
+    }
+
+    void eachKeptChangeIsOneStepWithAName() {
+        RunDesk desk;
+        desk.setGravity(-3);
+        desk.moveBall(1, 4);
+        desk.edit(added(desk.document.level(), runBall(9)));
+        const std::string all = desk.text();
+        desk.changes.end();
+        desk.changes.keepAll();
+        QVERIFY(desk.text() == all);
+        QVERIFY(!desk.changes.areWaiting());
+        QCOMPARE(desk.history().mid(3), (QStringList{"end-run", "keep-level", "keep-moved", "keep-added"}));
+        desk.document.undo();
+        QVERIFY(desk.document.level().objects.find(9) == nullptr);
+        QCOMPARE(desk.placeOf(1), 5.0);
+        desk.document.undo();
+        QCOMPARE(desk.placeOf(1), 1.0);
+        QCOMPARE(desk.document.level().gravity.y(), -3.0);
+        desk.document.undo();
+        QVERIFY(desk.text() == desk.before);
+    }
+
+    void whatIsNotTickedIsLeftOut() {
+        RunDesk desk;
+        desk.setGravity(-3);
+        desk.moveBall(1, 4);
+        desk.moveBall(2, 4);
+        desk.changes.end();
+        desk.changes.setTicked(1, false);
+        desk.changes.keepTicked();
+        QCOMPARE(desk.document.level().gravity.y(), -3.0);
+        QCOMPARE(desk.placeOf(1), 1.0);
+        QCOMPARE(desk.placeOf(2), 6.0);
+    }
+
+    void discardingLeavesTheFilesBytesAndCanBeUndone() {
+        RunDesk desk;
+        desk.setGravity(-3);
+        desk.moveBall(1, 4);
+        const std::string all = desk.text();
+        desk.changes.end();
+        desk.changes.discard();
+        QVERIFY(desk.text() == desk.before);
+        QVERIFY(!desk.document.isModified());
+        QVERIFY(desk.changes.undecided() == nullptr);
+        desk.document.undo();
+        QVERIFY(desk.text() == all);
+    }
+
+    void undoingTheEndOfTheRunEmptiesTheList() {
+        RunDesk desk;
+        desk.moveBall(1, 4);
+        desk.changes.end();
+        desk.document.undo();
+        QVERIFY(!desk.changes.areWaiting());
+        QCOMPARE(desk.placeOf(1), 5.0);
+    }
+
+    void ticksGoTogetherWhereOneNeedsTheOther() {
+        RunDesk desk;
+        Level level = added(desk.document.level(), runBall(9));
+        desk.edit(added(level, {10, "spring", ConnectorObject{.a = 9, .b = 1}, {}}));
+        desk.changes.end();
+        desk.changes.setTicked(0, false); // the ball
+        QCOMPARE(desk.changes.ticked(), 0);
+        desk.changes.setTicked(1, true); // the spring
+        QCOMPARE(desk.changes.ticked(), 2);
+        desk.changes.setTicked(1, false);
+        QVERIFY(desk.changes.isTicked(0));
+    }
+
+    void theListFollowsWhatIsDoneByHandMeanwhile() {
+        RunDesk desk;
+        desk.setGravity(-3);
+        desk.moveBall(1, 4);
+        desk.changes.end();
+        desk.changes.setTicked(1, false);
+        desk.setGravity(-3); // the same by hand
+        QCOMPARE(desk.changes.changes().size(), std::size_t(1));
+        QCOMPARE(desk.changes.ticked(), 0); // as the user left it
+        desk.moveBall(2, 1);
+        desk.changes.keepAll();
+        QCOMPARE(desk.placeOf(1), 5.0);
+        QCOMPARE(desk.placeOf(2), 3.0);
+    }
+
+    void anotherRunAddsToWhatWaits() {
+        RunDesk desk;
+        desk.moveBall(1, 4);
+        desk.changes.end();
+        desk.changes.begin();
+        QCOMPARE(desk.placeOf(1), 1.0);
+        desk.moveBall(2, 1);
+        desk.changes.end();
+        QVERIFY(desk.text() == desk.before);
+        QCOMPARE(desk.changes.changes().size(), std::size_t(2));
+        desk.changes.keepAll();
+        QCOMPARE(desk.placeOf(1), 5.0);
+        QCOMPARE(desk.placeOf(2), 3.0);
+    }
+
+    void ofRunsInTwoWindowsTheLastToEndMakesTheList() {
+        RunDesk desk;
+        desk.moveBall(1, 4);
+        desk.changes.begin();
+        desk.moveBall(2, 1);
+        desk.changes.end();
+        QVERIFY(!desk.changes.areWaiting());
+        QCOMPARE(desk.placeOf(1), 5.0);
+        desk.changes.end();
+        QVERIFY(desk.text() == desk.before);
+        QCOMPARE(desk.changes.changes().size(), std::size_t(2));
+        desk.changes.end(); // of none
+        QCOMPARE(desk.changes.changes().size(), std::size_t(2));
+    }
+
+    void anotherLevelEndsTheMatter() {
+        RunDesk desk;
+        desk.moveBall(1, 4);
+        desk.changes.end();
+        desk.document.reset(populatedLevel());
+        QVERIFY(!desk.changes.areWaiting());
+        desk.changes.begin();
+        desk.document.reset(RunDesk::start());
+        desk.changes.end();
+        QVERIFY(!desk.changes.areWaiting());
+        QCOMPARE(desk.document.historySize(), 0);
+    }
+
+    void keptOrMadeByHandTheFileIsTheSame() {
+        for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(fullOrQuick(300, usualOrThin(20, 5))); ++seed) {
+            Document document(soundLevel(seed));
+            RunChanges changes(document);
+            const std::string before = levelText(document.level());
+            changes.begin();
+            Random random(seed);
+            for (int edits = 0; edits < 5; ++edits) {
+                EditTask task(random.next(), document.level());
+                const auto& row = everyEdit()[random.below(static_cast<unsigned>(everyEdit().size()))];
+                document.commit({"change", 1}, {std::make_shared<const Level>(row.run(task)), {}});
+            }
+            const std::string byHand = levelText(document.level());
+            changes.end();
+            QVERIFY2(levelText(document.level()) == before, seedText(seed));
+            changes.keepAll();
+            QVERIFY2(levelText(document.level()) == byHand, seedText(seed));
+        }
+    }
+};
+
+SPACETOW_TEST(RunChangesTest)
+#include "run_changes_test.moc"
