@@ -1,7 +1,5 @@
 #include "core/game/autopilot.h"
 
-#include "core/game/ship.h"
-
 #include <algorithm>
 #include <numbers>
 
@@ -69,6 +67,7 @@ Vec2 Autopilot::wantedVelocity(const std::vector<Waypoint>& route, const Vec2& p
 
 Controls Autopilot::fly(const Session& session, const std::vector<Waypoint>& route) {
     const BodyState ship = *session.ship();
+    const Rules& rules = session.level().rules;
     const Vec2 gravity = session.world().parameters().gravity;
     const Vec2 wanted = wantedVelocity(route, ship.massCenter);
     Vec2 acceleration = m_habits.eagerness * (wanted - ship.velocity);
@@ -82,14 +81,14 @@ Controls Autopilot::fly(const Session& session, const std::vector<Waypoint>& rou
         mass += session.payload()->mass;
     }
     acceleration = shortened(acceleration, m_habits.maxAcceleration);
-    const Vec2 force = mass * (acceleration - gravity + ship::linearDamping * ship.velocity);
+    const Vec2 force = mass * (acceleration - gravity + rules.shipLinearDamping * ship.velocity);
 
     Controls controls;
     const Vec2 nose = ship.pose.rotation.up();
     const double ahead = force.dot(nose);
     const double error = arcTangent(cross(nose, force), ahead); // rad, to turn left by
     const double turn =
-        (m_habits.attitudeGain * error - m_habits.attitudeDamping * ship.angularVelocity) / ship::steering;
+        (m_habits.attitudeGain * error - m_habits.attitudeDamping * ship.angularVelocity) / rules.steering;
     // Keys are on or off; what a whole update of a key is too much for is saved up.
     m_turnDebt = std::clamp(m_turnDebt + std::clamp(turn, -1.0, 1.0), -1.0, 1.0);
     if (std::abs(m_turnDebt) >= 0.5) {
@@ -97,7 +96,7 @@ Controls Autopilot::fly(const Session& session, const std::vector<Waypoint>& rou
         controls.right = m_turnDebt < 0;
         m_turnDebt -= m_turnDebt > 0 ? 1 : -1;
     }
-    m_thrustDebt = std::clamp(m_thrustDebt + std::clamp(ahead / ship::thrust, 0.0, 1.0), 0.0, 2.0);
+    m_thrustDebt = std::clamp(m_thrustDebt + std::clamp(ahead / rules.thrust, 0.0, 1.0), 0.0, 2.0);
     if (m_thrustDebt >= 1) {
         controls.thrust = true;
         m_thrustDebt -= 1;

@@ -10,8 +10,8 @@ BodyDef payloadBody(const PayloadObject& object) {
     def.shapes = {Circle{Vec2(0, 0), object.radius}};
     def.position = object.position;
     def.mass = object.mass;
-    def.restitution = payload::restitution;
-    def.linearDamping = payload::linearDamping;
+    def.restitution = object.restitution;
+    def.linearDamping = object.linearDamping;
     def.filter = rules::payloadFilter;
     def.positionFrozen = true;
     def.rotationFrozen = true;
@@ -19,16 +19,16 @@ BodyDef payloadBody(const PayloadObject& object) {
     return def;
 }
 
-ConnectorDef towRope(BodyId ship, BodyId payload) {
+ConnectorDef towRope(BodyId ship, BodyId payload, const RopeRules& rope) {
     ConnectorDef def;
     def.a = ship;
     def.b = payload;
     def.anchorA = shipNotch();
-    def.stiffness = rope::stiffness;
-    def.damping = rope::damping;
-    def.truncation.rule = TruncationRule::PartialTanh;
-    def.truncation.limit = rope::limit;
-    def.truncation.proportion = rope::proportion;
+    def.stiffness = rope.stiffness;
+    def.damping = rope.damping;
+    def.truncation.rule = rope.truncation;
+    def.truncation.limit = rope.limit;
+    def.truncation.proportion = rope.proportion;
     return def;
 }
 

@@ -6,18 +6,6 @@
 
 namespace spacetow {
 
-namespace payload {
-constexpr double restitution = 0.5;
-constexpr double linearDamping = 0.3; // 1/s
-} // namespace payload
-
-namespace rope {
-constexpr double stiffness = 50'000; // N/m
-constexpr double damping = 100;      // N s/m
-constexpr double limit = 150;        // N
-constexpr double proportion = 0.75;  // of the limit, up to which the tension is exact
-} // namespace rope
-
 enum class PayloadState : std::uint8_t {
     Absent,  // the level has none
     Waiting, // frozen at its place
@@ -30,7 +18,7 @@ enum class PayloadState : std::uint8_t {
 /// At rest and frozen, as it waits.
 BodyDef payloadBody(const PayloadObject& object);
 /// From the ship's notch to the centre of the payload, as long as their distance now.
-ConnectorDef towRope(BodyId ship, BodyId payload);
+ConnectorDef towRope(BodyId ship, BodyId payload, const RopeRules& rope);
 /// An intangible line that only the payload notices.
 BodyDef finishBody(const FinishObject& object);
 

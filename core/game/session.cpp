@@ -118,7 +118,7 @@ void Session::stepWith(const StepInput& input, std::optional<int> iterations) {
     obey(pressed(controls, m_controls));
     m_controls = controls;
     if (isPlaying()) {
-        steer(m_world, m_ship, controls);
+        steer(m_world, m_ship, controls, m_level->rules);
         ++m_flown;
     }
     const std::optional<BodyId> held = input.grab ? bodyOf(input.grab->object) : std::nullopt;
@@ -190,7 +190,7 @@ bool Session::payloadInRange() const {
 }
 
 void Session::attachRope() {
-    const Result<ConnectorId> added = m_world.addConnector(towRope(m_ship, m_payload));
+    const Result<ConnectorId> added = m_world.addConnector(towRope(m_ship, m_payload, m_level->rules.rope));
     if (!added) {
         return;
     }

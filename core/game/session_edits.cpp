@@ -298,7 +298,7 @@ void Session::Adoption::rope() {
     if (!s.m_rope || !s.m_ship || !s.m_payload || !(shipReplaced || before.rules != after.rules)) {
         return;
     }
-    ConnectorDef def = towRope(s.m_ship, s.m_payload);
+    ConnectorDef def = towRope(s.m_ship, s.m_payload, after.rules.rope);
     if (s.m_world.contains(s.m_rope)) {
         def.length = s.m_world.connector(s.m_rope).length;
         s.m_world.removeConnector(s.m_rope);
@@ -315,6 +315,9 @@ void Session::Adoption::figures() {
     }
     if (parameters != s.m_world.parameters()) {
         s.m_world.setParameters(parameters);
+    }
+    if (before.sleeping != after.sleeping) {
+        s.m_world.setSleeping(after.sleeping);
     }
     const int more = std::max(1, after.rules.lives) - std::max(1, before.rules.lives);
     if (more != 0 && s.m_phase != Phase::GameOver) {

@@ -14,28 +14,28 @@ Vec2 shipNotch() {
     return shipHull().vertices[2];
 }
 
-BodyDef shipBody(const Vec2& position, double angle) {
+BodyDef shipBody(const Vec2& position, double angle, const Rules& rules) {
     BodyDef def;
     def.shapes = {shipHull()};
     def.position = position;
     def.angle = angle;
-    def.mass = ship::mass;
-    def.restitution = ship::restitution;
-    def.linearDamping = ship::linearDamping;
-    def.angularDamping = ship::angularDamping;
-    def.filter = rules::shipFilter;
+    def.mass = rules.shipMass;
+    def.restitution = rules.shipRestitution;
+    def.linearDamping = rules.shipLinearDamping;
+    def.angularDamping = rules.shipAngularDamping;
+    def.filter = spacetow::rules::shipFilter;
     def.reportsTouches = true;
     return def;
 }
 
-void steer(World& world, BodyId ship, const Controls& controls) {
+void steer(World& world, BodyId ship, const Controls& controls, const Rules& rules) {
     const BodyState state = world.body(ship);
     if (controls.left != controls.right) {
         const double side = controls.left ? 1 : -1;
-        world.applyTorque(ship, side * ship::steering * state.inertia);
+        world.applyTorque(ship, side * rules.steering * state.inertia);
     }
     if (controls.thrust) {
-        const Vec2 push = ship::thrust * state.pose.rotation.up();
+        const Vec2 push = rules.thrust * state.pose.rotation.up();
         world.applyForce(ship, push);
     }
 }

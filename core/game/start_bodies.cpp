@@ -11,7 +11,7 @@ std::optional<StartBody> startOfShip(const Level& level) {
         return {};
     }
     const auto& data = std::get<ShipObject>(object->data);
-    BodyDef def = shipBody(data.position, data.angle);
+    BodyDef def = shipBody(data.position, data.angle, level.rules);
     def.positionFrozen = def.rotationFrozen = true;
     return StartBody{object->key, std::move(def)};
 }

@@ -124,6 +124,7 @@ std::vector<Problem> problemsLeftOut(const Level& level) {
 
 BuiltWorld builtWorld(const Level& level) {
     BuiltWorld built{World(updateParameters(level)), {}, {}};
+    built.world.setSleeping(level.sleeping);
     const std::vector<Key> bad = keysWithErrors(level);
     const auto isBad = [&bad](Key key) { return std::ranges::binary_search(bad, key); };
     for (const Object& object : level.objects) {

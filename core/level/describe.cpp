@@ -246,6 +246,12 @@ JsonText listOf(JsonText items) {
     return schema;
 }
 
+std::vector<Row> rulesRows() {
+    std::vector<Row> rows = rowsOf<Rules>();
+    rows.push_back({"rope", "That tows the payload.", "", "as below", definition(rowsOf<RopeRules>(), "", ""), false});
+    return rows;
+}
+
 std::vector<Row> levelRows() {
     JsonText versions = JsonText::array();
     std::string range = code(std::to_string(newestSchema));
@@ -257,7 +263,7 @@ std::vector<Row> levelRows() {
     schema.append("enum", std::move(versions));
     std::vector<Row> rows = rowsOf<Level>();
     rows.insert(rows.begin(), {"schema", "Version of this format.", range, "", std::move(schema), false});
-    rows.push_back({"rules", "Of the game in this level.", "", "as below", definition(rowsOf<Rules>(), "", ""), true});
+    rows.push_back({"rules", "Of the game in this level.", "", "as below", definition(rulesRows(), "", ""), true});
     JsonText tags = typed("array");
     tags.append("maxItems", JsonText::integer(TagTable::size));
     tags.append("items", definition(tagRows(), "", ""));
@@ -285,7 +291,8 @@ struct DescribedPart {
 
 constexpr DescribedPart parts[] = {
     {"level", "", levelRows},
-    {"rules", "", rowsOf<Rules>},
+    {"rules", "", rulesRows},
+    {"rope", "", rowsOf<RopeRules>},
     {"tag", "", tagRows},
     {"guide", "", rowsOf<Guide>},
     {"hidden-problem", "", rowsOf<HiddenProblem>},

@@ -8,8 +8,8 @@
 
 namespace spacetow {
 
-/// What has a table: "level", "rules", "tag", "guide", "object" (the fields of every object), each type of object and
-/// each type of shape.
+/// What has a table: "level", "rules", "rope", "tag", "guide", "object" (the fields of every object), each type of
+/// object and each type of shape.
 std::vector<std::string_view> describedParts();
 /// Markdown: | field | meaning | range | default |, a line each, newline at the end. Empty for an unknown part.
 std::string fieldTable(std::string_view part);

@@ -188,6 +188,7 @@ FieldEditResult withLevelFieldEdited(Level level, const FieldEdit& edit) {
     FieldChanger changer(edit);
     visitFields(changer, level);
     visitFields(changer, level.rules);
+    visitFields(changer, level.rules.rope);
     return {std::move(level), changer.changed(), changer.refused()};
 }
 

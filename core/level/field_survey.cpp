@@ -167,6 +167,7 @@ void FieldSurvey::add(const Level& level) {
     FieldLooker looker(m_ofLevel, true);
     visitFields(looker, level);
     visitFields(looker, level.rules);
+    visitFields(looker, level.rules.rope);
 }
 
 std::vector<FieldSummary> FieldSurvey::summaries() const {

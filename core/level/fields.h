@@ -37,6 +37,7 @@ namespace limits {
 constexpr double coordinate = 1e6;  // m
 constexpr double speed = 1e4;       // m/s
 constexpr double spin = 1e4;        // rad/s
+constexpr double steering = 1e4;    // rad/s²
 constexpr double angle = 1e3;       // rad
 constexpr double mass = 1e9;        // kg
 constexpr double damping = 1e3;     // 1/s
@@ -149,6 +150,11 @@ void visitFields(Visitor& v, T& object, const PayloadObject& defaults) {
             defaults.position);
     v.number(about("In m.", positive("radius", "m", limits::coordinate)), object.radius, defaults.radius);
     v.number(about("In kg.", positive("mass", "kg", limits::mass)), object.mass, defaults.mass);
+    v.number(about("Share of the speed that is left after a bounce.", between("restitution", "", 0, 1)),
+             object.restitution, defaults.restitution);
+    v.number(
+        about("Share of the velocity lost each second, in 1/s.", between("linearDamping", "1/s", 0, limits::damping)),
+        object.linearDamping, defaults.linearDamping);
 }
 
 template <class Visitor, class T>
@@ -274,10 +280,38 @@ void visitFields(Visitor& v, T& rules, const Rules& defaults) {
     v.flag(about("Whether gravity turns round when the payload is towed.", written(plain("flipGravityOnTow"))),
            rules.flipGravityOnTow, defaults.flipGravityOnTow);
     v.text(about("Name of a shipped background.", written(plain("background"))), rules.background, defaults.background);
+    v.number(about("Of the ship, along its nose, in N.", between("thrust", "N", 0, limits::force)), rules.thrust,
+             defaults.thrust);
+    v.number(about("How fast the ship begins to turn while a direction is held, in rad/s².",
+                   between("steering", "rad/s²", 0, limits::steering)),
+             rules.steering, defaults.steering);
+    v.number(about("Of the ship, in kg.", positive("shipMass", "kg", limits::mass)), rules.shipMass, defaults.shipMass);
+    v.number(about("Share of the ship's speed that is left after a bounce.", between("shipRestitution", "", 0, 1)),
+             rules.shipRestitution, defaults.shipRestitution);
+    v.number(about("Share of the ship's velocity lost each second, in 1/s.",
+                   between("shipLinearDamping", "1/s", 0, limits::damping)),
+             rules.shipLinearDamping, defaults.shipLinearDamping);
+    v.number(about("Share of the ship's angular velocity lost each second, in 1/s.",
+                   between("shipAngularDamping", "1/s", 0, limits::damping)),
+             rules.shipAngularDamping, defaults.shipAngularDamping);
 }
 
-/// The simple fields of the level itself; "schema", "rules", "tags", "guides", "hiddenProblems" and "objects" are
-/// structures of their own.
+/// A structure of its own within the rules, "rope". No field of it is called as one of the level or of its rules.
+template <class Visitor, class T>
+void visitFields(Visitor& v, T& rope, const RopeRules& defaults) {
+    using namespace fields;
+    v.number(about("In N/m.", between("stiffness", "N/m", 0, limits::stiffness)), rope.stiffness, defaults.stiffness);
+    v.number(about("In N s/m.", between("damping", "N s/m", 0, limits::stiffness)), rope.damping, defaults.damping);
+    v.choice(about("How the tension of the rope is limited.", plain("truncation")), rope.truncation,
+             defaults.truncation, truncationNames);
+    v.number(about("Most tension in N, for clamp, tanh and partial-tanh.", between("limit", "N", 0, limits::force)),
+             rope.limit, defaults.limit);
+    v.number(about("Share of the limit below which partial-tanh changes nothing.", between("proportion", "", 0, 1)),
+             rope.proportion, defaults.proportion);
+}
+
+/// The simple fields of the level itself; "schema", "rules" with its rope, "tags", "guides", "hiddenProblems" and
+/// "objects" are structures of their own.
 template <class Visitor, class T>
 void visitFields(Visitor& v, T& level, const Level& defaults) {
     using namespace fields;
@@ -291,6 +325,8 @@ void visitFields(Visitor& v, T& level, const Level& defaults) {
               level.iterations, defaults.iterations);
     v.integer(about("Sub-steps of motion in one iteration.", written(between("substeps", "", 1, 100))), level.substeps,
               defaults.substeps);
+    v.flag(about("Whether bodies that have come to rest sleep until something touches them.", plain("sleeping")),
+           level.sleeping, defaults.sleeping);
 }
 
 /// Of an object, a shape, the rules or a level: `visitFields` with the defaults of its own type.

@@ -152,7 +152,18 @@ void addDuplicateNames(ReadState& state, const JsonTree& tree) {
     }
 }
 
-/// The member "objects" of the document.
+void readRope(ReadState& state, FieldReader& rules, const Place& rulesPlace, RopeRules& out) {
+    const auto rope = rules.member("rope", false);
+    const Place ropePlace{&rulesPlace, "rope"};
+    if (rope && rope->isObject()) {
+        FieldReader reader(state, *rope, ropePlace);
+        visitFields(reader, out);
+        reader.finish();
+    } else if (rope) {
+        rules.reject("not-an-object", ropePlace, *rope);
+    }
+}
+
 /// False when the document is no object or of a schema that this version cannot read; it has then been reported.
 bool checkDocument(ReadState& state, const JsonTree& tree) {
     if (std::optional<Problem> problem = schemaProblem(tree)) {
@@ -181,6 +192,7 @@ LevelReading readTree(const JsonTree& tree) {
     if (rules && rules->isObject()) {
         FieldReader rulesReader(state, *rules, rulesPlace);
         visitFields(rulesReader, level.rules);
+        readRope(state, rulesReader, rulesPlace, level.rules.rope);
         rulesReader.finish();
     } else if (rules) {
         reader.reject("not-an-object", rulesPlace, *rules);

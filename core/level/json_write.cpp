@@ -6,6 +6,7 @@
 #include "core/level/tag_spelling.h"
 #include "core/level/unknown_fields.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace spacetow {
@@ -125,6 +126,12 @@ class FieldWriter {
 };
 
 constexpr std::string_view tagPlace = "/tags/";
+constexpr std::string_view ropePlace = "/rules/rope";
+
+bool hasUnknownAt(const std::string& text, std::string_view place) {
+    const auto isThere = [place](const UnknownField& field) { return field.place == place; };
+    return text.find(place) != std::string::npos && std::ranges::any_of(unknownFields(text), isThere);
+}
 
 /// The tags that have fields which this version does not know.
 TagMask tagsWithUnknown(const std::string& text) {
@@ -199,6 +206,12 @@ JsonText writtenLevel(const Level& level) {
     JsonText rules = JsonText::object();
     FieldWriter rulesWriter(rules, level.tags);
     visitFields(rulesWriter, level.rules);
+    JsonText rope = JsonText::object();
+    FieldWriter ropeWriter(rope, level.tags);
+    visitFields(ropeWriter, level.rules.rope);
+    if (rope.size() > 0 || hasUnknownAt(level.unknownFields, ropePlace)) {
+        rules.append("rope", std::move(rope));
+    }
     json.append("rules", std::move(rules));
 
     const TagMask kept = tagsWithUnknown(level.unknownFields);

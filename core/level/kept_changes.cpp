@@ -62,6 +62,7 @@ void takeOfLevel(Level& level, const Level& after, const LevelChange& change) {
     const FieldNames names = namesOf(change.what.fields);
     takeFields(level, after, names);
     takeFields(level.rules, after.rules, names);
+    takeFields(level.rules.rope, after.rules.rope, names);
     for (const TagDifference& tag : change.what.tags) {
         level.tags.set(tag.index, tag.after);
     }

@@ -56,6 +56,8 @@ struct PayloadObject {
     Vec2 position{0, 0};
     double radius = 0.2; // m
     double mass = 0.25;  // kg
+    double restitution = 0.5;
+    double linearDamping = 0.3; // 1/s
 
     bool operator==(const PayloadObject&) const = default;
 };
@@ -129,12 +131,31 @@ struct HiddenProblem {
 /// Whatever else a level names is shown as a plain one.
 inline constexpr std::array<std::string_view, 2> shippedBackgrounds{"stars", "plain"};
 
-/// The rules of a game of SpaceTow in this level.
+/// The rope that tows the payload: stiff, but never pulling harder than the limit.
+struct RopeRules {
+    double stiffness = 50'000;                               // N/m
+    double damping = 100;                                    // N s/m
+    TruncationRule truncation = TruncationRule::PartialTanh; // never Custom
+    double limit = 150;                                      // N
+    double proportion = 0.75;                                // of the limit, up to which the tension is exact
+
+    bool operator==(const RopeRules&) const = default;
+};
+
+/// The rules of a game of SpaceTow in this level, and how the ship flies. The figures of a new level were chosen by
+/// playing.
 struct Rules {
     int lives = 3;         // attempts, ≥ 1
     double towRange = 1.5; // m, between the centres of ship and payload
     bool flipGravityOnTow = false;
     std::string background = "stars"; // name of a shipped background
+    double thrust = 2.375;            // N, along the nose: two and a half times the ship's weight in a new level
+    double steering = 6;              // rad/s², while a direction is held
+    double shipMass = 1;              // kg
+    double shipRestitution = 0.3;
+    double shipLinearDamping = 0.15; // 1/s
+    double shipAngularDamping = 2.5; // 1/s
+    RopeRules rope;
 
     bool operator==(const Rules&) const = default;
 };
@@ -147,6 +168,7 @@ struct Level {
     double updateSeconds = 0.02;
     int iterations = 100;
     int substeps = 2;
+    bool sleeping = true; // bodies that have come to rest are left alone until something touches them
     Rules rules;
     TagTable tags;
     std::vector<Guide> guides;

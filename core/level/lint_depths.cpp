@@ -2,7 +2,6 @@
 #include "core/geometry/intersect.h"
 #include "core/level/json_text.h"
 #include "core/level/lint_walls.h"
-#include "core/level/ship_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -149,7 +148,9 @@ double longestStep(const Level& level) {
         }
     }
     if (hasShip) {
-        speed = std::max(speed, (ship::thrust / ship::mass + level.gravity.norm()) / ship::linearDamping);
+        const Rules& rules = level.rules;
+        const double damping = std::max(rules.shipLinearDamping, Rules().shipLinearDamping); // no flight is endless
+        speed = std::max(speed, (rules.thrust / rules.shipMass + level.gravity.norm()) / damping);
     }
     return speed * level.updateSeconds / std::max(1, level.iterations);
 }

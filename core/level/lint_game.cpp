@@ -4,7 +4,6 @@
 #include "core/level/json_text.h"
 #include "core/level/level_index.h"
 #include "core/level/lint_findings.h"
-#include "core/level/ship_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,12 +52,12 @@ void checkGravity(const Level& level, Findings& findings) {
         return;
     }
     const double load = payload == nullptr ? 0 : std::get<PayloadObject>(payload->data).mass;
-    const double weight = ship::mass * gravity;
-    const double together = (ship::mass + load) * gravity;
-    const std::string thrust = spelledNumber(ship::thrust);
-    if (weight >= ship::thrust) {
+    const double weight = level.rules.shipMass * gravity;
+    const double together = (level.rules.shipMass + load) * gravity;
+    const std::string thrust = spelledNumber(level.rules.thrust);
+    if (weight >= level.rules.thrust) {
         findings.add(Severity::Warning, "gravity-too-strong", {metres(weight), thrust}, {.path = "/gravity"});
-    } else if (together >= ship::thrust) {
+    } else if (together >= level.rules.thrust) {
         findings.add(Severity::Warning, "payload-too-heavy", {metres(together), thrust},
                      {level.objects.indexOf(payload->key), payload->key, "/mass", {}});
     }

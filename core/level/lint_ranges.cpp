@@ -112,6 +112,8 @@ void checkRanges(const Level& level, Findings& findings) {
     visitFields(ofLevel, level);
     ofLevel.enter("rules");
     visitFields(ofLevel, level.rules);
+    ofLevel.enter("rules/rope");
+    visitFields(ofLevel, level.rules.rope);
     for (std::size_t i = 0; i < level.guides.size(); ++i) {
         ofLevel.enter("guides/" + std::to_string(i));
         visitFields(ofLevel, level.guides[i]);

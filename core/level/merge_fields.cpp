@@ -64,6 +64,7 @@ Object FieldMerger::merged(const Object& base, const Object& ours, const Object&
 void FieldMerger::mergeSimpleFields(Level& ours, const Level& base, const Level& theirs) {
     mergeFields(ours, base, theirs);
     mergeFields(ours.rules, base.rules, theirs.rules);
+    mergeFields(ours.rules.rope, base.rules.rope, theirs.rules.rope);
 }
 
 } // namespace spacetow

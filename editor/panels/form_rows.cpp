@@ -27,6 +27,8 @@ constexpr const char* connection = QT_TRANSLATE_NOOP("Inspector", "Connector");
 constexpr const char* collisions = QT_TRANSLATE_NOOP("Inspector", "Collisions");
 constexpr const char* level = QT_TRANSLATE_NOOP("Inspector", "General");
 constexpr const char* rules = QT_TRANSLATE_NOOP("Inspector", "Rules of the game");
+constexpr const char* shipFigures = QT_TRANSLATE_NOOP("Inspector", "Ship");
+constexpr const char* ropeFigures = QT_TRANSLATE_NOOP("Inspector", "Tow rope");
 constexpr const char* physics = QT_TRANSLATE_NOOP("Inspector", "Physics");
 
 // clang-format off
@@ -93,6 +95,18 @@ constexpr std::array rowsOfLevel{
     FormRow{physics, QT_TRANSLATE_NOOP("Inspector", "Update"), "updateSeconds", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Time that one update simulates"), 0.005},
     FormRow{physics, QT_TRANSLATE_NOOP("Inspector", "Iterations"), "iterations", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Passes of motion and collision in one update; more are more exact and slower"), 1},
     FormRow{physics, QT_TRANSLATE_NOOP("Inspector", "Sub-steps"), "substeps", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Steps of motion in one iteration"), 1},
+    FormRow{physics, QT_TRANSLATE_NOOP("Inspector", "Bodies at rest sleep"), "sleeping", RowKind::Switch},
+    FormRow{shipFigures, QT_TRANSLATE_NOOP("Inspector", "Thrust"), "thrust", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Force along the nose of the ship"), 0.1},
+    FormRow{shipFigures, QT_TRANSLATE_NOOP("Inspector", "Steering"), "steering", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "How fast the ship begins to turn while a direction is held"), 10},
+    FormRow{shipFigures, QT_TRANSLATE_NOOP("Inspector", "Ship's mass"), "shipMass", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Of the ship alone"), 0.1},
+    FormRow{shipFigures, QT_TRANSLATE_NOOP("Inspector", "Ship's restitution"), "shipRestitution", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Share of the speed that is left after a bounce"), 0.05},
+    FormRow{shipFigures, QT_TRANSLATE_NOOP("Inspector", "Ship's linear damping"), "shipLinearDamping", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Share of the velocity that is lost each second"), 0.05},
+    FormRow{shipFigures, QT_TRANSLATE_NOOP("Inspector", "Ship's angular damping"), "shipAngularDamping", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Share of the spin that is lost each second"), 0.1},
+    FormRow{ropeFigures, QT_TRANSLATE_NOOP("Inspector", "Stiffness"), "stiffness", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Force per metre of stretch"), 1000},
+    FormRow{ropeFigures, QT_TRANSLATE_NOOP("Inspector", "Damping"), "damping", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Force against the speed of stretching"), 10},
+    FormRow{ropeFigures, QT_TRANSLATE_NOOP("Inspector", "Tension"), "truncation", RowKind::Choice, QT_TRANSLATE_NOOP("Inspector", "How the force of the spring is limited"), 0, "", truncations},
+    FormRow{ropeFigures, QT_TRANSLATE_NOOP("Inspector", "Limit"), "limit", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Most tension, where it is limited"), 10},
+    FormRow{ropeFigures, QT_TRANSLATE_NOOP("Inspector", "Untouched part"), "proportion", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Share of the limit below which “partial tanh” changes nothing"), 0.05},
 };
 // clang-format on
 
@@ -100,7 +114,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double half = 180; // degrees
 
 bool isAngle(std::string_view unit) {
-    return unit == "rad" || unit == "rad/s";
+    return unit == "rad" || unit == "rad/s" || unit == "rad/s²";
 }
 
 /// The number with so many significant digits.
@@ -127,7 +141,8 @@ std::span<const FormRow> levelRows() {
 }
 
 const char* shownUnit(const char* unit) {
-    return std::string_view(unit) == "rad" ? "°" : std::string_view(unit) == "rad/s" ? "°/s" : unit;
+    const std::string_view stored = unit;
+    return stored == "rad" ? "°" : stored == "rad/s" ? "°/s" : stored == "rad/s²" ? "°/s²" : unit;
 }
 
 double storedNumber(double shown, const char* unit) {

@@ -65,6 +65,27 @@ class SessionEditsTest : public QObject {
         stepOn(read, 50);
         QCOMPARE(shared.hash(), read.hash());
     }
+    void howTheShipFliesAndWhetherBodiesSleepIsTakenOver() {
+        Session session = towing(openSpace());
+        auto tuned = std::make_shared<Level>(openSpace());
+        tuned->rules.shipMass = 4;
+        tuned->rules.thrust = 8;
+        tuned->rules.rope.limit = 3;
+        tuned->sleeping = false;
+        const double speed = session.ship()->velocity.norm();
+        session.adopt(tuned);
+        QCOMPARE(session.phase(), Phase::Towing);
+        QCOMPARE(session.ship()->mass, 4.0);
+        QVERIFY(std::abs(session.ship()->velocity.norm() - speed) < 1e-12);
+        QVERIFY(!session.world().sleeping());
+        double tension = 0;
+        for (int i = 0; i < 40; ++i) {
+            session.step(thrust);
+            tension = std::max(tension, session.snapshot()->connectors.front().tension);
+        }
+        QVERIFY2(tension > 0 && tension <= 3 + 1e-9, qPrintable(QString::number(tension)));
+        QVERIFY(session.ship()->velocity.norm() > 1); // 8 N against 4.25 kg and 0.8 s
+    }
     void theNamesInTheLevelAreOfNoConcern() {
         Session session(yard()), other(yard());
         stepOn(session, 40);

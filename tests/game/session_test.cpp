@@ -60,10 +60,63 @@ class SessionTest : public QObject {
         Session up(openSpace());
         hold(up, thrust, 10);
         // v' = thrust / mass − damping · v, from rest.
-        const double d = ship::linearDamping;
-        const double expected = ship::thrust / ship::mass / d * (1 - std::exp(-d * 0.2));
+        const Rules rules;
+        const double d = rules.shipLinearDamping;
+        const double expected = rules.thrust / rules.shipMass / d * (1 - std::exp(-d * 0.2));
         QVERIFY(std::abs(up.ship()->velocity.y() - expected) < 1e-6);
         QCOMPARE(up.ship()->velocity.x(), 0.0);
+    }
+
+    void theShipFliesByTheRulesOfItsLevel() {
+        Level level = openSpace();
+        level.rules.thrust = 6;
+        level.rules.shipMass = 2;
+        level.rules.shipLinearDamping = 0;
+        level.rules.steering = 1.5;
+        level.rules.shipAngularDamping = 0;
+        Session up(level);
+        hold(up, thrust, 10);
+        QVERIFY(std::abs(up.ship()->velocity.y() - 6.0 / 2 * 0.2) < 1e-9);
+        QCOMPARE(up.ship()->mass, 2.0);
+        Session around(level);
+        hold(around, left, 10);
+        QVERIFY(std::abs(around.ship()->angularVelocity - 1.5 * 0.2) < 1e-9);
+    }
+
+    void payloadAndRopeAreAsTheLevelHasThem() {
+        Level level = openSpace();
+        level.rules.rope = {20, 0, TruncationRule::Clamp, 1, 0.5};
+        Session session = towing(level);
+        const BodyDef payload = payloadBody(PayloadObject{Vec2(0, -1), 0.2, 0.25, 0.125, 0.75});
+        QCOMPARE(payload.restitution, 0.125);
+        QCOMPARE(payload.linearDamping, 0.75);
+        Rules bouncy;
+        bouncy.shipRestitution = 0.75;
+        QCOMPARE(shipBody(Vec2(0, 0), 0, bouncy).restitution, 0.75);
+        const double length = session.snapshot()->connectors.front().length;
+        double stretch = 0, tension = 0;
+        for (int i = 0; i < 50; ++i) { // long before the finish
+            session.step(thrust);
+            const ConnectorPicture rope = session.snapshot()->connectors.front();
+            stretch = std::max(stretch, (rope.a - rope.b).norm() - length);
+            tension = std::max(tension, rope.tension);
+        }
+        QVERIFY2(stretch > 0.02,
+                 qPrintable(QString::number(stretch))); // the game's own gives by a tenth of a millimetre
+        QVERIFY2(tension > 0.3 && tension <= 1 + 1e-9, qPrintable(QString::number(tension)));
+    }
+
+    void theLevelSaysWhetherBodiesSleep() {
+        for (const bool sleeping : {true, false}) {
+            Level level;
+            level.sleeping = sleeping;
+            addWall(level, Vec2(-3, 0), Vec2(3, 0));
+            addBall(level, Vec2(0, 0.3), 0.3, Vec2(0, 0));
+            Session session(level);
+            hold(session, idle, 100);
+            QCOMPARE(session.world().sleeping(), sleeping);
+            QCOMPARE(session.world().body(session.world().bodies().back()).asleep, sleeping);
+        }
     }
 
     void theRopeIsAttachedWithinItsRangeOnly_data() {

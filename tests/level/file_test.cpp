@@ -150,6 +150,14 @@ class FileTest : public QObject {
         QCOMPARE(levelText(*file.level), renumbered);
     }
 
+    void unknownFieldsOfARopeThatIsTheGamesOwnSurviveASave() {
+        const LevelFile file = parseLevel(R"({"schema": 2, "rules": {"rope": {"knots": 3}}, "objects": []})");
+        QVERIFY(file.level.has_value());
+        QVERIFY(file.level->rules == Rules());
+        QVERIFY(levelText(*file.level).find(R"("rope": {"knots": 3})") != std::string::npos);
+        QVERIFY(levelText(Level()).find("rope") == std::string::npos);
+    }
+
     void unknownFieldsSurviveASave() {
         Level level = populatedLevel();
         std::string text = levelText(level);
@@ -158,7 +166,7 @@ class FileTest : public QObject {
             QVERIFY2(at != std::string::npos, what.c_str());
             text.insert(at + what.size(), addition);
         };
-        insertAfter("\"background\": \"plain\"", R"(, "weather": "rain")");
+        insertAfter("\"proportion\": 0.625}", ",\n    \"weather\": \"rain\"");
         insertAfter("\"color\": \"#abcdef\"", R"(, "material": {"slip": 0.5, "a/b~c": [1, 2.5, null]})");
         insertAfter("\"center\": [3, 3], \"radius\": 0.25", R"(, "glow": true)");
         insertAfter("\"b\": [42, 43]", R"(, "w": 18446744073709551615)");

@@ -193,6 +193,9 @@ class LintTest : public QObject {
             }));
         row("gravity not finite", "E:not-finite", changed(Level(), [](Level& l) { l.gravity.y() = INFINITY; }));
         row("no lives", "E:out-of-range", changed(Level(), [](Level& l) { l.rules.lives = 0; }));
+        row("ship without mass", "E:not-positive", changed(Level(), [](Level& l) { l.rules.shipMass = 0; }));
+        row("rope exact beyond its limit", "E:out-of-range",
+            changed(Level(), [](Level& l) { l.rules.rope.proportion = 2; }));
         row("no time", "E:not-positive", changed(Level(), [](Level& l) { l.updateSeconds = 0; }));
         row("no iterations", "E:out-of-range", changed(Level(), [](Level& l) { l.iterations = 0; }));
 

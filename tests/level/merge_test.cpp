@@ -363,12 +363,14 @@ class MergeTest : public QObject {
         Level theirs = base;
         theirs.gravity = {0, -3};
         theirs.rules.lives = 8;
+        theirs.rules.rope.limit = 80;
         theirs.guides.push_back({{2, 2}, 0, "b"});
         const MergedLevel result = merged(base, ours, theirs);
         QCOMPARE(result.conflicts, (std::vector{MergeConflict{ConflictKind::Field, 0, "lives"}}));
         QCOMPARE(result.level.name, std::string("Ours"));
         QCOMPARE(result.level.gravity, Vec2(0, -3));
         QCOMPARE(result.level.rules.lives, 7);
+        QCOMPARE(result.level.rules.rope.limit, 80.0);
         QCOMPARE(result.level.guides.size(), std::size_t(2));
     }
 

@@ -12,7 +12,7 @@ namespace {
 
 class Maker {
   public:
-    explicit Maker(std::uint64_t seed) : m_random(seed) {}
+    explicit Maker(std::uint64_t seed) : m_random(seed), m_figures(seed ^ 0x5eed) {}
 
     Level level(int objects) {
         Level level;
@@ -24,6 +24,8 @@ class Maker {
         level.iterations = 1 + below(1000);
         level.substeps = 1 + below(100);
         level.rules = {1 + below(9), m_random.uniform(0.1, 5), chance(), chance() ? "stars" : text()};
+        level.sleeping = m_figures.below(2) == 0;
+        tune(level.rules);
         fillTags(level.tags);
         for (int i = below(3); i > 0; --i) {
             level.guides.push_back({point(), number(), text()});
@@ -74,6 +76,20 @@ class Maker {
     }
     TagMask mask() { return chance() ? TagMask{m_random.next()} : TagMask::bit(below(32)); }
 
+    void tune(Rules& rules) {
+        const auto some = [this] { return m_figures.uniform(0.01, 100); };
+        if (m_figures.below(2) == 0) {
+            rules.thrust = some();
+            rules.steering = some();
+            rules.shipMass = some();
+            rules.shipRestitution = m_figures.unit();
+            rules.shipLinearDamping = m_figures.unit();
+            rules.shipAngularDamping = m_figures.unit();
+        }
+        if (m_figures.below(2) == 0) {
+            rules.rope = {some(), some(), static_cast<TruncationRule>(m_figures.below(5)), some(), m_figures.unit()};
+        }
+    }
     void fillTags(TagTable& tags) {
         for (int i = 5; i < TagTable::size; ++i) {
             if (below(4) == 0) {
@@ -166,7 +182,7 @@ class Maker {
             object.data = ShipObject{point(), number()};
             break;
         case 1:
-            object.data = PayloadObject{point(), positive(), positive()};
+            object.data = PayloadObject{point(), positive(), positive(), m_figures.unit(), m_figures.unit()};
             break;
         case 2:
             object.data = FinishObject{point(), point()};
@@ -185,6 +201,7 @@ class Maker {
     }
 
     Random m_random;
+    Random m_figures; // of the ship and its rope, which came later: the other draws stay what they were
 };
 
 void tame(double& number) {
@@ -295,14 +312,16 @@ Level populatedLevel() {
     level.updateSeconds = 0.01;
     level.iterations = 50;
     level.substeps = 4;
-    level.rules = {5, 2.5, true, "plain"};
+    level.sleeping = false;
+    level.rules = {
+        5, 2.5, true, "plain", 3, 7, 0.75, 0.25, 0.125, 1.5, {40'000, 90, TruncationRule::Clamp, 120, 0.625}};
     level.tags.set(7, {"ice", 0xabcdef});
     BodyObject plain;
     plain.shapes = {Circle{{0, 0}, 1}};
     level.objects.append({0x00000001, "body", populatedBody(), {}});
     level.objects.append({0x00000002, "plain", plain, {}});
     level.objects.append({0x00000003, "ship", ShipObject{{20, 21}, 0.5}, {}});
-    level.objects.append({0x00000004, "payload", PayloadObject{{30, 31}, 0.3, 0.5}, {}});
+    level.objects.append({0x00000004, "payload", PayloadObject{{30, 31}, 0.3, 0.5, 0.375, 0.125}, {}});
     level.objects.append({0x00000005, "finish", FinishObject{{40, 41}, {42, 43}}, {}});
     ConnectorObject connector;
     connector.a = 1;

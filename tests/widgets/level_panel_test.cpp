@@ -5,7 +5,10 @@
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
+#include <QAbstractButton>
 #include <QDockWidget>
+
+#include <numbers>
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -41,6 +44,21 @@ class LevelPanelTest : public QObject {
         QCOMPARE(test.document().undoLabel().code, std::string("change-level"));
         test.document().undo();
         QCOMPARE(test.level(), level);
+    }
+
+    void howTheShipFliesIsEditedHere() {
+        TestWindow test;
+        test.document().reset({});
+        test.trigger(Act::LevelProperties);
+        Form& form = test.window->levelPanel().form();
+        typeInto(form.editor("thrust"), "4");
+        typeInto(form.editor("steering"), "180");
+        typeInto(form.editor("stiffness"), "20000");
+        QCOMPARE(test.level().rules.thrust, 4.0);
+        QCOMPARE(test.level().rules.steering, std::numbers::pi);
+        QCOMPARE(test.level().rules.rope.stiffness, 20'000.0);
+        qobject_cast<QAbstractButton*>(form.editor("sleeping"))->click();
+        QVERIFY(!test.level().sleeping);
     }
 
     void everyFieldOfTheLevelHasAnEditor() {
