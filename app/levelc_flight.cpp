@@ -1,6 +1,7 @@
 #include "app/levelc_flight.h"
 
 #include "core/game/session.h"
+#include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/scene_painter.h"
 
 namespace spacetow {
@@ -42,12 +43,21 @@ Flight flown(const Level& level, const Replay& replay) {
             goOn(flight.payloadWays, session.payload());
         }
     }
-    flight.end = session.snapshot(true);
+    flight.end = session.snapshot();
+    flight.session = std::make_shared<const Session>(session);
     return flight;
 }
 
 void paintFlight(const Stage& stage, const Flight& flight, const OverlayFlags& overlays) {
-    paintSnapshot(stage, *flight.end, overlays);
+    paintSnapshot(stage, *flight.end, {});
+    std::vector<DebugTrail> trails;
+    for (const Ways* ways : {&flight.shipWays, &flight.payloadWays}) {
+        for (const std::vector<Vec2>& way : *ways) {
+            trails.push_back({way});
+        }
+    }
+    paintWorldOverlays(stage, flight.session->world(),
+                       {.flags = overlays, .level = &flight.session->level(), .trails = trails});
     paintWays(stage, flight.payloadWays, stage.theme.payloadLight);
     paintWays(stage, flight.shipWays, stage.theme.shipGlass);
 }

@@ -2,8 +2,9 @@
 // The picture of a recorded flight: the ways of ship and payload, and how things stood at the end.
 
 #include "core/game/replay.h"
+#include "core/game/session.h"
 #include "core/game/snapshot.h"
-#include "editor/canvas/overlay_flags.h"
+#include "core/physics/query/overlay_flags.h"
 #include "editor/canvas/stage.h"
 
 #include <memory>
@@ -15,6 +16,7 @@ struct Flight {
     /// Each without a jump: a new attempt begins a new one. World, m.
     std::vector<std::vector<Vec2>> shipWays, payloadWays;
     std::shared_ptr<const Snapshot> end;
+    std::shared_ptr<const Session> session; // at the end
 };
 
 /// Plays the whole replay.

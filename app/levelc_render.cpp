@@ -3,6 +3,7 @@
 #include "app/levelc_support.h"
 #include "core/level/bounds.h"
 #include "editor/canvas/export_picture.h"
+#include "editor/canvas/overlay_table.h"
 #include "editor/canvas/stage.h"
 
 #include <QPainter>
@@ -24,16 +25,21 @@ std::optional<QSize> sizeFromText(const QString& text) {
 std::optional<OverlayFlags> overlaysFromText(const QString& text) {
     OverlayFlags flags;
     for (const QString& name : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
-        const std::array known{std::pair("aabb", &flags.aabb),         std::pair("incircle", &flags.incircle),
-                               std::pair("velocity", &flags.velocity), std::pair("orientation", &flags.orientation),
-                               std::pair("normals", &flags.normals),   std::pair("quadtree", &flags.quadtree)};
-        const auto found = std::ranges::find_if(known, [&](const auto& flag) { return name == flag.first; });
-        if (found == known.end()) {
+        const std::optional<OverlayFlags> more = withOverlay(flags, name.toStdString());
+        if (!more) {
             return {};
         }
-        *found->second = true;
+        flags = *more;
     }
     return flags;
+}
+
+QString overlayNames() {
+    QStringList names;
+    for (const OverlayRow& row : overlayRows()) {
+        names.append(QLatin1String(row.name));
+    }
+    return names.join(QLatin1Char(','));
 }
 
 struct Picture {
@@ -100,9 +106,8 @@ int renderCommand(const QStringList& arguments) {
         {{QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("Picture to write."), QStringLiteral("OUT")});
     line.parser.addOption({QStringLiteral("size"), QStringLiteral("Size in pixels; 1600x1200 unless told."),
                            QStringLiteral("WxH"), QStringLiteral("1600x1200")});
-    line.parser.addOption({QStringLiteral("overlays"),
-                           QStringLiteral("Any of aabb,incircle,velocity,orientation,normals,quadtree."),
-                           QStringLiteral("LIST")});
+    line.parser.addOption(
+        {QStringLiteral("overlays"), QStringLiteral("Any of %1.").arg(overlayNames()), QStringLiteral("LIST")});
     line.parser.addOption({QStringLiteral("replay"),
                            QStringLiteral("Draws the end of a recorded flight, and the way that led there."),
                            QStringLiteral("REPLAY")});

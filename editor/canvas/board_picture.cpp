@@ -174,7 +174,8 @@ class BoardPicture::Planner {
             areas = layer == BoardLayer::Rock ? changes.rock : changes.objects;
             areas.everything = areas.everything || layer == BoardLayer::Overlays;
         }
-        if (layer == BoardLayer::Overlays && m_picture.m_shown.overlays != m_request.overlays) {
+        if (layer == BoardLayer::Overlays &&
+            (m_picture.m_shown.overlays != m_request.overlays || m_picture.m_shown.palette != m_request.palette)) {
             areas.everything = true;
         }
         if (layer == BoardLayer::Moving && m_picture.m_moving != *m_moving) {
@@ -217,10 +218,8 @@ class BoardPicture::Planner {
         }
         const LevelIndex& index = levelIndex(*step.level);
         const std::vector<int> only = showsSome(layer) ? shownBy(layer, *step.level) : std::vector<int>();
-        if (layer == BoardLayer::Overlays && m_request.overlays.quadtree && !m_picture.hasCellsOf(step.level)) {
-            index.visitObjects(index.bounds(), [&](int place) {
-                work += work < enough ? index.segmentsNear(place, index.bounds()) : 0;
-            });
+        if (layer == BoardLayer::Overlays && !m_picture.hasWorldsOf(step.level, m_request.overlays)) {
+            work += workOfWorlds(*step.level, m_request.overlays);
         }
         const bool hasBands = layer == BoardLayer::Objects || layer == BoardLayer::Moving;
         const int layers = rimLayers(step.frame.view.scale);
@@ -294,17 +293,18 @@ bool BoardPicture::follow(const Plan& plan) {
     return still;
 }
 
-void BoardPicture::workOutCells(const Plan& plan) {
+void BoardPicture::makeWorlds(const Plan& plan) {
     const Step& step = plan.steps[static_cast<std::size_t>(BoardLayer::Overlays)];
-    if (!plan.request.overlays.quadtree) {
-        m_cells.reset();
-    } else if (!step.region.isEmpty() && !hasCellsOf(step.level)) {
-        m_cells = std::make_shared<const Cells>(Cells{step.level, levelCells(*step.level)});
+    const OverlayFlags& overlays = plan.request.overlays;
+    if (!overlays.any()) {
+        m_worlds.reset();
+    } else if (!step.region.isEmpty() && !hasWorldsOf(step.level, overlays)) {
+        m_worlds = std::make_shared<const Worlds>(Worlds{step.level, overlayWorlds(*step.level, overlays)});
     }
 }
 
 void BoardPicture::bring(const Plan& plan) {
-    workOutCells(plan);
+    makeWorlds(plan);
     const auto painter = [&](BoardLayer layer, const Step& step) -> PictureLayer::Paint {
         switch (layer) {
         case BoardLayer::Rock:
@@ -315,8 +315,9 @@ void BoardPicture::bring(const Plan& plan) {
             return [&](const Stage& stage) { paintObjects(stage, *step.level, {.only = &plan.moving}); };
         case BoardLayer::Overlays:
             return [&](const Stage& stage) {
-                const std::span<const QuadtreeCell> cells = m_cells ? m_cells->cells : std::span<const QuadtreeCell>();
-                paintLevelOverlays(stage, *step.level, plan.request.overlays, cells);
+                const BoardRequest& wanted = plan.request;
+                paintLevelOverlays(stage, *m_worlds->worlds,
+                                   {.flags = wanted.overlays, .palette = wanted.palette, .level = step.level.get()});
             };
         case BoardLayer::Hover:
             return [&](const Stage& stage) { paintHovered(stage, *step.level, plan.request.hovered); };

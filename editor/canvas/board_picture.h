@@ -4,8 +4,9 @@
 // outline that the pointer is over. Each is painted anew only where it must be, and what has merely moved is drawn
 // elsewhere. A value: it may be brought up to date by any thread.
 
-#include "editor/canvas/level_cells.h"
-#include "editor/canvas/overlay_flags.h"
+#include "core/physics/query/overlay_flags.h"
+#include "editor/canvas/overlay_palette.h"
+#include "editor/canvas/overlay_worlds.h"
 #include "editor/canvas/picture_layer.h"
 #include "editor/editing/selection.h"
 
@@ -26,6 +27,7 @@ struct BoardRequest {
     Key hovered = 0; // what a click would select, where that takes time to paint; else 0
     std::shared_ptr<const std::vector<Key>> highlighted; // ascending; null for none
     OverlayFlags overlays;
+    OverlayPalette palette; // of the overlays
 
     bool operator==(const BoardRequest&) const = default;
 };
@@ -79,17 +81,19 @@ class BoardPicture {
     };
     class Planner;
     /// Of the level that the overlays were painted from last.
-    struct Cells {
+    struct Worlds {
         std::shared_ptr<const Level> level;
-        std::vector<QuadtreeCell> cells;
+        std::shared_ptr<const OverlayWorlds> worlds;
     };
 
-    void workOutCells(const Plan& plan);
-    bool hasCellsOf(const std::shared_ptr<const Level>& level) const { return m_cells && m_cells->level == level; }
+    void makeWorlds(const Plan& plan);
+    bool hasWorldsOf(const std::shared_ptr<const Level>& level, const OverlayFlags& overlays) const {
+        return m_worlds && m_worlds->level == level && covers(m_worlds->worlds->made, overlays);
+    }
     const Part& part(BoardLayer layer) const { return m_parts[static_cast<std::size_t>(layer)]; }
 
     std::array<Part, 6> m_parts;
-    std::shared_ptr<const Cells> m_cells;
+    std::shared_ptr<const Worlds> m_worlds;
     BoardRequest m_shown;
     std::vector<int> m_moving; // places in the level, ascending
 };

@@ -124,6 +124,11 @@ void Canvas::setOverlays(const OverlayFlags& overlays) {
     update();
 }
 
+void Canvas::setOverlayPalette(const OverlayPalette& palette) {
+    m_overlayPalette = palette;
+    update();
+}
+
 void Canvas::setHighlighted(std::vector<Key> keys) {
     if (keys != *m_highlighted) {
         m_highlighted = std::make_shared<const std::vector<Key>>(std::move(keys));
@@ -225,6 +230,8 @@ void Canvas::paintEvent(QPaintEvent*) {
     request.hovered = isLong ? m_overlay.hovered : 0;
     request.highlighted = m_highlighted;
     request.overlays = m_overlays;
+    request.overlays.collides = false; // what is highlighted says so
+    request.palette = m_overlayPalette;
     if (isLive()) {
         QPainter painter(this);
         paintLive(painter, request.frame);

@@ -3,11 +3,12 @@
 // mouse are logical pixels; the world is in metres.
 
 #include "core/level/problem_place.h"
+#include "core/physics/query/overlay_flags.h"
 #include "editor/canvas/board.h"
 #include "editor/canvas/difference_painter.h"
 #include "editor/canvas/entry_box.h"
 #include "editor/canvas/live_scene.h"
-#include "editor/canvas/overlay_flags.h"
+#include "editor/canvas/overlay_palette.h"
 #include "editor/editing/document.h"
 #include "editor/editing/toolbox.h"
 #include "editor/editing/viewport.h"
@@ -39,6 +40,8 @@ class Canvas : public QWidget {
     bool isGridVisible() const { return m_grid; }
     void setGridVisible(bool visible);
     void setOverlays(const OverlayFlags& overlays);
+    const OverlayPalette& overlayPalette() const { return m_overlayPalette; }
+    void setOverlayPalette(const OverlayPalette& palette);
     /// Objects that are marked without being selected; the keys are ascending.
     void setHighlighted(std::vector<Key> keys);
     const std::vector<Key>& highlighted() const { return *m_highlighted; }
@@ -145,6 +148,7 @@ class Canvas : public QWidget {
     Still m_composed;
     Overlay m_overlay; // shown
     OverlayFlags m_overlays;
+    OverlayPalette m_overlayPalette;
     std::shared_ptr<const ShownDifference> m_difference;
     std::shared_ptr<const std::vector<Key>> m_highlighted = std::make_shared<const std::vector<Key>>();
     std::shared_ptr<const std::vector<ProblemMark>> m_problems;

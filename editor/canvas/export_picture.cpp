@@ -1,7 +1,6 @@
 #include "editor/canvas/export_picture.h"
 
 #include "editor/canvas/grid_painter.h"
-#include "editor/canvas/level_cells.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/scene_painter.h"
 
@@ -49,8 +48,10 @@ void paintPicture(QPainter& painter, const Level& level, const PictureSpec& spec
         paintGrid(stage, spec.gridStep);
     }
     paintLevel(stage, level, Selection());
-    const auto cells = spec.overlays.quadtree ? levelCells(level) : std::vector<QuadtreeCell>();
-    paintLevelOverlays(stage, level, spec.overlays, cells);
+    if (spec.overlays.any()) {
+        paintLevelOverlays(stage, *overlayWorlds(level, spec.overlays),
+                           {.flags = spec.overlays, .palette = spec.palette, .level = &level});
+    }
 }
 
 QByteArray pictureBytes(PictureFormat format, const PictureSpec& spec, const std::function<void(QPainter&)>& paint) {

@@ -2,7 +2,8 @@
 // A level as a picture in a file, PNG or SVG: for exporting, and for the command line. Sizes are in pixels.
 
 #include "core/level/level.h"
-#include "editor/canvas/overlay_flags.h"
+#include "core/physics/query/overlay_flags.h"
+#include "editor/canvas/overlay_palette.h"
 #include "editor/editing/viewport.h"
 
 #include <QByteArray>
@@ -33,7 +34,8 @@ struct PictureSpec {
     bool transparent = false; // else on the theme's background
     double gridStep = 0;      // m; 0 for no grid
     OverlayFlags overlays;
-    QString title; // of an SVG
+    OverlayPalette palette; // of the overlays
+    QString title;          // of an SVG
 };
 
 /// Of this part of the world, at so many pixels a metre; nothing when it has no size or a side would be too large.

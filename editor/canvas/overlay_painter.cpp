@@ -1,10 +1,7 @@
 #include "editor/canvas/overlay_painter.h"
 
-#include "core/game/ship.h"
-#include "core/geometry/bounds.h"
 #include "core/geometry/mass.h"
-#include "core/level/build.h"
-#include "core/level/edits.h"
+#include "core/level/groups.h"
 #include "editor/canvas/painter_draw.h"
 
 #include <algorithm>
@@ -13,20 +10,54 @@ namespace spacetow {
 
 namespace {
 
-/// The overlays in the stage's view and colours.
-DebugView debugView(const Stage& stage, const OverlayFlags& overlays) {
+DebugView debugView(const Stage& stage, const OverlayFlags& overlays, const OverlayPalette& palette) {
     DebugView view;
     view.view = stage.view.transform();
     view.shapes = false;
-    view.boxes = overlays.aabb;
-    view.velocities = overlays.velocity;
-    view.orientations = overlays.orientation;
-    view.incircles = overlays.incircle;
-    view.normals = overlays.normals;
-    view.colors = {toColor(stage.theme.overlayBox), toColor(stage.theme.overlayIncircle),
-                   toColor(stage.theme.overlayNormal), toColor(stage.theme.overlayOrientation),
-                   toColor(stage.theme.overlayVelocity)};
+    view.overlays = overlays;
+    view.colors = overlayColors(palette, stage.theme.shade);
     return view;
+}
+
+DebugView debugView(const Stage& stage, const OverlayRequest& request) {
+    constexpr double spare = 8; // px, for pens and marks
+    DebugView view = debugView(stage, request.flags, request.palette);
+    view.area = stage.view.visible().grown(spare * stage.view.pixel());
+    view.trails = request.trails;
+    if (const Level* level = request.level; level != nullptr) {
+        view.nameOf = [level](std::uint64_t user) {
+            const Object* object = level->objects.find(user);
+            return object != nullptr ? object->name : std::string();
+        };
+        view.tagColor = [level](int tag) -> std::optional<Color> {
+            const TagInfo& info = level->tags[tag];
+            return info.name.empty() ? std::nullopt : std::optional(toColor(QColor::fromRgb(info.color)));
+        };
+    }
+    view.isSelected = [selected = request.selected](std::uint64_t user) {
+        return user != 0 && std::ranges::binary_search(selected, user);
+    };
+    return view;
+}
+
+/// What the editor does not show; ascending.
+std::vector<Key> hiddenKeys(const Level& level) {
+    const GroupTree groups(level);
+    std::vector<Key> hidden;
+    for (const Object& object : level.objects) {
+        if (!groups.isVisible(object)) {
+            hidden.push_back(object.key);
+        }
+    }
+    std::ranges::sort(hidden);
+    return hidden;
+}
+
+void draw(const Stage& stage, const World& world, const DebugView& view) {
+    if (view.overlays.any()) {
+        PainterDraw batch(stage);
+        drawWorld(world, view, batch);
+    }
 }
 
 Vec2 massCenter(std::span<const Shape> shapes, const Transform& pose) {
@@ -37,113 +68,55 @@ Vec2 massCenter(std::span<const Shape> shapes, const Transform& pose) {
     return pose.toWorld(sum(masses).center);
 }
 
-/// The centre of mass is found where the velocity shows, and only there.
-void paintBody(DebugBody body, const DebugView& view, DebugDraw& draw) {
-    if (view.velocities && body.velocity.squaredNorm() > 0) {
-        body.massCenter = massCenter(body.shapes, body.pose);
-    }
-    drawBody(body, view, draw);
-}
-
-void paintCells(const Stage& stage, const std::vector<Aabb>& cells) {
-    PainterDraw draw(stage);
-    for (const Aabb& cell : cells) {
-        if (!cell.isEmpty()) {
-            draw.rectangle(stage.view.transform().toView(cell), toColor(stage.theme.overlayCell));
-        }
-    }
-}
-
-/// The more a cell holds, the darker it is; a number where there is room for one.
-void paintOccupied(const Stage& stage, const QuadtreeCell& cell) {
-    constexpr int lightest = 10;
-    constexpr int each = 12;
-    constexpr int darkest = 110;
-    constexpr double roomy = 40; // px; a number is no wider
-    constexpr double beyond = 8; // px out of view, where nobody sees that it ends
-    const QRectF whole(stage.at(Vec2(cell.box.min.x(), cell.box.max.y())),
-                       stage.at(Vec2(cell.box.max.x(), cell.box.min.y())));
-    const QRectF view(0, 0, stage.view.size.x(), stage.view.size.y());
-    const QRectF box = whole & view.adjusted(-beyond, -beyond, beyond, beyond);
-    const bool isRoomy = std::min(whole.width(), whole.height()) >= roomy;
-    QColor fill = stage.theme.overlayCell;
-    fill.setAlpha(std::min(lightest + each * cell.held, darkest));
-    if (cell.held > 0) {
-        stage.painter.fillRect(box, fill);
-    }
-    stage.painter.setPen(stroke(stage.theme.overlayCell, 1));
-    stage.painter.drawRect(box);
-    if (cell.held > 0 && isRoomy && view.adjusted(-roomy, -roomy, roomy, roomy).contains(whole.topLeft())) {
-        stage.painter.drawText(whole.adjusted(4, 2, 0, 0), Qt::AlignLeft | Qt::AlignTop, QString::number(cell.held));
-    }
-}
-
-void paintObjectOverlays(const Level& level, const Object& object, const DebugView& view, DebugDraw& draw) {
-    DebugBody seen{.bounds = boundsOf(level, object)};
-    std::vector<Shape> shapes;
-    if (const auto* body = std::get_if<BodyObject>(&object.data)) {
-        shapes = physicsShapes(*body);
-        seen.kind = body->kind;
-        seen.pose = {body->position, Rot::fromAngle(body->angle)};
-        seen.velocity = body->velocity;
-    } else if (const auto* ship = std::get_if<ShipObject>(&object.data)) {
-        shapes = {shipHull()};
-        seen.pose = {ship->position, Rot::fromAngle(ship->angle)};
-    } else if (const auto* payload = std::get_if<PayloadObject>(&object.data)) {
-        shapes = {Circle{Vec2(0, 0), payload->radius}};
-        seen.pose.position = payload->position;
-    } else if (const auto* finish = std::get_if<FinishObject>(&object.data)) {
-        shapes = {Line{finish->a, finish->b}};
-        seen.kind = BodyKind::Static;
-    } else {
-        return;
-    }
-    seen.shapes = shapes;
-    paintBody(seen, view, draw);
-}
-
-void begin(const Stage& stage) {
-    stage.painter.save();
-    stage.painter.setRenderHint(QPainter::Antialiasing);
-    stage.painter.setBrush(Qt::NoBrush);
-}
-
 } // namespace
 
-void paintLevelOverlays(const Stage& stage, const Level& level, const OverlayFlags& overlays,
-                        std::span<const QuadtreeCell> cells) {
-    begin(stage);
-    for (const QuadtreeCell& cell : cells) {
-        if (overlays.quadtree && !cell.box.isEmpty() && stage.sees(cell.box)) {
-            paintOccupied(stage, cell);
-        }
-    }
-    if (OverlayFlags others = overlays; others.quadtree = false, others.any()) {
-        const DebugView view = debugView(stage, overlays);
-        PainterDraw draw(stage);
-        for (const Object& object : level.objects) {
-            paintObjectOverlays(level, object, view, draw);
-        }
-    }
-    stage.painter.restore();
+void paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request) {
+    const SavedPainter saved(stage.painter);
+    draw(stage, world, debugView(stage, request));
+}
+
+void paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request) {
+    const SavedPainter saved(stage.painter);
+    DebugView view = debugView(stage, request);
+    view.trails = worlds.trails;
+    const std::vector<Key> hidden = request.level != nullptr ? hiddenKeys(*request.level) : std::vector<Key>();
+    const auto showsOf = [&hidden](const World& world) {
+        return [&hidden, &world](BodyId id) { return !std::ranges::binary_search(hidden, world.body(id).user); };
+    };
+    view.shows = showsOf(worlds.touched);
+    const OverlayFlags& all = request.flags;
+    view.overlays = {.islands = all.islands, .problems = false};
+    draw(stage, worlds.touched, view);
+    view.overlays = all;
+    view.overlays.islands = view.overlays.contacts = view.overlays.tension = false;
+    view.shows = showsOf(worlds.start);
+    draw(stage, worlds.start, view);
+    view.shows = showsOf(worlds.touched);
+    view.overlays = {.contacts = all.contacts, .tension = all.tension, .problems = false};
+    draw(stage, worlds.touched, view);
 }
 
 void paintSnapshotOverlays(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays) {
-    begin(stage);
+    const SavedPainter saved(stage.painter);
+    const DebugView view = debugView(stage, overlays, {});
+    PainterDraw batch(stage);
     if (overlays.quadtree) {
-        paintCells(stage, snapshot.quadtree);
+        for (const Aabb& cell : snapshot.quadtree) {
+            if (!cell.isEmpty()) {
+                batch.rectangle(view.view.toView(cell), view.colors.staticCell);
+            }
+        }
     }
-    const DebugView view = debugView(stage, overlays);
-    PainterDraw draw(stage);
     for (const BodyPicture& body : snapshot.bodies) {
-        paintBody({.kind = body.look->kind,
-                   .shapes = body.look->shapes,
-                   .pose = body.pose,
-                   .velocity = body.velocity,
-                   .bounds = body.bounds},
-                  view, draw);
+        const bool isFast = overlays.velocity && body.velocity.squaredNorm() > 0;
+        drawBody({.kind = body.look->kind,
+                  .shapes = body.look->shapes,
+                  .pose = body.pose,
+                  .massCenter = isFast ? massCenter(body.look->shapes, body.pose) : Vec2(0, 0),
+                  .velocity = body.velocity,
+                  .bounds = body.bounds},
+                 view, batch);
     }
-    stage.painter.restore();
 }
 
 } // namespace spacetow

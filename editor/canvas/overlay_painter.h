@@ -1,11 +1,12 @@
 #pragma once
-// Paints the debug overlays over a level or a snapshot, and what a tool shows while it is at work.
+// Paints the debug overlays over a level, a world or a snapshot, and what a tool shows while it is at work.
 
 #include "core/game/snapshot.h"
 #include "core/level/level.h"
+#include "core/physics/query/overlay_flags.h"
 #include "editor/canvas/label_painter.h"
-#include "editor/canvas/level_cells.h"
-#include "editor/canvas/overlay_flags.h"
+#include "editor/canvas/overlay_palette.h"
+#include "editor/canvas/overlay_worlds.h"
 #include "editor/canvas/stage.h"
 #include "editor/editing/overlay.h"
 
@@ -13,10 +14,20 @@
 
 namespace spacetow {
 
-/// What the physics would make of the level at its start. The cells are those of `levelCells`, for the quadtree.
-void paintLevelOverlays(const Stage& stage, const Level& level, const OverlayFlags& overlays,
-                        std::span<const QuadtreeCell> cells);
-/// Called by paintSnapshot.
+/// What is drawn over a world, and what the level adds to it.
+struct OverlayRequest {
+    OverlayFlags flags;
+    OverlayPalette palette;
+    const Level* level = nullptr;       // for names and tags; lives as long as the request
+    std::span<const Key> selected;      // for what they collide with; ascending
+    std::span<const DebugTrail> trails; // likewise alive
+};
+
+/// Over a world that runs or stands still: that of a session, say. Only what is in view costs time.
+void paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request);
+/// Over a level while nothing runs: what the physics makes of it at its start.
+void paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request);
+/// Called by paintSnapshot: those overlays that need no more than that.
 void paintSnapshotOverlays(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);
 
 /// Drafts, handles, rubber band, snap marks and measurements.

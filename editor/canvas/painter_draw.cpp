@@ -1,5 +1,8 @@
 #include "editor/canvas/painter_draw.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace spacetow {
 
 namespace {
@@ -8,10 +11,6 @@ constexpr double boxWidth = 1;    // px
 constexpr double lineWidth = 1.5; // px
 constexpr double arrowHead = 6;   // px
 constexpr double spare = 8;       // px, for pens and arrow heads
-
-QColor toQColor(const Color& color) {
-    return {color.red, color.green, color.blue, color.alpha};
-}
 
 QPointF toPoint(const Vec2& point) {
     return {point.x(), point.y()};
@@ -30,6 +29,10 @@ QRectF toRect(const Aabb& box) {
     return {toPoint(box.min), toPoint(box.max)};
 }
 
+QRectF around(const Vec2& center, double radius) {
+    return {center.x() - radius, center.y() - radius, 2 * radius, 2 * radius};
+}
+
 Aabb boxOf(std::span<const Vec2> points) {
     Aabb box;
     for (const Vec2& point : points) {
@@ -42,6 +45,23 @@ Aabb boxOf(const Vec2& a, const Vec2& b) {
     return {a.cwiseMin(b), a.cwiseMax(b)};
 }
 
+/// The part of a line that can be seen: painters take long over lines that are millions of pixels long.
+std::optional<QLineF> seenPart(const Vec2& a, const Vec2& b, const Aabb& visible) {
+    double from = 0;
+    double to = 1;
+    const Vec2 way = b - a;
+    for (int axis = 0; axis < 2; ++axis) {
+        if (way[axis] == 0) {
+            continue; // its box overlaps what is visible, so it is within
+        }
+        const double low = (visible.min[axis] - a[axis]) / way[axis];
+        const double high = (visible.max[axis] - a[axis]) / way[axis];
+        from = std::max(from, std::min(low, high));
+        to = std::min(to, std::max(low, high));
+    }
+    return from <= to ? std::optional(QLineF(toPoint(a + from * way), toPoint(a + to * way))) : std::nullopt;
+}
+
 } // namespace
 
 Color toColor(const QColor& color) {
@@ -49,59 +69,78 @@ Color toColor(const QColor& color) {
     return {channel(color.red()), channel(color.green()), channel(color.blue()), channel(color.alpha())};
 }
 
+QColor toQColor(const Color& color) {
+    return {color.red, color.green, color.blue, color.alpha};
+}
+
 PainterDraw::PainterDraw(const Stage& stage)
-    : m_painter(stage.painter), m_visible(Aabb{Vec2(0, 0), stage.view.size}.grown(spare)) {}
+    : m_stage(stage), m_painter(stage.painter), m_visible(Aabb{Vec2(0, 0), stage.view.size}.grown(spare)) {}
+
+PainterDraw::Batch& PainterDraw::batch(const Color& color) {
+    ++m_marks;
+    if (m_last < m_batches.size() && m_batches[m_last].color == color) {
+        return m_batches[m_last];
+    }
+    const auto found = std::ranges::find(m_batches, color, &Batch::color);
+    m_last = static_cast<std::size_t>(found - m_batches.begin());
+    if (found == m_batches.end()) {
+        m_batches.push_back({.color = color});
+    }
+    return m_batches[m_last];
+}
 
 void PainterDraw::circle(const Vec2& center, double radius, const Color& color) {
     if (sees(Aabb{center, center}.grown(radius))) {
-        m_painter.setBrush(Qt::NoBrush);
-        m_painter.setPen(stroke(toQColor(color), lineWidth));
-        m_painter.drawEllipse(toPoint(center), radius, radius);
+        batch(color).circles.push_back(around(center, radius));
     }
 }
 
 void PainterDraw::filledCircle(const Vec2& center, double radius, const Color& color) {
     if (sees(Aabb{center, center}.grown(radius))) {
-        m_painter.setBrush(toQColor(color));
-        m_painter.setPen(Qt::NoPen);
-        m_painter.drawEllipse(toPoint(center), radius, radius);
+        batch(color).discs.push_back(around(center, radius));
     }
 }
 
 void PainterDraw::polygon(std::span<const Vec2> outline, const Color& color) {
     if (sees(boxOf(outline))) {
-        m_painter.setBrush(Qt::NoBrush);
-        m_painter.setPen(stroke(toQColor(color), lineWidth));
-        m_painter.drawPolygon(toPolygon(outline));
+        batch(color).outlines.push_back(toPolygon(outline));
     }
 }
 
 void PainterDraw::filledPolygon(std::span<const Vec2> outline, const Color& color) {
     if (sees(boxOf(outline))) {
-        m_painter.setBrush(toQColor(color));
-        m_painter.setPen(Qt::NoPen);
-        m_painter.drawPolygon(toPolygon(outline));
+        batch(color).areas.push_back(toPolygon(outline));
     }
 }
 
 void PainterDraw::line(const Vec2& a, const Vec2& b, const Color& color) {
-    if (sees(boxOf(a, b))) {
-        m_painter.setPen(stroke(toQColor(color), lineWidth));
-        m_painter.drawLine(toPoint(a), toPoint(b));
+    if (!sees(boxOf(a, b))) {
+        return;
+    }
+    if (const std::optional<QLineF> seen = seenPart(a, b, m_visible)) {
+        batch(color).lines.push_back(*seen);
     }
 }
 
 void PainterDraw::rectangle(const Aabb& box, const Color& color) {
     if (sees(box)) {
-        m_painter.setBrush(Qt::NoBrush);
-        m_painter.setPen(stroke(toQColor(color), boxWidth));
-        m_painter.drawRect(toRect(box));
+        const Aabb seen{box.min.cwiseMax(m_visible.min), box.max.cwiseMin(m_visible.max)};
+        batch(color).boxes.push_back(toRect(seen));
     }
 }
 
 void PainterDraw::filledRectangle(const Aabb& box, const Color& color) {
     if (sees(box)) {
-        m_painter.fillRect(toRect(box), toQColor(color));
+        const Aabb seen{box.min.cwiseMax(m_visible.min), box.max.cwiseMin(m_visible.max)};
+        batch(color).filledBoxes.push_back(toRect(seen));
+    }
+}
+
+void PainterDraw::text(const Vec2& at, std::string_view text, const Color& color) {
+    constexpr std::size_t most = 300; // nobody reads more
+    if (m_visible.contains(at) && m_texts.size() < most) {
+        const QString shown = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+        m_texts.push_back({toPoint(at), shown, color});
     }
 }
 
@@ -112,8 +151,73 @@ void PainterDraw::arrow(const Vec2& from, const Vec2& to, const Color& color) {
     if (length > 2 * arrowHead && sees(boxOf(to, to))) {
         const Vec2 along = way * (arrowHead / length);
         const Vec2 across = 0.5 * leftOf(along);
-        m_painter.drawLine(toPoint(to), toPoint(to - along + across));
-        m_painter.drawLine(toPoint(to), toPoint(to - along - across));
+        line(to, to - along + across, color);
+        line(to, to - along - across, color);
+    }
+}
+
+void PainterDraw::flush() {
+    for (const Batch& one : m_batches) {
+        paintFillings(one);
+    }
+    for (const Batch& one : m_batches) {
+        paintLines(one);
+    }
+    paintTexts();
+    m_batches.clear();
+    m_texts.clear();
+    m_last = m_marks = 0;
+}
+
+void PainterDraw::paintFillings(const Batch& batch) {
+    constexpr double tiny = 3.5; // px, of a radius
+    const bool wasSmooth = m_painter.testRenderHint(QPainter::Antialiasing);
+    m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth && !isCrowd());
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(toQColor(batch.color));
+    for (const QRectF& box : batch.filledBoxes) {
+        m_painter.fillRect(box, toQColor(batch.color));
+    }
+    for (const QPolygonF& area : batch.areas) {
+        m_painter.drawPolygon(area);
+    }
+    for (const QRectF& disc : batch.discs) {
+        if (isCrowd() && disc.width() < 2 * tiny) {
+            m_painter.fillRect(disc, toQColor(batch.color));
+        } else {
+            m_painter.drawEllipse(disc);
+        }
+    }
+    m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
+}
+
+void PainterDraw::paintLines(const Batch& batch) {
+    const bool wasSmooth = m_painter.testRenderHint(QPainter::Antialiasing);
+    m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth && !isCrowd());
+    const auto pen = [&](double width) { return stroke(toQColor(batch.color), isCrowd() ? 1 : width); };
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.setPen(pen(boxWidth));
+    m_painter.drawRects(batch.boxes.data(), static_cast<int>(batch.boxes.size()));
+    m_painter.setPen(pen(lineWidth));
+    for (const QPolygonF& outline : batch.outlines) {
+        m_painter.drawPolygon(outline);
+    }
+    for (const QRectF& circle : batch.circles) {
+        m_painter.drawEllipse(circle);
+    }
+    m_painter.drawLines(batch.lines.data(), static_cast<int>(batch.lines.size()));
+    m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
+}
+
+/// With a halo, as they may lie on anything.
+void PainterDraw::paintTexts() {
+    for (const Text& one : m_texts) {
+        m_painter.setPen(m_stage.theme.halo);
+        for (const QPointF& beside : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)}) {
+            m_painter.drawText(one.at + beside, one.text);
+        }
+        m_painter.setPen(toQColor(one.color));
+        m_painter.drawText(one.at, one.text);
     }
 }
 

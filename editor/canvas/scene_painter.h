@@ -4,7 +4,7 @@
 
 #include "core/game/snapshot.h"
 #include "core/level/level.h"
-#include "editor/canvas/overlay_flags.h"
+#include "core/physics/query/overlay_flags.h"
 #include "editor/canvas/stage.h"
 #include "editor/canvas/wall_painter.h"
 #include "editor/editing/selection.h"

@@ -47,7 +47,7 @@ void LiveRun::begin(const Level& level, const Beginning& beginning) {
         return;
     }
     m_kind = phase() == Phase::Sandbox ? Kind::Simulation : beginning.wanted;
-    m_runner->wantQuadtree(m_quadtree);
+    m_runner->wantSession(!m_sessionWanted.empty());
     m_lost = 0;
     m_paceTime.start();
     m_shownPhase = phase();
@@ -133,10 +133,11 @@ void LiveRun::restart() {
     }
 }
 
-void LiveRun::wantQuadtree(bool wanted) {
-    m_quadtree = wanted;
-    if (m_runner) {
-        m_runner->wantQuadtree(wanted);
+void LiveRun::wantSession(const void* who, bool wanted) {
+    const bool before = !m_sessionWanted.empty();
+    wanted ? m_sessionWanted.insert(who).second : m_sessionWanted.erase(who) > 0;
+    if (m_runner && before == m_sessionWanted.empty()) {
+        m_runner->wantSession(!m_sessionWanted.empty());
     }
 }
 

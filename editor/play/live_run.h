@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace spacetow {
@@ -45,7 +46,8 @@ class LiveRun : public QObject {
     /// Pauses and makes one update.
     void stepOnce();
     void restart();
-    void wantQuadtree(bool wanted);
+    /// Whether somebody needs copies of what runs, see session(). Each asks for itself.
+    void wantSession(const void* who, bool wanted);
 
     void setKeys(const PlayKeys& keys);
     const PlayKeys& keys() const { return m_keys; }
@@ -64,6 +66,8 @@ class LiveRun : public QObject {
     double behind() const { return m_behind; }
     /// The newest two pictures; null while nothing runs.
     std::shared_ptr<const Frame> frame() const { return m_runner ? m_runner->frame() : nullptr; }
+    /// The newest copy of what runs; null while nothing does, or nobody wants it.
+    std::shared_ptr<const Session> session() const { return m_runner ? m_runner->frame()->session : nullptr; }
     /// What there is to see now, between the newest two. Something must run.
     Snapshot picture() const;
     /// Null while nothing runs.
@@ -100,7 +104,7 @@ class LiveRun : public QObject {
     QTimer m_frames;
     PlayKeys m_keys;
     HeldKeys m_held;
-    bool m_quadtree = false;
+    std::set<const void*> m_sessionWanted; // who wants it
     Phase m_shownPhase = Phase::Sandbox;
     QElapsedTimer m_paceTime; // since it was looked at
     double m_lost = 0;        // s, at that time

@@ -47,6 +47,7 @@ LiveView::LiveView(Document& document, Toolbox& toolbox, Canvas& canvas, LiveRun
 
 LiveView::~LiveView() {
     hide();
+    m_run.wantSession(this, false);
 }
 
 void LiveView::show(const Level& level, bool anew) {
@@ -75,7 +76,8 @@ void LiveView::show(const Level& level, bool anew) {
     }
     m_firstScale = m_canvas.view().scale;
     m_following = true;
-    m_run.wantQuadtree(m_overlays.quadtree);
+    m_trails.forget();
+    m_run.wantSession(this, m_overlays.any());
 }
 
 void LiveView::hide() {
@@ -91,7 +93,7 @@ void LiveView::hide() {
 
 void LiveView::setOverlays(const OverlayFlags& overlays) {
     m_overlays = overlays;
-    m_run.wantQuadtree(overlays.quadtree);
+    m_run.wantSession(this, overlays.any());
     m_canvas.update();
 }
 
@@ -105,8 +107,11 @@ void LiveView::refresh() {
     if (!m_shown || !m_run.isRunning()) {
         return;
     }
-    m_picture = m_run.picture();
+    m_picture = m_overlays.any() ? Snapshot(*m_run.frame()->now) : m_run.picture(); // what is marked is not blended
     m_hand.see(m_picture);
+    if (const auto session = m_overlays.trails ? m_run.session() : nullptr) {
+        m_trails.note(*session);
+    }
     const double simulated = m_run.frame()->period * static_cast<double>(m_picture.update - m_lastUpdate);
     const double passed = m_run.isPaused() ? 0 : static_cast<double>(m_sinceLook.elapsed()) / 1000;
     m_sinceLook.restart();
@@ -211,9 +216,21 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
         paintGuides(stage, m_document.level(), {});
     }
     paintFlame(stage, m_picture);
-    paintMoving(stage, m_picture, m_overlays);
+    paintMoving(stage, m_picture, {});
+    paintOverlays(stage);
     if (game) {
         paintTowRange(stage, m_picture, m_towRange);
+    }
+}
+
+void LiveView::paintOverlays(const Stage& stage) {
+    if (const auto session = m_overlays.any() ? m_run.session() : nullptr) {
+        paintWorldOverlays(stage, session->world(),
+                           {.flags = m_overlays,
+                            .palette = m_canvas.overlayPalette(),
+                            .level = &session->level(),
+                            .selected = m_document.selection().keys(),
+                            .trails = m_trails.trails()});
     }
 }
 

@@ -7,6 +7,7 @@
 #include "editor/play/ground_picture.h"
 #include "editor/play/live_hand.h"
 #include "editor/play/live_run.h"
+#include "editor/play/trail_keeper.h"
 
 #include <QElapsedTimer>
 
@@ -74,6 +75,7 @@ class LiveView : public QObject, public LiveScene {
     void takeClassicView();
     bool isSteering() const;
     void countFrame();
+    void paintOverlays(const Stage& stage);
 
     Document& m_document;
     Toolbox& m_toolbox;
@@ -82,6 +84,7 @@ class LiveView : public QObject, public LiveScene {
     LiveHand m_hand;
     PauseMenu* m_menu; // owned by the canvas
     OverlayFlags m_overlays;
+    TrailKeeper m_trails;
     GroundPicture m_ground;
     Snapshot m_picture;
     QString m_background;

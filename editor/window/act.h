@@ -74,17 +74,27 @@ enum class Act : std::uint8_t {
     CoarserGrid,
     FinerGrid,
 
-    // actions_overlays.cpp
+    // actions_overlays.cpp; the first in the order of editor/canvas/overlay_table
     OverlayAabb,
     OverlayIncircle,
     OverlayVelocity,
     OverlayOrientation,
     OverlayNormals,
     OverlayQuadtree,
-    OverlaysOff,
+    OverlayContacts,
+    OverlayTension,
+    OverlayTrails,
+    OverlayMasses,
+    OverlayNames,
+    OverlayIslands,
     OverlayTags,
+    OverlayRisk,
+    ShowCollisions, // the last of those that have a row in overlay_table
+    OverlaysOff,
     OverlayProblems,
-    ShowCollisions,
+    OverlayLegend,
+    OverlayColorsSafe,
+    OverlayColorsReset,
 
     // actions_tools.cpp; each tool is an action too, under its ToolId
     PlaceNext,

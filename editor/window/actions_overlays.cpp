@@ -1,77 +1,55 @@
 // What is drawn over bodies, while editing and while playing.
+#include "core/base/contract.h"
+#include "editor/canvas/overlay_table.h"
 #include "editor/window/main_window.h"
+
+#include <utility>
+#include <vector>
 
 namespace spacetow {
 
 namespace {
 
-template <bool OverlayFlags::*flag>
+constexpr auto firstOverlay = static_cast<std::size_t>(Act::OverlayAabb);
+constexpr std::size_t overlayCount = static_cast<std::size_t>(Act::OverlaysOff) - firstOverlay;
+constexpr std::size_t withDigit = 9;
+
+template <std::size_t index>
 void setOverlay(MainWindow& window, bool on) {
     OverlayFlags flags = window.overlays();
-    flags.*flag = on;
+    flags.*overlayRows()[index].flag = on;
     window.setOverlays(flags);
 }
 
-template <bool OverlayFlags::*flag>
+template <std::size_t index>
 bool hasOverlay(const MainWindow& window) {
-    return window.overlays().*flag;
+    return window.overlays().*overlayRows()[index].flag;
 }
 
-constexpr ActionRow overlaysRows[] = {
-    {.id = Act::OverlayAabb,
-     .menu = MenuId::Overlays,
-     .text = QT_TRANSLATE_NOOP("Actions", "&Bounding Boxes"),
-     .icon = "overlay-aabb",
-     .keys = "Alt+1",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Show the bounding box of every body"),
-     .flags = WhilePlaying | OnMainBar,
-     .toggle = setOverlay<&OverlayFlags::aabb>,
-     .isOn = hasOverlay<&OverlayFlags::aabb>},
-    {.id = Act::OverlayIncircle,
-     .menu = MenuId::Overlays,
-     .text = QT_TRANSLATE_NOOP("Actions", "&Incircles"),
-     .icon = "overlay-incircle",
-     .keys = "Alt+2",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Show the incircle of every polygon"),
-     .flags = WhilePlaying | OnMainBar,
-     .toggle = setOverlay<&OverlayFlags::incircle>,
-     .isOn = hasOverlay<&OverlayFlags::incircle>},
-    {.id = Act::OverlayVelocity,
-     .menu = MenuId::Overlays,
-     .text = QT_TRANSLATE_NOOP("Actions", "&Velocities"),
-     .icon = "overlay-velocity",
-     .keys = "Alt+3",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Show where every body would be in a second"),
-     .flags = WhilePlaying | OnMainBar,
-     .toggle = setOverlay<&OverlayFlags::velocity>,
-     .isOn = hasOverlay<&OverlayFlags::velocity>},
-    {.id = Act::OverlayOrientation,
-     .menu = MenuId::Overlays,
-     .text = QT_TRANSLATE_NOOP("Actions", "&Orientations"),
-     .icon = "overlay-orientation",
-     .keys = "Alt+4",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Show which way up every body is"),
-     .flags = WhilePlaying | OnMainBar,
-     .toggle = setOverlay<&OverlayFlags::orientation>,
-     .isOn = hasOverlay<&OverlayFlags::orientation>},
-    {.id = Act::OverlayNormals,
-     .menu = MenuId::Overlays,
-     .text = QT_TRANSLATE_NOOP("Actions", "&Normals"),
-     .icon = "overlay-normals",
-     .keys = "Alt+5",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Show the free side of every wall"),
-     .flags = WhilePlaying | OnMainBar,
-     .toggle = setOverlay<&OverlayFlags::normals>,
-     .isOn = hasOverlay<&OverlayFlags::normals>},
-    {.id = Act::OverlayQuadtree,
-     .menu = MenuId::Overlays,
-     .text = QT_TRANSLATE_NOOP("Actions", "&Quadtree"),
-     .icon = "overlay-quadtree",
-     .keys = "Alt+6",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Show the cells in which collisions are looked for"),
-     .flags = WhilePlaying | OnMainBar,
-     .toggle = setOverlay<&OverlayFlags::quadtree>,
-     .isOn = hasOverlay<&OverlayFlags::quadtree>},
+template <std::size_t index>
+ActionRow overlayAction() {
+    const OverlayRow& row = overlayRows()[index];
+    ActionRow action{.id = static_cast<Act>(firstOverlay + index),
+                     .menu = MenuId::Overlays,
+                     .text = row.text,
+                     .icon = row.icon,
+                     .keys = row.keys,
+                     .tip = row.tip,
+                     .flags = WhilePlaying,
+                     .toggle = setOverlay<index>,
+                     .isOn = hasOverlay<index>};
+    action.flags |= row.onMainBar ? OnMainBar : NoFlag;
+    action.flags |= index == withDigit ? SeparatorBefore : NoFlag;
+    return action;
+}
+
+template <std::size_t... index>
+std::vector<ActionRow> tableActions(std::index_sequence<index...> /*of the table*/) {
+    EXPECTS(overlayRows().size() == overlayCount);
+    return {overlayAction<index>()...};
+}
+
+constexpr ActionRow otherOverlayRows[] = {
     {.id = Act::OverlaysOff,
      .menu = MenuId::Overlays,
      .text = QT_TRANSLATE_NOOP("Actions", "&All Off"),
@@ -80,37 +58,70 @@ constexpr ActionRow overlaysRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Hide all overlays"),
      .flags = WhilePlaying | SeparatorBefore,
      .run = [](MainWindow& window) { window.setOverlays({.problems = window.overlays().problems}); }},
-    {.id = Act::OverlayTags,
-     .menu = MenuId::Overlays,
-     .text = QT_TRANSLATE_NOOP("Actions", "&Tags"),
-     .icon = "tag",
-     .keys = "Alt+Shift+O",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Show names and colors of the tags of every object"),
-     .flags = SeparatorBefore,
-     .toggle = setOverlay<&OverlayFlags::tags>,
-     .isOn = hasOverlay<&OverlayFlags::tags>},
     {.id = Act::OverlayProblems,
      .menu = MenuId::Overlays,
      .text = QT_TRANSLATE_NOOP("Actions", "&Problems"),
      .icon = "warning",
      .keys = "Shift+P",
      .tip = QT_TRANSLATE_NOOP("Actions", "Mark the places of all problems of the level"),
-     .toggle = setOverlay<&OverlayFlags::problems>,
-     .isOn = hasOverlay<&OverlayFlags::problems>},
-    {.id = Act::ShowCollisions,
+     .flags = SeparatorBefore,
+     .toggle =
+         [](MainWindow& window, bool on) {
+             OverlayFlags flags = window.overlays();
+             flags.problems = on;
+             window.setOverlays(flags);
+         },
+     .isOn = [](const MainWindow& window) { return window.overlays().problems; }},
+    {.id = Act::OverlayLegend,
      .menu = MenuId::Overlays,
-     .text = QT_TRANSLATE_NOOP("Actions", "Show What &Collides"),
-     .icon = "collides",
-     .keys = "Shift+T",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Mark everything that the selection would collide with, by its tags"),
-     .toggle = [](MainWindow& window, bool on) { window.collisions().setOn(on); },
-     .isOn = [](const MainWindow& window) { return window.collisions().isOn(); }},
+     .text = QT_TRANSLATE_NOOP("Actions", "&Legend"),
+     .icon = "legend",
+     .keys = "Alt+Shift+Y",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Explain the colors of the overlays that are on, in a corner of the canvas"),
+     .flags = WhilePlaying | SeparatorBefore,
+     .toggle = [](MainWindow& window, bool on) { window.setLegendShown(on); },
+     .isOn = [](const MainWindow& window) { return window.isLegendShown(); }},
+    {.id = Act::OverlayColorsSafe,
+     .menu = MenuId::Overlays,
+     .text = QT_TRANSLATE_NOOP("Actions", "Color-Blind-&Safe Colors"),
+     .icon = "palette",
+     .keys = "Alt+Shift+U",
+     .tip =
+         QT_TRANSLATE_NOOP("Actions", "Draw the overlays in the colors of Okabe and Ito, which everybody tells apart"),
+     .flags = WhilePlaying,
+     .toggle =
+         [](MainWindow& window, bool on) {
+             OverlayPalette palette = window.overlayPalette();
+             palette.set = on ? OverlayColorSet::OkabeIto : OverlayColorSet::Standard;
+             window.setOverlayPalette(palette);
+         },
+     .isOn = [](const MainWindow& window) { return window.overlayPalette().set == OverlayColorSet::OkabeIto; }},
+    {.id = Act::OverlayColorsReset,
+     .menu = MenuId::Overlays,
+     .text = QT_TRANSLATE_NOOP("Actions", "&Forget Own Colors"),
+     .icon = "reset",
+     .keys = "Alt+Shift+J",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Give all overlays the colors of the set again"),
+     .flags = WhilePlaying,
+     .run =
+         [](MainWindow& window) {
+             OverlayPalette palette = window.overlayPalette();
+             palette.own.clear();
+             window.setOverlayPalette(palette);
+         },
+     .isPossible = [](const MainWindow& window) { return !window.overlayPalette().own.empty(); },
+     .why = QT_TRANSLATE_NOOP("Actions", "No overlay has a color of your own: click one in the legend.")},
 };
 
 } // namespace
 
 std::span<const ActionRow> overlayActions() {
-    return overlaysRows;
+    static const std::vector<ActionRow> rows = [] {
+        std::vector<ActionRow> all = tableActions(std::make_index_sequence<overlayCount>());
+        all.insert(all.end(), std::begin(otherOverlayRows), std::end(otherOverlayRows));
+        return all;
+    }();
+    return rows;
 }
 
 } // namespace spacetow

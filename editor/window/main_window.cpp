@@ -34,7 +34,8 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
       m_recoveryBar(journalFolder(), [this](const JournalEntry& entry) { return restoreWork(entry); }),
       m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
       m_exchange(m_document, m_toolbox, m_canvas,
-                 [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }) {
+                 [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }),
+      m_legend(m_canvas) {
     setAcceptDrops(true);
     layOut();
     makeMenus();
@@ -168,13 +169,6 @@ void MainWindow::setPanelsHidden(bool hidden) {
     updateMode();
 }
 
-void MainWindow::setOverlays(const OverlayFlags& overlays) {
-    m_overlays = overlays;
-    m_canvas.setOverlays(overlays);
-    m_live.setOverlays(overlays);
-    m_files.preferences.setOverlays(overlays);
-}
-
 void MainWindow::finishDrawing() {
     if (m_toolbox.isBusy() && !m_toolbox.isDragging()) {
         m_canvas.toolKey(ToolKey::Enter);
@@ -224,6 +218,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
+        updateLegend();
         m_actions.tint(palette());
         m_actions.refresh();
     } else if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
@@ -341,7 +336,7 @@ void MainWindow::updateMode() {
     m_menus.at(MenuId::Recent)->setEnabled(!isPlaying());
     m_menus.at(MenuId::Backups)->setEnabled(editing && !isPlaying());
     m_status.setBoardShown(editing && !isInGame());
-    m_actions.refresh();
+    updateLegend(); // and the actions
     updateTool();
 }
 

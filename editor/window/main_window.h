@@ -4,6 +4,7 @@
 
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/canvas_frame.h"
+#include "editor/canvas/legend.h"
 #include "editor/panels/array_bar.h"
 #include "editor/panels/guide_bar.h"
 #include "editor/panels/history_panel.h"
@@ -126,6 +127,11 @@ class MainWindow : public QMainWindow {
     void updateKeys();
     const OverlayFlags& overlays() const { return m_overlays; }
     void setOverlays(const OverlayFlags& overlays);
+    const OverlayPalette& overlayPalette() const { return m_overlayPalette; }
+    void setOverlayPalette(const OverlayPalette& palette);
+    bool isLegendShown() const { return m_legendShown; }
+    void setLegendShown(bool shown);
+    Legend& legend() { return m_legend; }
 
     Application* application() const { return m_application; }
     /// What other windows show too, when they are views of the same level.
@@ -230,6 +236,10 @@ class MainWindow : public QMainWindow {
     void updateSelection();
     void updateMode();
     void updateProblems();
+    void updateLegend();
+    Shade overlayGround() const;
+    void listenToLegend();
+    void chooseOverlayColor(int ink);
 
     std::shared_ptr<Wardrobe> m_wardrobe; // before anything that has colours
     Application* m_application;
@@ -272,6 +282,9 @@ class MainWindow : public QMainWindow {
     std::optional<Panels> m_panels; // once there is a window to add them to
     std::optional<Finder> m_finder; // above all the rest
     OverlayFlags m_overlays;
+    OverlayPalette m_overlayPalette;
+    Legend m_legend; // on the canvas
+    bool m_legendShown = true;
     bool m_panelsHidden = false;
     bool m_panelsInGame = false;  // called back
     bool m_inGame = false;        // what runs, or ran last, is a game

@@ -13,6 +13,9 @@ void MainWindow::listen() {
         if (change.before.level != change.after.level) {
             leaveWelcome();
         }
+        if (change.before.level->tags != change.after.level->tags) {
+            updateLegend();
+        }
         updateSelection();
         updateTool();
         m_sinceMotion.invalidate();
@@ -112,7 +115,10 @@ void MainWindow::restore() {
     setGuidesVisible(m_files.preferences.guides());
     setRulersVisible(m_files.preferences.rulers());
     setSnap(m_files.preferences.snap());
+    m_legendShown = m_files.preferences.isLegendShown();
+    setOverlayPalette(m_files.preferences.overlayPalette());
     setOverlays(m_files.preferences.overlays());
+    listenToLegend();
     updateKeys();
     m_inspector.foldSections(m_files.preferences.foldedSections());
     restoreGeometry(m_files.preferences.geometry());

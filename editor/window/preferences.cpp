@@ -1,5 +1,8 @@
 #include "editor/window/preferences.h"
 
+#include "editor/canvas/overlay_table.h"
+#include "editor/canvas/painter_draw.h"
+
 #include <QFileInfo>
 #include <QSettings>
 
@@ -15,10 +18,14 @@ constexpr double minStep = 0.001; // m
 constexpr double maxStep = 100;   // m
 constexpr int maxDivision = 100;  // parts of a step
 
-struct NamedFlag {
-    const char* key;
-    bool OverlayFlags::*flag;
-};
+QString overlayKey(const OverlayRow& row) {
+    return QStringLiteral("overlays/%1").arg(QLatin1String(row.name));
+}
+
+QString overlayKey(const OverlayInk& ink) {
+    return QStringLiteral("overlay-colors/%1").arg(QLatin1String(ink.name));
+}
+
 struct NamedSnap {
     const char* key;
     bool SnapSettings::*on;
@@ -34,16 +41,6 @@ constexpr std::array snapKeys{
     NamedSnap{"snap/guides", &SnapSettings::guides},
     NamedSnap{"snap/alignment", &SnapSettings::alignment},
     NamedSnap{"snap/angles", &SnapSettings::angles},
-};
-constexpr std::array overlayKeys{
-    NamedFlag{"overlays/aabb", &OverlayFlags::aabb},
-    NamedFlag{"overlays/incircle", &OverlayFlags::incircle},
-    NamedFlag{"overlays/velocity", &OverlayFlags::velocity},
-    NamedFlag{"overlays/orientation", &OverlayFlags::orientation},
-    NamedFlag{"overlays/normals", &OverlayFlags::normals},
-    NamedFlag{"overlays/quadtree", &OverlayFlags::quadtree},
-    NamedFlag{"overlays/tags", &OverlayFlags::tags},
-    NamedFlag{"overlays/problems", &OverlayFlags::problems},
 };
 
 } // namespace
@@ -171,17 +168,55 @@ void Preferences::setAppearance(Appearance appearance) {
 OverlayFlags Preferences::overlays() const {
     const QSettings settings;
     OverlayFlags overlays;
-    for (const NamedFlag& named : overlayKeys) {
-        overlays.*named.flag = settings.value(named.key, overlays.*named.flag).toBool();
+    for (const OverlayRow& row : overlayRows()) {
+        overlays.*row.flag = settings.value(overlayKey(row), overlays.*row.flag).toBool();
     }
+    overlays.problems = settings.value("overlays/problems", overlays.problems).toBool();
     return overlays;
 }
 
 void Preferences::setOverlays(const OverlayFlags& overlays) {
     QSettings settings;
-    for (const NamedFlag& named : overlayKeys) {
-        settings.setValue(named.key, overlays.*named.flag);
+    for (const OverlayRow& row : overlayRows()) {
+        settings.setValue(overlayKey(row), overlays.*row.flag);
     }
+    settings.setValue("overlays/problems", overlays.problems);
+}
+
+OverlayPalette Preferences::overlayPalette() const {
+    const QSettings settings;
+    OverlayPalette palette;
+    if (settings.value("overlay-colors/set").toString() == QLatin1String("okabe-ito")) {
+        palette.set = OverlayColorSet::OkabeIto;
+    }
+    for (const OverlayInk& ink : overlayInks()) {
+        const QColor own(settings.value(overlayKey(ink)).toString());
+        if (own.isValid()) {
+            palette.own[ink.name] = toColor(own);
+        }
+    }
+    return palette;
+}
+
+void Preferences::setOverlayPalette(const OverlayPalette& palette) {
+    QSettings settings;
+    const bool isOkabeIto = palette.set == OverlayColorSet::OkabeIto;
+    settings.setValue("overlay-colors/set", isOkabeIto ? QStringLiteral("okabe-ito") : QStringLiteral("standard"));
+    for (const OverlayInk& ink : overlayInks()) {
+        if (const auto own = palette.own.find(ink.name); own != palette.own.end()) {
+            settings.setValue(overlayKey(ink), toQColor(own->second).name());
+        } else {
+            settings.remove(overlayKey(ink));
+        }
+    }
+}
+
+bool Preferences::isLegendShown() const {
+    return QSettings().value("overlays/legend", true).toBool();
+}
+
+void Preferences::setLegendShown(bool shown) {
+    QSettings().setValue("overlays/legend", shown);
 }
 
 QStringList Preferences::foldedSections() const {

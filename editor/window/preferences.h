@@ -2,7 +2,8 @@
 // What the program remembers from one run to the next: window, recent files and switches. Kept by QSettings; nothing of
 // it is ever written into a level.
 
-#include "editor/canvas/overlay_flags.h"
+#include "core/physics/query/overlay_flags.h"
+#include "editor/canvas/overlay_palette.h"
 #include "editor/editing/snap.h"
 #include "editor/window/appearance.h"
 #include "editor/window/key_bindings.h"
@@ -49,6 +50,10 @@ class Preferences {
     void setLanguage(const QString& code);
     OverlayFlags overlays() const;
     void setOverlays(const OverlayFlags& overlays);
+    OverlayPalette overlayPalette() const;
+    void setOverlayPalette(const OverlayPalette& palette);
+    bool isLegendShown() const; // of the overlays
+    void setLegendShown(bool shown);
     /// Sections of the inspector.
     QStringList foldedSections() const;
     void setFoldedSections(const QStringList& titles);

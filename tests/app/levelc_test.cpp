@@ -287,7 +287,8 @@ class LevelcTest : public QObject {
     void renderDrawsPicturesOfTheSizeAskedFor() {
         write("level.json", levelText(falling(10)));
         const Run png = levelc({"render", path("level.json"), "-o", path("out.png"), "--size", "320x200", "--overlays",
-                                "aabb,incircle,velocity,orientation,normals,quadtree"});
+                                "aabb,incircle,velocity,orientation,normals,quadtree,contacts,tension,trails,masses,"
+                                "names,islands,tags,risk,collides"});
         QCOMPARE(png.status, 0);
         const QByteArray picture = contents(path("out.png"));
         QVERIFY(picture.startsWith("\x89PNG"));
@@ -302,7 +303,7 @@ class LevelcTest : public QObject {
     void overlaysAreDrawnWhenAskedFor() {
         write("level.json", levelText(falling()));
         QByteArray last;
-        for (const char* overlays : {"", "velocity", "normals"}) {
+        for (const char* overlays : {"", "velocity", "normals", "masses", "islands", "trails"}) {
             QCOMPARE(levelc({"render", path("level.json"), "-o", path("out.png"), "--overlays", overlays}).status, 0);
             const QByteArray picture = contents(path("out.png"));
             QVERIFY2(picture != last, overlays);

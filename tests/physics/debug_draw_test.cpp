@@ -11,6 +11,8 @@ constexpr Color cyan{0, 255, 255};
 constexpr Color red{255, 0, 0};
 constexpr Color normalGrey{210, 200, 200, 128};
 constexpr Color incircleGreen{150, 250, 200};
+constexpr Color bandGrey{210, 200, 200};
+constexpr Color bandFill{210, 200, 200, 60};
 
 ShapeColors tableColors(BodyKind kind, const QString& shape) {
     if (kind == BodyKind::Static) {
@@ -51,7 +53,12 @@ std::vector<DrawCall> shapeCalls(BodyKind kind, const QString& name) {
                 {Form::Circle, {{2, -4}}, 1, incircleGreen},
                 {Form::Polygon, corners, 0, outline}};
     }
-    std::vector<DrawCall> calls{{Form::Line, {{3, -4}, {2, -4}}, 0, normalGrey}};
+    std::vector<DrawCall> calls;
+    if (name == "edge") { // half a metre of it is solid
+        calls.push_back({Form::FilledPolygon, {{3, -2}, {3, -6}, {3.5, -6}, {3.5, -2}}, 0, bandFill});
+        calls.push_back({Form::Line, {{3.5, -6}, {3.5, -2}}, 0, bandGrey});
+    }
+    calls.push_back({Form::Line, {{3, -4}, {2, -4}}, 0, normalGrey});
     if (name == "line") {
         calls.push_back({Form::Line, {{3, -4}, {4, -4}}, 0, normalGrey});
     }
@@ -218,7 +225,8 @@ void DebugDrawTest::severalShapesShareOneBoxOneOrientationAndOneVelocity() {
     QCOMPARE(count(calls, Form::FilledPolygon, tableColors(BodyKind::Dynamic, "polygon").fill), 1);
     QCOMPARE(count(calls, Form::Line, tableColors(BodyKind::Dynamic, "edge").outline), 1);
     QCOMPARE(count(calls, Form::Line, normalGrey), 1);
-    QCOMPARE(calls.size(), std::size_t{1 + 2 * 2 + 3 + 2 + 2});
+    QCOMPARE(count(calls, Form::FilledPolygon, bandFill), 1);
+    QCOMPARE(calls.size(), std::size_t{1 + 2 * 2 + 3 + 3 + 2});
 }
 
 void DebugDrawTest::aConcavePolygonKeepsItsOutline() {
@@ -243,7 +251,7 @@ void DebugDrawTest::whatHasNoExtentIsLeftOut() {
     const std::vector<Shape> shapes{Edge{{1, 1}, {1, 1}}, Line{{1, 1}, {1, 1}}, Polygon{},
                                     Polygon{{Vec2(0, 0), Vec2(1, 0)}}};
     RecordingDraw draw;
-    drawBody({BodyKind::Static, shapes, {}, {0, 0}, {0, 0}, {}}, bareView(), draw);
+    drawBody({BodyKind::Static, shapes, {}, {0, 0}, {0, 0}, {}, {}}, bareView(), draw);
     QVERIFY(draw.calls.empty());
 }
 

@@ -3,17 +3,19 @@
 
 #include "core/physics/query/debug_draw.h"
 
+#include <string>
 #include <vector>
 
 namespace spacetow::test {
 
-enum class Form { Circle, FilledCircle, Polygon, FilledPolygon, Line, Rectangle, FilledRectangle };
+enum class Form { Circle, FilledCircle, Polygon, FilledPolygon, Line, Rectangle, FilledRectangle, Text };
 
 struct DrawCall {
     Form form;
     std::vector<Vec2> points; // centre, outline, both ends, or the corners `min` and `max`
     double radius;            // 0 unless it is a circle
     Color color;
+    std::string text = {};
 
     bool operator==(const DrawCall&) const = default;
 };
@@ -43,19 +45,23 @@ class RecordingDraw : public DebugDraw {
     void filledRectangle(const Aabb& box, const Color& color) override {
         calls.push_back({Form::FilledRectangle, {box.min, box.max}, 0, color});
     }
+    void text(const Vec2& at, std::string_view text, const Color& color) override {
+        calls.push_back({Form::Text, {at}, 0, color, std::string(text)});
+    }
 };
 
 /// A picture whose origin is the world's and whose unit is a metre: (x, y) lies at (x, −y).
 inline DebugView plainView() {
     DebugView view;
     view.view = {.center = {0, 0}, .scale = 1, .size = {0, 0}};
+    view.overlays = {.aabb = true, .incircle = true, .velocity = true, .orientation = true, .normals = true};
     return view;
 }
 
 /// Nothing but the bodies and connectors themselves.
 inline DebugView bareView() {
     DebugView view = plainView();
-    view.boxes = view.velocities = view.orientations = view.incircles = view.normals = false;
+    view.overlays = {};
     return view;
 }
 
@@ -71,7 +77,8 @@ inline bool sameWithin(double tolerance, const std::vector<DrawCall>& a, const s
         return (p - q).cwiseAbs().maxCoeff() <= tolerance;
     };
     const auto sameCall = [&](const DrawCall& c, const DrawCall& d) {
-        return c.form == d.form && c.color == d.color && std::abs(c.radius - d.radius) <= tolerance &&
+        return c.form == d.form && c.color == d.color && c.text == d.text &&
+               std::abs(c.radius - d.radius) <= tolerance &&
                std::equal(c.points.begin(), c.points.end(), d.points.begin(), d.points.end(), samePoint);
     };
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), sameCall);

@@ -118,7 +118,7 @@ class PainterDrawTest : public QObject {
         DebugView view;
         const Viewport window = viewOf(800, 300);
         view.view = window.transform();
-        view.boxes = view.orientations = false;
+        view.overlays = {};
         const auto picture = [&] {
             return painted(window, [&](const Stage& stage) {
                 PainterDraw draw(stage);
@@ -142,8 +142,10 @@ class PainterDrawTest : public QObject {
         Level level;
         level.objects.append({1, {}, off, {}});
         const Viewport view = viewOf(100, 100);
-        const QRect box = inked(painted(
-            view, [&](const Stage& stage) { paintLevelOverlays(stage, level, OverlayFlags{.velocity = true}, {}); }));
+        const QRect box = inked(painted(view, [&](const Stage& stage) {
+            const OverlayFlags flags{.velocity = true};
+            paintLevelOverlays(stage, *overlayWorlds(level, flags), {.flags = flags});
+        }));
         QVERIFY(QRect(65, 25, 11, 30).contains(box));
         QVERIFY(box.bottom() >= 49 && box.top() <= 31);
     }

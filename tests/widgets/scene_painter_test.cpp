@@ -183,7 +183,7 @@ class ScenePainterTest : public QObject {
         const Viewport view = sceneView();
         OverlayFlags all{true, true, true, true, true, true};
         paintLevel({painter, view, canvasTheme()}, mixedLevel(), Selection({1, 2, 3, 4, 5, 6, 7}));
-        paintLevelOverlays({painter, view, canvasTheme()}, mixedLevel(), all, levelCells(mixedLevel()));
+        paintLevelOverlays({painter, view, canvasTheme()}, *overlayWorlds(mixedLevel(), all), {.flags = all});
         QVERIFY(painter.pen().color() == Qt::magenta && painter.brush().color() == Qt::green);
         QVERIFY(!painter.hasClipping() && painter.transform().isIdentity());
     }
@@ -209,7 +209,7 @@ class ScenePainterTest : public QObject {
         const QImage without = picture(level, view);
         const QImage with = paintedScene(view, [&](const Stage& stage) {
             paintLevel(stage, level, Selection());
-            paintLevelOverlays(stage, level, flags, levelCells(level));
+            paintLevelOverlays(stage, *overlayWorlds(level, flags), {.flags = flags, .level = &level});
         });
         QVERIFY(with != without);
     }
@@ -289,7 +289,9 @@ class ScenePainterTest : public QObject {
         const QImage image = paintedScene(view, [&](const Stage& stage) {
             paintGrid(stage, 0.25);
             paintLevel(stage, level, Selection({8, 9, 10, 11, 12}));
-            paintLevelOverlays(stage, level, OverlayFlags{true, true, true, true, true, true}, levelCells(level));
+            const OverlayFlags all{true, true, true, true, true, true, true, true,
+                                   true, true, true, true, true, true, true};
+            paintLevelOverlays(stage, *overlayWorlds(level, all), {.flags = all, .level = &level});
         });
         QCOMPARE(image.size(), QSize(200, 200));
     }

@@ -114,6 +114,9 @@ class ShortcutsTest : public QObject {
         const Keyboard& board = keyboardNamed(keyboard);
         QCOMPARE(meantBy(actions, board.press('1', Qt::AltModifier)), &actions[Act::OverlayAabb]);
         QCOMPARE(meantBy(actions, board.press('6', Qt::AltModifier)), &actions[Act::OverlayQuadtree]);
+        QCOMPARE(meantBy(actions, board.press('7', Qt::AltModifier)), &actions[Act::OverlayContacts]);
+        QCOMPARE(meantBy(actions, board.press('8', Qt::AltModifier)), &actions[Act::OverlayTension]);
+        QCOMPARE(meantBy(actions, board.press('9', Qt::AltModifier)), &actions[Act::OverlayTrails]);
         QCOMPARE(meantBy(actions, board.press('0', Qt::AltModifier)), &actions[Act::OverlaysOff]);
         QCOMPARE(meantBy(actions, board.press('0', Qt::ControlModifier)), &actions[Act::ZoomReset]);
     }

@@ -1,8 +1,11 @@
 #include "core/physics/query/debug_draw.h"
 
+#include "core/geometry/bounds.h"
 #include "core/geometry/polygon.h"
+#include "core/physics/query/debug_layers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace spacetow {
@@ -29,7 +32,7 @@ class ShapeDrawing {
     }
 
     void operator()(const Polygon& polygon) const {
-        if (polygon.vertices.size() < 3 || !(m_view.shapes || m_view.incircles)) {
+        if (polygon.vertices.size() < 3 || !(m_view.shapes || m_view.overlays.incircle)) {
             return;
         }
         std::vector<Vec2> outline;
@@ -41,7 +44,7 @@ class ShapeDrawing {
         if (m_view.shapes) {
             m_draw.filledPolygon(outline, colors.fill);
         }
-        if (m_view.incircles) {
+        if (m_view.overlays.incircle) {
             const Vec2 center = centroid(polygon.vertices);
             const double radius = incircleRadius(polygon.vertices, center);
             m_draw.circle(at(center), m_view.view.toView(radius), m_view.colors.incircle);
@@ -51,11 +54,39 @@ class ShapeDrawing {
         }
     }
 
-    void operator()(const Edge& edge) const { wall(edge, false); }
+    void operator()(const Edge& edge) const {
+        if (m_view.overlays.normals) {
+            band(edge);
+        }
+        wall(edge, false);
+    }
     void operator()(const Line& line) const { wall(line, true); }
 
   private:
     Vec2 at(const Vec2& local) const { return m_view.view.toView(m_body.pose.toWorld(local)); }
+
+    /// What is solid behind the wall; where that has no end, a strip that is left open.
+    void band(const Edge& edge) const {
+        constexpr double open = 14; // units of the picture
+        constexpr std::uint8_t faint = 60;
+        const double length = (edge.b - edge.a).norm();
+        const bool ends = edge.depth != noBack;
+        const double depth = ends ? edge.depth : open / m_view.view.scale;
+        if (!(length > 0) || !(depth > 0) || isTiny(std::max(length, depth))) {
+            return;
+        }
+        const Vec2 back = -depth * leftOf((edge.b - edge.a) / length);
+        const std::array<Vec2, 4> outline{at(edge.a), at(edge.b), at(edge.b + back), at(edge.a + back)};
+        Color fill = m_view.colors.depth;
+        fill.alpha = static_cast<std::uint8_t>(fill.alpha * faint / 255);
+        m_draw.filledPolygon(outline, fill);
+        if (ends) {
+            m_draw.line(outline[2], outline[3], m_view.colors.depth);
+        }
+    }
+
+    /// Of metres, whether nobody would see so much.
+    bool isTiny(double extent) const { return m_view.area && m_view.view.toView(extent) < leastExtent; }
 
     template <class Wall>
     void wall(const Wall& wall, bool bothSides) const {
@@ -64,7 +95,7 @@ class ShapeDrawing {
         if (!(length > 0)) {
             return;
         }
-        if (m_view.normals) {
+        if (m_view.overlays.normals && !isTiny(1)) {
             const Vec2 middle = 0.5 * (wall.a + wall.b);
             const Vec2 normal = leftOf(along / length);
             m_draw.arrow(at(middle), at(middle + normal), m_view.colors.normal);
@@ -82,8 +113,11 @@ class ShapeDrawing {
     DebugDraw& m_draw;
 };
 
-std::uint8_t channel(double share) {
-    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+Color between(const Color& a, const Color& b, double share) {
+    const auto channel = [share](std::uint8_t from, std::uint8_t to) {
+        return static_cast<std::uint8_t>(std::lround(from + share * (to - from)));
+    };
+    return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
 }
 
 } // namespace
@@ -111,50 +145,141 @@ double connectorHue(double distance, double length) {
     return ((std::isfinite(ratio) ? std::clamp(ratio, 0.5, 1.5) : 1.5) - 0.5) / 3;
 }
 
-Color connectorColor(double distance, double length) {
-    const double sixths = 6 * connectorHue(distance, length); // 0 red, 1 yellow, 2 green
-    return {channel(2 - sixths), channel(sixths), 0};
+Color connectorColor(double distance, double length, const DebugColors& colors) {
+    const double sixths = 6 * connectorHue(distance, length); // 0 pressed, 1 natural, 2 pulled
+    return sixths < 1 ? between(colors.pressed, colors.natural, sixths)
+                      : between(colors.natural, colors.pulled, sixths - 1);
 }
 
 void drawBody(const DebugBody& body, const DebugView& view, DebugDraw& draw) {
-    if (view.boxes && !body.bounds.isEmpty()) {
+    if (view.overlays.aabb && !body.fatBounds.isEmpty()) {
+        draw.rectangle(view.view.toView(body.fatBounds), view.colors.fatBox);
+    }
+    if (view.overlays.aabb && !body.bounds.isEmpty()) {
         draw.rectangle(view.view.toView(body.bounds), view.colors.box);
     }
     const ShapeDrawing drawing(body, view, draw);
-    for (const Shape& shape : body.shapes) {
-        std::visit(drawing, shape);
+    if (view.shapes || view.overlays.incircle || view.overlays.normals) {
+        for (const Shape& shape : body.shapes) {
+            if (!view.area || boundsOf(shape, body.pose).grown(1).overlaps(*view.area)) {
+                std::visit(drawing, shape);
+            }
+        }
     }
     const bool turns = body.kind != BodyKind::Static || !std::all_of(body.shapes.begin(), body.shapes.end(), isWall);
-    if (view.orientations && turns) {
+    if (view.overlays.orientation && turns) {
         const Vec2& from = body.pose.position;
         draw.line(view.view.toView(from), view.view.toView(from + body.pose.rotation.up()), view.colors.orientation);
     }
-    if (view.velocities && body.velocity.squaredNorm() > 0) {
+    if (view.overlays.velocity && body.velocity.squaredNorm() > 0) {
         draw.arrow(view.view.toView(body.massCenter), view.view.toView(body.massCenter + body.velocity),
                    view.colors.velocity);
     }
 }
 
-void drawWorld(const World& world, const DebugView& view, DebugDraw& draw) {
-    if (view.background) {
-        draw.filledRectangle({Vec2(0, 0), view.view.size}, *view.background);
-    }
+namespace {
+
+/// What is drawn of bodies one by one reaches no further.
+Aabb reachOf(const BodyState& state, const Aabb& bounds) {
+    Aabb box = bounds.isEmpty() ? Aabb{state.massCenter, state.massCenter} : bounds;
+    box.include(state.massCenter + state.velocity);
+    return box.grown(1);
+}
+
+/// The bodies of a kind that may be seen, in the order in which they were added.
+std::vector<BodyId> seenBodies(const World& world, const DebugView& view) {
+    std::vector<BodyId> seen;
     const std::vector<BodyId> bodies = world.bodies();
     for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic}) {
         for (const BodyId id : bodies) {
             const BodyState state = world.body(id);
-            if (state.kind != kind || (view.shows && !view.shows(id))) {
-                continue;
+            if (state.kind == kind && (!view.shows || view.shows(id)) &&
+                (!view.area || reachOf(state, world.bounds(id)).overlaps(*view.area))) {
+                seen.push_back(id);
             }
-            const Aabb bounds = view.boxes ? world.bounds(id) : Aabb{};
-            drawBody({kind, world.shapes(id), state.pose, state.massCenter, state.velocity, bounds}, view, draw);
         }
     }
-    for (const ConnectorId id : world.connectors()) {
-        const ConnectorState state = world.connector(id);
-        draw.line(view.view.toView(state.anchorA), view.view.toView(state.anchorB),
-                  connectorColor((state.anchorB - state.anchorA).norm(), state.length));
+    return seen;
+}
+
+DebugBody bodyOf(const World& world, BodyId id, const DebugView& view) {
+    const BodyState state = world.body(id);
+    DebugBody body{state.kind, world.shapes(id), state.pose, state.massCenter, state.velocity, {}, {}};
+    if (view.overlays.aabb) {
+        constexpr double rounding = 1e-9; // m
+        for (const Shape& shape : body.shapes) {
+            body.bounds.include(boundsOf(shape, state.pose));
+        }
+        const Aabb fat = world.bounds(id);
+        body.fatBounds = body.bounds.grown(rounding).contains(fat) ? Aabb{} : fat;
     }
+    return body;
+}
+
+/// What lies below the bodies.
+void drawGround(const World& world, std::span<const BodyId> seen, const DebugView& view, DebugDraw& draw) {
+    if (view.overlays.quadtree) {
+        drawTrees(world, view, draw);
+    }
+    for (const BodyId id : seen) {
+        if (view.overlays.islands) {
+            drawIsland(world, id, view, draw);
+        }
+        if (view.overlays.tags) {
+            drawTags(world, id, view, draw);
+        }
+    }
+    if (view.overlays.collides) {
+        drawCollisions(world, view, draw);
+    }
+}
+
+/// What lies on top of them.
+void drawMarks(const World& world, std::span<const BodyId> seen, const DebugView& view, DebugDraw& draw) {
+    if (view.overlays.risk) {
+        drawRisks(world, view, draw);
+    }
+    if (view.overlays.trails) {
+        drawTrails(view, draw);
+    }
+    if (view.overlays.contacts) {
+        drawContacts(world, view, draw);
+    }
+    for (const BodyId id : seen) {
+        const BodyState state = world.body(id);
+        if (view.overlays.masses && state.kind != BodyKind::Static) {
+            drawMassCenter(state, view, draw);
+        }
+        if (view.overlays.names) {
+            drawName(world, id, view, draw);
+        }
+    }
+}
+
+} // namespace
+
+void drawWorld(const World& world, const DebugView& view, DebugDraw& draw) {
+    if (view.background) {
+        draw.filledRectangle({Vec2(0, 0), view.view.size}, *view.background);
+    }
+    const std::vector<BodyId> seen = seenBodies(world, view);
+    drawGround(world, seen, view, draw);
+    const OverlayFlags& on = view.overlays;
+    if (view.shapes || on.aabb || on.incircle || on.velocity || on.orientation || on.normals) {
+        for (const BodyId id : seen) {
+            drawBody(bodyOf(world, id, view), view, draw);
+        }
+    }
+    if (view.overlays.tension) {
+        drawConnectors(world, view, draw);
+    } else if (view.shapes) {
+        for (const ConnectorId id : world.connectors()) {
+            const ConnectorState state = world.connector(id);
+            draw.line(view.view.toView(state.anchorA), view.view.toView(state.anchorB),
+                      connectorColor((state.anchorB - state.anchorA).norm(), state.length, view.colors));
+        }
+    }
+    drawMarks(world, seen, view, draw);
 }
 
 } // namespace spacetow

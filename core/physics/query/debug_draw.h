@@ -4,12 +4,17 @@
 // receives coordinates of its picture, see ViewTransform.
 
 #include "core/math/view_transform.h"
+#include "core/physics/query/overlay_flags.h"
 #include "core/physics/world/world.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace spacetow {
 
@@ -32,6 +37,8 @@ class DebugDraw {
     virtual void line(const Vec2& a, const Vec2& b, const Color& color) = 0;
     virtual void rectangle(const Aabb& box, const Color& color) = 0;
     virtual void filledRectangle(const Aabb& box, const Color& color) = 0;
+    /// Beside the point, in the host's font; what lies below is to be told from it.
+    virtual void text(const Vec2& at, std::string_view text, const Color& color) = 0;
     /// Velocities and normals: a line, to which the host may give a head.
     virtual void arrow(const Vec2& from, const Vec2& to, const Color& color) { line(from, to, color); }
 };
@@ -46,8 +53,6 @@ ShapeColors shapeColors(BodyKind kind, const Shape& shape);
 /// 0 … 1/3 of the colour circle: red when pressed to half its length or less, yellow (1/6) at its natural length or
 /// when it has none, green when pulled to one and a half or more.
 double connectorHue(double distance, double length);
-/// The full colour of that hue.
-Color connectorColor(double distance, double length);
 
 struct DebugColors {
     Color box{255, 255, 255};
@@ -55,19 +60,47 @@ struct DebugColors {
     Color normal{210, 200, 200, 128};
     Color orientation{0, 255, 255};
     Color velocity{255, 0, 0};
+    Color fatBox{130, 150, 190};
+    Color depth{210, 200, 200}; // of bands; filled with some of it
+    Color staticCell{90, 190, 120}, movingCell{230, 160, 60};
+    Color touchPoint{255, 60, 60}, nearPoint{150, 150, 160};
+    Color contactNormal{230, 230, 230};
+    Color impulse{255, 200, 0};
+    Color pressed{255, 0, 0}, natural{255, 255, 0}, pulled{0, 255, 0};
+    Color trail{90, 170, 255};
+    Color massCenter{255, 120, 200};
+    Color name{240, 240, 240};
+    Color asleep{120, 120, 130};
+    std::array<Color, 6> islands{
+        {{230, 120, 60}, {90, 170, 255}, {110, 220, 110}, {240, 220, 90}, {220, 110, 220}, {80, 220, 220}}};
+    Color meets{255, 90, 200}, passes{110, 110, 120};
+    Color safe{110, 220, 110}, risky{255, 60, 60};
+
+    bool operator==(const DebugColors&) const = default;
+};
+
+/// Where a body has been, the oldest point first; world.
+struct DebugTrail {
+    std::vector<Vec2> points;
+
+    bool operator==(const DebugTrail&) const = default;
 };
 
 struct DebugView {
     ViewTransform view;
-    bool shapes = true;       // the bodies themselves
-    bool boxes = true;        // of the broad phase
-    bool velocities = true;   // where the centre of mass would be a second later
-    bool orientations = true; // one metre along the body's "up"
-    bool incircles = true;    // of polygons, about their centroid
-    bool normals = true;      // free sides of walls, one metre
+    bool shapes = true; // the bodies themselves
+    OverlayFlags overlays;
     DebugColors colors;
     std::optional<Color> background;   // of the whole picture
     std::function<bool(BodyId)> shows; // of a hidden body nothing is drawn; without it none is hidden
+    /// What can be seen of the world. With it, nothing else is drawn, nor what is too small to be seen.
+    std::optional<Aabb> area;
+
+    // What the host knows of bodies, by what it calls them (BodyDef::user).
+    std::function<std::string(std::uint64_t user)> nameOf; // without it no body has a name
+    std::function<bool(std::uint64_t user)> isSelected;    // without it nothing is selected
+    std::function<std::optional<Color>(int tag)> tagColor; // without it no tag has a colour
+    std::span<const DebugTrail> trails;                    // lives as long as the view
 };
 
 /// What is drawn of a body; the shapes must outlive it.
@@ -77,14 +110,19 @@ struct DebugBody {
     Transform pose;
     Vec2 massCenter{0, 0}; // world
     Vec2 velocity{0, 0};   // of the centre of mass
-    Aabb bounds;           // may be empty
+    Aabb bounds;           // exact; may be empty
+    Aabb fatBounds;        // of the broad phase; empty when it is no other
 };
 
-/// Its box; each shape, a polygon's incircle between its filling and its outline and a wall's normals below the wall;
-/// orientation and velocity once. Static walls have no orientation. Shapes without extent are left out.
+/// The colour of that hue, between those of `colors`.
+Color connectorColor(double distance, double length, const DebugColors& colors = {});
+
+/// Its boxes; each shape, a polygon's incircle between its filling and its outline and a wall's band and normals below
+/// the wall; orientation and velocity once. Static walls have no orientation. Shapes without extent are left out.
 void drawBody(const DebugBody& body, const DebugView& view, DebugDraw& draw);
 
-/// Background; static, kinematic, dynamic bodies, each in the order in which they were added; connectors.
+/// Background; quadtrees; islands, tags and what meets the selection; static, kinematic, dynamic bodies, each in the
+/// order in which they were added; connectors; the risk of walls; trails; contacts; centres of mass and names.
 void drawWorld(const World& world, const DebugView& view, DebugDraw& draw);
 
 } // namespace spacetow

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <type_traits>
 
 namespace spacetow {
 
@@ -185,17 +186,32 @@ std::vector<Aabb> quadtreeCells(const World& world) {
     return cells;
 }
 
-std::vector<QuadtreeCell> occupiedCells(const World& world) {
+std::vector<QuadtreeCell> occupiedCells(const World& world, const std::optional<Aabb>& area) {
     std::vector<QuadtreeCell> cells;
     std::vector<std::uint32_t> found;
     forEachTree(world.data(), [&](const auto& tree) {
         for (const Aabb& cell : tree.cells()) {
+            if (area && !cell.overlaps(*area)) {
+                continue;
+            }
             found.clear();
             tree.query(cell, found);
-            cells.push_back({cell, static_cast<int>(found.size())});
+            constexpr bool moves = std::is_same_v<std::decay_t<decltype(tree)>, MovingQuadtree>;
+            cells.push_back({cell, static_cast<int>(found.size()), moves});
         }
     });
     return cells;
+}
+
+std::optional<std::uint32_t> islandOf(const World& world, BodyId body) {
+    const WorldData& data = world.data();
+    const BodyRecord& record = data.records[body.index];
+    if (record.asleep) {
+        return record.island;
+    }
+    const std::vector<Slot>& roots = data.islands.roots;
+    const bool isKnown = body.index < roots.size() && data.motions[body.index].isMovable() && record.active;
+    return isKnown ? std::optional(roots[body.index]) : std::nullopt;
 }
 
 } // namespace spacetow

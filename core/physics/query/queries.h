@@ -47,12 +47,18 @@ std::vector<Aabb> quadtreeCells(const World& world);
 
 struct QuadtreeCell {
     Aabb box;
-    int held = 0; // boxes of shapes that overlap it
+    int held = 0;        // boxes of shapes that overlap it
+    bool moving = false; // of the tree of moving bodies
 
     bool operator==(const QuadtreeCell&) const = default;
 };
 
-/// Likewise with what they hold: linear in the cells, and not for every frame.
-std::vector<QuadtreeCell> occupiedCells(const World& world);
+/// Those that overlap `area`, with what they hold: linear in these.
+std::vector<QuadtreeCell> occupiedCells(const World& world, const std::optional<Aabb>& area = {});
+
+/// The island of a body: bodies with the same number may push each other (core/physics/solver/islands.h), or sleep and
+/// wake together (core/physics/sleep/sleep.h). As the last update had it; none for what nothing can move, and for what
+/// is new.
+std::optional<std::uint32_t> islandOf(const World& world, BodyId body);
 
 } // namespace spacetow

@@ -1,0 +1,82 @@
+#include "core/physics/query/contact_points.h"
+
+#include "core/geometry/collide.h"
+#include "core/physics/state/world_data.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+// m: of surfaces that are further apart than this the solver has no contact.
+constexpr double farthest = 1000;
+
+Transform poseOfB(const WorldData& data, const Pair& pair) {
+    return pair.staticB ? Transform{} : data.pose(pair.bodyB);
+}
+
+/// From the manifold that the solver keeps, carried along with both bodies.
+void readKept(const WorldData& data, const Pair& pair, ContactReading& reading) {
+    const Contact& contact = data.contacts[pair.contact];
+    const KeptManifold& kept = data.manifolds[contact.manifold];
+    const Transform a = data.pose(pair.bodyA);
+    const Transform b = poseOfB(data, pair);
+    reading.normal = (kept.normalOnA ? a : b).rotation * kept.normal;
+    reading.count = contact.count;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
+        reading.points[i] = {0.5 * (a.toWorld(kept.points[i].onA) + b.toWorld(kept.points[i].onB)),
+                             contact.points[i].normalImpulse};
+    }
+}
+
+/// Of circles no manifold is kept: they are cheaply compared anew.
+void readAnew(const WorldData& data, const Pair& pair, ContactReading& reading) {
+    const Contact& contact = data.contacts[pair.contact];
+    const Manifold manifold = collide(*pair.shapeA, data.pose(pair.bodyA), *pair.shapeB, poseOfB(data, pair), farthest);
+    reading.normal = manifold.normal;
+    reading.count = std::min(contact.count, manifold.count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(reading.count); ++i) {
+        reading.points[i] = {manifold.points[i].point, contact.points[i].normalImpulse};
+    }
+}
+
+bool isIn(const std::optional<Aabb>& area, const ContactReading& reading) {
+    const auto points = std::span(reading.points).first(static_cast<std::size_t>(reading.count));
+    return !area || std::ranges::any_of(points, [&](const auto& point) { return area->contains(point.at); });
+}
+
+void readTable(const WorldData& data, const PairTable& table, const std::optional<Aabb>& area,
+               std::vector<ContactReading>& readings) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const Pair& pair = table.pairs[i];
+        if (pair.kind == PairKind::Sensor || pair.contact == Pair::none || data.contacts[pair.contact].count == 0) {
+            continue;
+        }
+        const Contact& contact = data.contacts[pair.contact];
+        ContactReading reading;
+        reading.a = data.idOf(pair.bodyA);
+        reading.b = data.idOf(pair.bodyB);
+        reading.touching = table.flags[i].touching;
+        reading.tangentImpulse = contact.tangentImpulse;
+        const bool isKept = contact.manifold != Pair::none && data.manifolds[contact.manifold].tolerance >= 0;
+        isKept ? readKept(data, pair, reading) : readAnew(data, pair, reading);
+        const auto pushes = [](const ContactReading::Point& point) { return point.normalImpulse > 0; };
+        reading.touching = reading.touching || std::ranges::any_of(reading.points, pushes);
+        if (reading.count > 0 && isIn(area, reading)) {
+            readings.push_back(reading);
+        }
+    }
+}
+
+} // namespace
+
+std::vector<ContactReading> contactReadings(const World& world, const std::optional<Aabb>& area) {
+    const WorldData& data = world.data();
+    std::vector<ContactReading> readings;
+    readTable(data, data.table, area, readings);
+    readTable(data, data.sleep.table, area, readings);
+    return readings;
+}
+
+} // namespace spacetow

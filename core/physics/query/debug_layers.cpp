@@ -1,0 +1,293 @@
+#include "core/physics/query/debug_layers.h"
+
+#include "core/geometry/bounds.h"
+#include "core/physics/query/contact_points.h"
+#include "core/physics/query/queries.h"
+#include "core/physics/query/tunnelling.h"
+#include "core/physics/state/world_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace spacetow {
+
+namespace {
+
+constexpr double earthGravity = 9.81; // m/s²
+constexpr double dotRadius = 3;       // radius of points, in units of the picture
+constexpr double armLength = 5;       // half of the arms of a cross
+constexpr double beside = 6;          // of texts, from what they belong to
+constexpr double roomy = 40;          // what is wider has room for a number
+
+Color withAlpha(Color color, int alpha) {
+    color.alpha = static_cast<std::uint8_t>(std::clamp(alpha, 0, 255));
+    return color;
+}
+
+std::string written(const char* format, double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
+}
+
+bool isSeen(const DebugView& view, const Vec2& world) {
+    return !view.area || view.area->contains(world);
+}
+
+bool isSeen(const DebugView& view, const Aabb& world) {
+    return view.area->overlaps(world) && view.view.toView(world.size().maxCoeff()) >= leastExtent;
+}
+
+/// Draws the outlines of a body, or fills them.
+struct OutlineDrawing {
+    const Transform& pose;
+    const DebugView& view;
+    DebugDraw& draw;
+    Color color;
+    bool filled;
+
+    Vec2 at(const Vec2& local) const { return view.view.toView(pose.toWorld(local)); }
+    void operator()(const Circle& circle) const {
+        const double radius = view.view.toView(circle.radius);
+        filled ? draw.filledCircle(at(circle.center), radius, color) : draw.circle(at(circle.center), radius, color);
+    }
+    void operator()(const Polygon& polygon) const {
+        std::vector<Vec2> outline;
+        outline.reserve(polygon.vertices.size());
+        for (const Vec2& vertex : polygon.vertices) {
+            outline.push_back(at(vertex));
+        }
+        filled ? draw.filledPolygon(outline, color) : draw.polygon(outline, color);
+    }
+    void operator()(const Edge& edge) const { draw.line(at(edge.a), at(edge.b), color); }
+    void operator()(const Line& line) const { draw.line(at(line.a), at(line.b), color); }
+};
+
+struct Ink {
+    Color color;
+    bool filled = false;
+};
+
+void drawOutline(const World& world, BodyId body, const Ink& ink, const DebugView& view, DebugDraw& draw) {
+    const Transform pose = world.body(body).pose;
+    const OutlineDrawing drawing{pose, view, draw, ink.color, ink.filled};
+    for (const Shape& shape : world.shapes(body)) {
+        if (!view.area || isSeen(view, boundsOf(shape, pose))) {
+            std::visit(drawing, shape);
+        }
+    }
+}
+
+/// A line that is wider than lines are, from a to b in the picture.
+void drawStrip(const Vec2& a, const Vec2& b, const Color& color, DebugDraw& draw) {
+    constexpr double halfWidth = 1.5;
+    const double length = (b - a).norm();
+    if (length > 0) {
+        const Vec2 across = halfWidth * leftOf((b - a) / length);
+        const std::array<Vec2, 4> strip{a + across, b + across, b - across, a - across};
+        draw.filledPolygon(strip, color);
+    }
+}
+
+void drawCell(const QuadtreeCell& cell, const DebugView& view, DebugDraw& draw) {
+    constexpr int lightest = 10; // alpha
+    constexpr int each = 12;
+    constexpr int fullest = 110;
+    const Color color = cell.moving ? view.colors.movingCell : view.colors.staticCell;
+    const Aabb box = view.view.toView(cell.box);
+    if (cell.held > 0) {
+        draw.filledRectangle(box, withAlpha(color, std::min(lightest + each * cell.held, fullest)));
+    }
+    draw.rectangle(box, color);
+    if (cell.held > 0 && box.size().minCoeff() >= roomy) {
+        draw.text(box.min + Vec2(beside, 2 * beside + (cell.moving ? 2 * beside : 0)), std::to_string(cell.held),
+                  color);
+    }
+}
+
+bool mayMeet(const BodyState& a, const BodyState& b) {
+    return a.tangible && b.tangible && a.active && b.active && mayTouch(a.filter, b.filter) &&
+           !(a.kind == BodyKind::Static && b.kind == BodyKind::Static);
+}
+
+bool keepsApart(const WorldData& data, BodyId a, BodyId b) {
+    const SlotPair pair = std::minmax(a.index, b.index);
+    return std::ranges::binary_search(data.notColliding, pair);
+}
+
+void drawContact(const World& world, const ContactReading& contact, const DebugView& view, DebugDraw& draw) {
+    const UpdateParameters& parameters = world.parameters();
+    const double lighter = std::min(world.body(contact.a).mass, world.body(contact.b).mass);
+    const double metres = parameters.iterations / (parameters.seconds * lighter * earthGravity); // an N s
+    for (const ContactReading::Point& point :
+         std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
+        const Vec2 at = view.view.toView(point.at);
+        if (!contact.touching) {
+            draw.circle(at, dotRadius, view.colors.nearPoint);
+            continue;
+        }
+        constexpr double normalLength = 16;
+        draw.line(at, at + normalLength * Vec2(contact.normal.x(), -contact.normal.y()), view.colors.contactNormal);
+        if (point.normalImpulse > 0 && std::isfinite(metres)) {
+            draw.arrow(at, view.view.toView(point.at + metres * point.normalImpulse * contact.normal),
+                       view.colors.impulse);
+        }
+        draw.filledCircle(at, dotRadius, view.colors.touchPoint);
+    }
+    if (contact.touching && contact.tangentImpulse != 0 && std::isfinite(metres)) {
+        const ContactReading::Point& point = contact.points[0];
+        draw.arrow(view.view.toView(point.at),
+                   view.view.toView(point.at + metres * contact.tangentImpulse * leftOf(contact.normal)),
+                   view.colors.impulse);
+    }
+}
+
+} // namespace
+
+void drawTrees(const World& world, const DebugView& view, DebugDraw& draw) {
+    for (const QuadtreeCell& cell : occupiedCells(world, view.area)) {
+        if (!cell.box.isEmpty()) {
+            drawCell(cell, view, draw);
+        }
+    }
+}
+
+void drawIsland(const World& world, BodyId body, const DebugView& view, DebugDraw& draw) {
+    constexpr int faint = 130; // alpha
+    const std::optional<std::uint32_t> island = islandOf(world, body);
+    if (!island) {
+        return;
+    }
+    const Color own = view.colors.islands[*island % view.colors.islands.size()];
+    const Color fill = world.body(body).asleep ? view.colors.asleep : own;
+    drawOutline(world, body, {withAlpha(fill, faint), true}, view, draw);
+    drawOutline(world, body, {own, false}, view, draw);
+}
+
+void drawTags(const World& world, BodyId body, const DebugView& view, DebugDraw& draw) {
+    if (!view.tagColor) {
+        return;
+    }
+    constexpr double least = 12; // of a body that has room for dots
+    const BodyState state = world.body(body);
+    const bool isRoomy = !view.area || view.view.toView(world.bounds(body).size().maxCoeff()) >= least;
+    Vec2 at = view.view.toView(state.massCenter);
+    bool isFirst = true;
+    for (int tag = 0; tag < 32; ++tag) {
+        const std::optional<Color> color = state.filter.tags.contains(tag) ? view.tagColor(tag) : std::nullopt;
+        if (!color) {
+            continue;
+        }
+        if (isFirst) {
+            drawOutline(world, body, {*color, false}, view, draw);
+        } else if (isRoomy) {
+            draw.filledCircle(at, dotRadius, *color);
+            at.x() += 3 * dotRadius;
+        }
+        isFirst = false;
+    }
+}
+
+void drawCollisions(const World& world, const DebugView& view, DebugDraw& draw) {
+    std::vector<BodyId> selected;
+    for (const BodyId id : world.bodies()) {
+        if (view.isSelected && view.isSelected(world.data().records[id.index].user)) {
+            selected.push_back(id);
+        }
+    }
+    if (selected.empty()) {
+        return;
+    }
+    for (const BodyId id : world.bodies()) {
+        const bool isOne = std::ranges::find(selected, id) != selected.end();
+        if ((isOne && selected.size() == 1) || (view.area && !world.bounds(id).overlaps(*view.area))) {
+            continue;
+        }
+        const BodyState state = world.body(id);
+        const bool meets = std::ranges::any_of(selected, [&](BodyId other) {
+            return other != id && mayMeet(state, world.body(other)) && !keepsApart(world.data(), id, other);
+        });
+        drawOutline(world, id, {meets ? view.colors.meets : view.colors.passes, false}, view, draw);
+    }
+}
+
+void drawConnectors(const World& world, const DebugView& view, DebugDraw& draw) {
+    for (const ConnectorId id : world.connectors()) {
+        const ConnectorState state = world.connector(id);
+        Aabb box{state.anchorA, state.anchorA};
+        box.include(state.anchorB);
+        if (view.area && !view.area->overlaps(box)) {
+            continue;
+        }
+        const Vec2 a = view.view.toView(state.anchorA);
+        const Vec2 b = view.view.toView(state.anchorB);
+        const Color color = connectorColor((state.anchorB - state.anchorA).norm(), state.length, view.colors);
+        drawStrip(a, b, color, draw);
+        if ((b - a).norm() >= roomy) {
+            draw.text(0.5 * (a + b) + Vec2(beside, -beside), written("%.3g N", state.tension), color);
+        }
+    }
+}
+
+void drawRisks(const World& world, const DebugView& view, DebugDraw& draw) {
+    for (const WallRisk& wall : wallRisks(world, view.area)) {
+        const Vec2 a = view.view.toView(wall.a);
+        const Vec2 b = view.view.toView(wall.b);
+        const double share = std::min(wall.risk, 1.0);
+        const auto mix = [share](std::uint8_t safe, std::uint8_t risky) {
+            return static_cast<std::uint8_t>(std::lround(safe + share * (risky - safe)));
+        };
+        const Color& safe = view.colors.safe;
+        const Color& risky = view.colors.risky;
+        const Color color{mix(safe.red, risky.red), mix(safe.green, risky.green), mix(safe.blue, risky.blue)};
+        drawStrip(a, b, color, draw);
+        if ((b - a).norm() >= roomy) {
+            draw.text(0.5 * (a + b) + Vec2(beside, -beside), written("%.2g", wall.risk), color);
+        }
+    }
+}
+
+void drawTrails(const DebugView& view, DebugDraw& draw) {
+    constexpr int oldest = 40; // alpha
+    for (const DebugTrail& trail : view.trails) {
+        for (std::size_t i = 1; i < trail.points.size(); ++i) {
+            if (isSeen(view, trail.points[i - 1]) || isSeen(view, trail.points[i])) {
+                // In eight steps, so that the host has few colours to change.
+                const auto age = static_cast<int>(8 * i / trail.points.size());
+                draw.line(view.view.toView(trail.points[i - 1]), view.view.toView(trail.points[i]),
+                          withAlpha(view.colors.trail, oldest + age * (255 - oldest) / 7));
+            }
+        }
+    }
+}
+
+void drawContacts(const World& world, const DebugView& view, DebugDraw& draw) {
+    for (const ContactReading& contact : contactReadings(world, view.area)) {
+        drawContact(world, contact, view, draw);
+    }
+}
+
+void drawMassCenter(const BodyState& state, const DebugView& view, DebugDraw& draw) {
+    const Vec2 at = view.view.toView(state.massCenter);
+    const Vec2 up = state.pose.rotation.up();
+    const Vec2 along = armLength * Vec2(up.x(), -up.y());
+    draw.line(at - along, at + along, view.colors.massCenter);
+    draw.line(at - leftOf(along), at + leftOf(along), view.colors.massCenter);
+}
+
+void drawName(const World& world, BodyId body, const DebugView& view, DebugDraw& draw) {
+    const BodyState state = world.body(body);
+    const std::string name = view.nameOf ? view.nameOf(state.user) : std::string();
+    if (name.empty()) {
+        return;
+    }
+    Vec2 at = state.massCenter;
+    if (state.kind == BodyKind::Static) { // whose centre may be anywhere: where it begins
+        const std::vector<Shape>& shapes = world.shapes(body);
+        at = shapes.empty() ? at : boundsOf(shapes.front(), state.pose).center();
+    }
+    draw.text(view.view.toView(at) + Vec2(beside, -beside), name, view.colors.name);
+}
+
+} // namespace spacetow

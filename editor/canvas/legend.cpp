@@ -1,0 +1,204 @@
+#include "editor/canvas/legend.h"
+
+#include "editor/canvas/icons.h"
+#include "editor/canvas/overlay_table.h"
+#include "editor/canvas/painter_draw.h"
+#include "editor/canvas/tag_text.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace spacetow {
+
+namespace {
+
+constexpr int margin = 8;   // px, to the borders of the canvas
+constexpr int columns = 27; // characters; longer explanations are wrapped
+
+QString words(const char* text) {
+    return QCoreApplication::translate("Legend", text);
+}
+
+QString titleOf(const OverlayRow& row) {
+    QString title = QCoreApplication::translate("Actions", row.text);
+    return title.remove(QLatin1Char('&'));
+}
+
+QIcon swatch(const std::array<Color, 6>& colors, int count, int side) {
+    QPixmap pixmap(side, side);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    const double wide = static_cast<double>(side) / count;
+    for (int i = 0; i < count; ++i) {
+        painter.fillRect(QRectF(i * wide, 0, wide, side), toQColor(colors[static_cast<std::size_t>(i)]));
+    }
+    painter.setPen(QColor(128, 128, 128));
+    painter.drawRect(0, 0, side - 1, side - 1);
+    return pixmap;
+}
+
+/// A colour beside what it means.
+QWidget* explained(QToolButton* color, const QString& meaning) {
+    auto* line = new QWidget;
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(margin, 0, 0, 0);
+    layout->setSpacing(margin / 2);
+    auto* label = new QLabel(meaning);
+    label->setWordWrap(true);
+    color->setAutoRaise(true);
+    layout->addWidget(color, 0, Qt::AlignTop);
+    layout->addWidget(label, 1);
+    return line;
+}
+
+} // namespace
+
+Legend::Legend(QWidget& canvas) : QFrame(&canvas), m_canvas(canvas) {
+    setObjectName(QStringLiteral("legend"));
+    setAccessibleName(tr("Legend of the overlays"));
+    setFrameShape(QFrame::StyledPanel);
+    setAutoFillBackground(true);
+    setAttribute(Qt::WA_NoMousePropagation);
+    setCursor(Qt::ArrowCursor);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(&m_scroll);
+    m_scroll.setWidgetResizable(true);
+    m_scroll.setFrameShape(QFrame::NoFrame);
+    m_scroll.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll.setFocusPolicy(Qt::NoFocus);
+    canvas.installEventFilter(this);
+    hide();
+}
+
+void Legend::showOverlays(const Explained& explained) {
+    if (m_shown != explained) {
+        m_shown = explained;
+        fill();
+    }
+}
+
+void Legend::fill() {
+    m_filling = true;
+    setVisible(m_shown->overlays.any());
+    auto* content = new QWidget;
+    auto* list = new QVBoxLayout(content);
+    list->setContentsMargins(margin, margin, margin, margin);
+    list->setSpacing(2);
+    auto* close = new QToolButton;
+    close->setAutoRaise(true);
+    close->setIcon(livingIcon(QStringLiteral("close")));
+    close->setToolTip(tr("Hide the legend"));
+    close->setAccessibleName(close->toolTip());
+    close->setFocusPolicy(Qt::NoFocus);
+    connect(close, &QToolButton::clicked, this, &Legend::closed);
+    auto* head = new QHBoxLayout;
+    auto* title = new QLabel(tr("Legend"));
+    QFont bold = title->font();
+    bold.setBold(true);
+    title->setFont(bold);
+    head->addWidget(title, 1);
+    head->addWidget(close);
+    list->addLayout(head);
+    for (std::size_t row = 0; row < overlayRows().size(); ++row) {
+        if (m_shown->overlays.*overlayRows()[row].flag) {
+            addOverlay(*list, static_cast<int>(row));
+        }
+    }
+    list->addStretch(1);
+    m_scroll.setWidget(content); // the one before is deleted
+    m_filling = false;
+    place();
+}
+
+void Legend::addOverlay(QVBoxLayout& list, int index) {
+    const OverlayRow& row = overlayRows()[static_cast<std::size_t>(index)];
+    auto* name = new QToolButton;
+    name->setAutoRaise(true);
+    name->setFocusPolicy(Qt::NoFocus);
+    name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    name->setIcon(livingIcon(QLatin1String(row.icon)));
+    name->setText(titleOf(row));
+    name->setToolTip(tr("Switch off"));
+    name->setProperty("overlay", QLatin1String(row.name));
+    connect(name, &QToolButton::clicked, this, [this, index] { Q_EMIT switchedOff(index); });
+    list.addWidget(name, 0, Qt::AlignLeft);
+    for (const OverlayInk& ink : row.inks) {
+        addInk(list, ink);
+    }
+    if (row.flag == &OverlayFlags::islands) {
+        auto* colors = new QToolButton;
+        colors->setIcon(swatch(overlayColors(m_shown->palette, m_shown->ground).islands, 6, 18));
+        colors->setFocusPolicy(Qt::NoFocus);
+        list.addWidget(explained(colors, words(row.remark)));
+    } else if (row.flag == &OverlayFlags::tags) {
+        addTags(list);
+    }
+}
+
+void Legend::addInk(QVBoxLayout& list, const OverlayInk& ink) {
+    auto* color = new QToolButton;
+    color->setIcon(swatch({overlayColors(m_shown->palette, m_shown->ground).*ink.color}, 1, 14));
+    color->setToolTip(tr("Choose another color"));
+    color->setAccessibleName(words(ink.meaning));
+    color->setFocusPolicy(Qt::NoFocus);
+    color->setProperty("ink", QLatin1String(ink.name));
+    const auto index = static_cast<int>(&ink - overlayInks().data());
+    connect(color, &QToolButton::clicked, this, [this, index] { Q_EMIT colorWanted(index); });
+    list.addWidget(explained(color, words(ink.meaning)));
+}
+
+/// The tags have their colours in the level, where the inspector changes them.
+void Legend::addTags(QVBoxLayout& list) {
+    for (int tag = 0; tag < TagTable::size; ++tag) {
+        if (!m_shown->tags[tag].name.empty()) {
+            auto* color = new QToolButton;
+            color->setIcon(swatch({toColor(QColor::fromRgb(m_shown->tags[tag].color))}, 1, 14));
+            color->setFocusPolicy(Qt::NoFocus);
+            list.addWidget(explained(color, tagText(m_shown->tags, tag)));
+        }
+    }
+}
+
+void Legend::place() {
+    if (!m_shown || !m_shown->overlays.any() || m_scroll.widget() == nullptr) {
+        return;
+    }
+    QWidget& content = *m_scroll.widget();
+    const int told = columns * fontMetrics().averageCharWidth() + 4 * margin;
+    int wide = std::max(told, content.minimumSizeHint().width());
+    const int bar = m_scroll.verticalScrollBar()->sizeHint().width();
+    const QSize room = m_canvas.size() - QSize(2 * margin, 2 * margin);
+    wide = std::min(wide + 2 * (frameWidth() + 1) + bar, room.width());
+    const int tall =
+        std::max(content.layout()->heightForWidth(wide - 2 * (frameWidth() + 1) - bar), 1) + 2 * frameWidth();
+    const QSize size(wide, std::min(tall, room.height()));
+    setGeometry(margin, m_canvas.height() - margin - size.height(), size.width(), size.height());
+    raise();
+}
+
+bool Legend::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &m_canvas && event->type() == QEvent::Resize) {
+        place();
+    }
+    return QFrame::eventFilter(watched, event);
+}
+
+void Legend::changeEvent(QEvent* event) {
+    QFrame::changeEvent(event);
+    const bool looksOther = event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange ||
+                            event->type() == QEvent::LanguageChange;
+    if (looksOther && m_shown && !m_filling) {
+        fill();
+    }
+}
+
+} // namespace spacetow

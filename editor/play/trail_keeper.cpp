@@ -1,0 +1,57 @@
+#include "editor/play/trail_keeper.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace spacetow {
+
+namespace {
+
+constexpr std::size_t mostPoints = 12000; // of all trails together
+constexpr std::size_t longestTrail = 150; // points; three seconds
+
+std::size_t pointsFor(std::size_t bodies) {
+    return std::clamp<std::size_t>(mostPoints / std::max<std::size_t>(bodies, 1), 4, longestTrail);
+}
+
+} // namespace
+
+void TrailKeeper::forget() {
+    m_bodies.clear();
+    m_trails.clear();
+    m_update = -1;
+}
+
+void TrailKeeper::note(const Session& session) {
+    if (session.updates() == m_update) {
+        return;
+    }
+    if (session.updates() < m_update) {
+        forget();
+    }
+    m_update = session.updates();
+    const World& world = session.world();
+    std::vector<BodyId> bodies = world.bodies();
+    std::erase_if(bodies, [&](BodyId id) { return world.body(id).kind == BodyKind::Static; });
+    if (bodies != m_bodies) { // those that are still there keep theirs
+        std::vector<DebugTrail> trails(bodies.size());
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const auto old = std::ranges::find(m_bodies, bodies[i]);
+            if (old != m_bodies.end()) {
+                trails[i] = std::move(m_trails[static_cast<std::size_t>(old - m_bodies.begin())]);
+            }
+        }
+        m_bodies = std::move(bodies);
+        m_trails = std::move(trails);
+    }
+    const std::size_t most = pointsFor(m_bodies.size());
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        std::vector<Vec2>& points = m_trails[i].points;
+        points.push_back(world.body(m_bodies[i]).massCenter);
+        if (points.size() > most) {
+            points.erase(points.begin(), points.end() - static_cast<std::ptrdiff_t>(most));
+        }
+    }
+}
+
+} // namespace spacetow

@@ -1,0 +1,69 @@
+// The overlays of the window: which are on, in which colors, and the legend that explains them.
+#include "editor/canvas/overlay_table.h"
+#include "editor/canvas/painter_draw.h"
+#include "editor/window/main_window.h"
+
+#include <QColorDialog>
+#include <QCoreApplication>
+
+namespace spacetow {
+
+void MainWindow::setOverlays(const OverlayFlags& overlays) {
+    m_overlays = overlays;
+    m_canvas.setOverlays(overlays);
+    m_live.setOverlays(overlays);
+    m_files.preferences.setOverlays(overlays);
+    m_collisions.setOn(overlays.collides);
+    updateLegend();
+}
+
+void MainWindow::setOverlayPalette(const OverlayPalette& palette) {
+    m_overlayPalette = palette;
+    m_canvas.setOverlayPalette(palette);
+    m_files.preferences.setOverlayPalette(palette);
+    updateLegend();
+}
+
+void MainWindow::setLegendShown(bool shown) {
+    m_legendShown = shown;
+    m_files.preferences.setLegendShown(shown);
+    updateLegend();
+}
+
+void MainWindow::updateLegend() {
+    m_legend.showOverlays(
+        {m_legendShown ? m_overlays : OverlayFlags(), m_overlayPalette, m_document.level().tags, overlayGround()});
+    m_actions.refresh();
+}
+
+/// Space is dark, whatever the panels are.
+Shade MainWindow::overlayGround() const {
+    return isInGame() ? Shade::Dark : shadeOf(palette());
+}
+
+void MainWindow::listenToLegend() {
+    connect(&m_legend, &Legend::switchedOff, this, [this](int row) {
+        OverlayFlags flags = m_overlays;
+        flags.*overlayRows()[static_cast<std::size_t>(row)].flag = false;
+        setOverlays(flags);
+    });
+    connect(&m_legend, &Legend::colorWanted, this, &MainWindow::chooseOverlayColor);
+    connect(&m_legend, &Legend::closed, this, [this] { setLegendShown(false); });
+}
+
+/// Asks for a color of one's own, and goes on meanwhile.
+void MainWindow::chooseOverlayColor(int ink) {
+    const OverlayInk& chosen = overlayInks()[static_cast<std::size_t>(ink)];
+    const DebugColors colors = overlayColors(m_overlayPalette, overlayGround());
+    auto* dialog = new QColorDialog(toQColor(colors.*chosen.color), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(QCoreApplication::translate("Legend", chosen.meaning));
+    connect(dialog, &QColorDialog::colorSelected, this, [this, name = std::string(chosen.name)](const QColor& color) {
+        OverlayPalette changed = m_overlayPalette;
+        changed.own[name] = toColor(color);
+        setOverlayPalette(changed);
+    });
+    dialog->open();
+}
+
+} // namespace spacetow

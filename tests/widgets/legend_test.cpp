@@ -1,0 +1,219 @@
+#include "editor/canvas/legend.h"
+
+#include "editor/canvas/overlay_table.h"
+#include "editor/canvas/painter_draw.h"
+#include "editor/window/preferences.h"
+#include "tests/support/color_vision.h"
+#include "tests/support/window.h"
+
+#include <QColorDialog>
+#include <QScrollBar>
+#include <QToolButton>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+constexpr double toldApart = 20; // ΔE
+
+QToolButton* legendButton(Legend& legend, const char* property, const QString& name) {
+    for (auto* button : legend.findChildren<QToolButton*>()) {
+        if (button->property(property).toString() == name) {
+            return button;
+        }
+    }
+    return nullptr;
+}
+
+OverlayFlags everyOverlay() {
+    OverlayFlags all;
+    for (const OverlayRow& row : overlayRows()) {
+        all.*row.flag = true;
+    }
+    return all;
+}
+
+double apart(const Color& a, const Color& b) {
+    return difference(toQColor(a), toQColor(b));
+}
+
+void addShades() {
+    QTest::addColumn<bool>("dark");
+    QTest::addColumn<bool>("safe");
+    for (const bool dark : {false, true}) {
+        for (const bool safe : {false, true}) {
+            QTest::addRow("%s, %s", dark ? "dark" : "light", safe ? "Okabe and Ito" : "standard") << dark << safe;
+        }
+    }
+}
+
+} // namespace
+
+class LegendTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void itListsWhatIsOnAndHidesWhenNothingIs() {
+        TestWindow test;
+        Legend& legend = test.window->legend();
+        QVERIFY(!legend.isVisible());
+        test.trigger(Act::OverlayAabb);
+        test.trigger(Act::OverlayContacts);
+        QVERIFY(legend.isVisible());
+        QVERIFY(legendButton(legend, "overlay", "aabb") != nullptr);
+        QVERIFY(legendButton(legend, "overlay", "contacts") != nullptr);
+        QVERIFY(legendButton(legend, "overlay", "velocity") == nullptr);
+        for (const char* ink : {"box", "fat-box", "touch-point", "near-point", "contact-normal", "impulse"}) {
+            QVERIFY2(legendButton(legend, "ink", ink) != nullptr, ink);
+        }
+        test.trigger(Act::OverlaysOff);
+        QVERIFY(!legend.isVisible());
+    }
+
+    void aClickOnAnOverlaySwitchesItOff() {
+        TestWindow test;
+        test.trigger(Act::OverlayAabb);
+        test.trigger(Act::OverlayVelocity);
+        legendButton(test.window->legend(), "overlay", "aabb")->click();
+        QVERIFY(!test.window->overlays().aabb && test.window->overlays().velocity);
+        QVERIFY(!test.window->actions()[Act::OverlayAabb].isChecked());
+        QVERIFY(legendButton(test.window->legend(), "overlay", "velocity") != nullptr);
+    }
+
+    void aClickOnTheCanvasBelowItIsNone() {
+        TestWindow test;
+        test.trigger(Act::OverlayAabb);
+        test.trigger(ToolId::Polygon);
+        Legend& legend = test.window->legend();
+        QTest::mouseClick(&legend, Qt::LeftButton, {}, legend.rect().center());
+        QVERIFY(!test.window->toolbox().isBusy());
+    }
+
+    void aColourOfOnesOwnIsShownAndRemembered() {
+        TestWindow test;
+        test.trigger(Act::OverlayVelocity);
+        QVERIFY(!test.window->actions()[Act::OverlayColorsReset].isEnabled());
+        legendButton(test.window->legend(), "ink", "velocity")->click();
+        auto* dialog = test.window->findChild<QColorDialog*>();
+        QVERIFY(dialog != nullptr);
+        dialog->setCurrentColor(QColor(1, 2, 3));
+        dialog->accept();
+        const OverlayPalette chosen = test.window->overlayPalette();
+        QVERIFY((overlayColors(chosen, Shade::Dark).velocity == Color{1, 2, 3}));
+        test.reopen();
+        QVERIFY(test.window->overlayPalette() == chosen);
+        test.trigger(Act::OverlayColorsReset);
+        QVERIFY(overlayColors(test.window->overlayPalette(), Shade::Dark) == overlayColors({}, Shade::Dark));
+        test.reopen();
+        QVERIFY(test.window->overlayPalette().own.empty());
+    }
+
+    void theSetIsRemembered() {
+        TestWindow test;
+        test.trigger(Act::OverlayColorsSafe);
+        QVERIFY(test.window->overlayPalette().set == OverlayColorSet::OkabeIto);
+        test.reopen();
+        QVERIFY(test.window->actions()[Act::OverlayColorsSafe].isChecked());
+        QVERIFY(test.window->overlayPalette().set == OverlayColorSet::OkabeIto);
+    }
+
+    void itCanBeHiddenAndStaysSo() {
+        TestWindow test;
+        test.trigger(Act::OverlayAabb);
+        QVERIFY(test.window->legend().isVisible());
+        test.trigger(Act::OverlayLegend);
+        QVERIFY(!test.window->legend().isVisible());
+        test.reopen();
+        QVERIFY(test.window->overlays().aabb && !test.window->legend().isVisible());
+        test.trigger(Act::OverlayLegend);
+        QVERIFY(test.window->legend().isVisible());
+    }
+
+    void nothingIsClippedInASmallWindowWithLargeText() {
+        const QFont before = QApplication::font();
+        QFont large = before;
+        large.setPointSizeF(1.4 * before.pointSizeF());
+        QApplication::setFont(large);
+        {
+            TestWindow test;
+            test.window->resize(800, 600);
+            test.window->setOverlays(everyOverlay());
+            QApplication::processEvents();
+            Legend& legend = test.window->legend();
+            QVERIFY(test.canvas().rect().contains(legend.geometry()));
+            QCOMPARE(cutOffTexts(legend), QStringList());
+            const auto* scroll = legend.findChild<QScrollArea*>();
+            QVERIFY(scroll->widget()->width() <= scroll->viewport()->width());
+            for (const auto* button : legend.findChildren<QToolButton*>()) {
+                QVERIFY(button->width() >= button->sizeHint().width());
+            }
+            for (const auto* label : legend.findChildren<QLabel*>()) {
+                QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
+            }
+        }
+        QApplication::setFont(before);
+    }
+
+    void coloursOfAnOverlayAreToldApartWithAnyColorVision_data() { addShades(); }
+    void coloursOfAnOverlayAreToldApartWithAnyColorVision() {
+        QFETCH(bool, dark);
+        QFETCH(bool, safe);
+        const OverlayPalette palette{safe ? OverlayColorSet::OkabeIto : OverlayColorSet::Standard, {}};
+        const Shade shade = dark ? Shade::Dark : Shade::Light;
+        const DebugColors colors = overlayColors(palette, shade);
+        for (const OverlayRow& row : overlayRows()) {
+            if (!safe && row.flag == &OverlayFlags::tension) {
+                continue; // the report's hues, which are what they are
+            }
+            for (std::size_t i = 0; i < row.inks.size(); ++i) {
+                for (std::size_t k = 0; k < i; ++k) {
+                    const double found = apart(colors.*row.inks[i].color, colors.*row.inks[k].color);
+                    QVERIFY2(
+                        found >= toldApart,
+                        qPrintable(QStringLiteral("%1, %2: %3").arg(row.inks[i].name, row.inks[k].name).arg(found)));
+                }
+            }
+        }
+    }
+
+    void standardOverlaysAreToldApartWithAnyColorVision_data() {
+        QTest::addColumn<bool>("dark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+    /// By what marks each of them; of connectors and texts something else does.
+    void standardOverlaysAreToldApartWithAnyColorVision() {
+        QFETCH(bool, dark);
+        const Shade shade = dark ? Shade::Dark : Shade::Light;
+        const DebugColors c = overlayColors({}, shade);
+        const std::vector<std::pair<const char*, Color>> marks{
+            {"box", c.box},         {"incircle", c.incircle}, {"velocity", c.velocity},  {"up", c.orientation},
+            {"normal", c.normal},   {"cell", c.staticCell},   {"contact", c.touchPoint}, {"trail", c.trail},
+            {"mass", c.massCenter}, {"asleep", c.asleep},     {"risk", c.risky},         {"meets", c.meets}};
+        for (std::size_t i = 0; i < marks.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k) {
+                const double found = apart(marks[i].second, marks[k].second);
+                QVERIFY2(found >= toldApart,
+                         qPrintable(QStringLiteral("%1, %2: %3").arg(marks[i].first, marks[k].first).arg(found)));
+            }
+            QVERIFY2(contrast(toQColor(marks[i].second), editingTheme(shade).background) >= 3, marks[i].first);
+        }
+    }
+
+    void everyOverlayHasAKeyAndEveryColourAMeaning() {
+        QCOMPARE(overlayRows().size(), std::size_t{15});
+        for (std::size_t i = 0; i < 9; ++i) {
+            QCOMPARE(QString::fromLatin1(overlayRows()[i].keys), QStringLiteral("Alt+%1").arg(i + 1));
+        }
+        std::size_t explained = 0;
+        for (const OverlayRow& row : overlayRows()) {
+            QVERIFY(*row.keys != '\0' && *row.tip != '\0');
+            explained += row.inks.size();
+        }
+        QCOMPARE(explained, overlayInks().size());
+    }
+};
+
+SPACETOW_TEST(LegendTest)
+#include "legend_test.moc"

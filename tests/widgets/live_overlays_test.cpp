@@ -1,0 +1,112 @@
+// The overlays of what runs.
+#include "editor/canvas/overlay_table.h"
+#include "editor/play/trail_keeper.h"
+#include "tests/support/game_view.h"
+#include "tests/support/test_main.h"
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+/// A ball that falls freely, beside the ship of openSpace when there is to be one.
+Level fallingBall() {
+    Level level;
+    addBall(level, Vec2(0, 3), 0.5, Vec2(1, 0));
+    return level;
+}
+
+/// How many pixels are magenta, or nearly so where lines are smooth.
+int magentaPixels(const QImage& image) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor color = image.pixelColor(x, y);
+            count += std::min(color.red(), color.blue()) - color.green() > 120 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+} // namespace
+
+class LiveOverlaysTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void everyOverlayIsDrawnFromWhatRuns_data() {
+        QTest::addColumn<int>("row");
+        QTest::addColumn<QString>("ink");
+        for (const char* name : {"aabb", "velocity", "orientation", "masses", "trails"}) {
+            for (std::size_t row = 0; row < overlayRows().size(); ++row) {
+                if (QLatin1String(overlayRows()[row].name) == QLatin1String(name)) {
+                    QTest::newRow(name) << static_cast<int>(row) << QString(overlayRows()[row].inks.front().name);
+                }
+            }
+        }
+    }
+    void everyOverlayIsDrawnFromWhatRuns() {
+        QFETCH(int, row);
+        QFETCH(QString, ink);
+        Game game(fallingBall(), {400, 400}, LiveRun::Kind::Simulation);
+        game.view().setOverlayPalette({.own = {{ink.toStdString(), Color{255, 0, 255}}}});
+        OverlayFlags flags;
+        flags.*overlayRows()[static_cast<std::size_t>(row)].flag = true;
+        for (int i = 0; i < 10; ++i) {
+            game.run(1);
+            game.scene().refresh();
+        }
+        QCOMPARE(magentaPixels(game.view().grab().toImage()), 0);
+        game.scene().setOverlays(flags);
+        for (int i = 0; i < 10; ++i) {
+            game.run(1);
+            game.scene().refresh();
+        }
+        QVERIFY(magentaPixels(game.view().grab().toImage()) > 0);
+        QVERIFY(game.live().session() != nullptr);
+        game.scene().setOverlays({});
+        game.run(1);
+        game.scene().refresh();
+        QVERIFY(game.live().session() == nullptr); // nobody pays for copies that nobody looks at
+        QCOMPARE(magentaPixels(game.view().grab().toImage()), 0);
+    }
+
+    void trailsFollowBodiesAndBeginAnewWhenTimeGoesBack() {
+        Session session(fallingBall());
+        TrailKeeper keeper;
+        keeper.note(session);
+        const Session start = session;
+        for (int i = 0; i < 5; ++i) {
+            session.step(Controls{});
+            keeper.note(session);
+            keeper.note(session); // the same moment is looked at more than once
+        }
+        QCOMPARE(keeper.trails().size(), std::size_t{1});
+        QCOMPARE(keeper.trails()[0].points.size(), std::size_t{6});
+        QVERIFY(keeper.trails()[0].points.back() == session.world().body(session.world().bodies()[0]).massCenter);
+        keeper.note(start);
+        QCOMPARE(keeper.trails()[0].points.size(), std::size_t{1});
+    }
+
+    void trailsAreNoLongerThanThereIsTimeFor() {
+        Level level;
+        for (int i = 0; i < 1000; ++i) {
+            addBall(level, Vec2(3.0 * i, 0), 0.5, Vec2(0, 0));
+        }
+        level.iterations = 1;
+        Session session(level);
+        TrailKeeper keeper;
+        for (int i = 0; i < 20; ++i) {
+            session.step(Controls{});
+            keeper.note(session);
+        }
+        std::size_t points = 0;
+        for (const DebugTrail& trail : keeper.trails()) {
+            points += trail.points.size();
+        }
+        QVERIFY(points <= 12000 && points >= 4000);
+    }
+};
+
+SPACETOW_TEST(LiveOverlaysTest)
+#include "live_overlays_test.moc"
