@@ -1,0 +1,35 @@
+#pragma once
+// What it takes to watch a run, to turn it back and to change it: figures of the sandbox.
+
+#include "core/game/step_input.h"
+#include "core/level/level.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace spacetow::bench {
+
+struct SandboxFigure {
+    std::string name;
+    int n; // what it counts depends on the figure: updates, bodies, samples
+    double value;
+    std::string unit;
+    double bar = 0; // that it should not exceed, or not be less than; 0 for figures without one
+    bool isAtLeast = false;
+};
+
+using ReportFigure = std::function<void(const SandboxFigure&)>;
+
+/// Balls that fall into a trough, by formula; 4 iterations an update.
+Level ballPit(int balls);
+/// The first level of the campaign.
+std::shared_ptr<const Level> firstLevel();
+/// What somebody without a plan holds in so many updates.
+std::vector<StepInput> randomInputs(int updates, std::uint64_t seed);
+
+void measureRuns(const ReportFigure& report);
+void measureTime(const ReportFigure& report);
+
+} // namespace spacetow::bench
