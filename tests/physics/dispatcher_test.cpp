@@ -52,7 +52,7 @@ class DispatcherTest : public QObject {
         DispatchScene scene;
         scene.world.setParameters(withIterations(10, {0, -10}));
         BodyDef ground = floorOf("edge");
-        ground.filter.tags = wallTag;
+        ground.filter.tags = wallMask;
         add(scene.world, ground);
         const BodyId ball = scene.addBall({0, 0.3}, {0, 0}, true);
         const BodyId silent = scene.addBall({3, 0.3}, {0, 0}, false);
@@ -65,7 +65,7 @@ class DispatcherTest : public QObject {
         QCOMPARE(scene.count(Call::What::Tags, silent), 0);
         for (int i = 0; i < 10; ++i) {
             const Call& call = scene.calls[static_cast<std::size_t>(i)];
-            QVERIFY(call.iteration == i && call.tags == wallTag);
+            QVERIFY(call.iteration == i && call.tags == wallMask);
         }
         scene.world.setVelocity(ball, {0, 10}, 0);
         scene.step();

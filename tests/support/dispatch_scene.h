@@ -9,7 +9,7 @@
 
 namespace spacetow::test {
 
-inline constexpr TagMask wallTag = TagMask::bit(0);
+inline constexpr TagMask wallMask = TagMask::bit(0);
 inline constexpr TagMask ballTag = TagMask::bit(3);
 
 /// One call of a handler.
@@ -40,7 +40,7 @@ struct DispatchScene {
     }
     BodyId addWall(double x) {
         BodyDef def = lineBody({x, -5}, {x, 5});
-        def.filter.tags = wallTag;
+        def.filter.tags = wallMask;
         def.restitution = 1;
         return add(world, def);
     }
