@@ -115,6 +115,7 @@ void Legend::fill() {
     }
     list->addStretch(1);
     m_scroll.setWidget(content); // the one before is deleted
+    content->installEventFilter(this);
     m_filling = false;
     place();
 }
@@ -186,7 +187,9 @@ void Legend::place() {
 }
 
 bool Legend::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == &m_canvas && event->type() == QEvent::Resize) {
+    // Only what has been shown knows how large its texts are.
+    const bool isContent = watched == m_scroll.widget() && event->type() == QEvent::LayoutRequest;
+    if (isContent || (watched == &m_canvas && event->type() == QEvent::Resize)) {
         place();
     }
     return QFrame::eventFilter(watched, event);

@@ -119,6 +119,7 @@ class TagMatrixTest : public QObject {
         Level level = levelOfTagged({taggedBody(1, TagMask{1})});
         level.tags.set(0, {"rock", 0x12cd34});
         test.document().reset(level);
+        test.window->setLegendShown(false); // which has the colour as well
         test.canvas().fitLevel();
         const auto dots = [&test] {
             const QImage image = test.canvas().grab().toImage();

@@ -91,9 +91,9 @@ void drawStrip(const Vec2& a, const Vec2& b, const Color& color, DebugDraw& draw
 }
 
 void drawCell(const QuadtreeCell& cell, const DebugView& view, DebugDraw& draw) {
-    constexpr int lightest = 10; // alpha
-    constexpr int each = 12;
-    constexpr int fullest = 110;
+    constexpr int lightest = 8; // alpha
+    constexpr int each = 4;
+    constexpr int fullest = 60;
     const Color color = cell.moving ? view.colors.movingCell : view.colors.staticCell;
     const Aabb box = view.view.toView(cell.box);
     if (cell.held > 0) {
