@@ -77,6 +77,7 @@ void LiveView::show(const Level& level, bool anew) {
     m_firstScale = m_canvas.view().scale;
     m_following = true;
     m_trails.forget();
+    m_session.reset();
     m_run.wantSession(this, m_overlays.any());
 }
 
@@ -107,10 +108,11 @@ void LiveView::refresh() {
     if (!m_shown || !m_run.isRunning()) {
         return;
     }
-    m_picture = m_overlays.any() ? Snapshot(*m_run.frame()->now) : m_run.picture(); // what is marked is not blended
+    m_session = m_overlays.any() ? m_run.session() : nullptr;
+    m_picture = m_session ? *m_session->snapshot() : m_run.picture(); // overlays and bodies of one moment
     m_hand.see(m_picture);
-    if (const auto session = m_overlays.trails ? m_run.session() : nullptr) {
-        m_trails.note(*session);
+    if (m_session && m_overlays.trails) {
+        m_trails.note(*m_session);
     }
     const double simulated = m_run.frame()->period * static_cast<double>(m_picture.update - m_lastUpdate);
     const double passed = m_run.isPaused() ? 0 : static_cast<double>(m_sinceLook.elapsed()) / 1000;
@@ -224,11 +226,11 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
 }
 
 void LiveView::paintOverlays(const Stage& stage) {
-    if (const auto session = m_overlays.any() ? m_run.session() : nullptr) {
-        paintWorldOverlays(stage, session->world(),
+    if (m_session && m_overlays.any()) {
+        paintWorldOverlays(stage, m_session->world(),
                            {.flags = m_overlays,
                             .palette = m_canvas.overlayPalette(),
-                            .level = &session->level(),
+                            .level = &m_session->level(),
                             .selected = m_document.selection().keys(),
                             .trails = m_trails.trails()});
     }

@@ -85,6 +85,7 @@ class LiveView : public QObject, public LiveScene {
     PauseMenu* m_menu; // owned by the canvas
     OverlayFlags m_overlays;
     TrailKeeper m_trails;
+    std::shared_ptr<const Session> m_session; // of which the picture is, while an overlay needs it
     GroundPicture m_ground;
     Snapshot m_picture;
     QString m_background;
