@@ -112,6 +112,11 @@ void Inspector::showMotion(const std::optional<Motion>& motion) {
     m_motion.show();
 }
 
+void Inspector::showTension(double distance, double length, double tension) {
+    m_motion.showTension(distance, length, tension);
+    m_motion.show();
+}
+
 QStringList Inspector::foldedSections() const {
     QStringList titles = m_objectPage.form().foldedSections();
     for (const QString& title : m_level.form().foldedSections()) {

@@ -36,6 +36,7 @@ class Inspector : public QWidget {
     /// How the selected body moves, while something runs; hidden again by `hideMotion`.
     MotionLine& motion() { return m_motion; }
     void showMotion(const std::optional<Motion>& motion);
+    void showTension(double distance, double length, double tension);
     void hideMotion() { m_motion.hide(); }
 
     /// Which sections are folded up, to be kept from one start of the program to the next.

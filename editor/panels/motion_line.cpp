@@ -38,6 +38,12 @@ void MotionLine::showMotion(const Motion& motion) {
                      number(motion.angularVelocity * degrees, 1)));
 }
 
+void MotionLine::showTension(double distance, double length, double tension) {
+    setText(tr("Now: %1 m long, %2 m at rest").arg(number(distance, 3), number(length, 3)) + QLatin1Char('\n') +
+            (tension < 0 ? tr("pushes with %1 N").arg(number(-tension, 2))
+                         : tr("pulls with %1 N").arg(number(tension, 2))));
+}
+
 void MotionLine::showGone() {
     setText(tr("Now: not there any more") + QLatin1Char('\n'));
 }

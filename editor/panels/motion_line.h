@@ -21,6 +21,8 @@ class MotionLine : public QLabel {
   public:
     explicit MotionLine(QWidget* parent = nullptr);
     void showMotion(const Motion& motion);
+    /// Of a connector, in m and N; a pull is positive.
+    void showTension(double distance, double length, double tension);
     /// The object has no body in the run any more.
     void showGone();
 };

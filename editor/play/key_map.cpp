@@ -20,6 +20,12 @@ constexpr PlayKeyRow gameKeys[] = {
     {PlayKey::Step, "game/step", QT_TRANSLATE_NOOP("Keys", "Hold the game and advance it by one update"), "O"},
     {PlayKey::Restart, "game/restart", QT_TRANSLATE_NOOP("Keys", "Start the level over"), "R"},
     {PlayKey::Follow, "game/follow", QT_TRANSLATE_NOOP("Keys", "Let the view follow the ship again"), "F"},
+    {PlayKey::Slower, "game/slower", QT_TRANSLATE_NOOP("Keys", "Let time run slower"), "["},
+    {PlayKey::Faster, "game/faster", QT_TRANSLATE_NOOP("Keys", "Let time run faster"), "]"},
+    {PlayKey::FrameBack, "game/back", QT_TRANSLATE_NOOP("Keys", "While held: one update back"), ","},
+    {PlayKey::FrameForward, "game/forward", QT_TRANSLATE_NOOP("Keys", "While held: one update on"), "."},
+    {PlayKey::Rewind, "game/rewind", QT_TRANSLATE_NOOP("Keys", "Turn time back, as long as the key is held"),
+     "Backspace"},
 };
 // clang-format on
 

@@ -25,6 +25,11 @@ enum class PlayKey : std::uint8_t {
     Step,
     Restart,
     Follow,
+    Slower,
+    Faster,
+    FrameBack,
+    FrameForward,
+    Rewind,
     Menu, // Esc, and nothing else
 };
 

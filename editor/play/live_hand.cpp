@@ -33,6 +33,10 @@ LiveHand::LiveHand(Document& document, Toolbox& toolbox, LiveRun& run)
 LiveHand::~LiveHand() = default;
 
 void LiveHand::see(const Snapshot& picture) {
+    constexpr qint64 patience = 180; // ms, after which a press without a move is no click
+    if (m_pressed && !m_grab && !m_band && !m_dragging && !m_run.isPaused() && m_held.elapsed() > patience) {
+        takeHold();
+    }
     if (picture.update != m_picture->update || m_run.isPaused() || !m_edit) {
         m_edit.reset();
         m_picture = std::make_shared<const Snapshot>(picture);
@@ -56,15 +60,21 @@ std::vector<GroupPick> LiveHand::under(const Pointer& pointer) const {
 void LiveHand::press(const Pointer& pointer) {
     m_pressed = pointer;
     m_pointer = pointer;
+    m_held.start();
+    m_pile = under(pointer); // before it moves on
+    m_inReach = grabAt(pointer);
 }
 
 void LiveHand::move(const Pointer& pointer) {
     m_pointer = pointer;
-    if (m_pressed && !m_band && !m_dragging && (pointer.screen - m_pressed->screen).norm() > dragDistance) {
+    if (m_pressed && !m_band && !m_dragging && !m_grab && (pointer.screen - m_pressed->screen).norm() > dragDistance) {
         beginDrag(*m_pressed);
     }
     if (m_band) {
         m_band->follow(pointer);
+    } else if (m_grab) {
+        m_grab->target = pointer.world;
+        m_run.setGrab(m_grab);
     } else if (m_dragging) {
         m_toolbox.move(pointer);
     } else if (!m_pressed) {
@@ -73,9 +83,43 @@ void LiveHand::move(const Pointer& pointer) {
     }
 }
 
+/// The body that a spring can pull there.
+std::optional<Grab> LiveHand::grabAt(const Pointer& pointer) const {
+    if (m_pile.empty()) {
+        return {};
+    }
+    for (const BodyPicture& body : m_picture->bodies) {
+        if (body.look->key == m_pile.front().object && body.look->kind == BodyKind::Dynamic) {
+            return Grab{body.look->key, body.pose.toLocal(pointer.world), pointer.world};
+        }
+    }
+    return {};
+}
+
+void LiveHand::takeHold() {
+    m_grab = m_inReach;
+    if (m_grab) {
+        m_grab->target = m_pointer.world;
+        m_run.setGrab(m_grab);
+    }
+}
+
+void LiveHand::letGo() {
+    if (m_grab) {
+        m_grab.reset();
+        m_run.setGrab({});
+    }
+}
+
 /// Takes what is under the pointer in hand, or begins a band.
 void LiveHand::beginDrag(const Pointer& pointer) {
-    const std::vector<GroupPick> pile = pointer.modifiers.shift ? std::vector<GroupPick>() : under(pointer);
+    const std::vector<GroupPick> pile = pointer.modifiers.shift ? std::vector<GroupPick>() : m_pile;
+    if (!m_run.isPaused() && !pointer.modifiers.shift) {
+        takeHold();
+        if (m_grab) {
+            return;
+        }
+    }
     if (m_run.isGame()) {
         return; // nobody edits by a slip of the hand while he flies
     }
@@ -101,8 +145,10 @@ void LiveHand::release(const Pointer& pointer) {
     if (!m_pressed) {
         return;
     }
-    const bool clicks = !m_band && !m_dragging && (pointer.screen - m_pressed->screen).norm() <= dragDistance;
+    const bool clicks =
+        !m_band && !m_dragging && !m_grab && (pointer.screen - m_pressed->screen).norm() <= dragDistance;
     m_pressed.reset();
+    letGo();
     if (const std::unique_ptr<Gesture> band = std::move(m_band)) {
         band->follow(pointer);
         m_document.select(band->at(pointer).selection);
@@ -116,6 +162,7 @@ void LiveHand::release(const Pointer& pointer) {
 void LiveHand::loseMouse() {
     m_pressed.reset();
     m_band.reset();
+    letGo();
     if (std::exchange(m_dragging, false)) {
         m_toolbox.loseMouse();
     }
@@ -124,7 +171,7 @@ void LiveHand::loseMouse() {
 /// As the Select tool has it, but for the handles, which do not go along with what moves.
 Selection LiveHand::clicked(const Pointer& pointer) const {
     const Selection& selection = m_document.selection();
-    const std::vector<GroupPick> pile = under(pointer);
+    const std::vector<GroupPick>& pile = m_pile;
     const Modifiers& held = pointer.modifiers;
     if (pile.empty()) {
         return held.shift || held.ctrl ? selection : Selection().entering(selection.entered());
@@ -145,7 +192,9 @@ Overlay LiveHand::overlay() const {
 }
 
 CursorShape LiveHand::cursor() const {
-    return m_dragging ? CursorShape::Move : m_hovered != 0 && !m_band ? CursorShape::Pointing : CursorShape::Arrow;
+    return m_dragging || m_grab        ? CursorShape::Move
+           : m_hovered != 0 && !m_band ? CursorShape::Pointing
+                                       : CursorShape::Arrow;
 }
 
 } // namespace spacetow

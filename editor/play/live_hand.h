@@ -1,11 +1,14 @@
 #pragma once
-// What the mouse does to a run with the Select tool: a click selects what is under the pointer now, a drag from empty
-// ground draws a band, a drag of what stands still is an edit of the level.
+// What the mouse does to a run with the Select tool: a click selects what is under the pointer now, a drag of a body
+// that moves pulls it by a spring, of one that stands still, or while the run is held, edits the level, and from empty
+// ground draws a band.
 
 #include "editor/editing/document.h"
 #include "editor/editing/group_picking.h"
 #include "editor/editing/toolbox.h"
 #include "editor/play/live_run.h"
+
+#include <QElapsedTimer>
 
 #include <memory>
 #include <optional>
@@ -34,6 +37,8 @@ class LiveHand {
     Key hovered() const { return m_hovered; }
     /// What lies under the pointer now, the best pick first.
     std::vector<GroupPick> under(const Pointer& pointer) const;
+    /// The body that is held by a spring.
+    const std::optional<Grab>& grab() const { return m_grab; }
     /// A band that is being drawn.
     Overlay overlay() const;
     CursorShape cursor() const;
@@ -42,6 +47,9 @@ class LiveHand {
     const Edit& edit() const;
     Selection clicked(const Pointer& pointer) const;
     void beginDrag(const Pointer& pointer);
+    std::optional<Grab> grabAt(const Pointer& pointer) const;
+    void takeHold();
+    void letGo();
 
     Document& m_document;
     Toolbox& m_toolbox;
@@ -53,6 +61,10 @@ class LiveHand {
     Pointer m_pointer;
     std::unique_ptr<Gesture> m_band;
     bool m_dragging = false; // by a gesture of the toolbox
+    std::optional<Grab> m_grab;
+    std::vector<GroupPick> m_pile; // under the press
+    std::optional<Grab> m_inReach;
+    QElapsedTimer m_held; // since the button went down
     Key m_hovered = 0;
 };
 

@@ -1,5 +1,6 @@
 // Keys and mouse of a run.
 
+#include "editor/canvas/key_place.h"
 #include "editor/play/live_view.h"
 #include "editor/play/pause_menu.h"
 
@@ -32,7 +33,9 @@ bool LiveView::take(QEvent& event) {
     case QEvent::ShortcutOverride: {
         // While a game runs its keys are the game's, even where the window has a shortcut on the same letter.
         auto& key = static_cast<QKeyEvent&>(event);
-        const bool taken = m_run.isGame() && !isFunctionKey(key.key()) && m_run.keys().meaningOf(key) != PlayKey::None;
+        const bool taken =
+            (m_run.isGame() && !isFunctionKey(key.key()) && m_run.keys().meaningOf(key) != PlayKey::None) ||
+            (!m_run.isGame() && isTransportKey(key));
         if (taken) {
             key.accept();
         }
@@ -84,6 +87,13 @@ bool LiveView::take(QEvent& event) {
 }
 
 bool LiveView::takeKey(QKeyEvent& event) {
+    if (event.type() == QEvent::KeyRelease && m_rewindKey != 0 && keyNumber(event) == m_rewindKey) {
+        if (!event.isAutoRepeat()) {
+            m_rewindKey = 0;
+            m_run.setRewinding(false);
+        }
+        return true;
+    }
     if (event.type() == QEvent::KeyRelease && !event.isAutoRepeat()) {
         m_run.release(event);
         return m_run.isGame();
@@ -92,11 +102,8 @@ bool LiveView::takeKey(QKeyEvent& event) {
 }
 
 bool LiveView::takeGameKey(QKeyEvent& event) {
-    if (event.isAutoRepeat()) {
-        return true;
-    }
     const PlayKey meaning = m_run.keys().meaningOf(event);
-    if (takeCommand(meaning)) {
+    if (takeTransport(meaning, event) || event.isAutoRepeat() || takeCommand(meaning)) {
         return true;
     }
     const bool plain = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
@@ -111,6 +118,41 @@ bool LiveView::takeGameKey(QKeyEvent& event) {
         event.ignore(); // for the window
     }
     return true;
+}
+
+/// What works beside the tools of the editor, too.
+bool LiveView::takeTransport(PlayKey meaning, const QKeyEvent& event) {
+    switch (meaning) {
+    case PlayKey::Slower:
+    case PlayKey::Faster:
+        m_run.changeSpeed(meaning == PlayKey::Faster);
+        return true;
+    case PlayKey::FrameBack:
+        m_run.stepBack();
+        return true;
+    case PlayKey::FrameForward:
+        m_run.stepOnce();
+        return true;
+    case PlayKey::Rewind:
+        if (!event.isAutoRepeat()) {
+            m_rewindKey = keyNumber(event);
+            m_run.setRewinding(true);
+        }
+        return true;
+    default:
+        return false;
+    }
+}
+
+/// While nothing is half drawn, whose keys these are then.
+bool LiveView::isTransportKey(const QKeyEvent& event) const {
+    const PlayKey meaning = m_run.keys().meaningOf(event);
+    if (m_toolbox.current() == ToolId::Nodes && (meaning == PlayKey::FrameBack || meaning == PlayKey::FrameForward)) {
+        return false; // they go from node to node
+    }
+    return !m_toolbox.isBusy() && !m_toolbox.measures() && event.modifiers() == Qt::NoModifier &&
+           (meaning == PlayKey::Slower || meaning == PlayKey::Faster || meaning == PlayKey::FrameBack ||
+            meaning == PlayKey::FrameForward || meaning == PlayKey::Rewind);
 }
 
 bool LiveView::takeCommand(PlayKey meaning) {
@@ -137,6 +179,9 @@ bool LiveView::takeCommand(PlayKey meaning) {
 
 /// The editor keeps its keys; arrows steer a ship as long as there is nothing that they would move.
 bool LiveView::takeSimulationKey(QKeyEvent& event) {
+    if (isTransportKey(event)) {
+        return takeTransport(m_run.keys().meaningOf(event), event);
+    }
     if (!isArrow(event.key()) || event.modifiers().testFlag(Qt::ControlModifier) || !isSteering()) {
         return false;
     }
@@ -211,6 +256,8 @@ void LiveView::closeMenu() {
 
 void LiveView::focusLeft(Qt::FocusReason reason) {
     m_hand.loseMouse();
+    m_rewindKey = 0;
+    m_run.setRewinding(false);
     m_run.letGo();
     // Going to the menu, or to a menu of the window that will give the focus back, is not going away.
     const bool away = reason != Qt::PopupFocusReason && reason != Qt::OtherFocusReason;

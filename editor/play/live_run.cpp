@@ -34,7 +34,9 @@ void LiveRun::start(const Level& level, Kind wanted) {
 void LiveRun::start(const Level& level, const Replay& recorded) {
     begin(level, {.seed = recorded.seed});
     if (m_runner) {
-        m_runner->follow(recorded.runs);
+        m_runner->open(recorded);
+        m_runner->watch();
+        m_watching = true;
     }
 }
 
@@ -48,6 +50,7 @@ void LiveRun::begin(const Level& level, const Beginning& beginning) {
     }
     m_kind = phase() == Phase::Sandbox ? Kind::Simulation : beginning.wanted;
     m_runner->wantSession(!m_sessionWanted.empty());
+    m_watching = false;
     m_lost = 0;
     m_paceTime.start();
     m_shownPhase = phase();
@@ -62,6 +65,9 @@ void LiveRun::stop() {
     m_held.clear();
     m_waiting = false;
     m_behind = 0;
+    m_watching = false;
+    m_rewinding = false;
+    setSpeed(1);
     std::erase_if(m_ending, [](const auto& task) { return !task->isRunning(); });
     if (!m_runner) {
         return;
@@ -97,7 +103,12 @@ void LiveRun::setPaused(bool paused) {
 
 void LiveRun::goOn() {
     m_runner->hold(m_held.controls());
-    if (!m_waiting) {
+    if (m_waiting) {
+        return;
+    }
+    if (m_watching) {
+        m_runner->watch();
+    } else {
         m_runner->resume();
     }
 }
@@ -124,9 +135,100 @@ void LiveRun::stepOnce() {
     }
 }
 
+void LiveRun::stepBack() {
+    if (m_runner) {
+        setPaused(true);
+        m_runner->stepBack();
+        Q_EMIT advanced();
+    }
+}
+
+void LiveRun::stepIteration() {
+    if (m_runner) {
+        setPaused(true);
+        m_runner->hold(m_held.controls());
+        m_runner->stepIteration();
+        Q_EMIT advanced();
+    }
+}
+
+void LiveRun::seek(std::int64_t update) {
+    if (m_runner) {
+        setPaused(true);
+        m_runner->seek(update);
+        Q_EMIT advanced();
+    }
+}
+
+void LiveRun::seekFirst() {
+    if (const auto timeline = this->timeline()) {
+        seek(timeline->first);
+    }
+}
+
+void LiveRun::seekLast() {
+    if (const auto timeline = this->timeline()) {
+        seek(std::max(timeline->last, timeline->goal));
+    }
+}
+
+void LiveRun::setRewinding(bool rewinding) {
+    if (!m_runner || m_rewinding == rewinding) {
+        return;
+    }
+    m_rewinding = rewinding;
+    if (rewinding) {
+        m_ranBefore = !m_paused;
+        setPaused(true);
+        m_rewoundTo = timeline()->shown;
+        m_rewindTime.start();
+    } else if (m_ranBefore) {
+        setPaused(false);
+    }
+}
+
+/// Twice as fast as it went forwards, or as fast as the computer can.
+void LiveRun::rewind() {
+    const auto timeline = this->timeline();
+    const double seconds = 2 * std::max(1.0, m_speed) * static_cast<double>(m_rewindTime.elapsed()) / 1000;
+    const auto updates = static_cast<std::int64_t>(seconds / timeline->updateSeconds);
+    if (updates < 1 || timeline->shown > m_rewoundTo) {
+        return; // what was asked for last is still to come
+    }
+    m_rewindTime.restart();
+    m_rewoundTo = std::max(timeline->first, timeline->shown - updates);
+    m_runner->seek(m_rewoundTo);
+}
+
+void LiveRun::setSpeed(double speed) {
+    const double next = std::clamp(speed, Runner::slowest, Runner::fastest);
+    if (next == m_speed) {
+        return;
+    }
+    m_speed = next;
+    if (m_runner) {
+        m_runner->setSpeed(next);
+    }
+    Q_EMIT speedChanged();
+}
+
+void LiveRun::setGrab(const std::optional<Grab>& grab) {
+    if (m_runner) {
+        m_runner->setGrab(grab);
+    }
+}
+
+void LiveRun::setLevel(std::shared_ptr<const Level> level) {
+    if (m_runner) {
+        m_runner->setLevel(std::move(level));
+        Q_EMIT advanced();
+    }
+}
+
 void LiveRun::restart() {
     if (m_runner) {
         letGo();
+        m_watching = false;
         m_runner->restart();
         setPaused(false);
         Q_EMIT advanced();
@@ -149,6 +251,9 @@ void LiveRun::setKeys(const PlayKeys& keys) {
 bool LiveRun::press(const QKeyEvent& event) {
     const bool steers = m_held.press(event, m_keys);
     if (steers && m_runner && !m_paused) {
+        if (std::exchange(m_watching, false)) {
+            m_runner->resume(); // whoever steers takes over
+        }
         m_runner->hold(m_held.controls());
     }
     return steers;
@@ -184,6 +289,15 @@ void LiveRun::look() {
     }
     m_runner->attend();
     watchPace();
+    if (m_rewinding) {
+        rewind();
+    }
+    const std::shared_ptr<const Frame> frame = m_runner->frame();
+    if (m_watching && !m_paused && frame->paused && frame->timeline->shown >= frame->timeline->goal) {
+        m_watching = false; // it has ended, and waits to be gone on from
+        m_paused = true;
+        Q_EMIT pausedChanged(true);
+    }
     Q_EMIT advanced();
     if (m_runner && phase() != m_shownPhase) {
         m_shownPhase = phase();

@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -29,7 +30,7 @@ class LiveRun : public QObject {
 
     /// Runs the level from its beginning; what was running before is stopped. A level without a ship is no game.
     void start(const Level& level, Kind wanted = Kind::Game);
-    /// The same as it was flown once; what is held down counts when the recording has ended.
+    /// The same as it was flown once: all of it can be looked at. Who steers takes over, and another future begins.
     void start(const Level& level, const Replay& recorded);
     /// Of a level that is too much an update takes seconds; nobody waits for the one that is running.
     void stop();
@@ -45,9 +46,30 @@ class LiveRun : public QObject {
     bool isWaiting() const { return m_waiting; }
     /// Pauses and makes one update.
     void stepOnce();
+    /// Pauses, and shows the update before, or the next one by one iteration more.
+    void stepBack();
+    void stepIteration();
+    /// Pauses, and shows the moment after so many updates; the ends of what can be looked at.
+    void seek(std::int64_t update);
+    void seekFirst();
+    void seekLast();
+    /// As long as it is on, time goes back; then it goes on as before.
+    void setRewinding(bool rewinding);
+    bool isRewinding() const { return m_rewinding; }
     void restart();
     /// Whether somebody needs copies of what runs, see session(). Each asks for itself.
     void wantSession(const void* who, bool wanted);
+    /// A recorded flight goes its way, and nobody has taken over yet.
+    bool isWatching() const { return m_watching; }
+
+    /// So many times as fast as the clock; a step of them is twice as fast or half. Stays over restarts.
+    double speed() const { return m_speed; }
+    void setSpeed(double speed);
+    void changeSpeed(bool faster) { setSpeed(faster ? 2 * m_speed : m_speed / 2); }
+    /// What the mouse holds; none lets go.
+    void setGrab(const std::optional<Grab>& grab);
+    /// The level as it has been edited, from now on.
+    void setLevel(std::shared_ptr<const Level> level);
 
     void setKeys(const PlayKeys& keys);
     const PlayKeys& keys() const { return m_keys; }
@@ -68,6 +90,7 @@ class LiveRun : public QObject {
     std::shared_ptr<const Frame> frame() const { return m_runner ? m_runner->frame() : nullptr; }
     /// The newest copy of what runs; null while nothing does, or nobody wants it.
     std::shared_ptr<const Session> session() const { return m_runner ? m_runner->frame()->session : nullptr; }
+    std::shared_ptr<const TimelineSummary> timeline() const { return m_runner ? m_runner->frame()->timeline : nullptr; }
     /// What there is to see now, between the newest two. Something must run.
     Snapshot picture() const;
     /// Null while nothing runs.
@@ -79,6 +102,7 @@ class LiveRun : public QObject {
     /// There may be something new to see; at the display's rate.
     void advanced();
     void pausedChanged(bool paused);
+    void speedChanged();
     /// Seen at the display's rate.
     void phaseChanged();
     /// Seen once a second.
@@ -96,6 +120,7 @@ class LiveRun : public QObject {
     void watchPace();
     void fail(RunnerFault fault);
     void goOn();
+    void rewind();
 
     const Runner::Mode m_mode;
     Kind m_kind = Kind::Game;
@@ -105,6 +130,12 @@ class LiveRun : public QObject {
     PlayKeys m_keys;
     HeldKeys m_held;
     std::set<const void*> m_sessionWanted; // who wants it
+    double m_speed = 1;
+    bool m_watching = false;
+    bool m_rewinding = false;
+    bool m_ranBefore = false;     // it was rewound
+    std::int64_t m_rewoundTo = 0; // shown or asked for
+    QElapsedTimer m_rewindTime;
     Phase m_shownPhase = Phase::Sandbox;
     QElapsedTimer m_paceTime; // since it was looked at
     double m_lost = 0;        // s, at that time

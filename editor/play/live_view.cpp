@@ -9,6 +9,7 @@
 #include "editor/canvas/scene_painter.h"
 #include "editor/play/backdrop.h"
 #include "editor/play/chase.h"
+#include "editor/play/grab_painter.h"
 #include "editor/play/hud.h"
 #include "editor/play/live_pose.h"
 #include "editor/play/pause_menu.h"
@@ -37,9 +38,9 @@ LiveView::LiveView(Document& document, Toolbox& toolbox, Canvas& canvas, LiveRun
         Q_EMIT finished();
     });
     connect(&run, &LiveRun::pausedChanged, this, [this](bool paused) {
-        if (!paused && m_menu->isVisible()) {
+        if (!paused && (m_menu->isVisible() || m_run.isGame())) {
             m_menu->hide();
-            m_canvas.setFocus(Qt::OtherFocusReason);
+            m_canvas.setFocus(Qt::OtherFocusReason); // whoever lets a game go on wants to steer
         }
     });
     connect(&run, &LiveRun::stopped, this, [this] { m_menu->hide(); });
@@ -50,9 +51,13 @@ LiveView::~LiveView() {
     m_run.wantSession(this, false);
 }
 
-void LiveView::show(const Level& level, bool anew) {
+void LiveView::knowLevel(const Level& level) {
     m_background = QString::fromStdString(level.rules.background);
     m_towRange = level.rules.towRange;
+}
+
+void LiveView::show(const Level& level, bool anew) {
+    knowLevel(level);
     m_bounds = boundsOf(level);
     if (!isFinite(m_bounds.size())) {
         m_bounds = {};
@@ -200,6 +205,36 @@ Level LiveView::posedShown(std::span<const Key> keys) const {
     return posed({m_document.level(), *m_document.current().level}, m_picture, keys);
 }
 
+/// Background and grid, painted once for as long as they stay.
+void LiveView::drawPaper(QPainter& painter, const Paper& wanted) {
+    if (m_paper.isNull() || !(m_paperOf == wanted)) {
+        m_paperOf = wanted;
+        if (m_paper.size() != wanted.frame.deviceSize()) {
+            m_paper = QPixmap(wanted.frame.deviceSize());
+        }
+        m_paper.setDevicePixelRatio(wanted.frame.pixelRatio);
+        m_paper.fill(wanted.theme->background);
+        QPainter paper(&m_paper);
+        if (wanted.gridStep > 0) {
+            paintGrid(Stage{paper, wanted.frame.view, *wanted.theme}, wanted.gridStep);
+        }
+    }
+    painter.drawPixmap(0, 0, m_paper);
+}
+
+void LiveView::paintHold(const Stage& stage, LabelPainter& labels) const {
+    const std::optional<Grab>& grab = m_hand.grab();
+    const auto body = std::ranges::find_if(
+        m_picture.bodies, [&](const BodyPicture& one) { return grab && one.look->key == grab->object; });
+    if (body == m_picture.bodies.end()) {
+        return;
+    }
+    const std::shared_ptr<const Session> session = m_run.session();
+    const bool pulls = session && session->grabForce().has_value();
+    paintGrab(stage, {body->pose.toWorld(grab->anchor), grab->target, pulls ? session->grabForce()->force.norm() : 0},
+              labels);
+}
+
 void LiveView::paint(QPainter& painter, const Frame2D& frame) {
     countFrame();
     const bool game = m_run.isGame();
@@ -208,14 +243,14 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
     if (game) {
         paintBackdrop(stage, m_background);
     } else {
-        painter.fillRect(QRectF(0, 0, frame.view.size.x() + 1, frame.view.size.y() + 1), theme.background);
-        if (m_canvas.isGridVisible()) {
-            paintGrid(stage, m_toolbox.snap.fineStep());
-        }
+        drawPaper(painter, {frame, &theme, m_canvas.isGridVisible() ? m_toolbox.snap.fineStep() : 0});
     }
     m_ground.draw(painter, frame, m_picture, theme);
     if (!game && m_toolbox.guidesVisible) {
         paintGuides(stage, m_document.level(), {});
+    }
+    if (const auto timeline = m_run.timeline()) {
+        paintWays(stage, *timeline);
     }
     paintFlame(stage, m_picture);
     paintMoving(stage, m_picture, {});
@@ -247,6 +282,7 @@ void LiveView::paintOver(QPainter& painter, const Frame2D& frame) {
     }
     LabelPainter labels(stage);
     paintToolOverlay(stage, m_hand.overlay(), labels);
+    paintHold(stage, labels);
     if (m_menu->isVisible()) {
         painter.fillRect(m_canvas.rect(), QColor(4, 8, 18, 130));
     } else if (m_run.isGame()) {

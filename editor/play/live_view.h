@@ -3,6 +3,7 @@
 // menu over one that is held. It lets the canvas's view follow the ship, and hands keys and mouse on.
 
 #include "editor/canvas/canvas.h"
+#include "editor/canvas/label_painter.h"
 #include "editor/canvas/live_scene.h"
 #include "editor/play/ground_picture.h"
 #include "editor/play/live_hand.h"
@@ -26,6 +27,8 @@ class LiveView : public QObject, public LiveScene {
     /// What runs, in place of the board. `anew`: nobody has looked at the level yet, so the classic view is taken; so
     /// it is where the ship could not be seen.
     void show(const Level& level, bool anew);
+    /// What is not a body: background and ranges. The level may be edited while it runs.
+    void knowLevel(const Level& level);
     /// The board again, with the view that it had.
     void hide();
     bool isShown() const { return m_shown; }
@@ -43,6 +46,7 @@ class LiveView : public QObject, public LiveScene {
     /// What is shown of the run.
     const Snapshot& picture() const { return m_picture; }
     LiveHand& hand() { return m_hand; }
+    const LiveHand& hand() const { return m_hand; }
 
     void paint(QPainter& painter, const Frame2D& frame) override;
     void paintOver(QPainter& painter, const Frame2D& frame) override;
@@ -59,10 +63,19 @@ class LiveView : public QObject, public LiveScene {
     void framesCounted(double perSecond);
 
   private:
+    struct Paper {
+        Frame2D frame;
+        const Theme* theme = nullptr;
+        double gridStep = 0; // m; 0 for no grid
+
+        bool operator==(const Paper&) const = default;
+    };
+
     bool takeKey(QKeyEvent& event);
     bool takeGameKey(QKeyEvent& event);
     bool takeSimulationKey(QKeyEvent& event);
     bool takeCommand(PlayKey meaning);
+    bool takeTransport(PlayKey meaning, const QKeyEvent& event);
     bool takeMouse(QEvent& event);
     bool takePress(const Pointer& pointer);
     Level posedShown(std::span<const Key> keys) const;
@@ -76,6 +89,9 @@ class LiveView : public QObject, public LiveScene {
     bool isSteering() const;
     void countFrame();
     void paintOverlays(const Stage& stage);
+    bool isTransportKey(const QKeyEvent& event) const;
+    void drawPaper(QPainter& painter, const Paper& wanted);
+    void paintHold(const Stage& stage, LabelPainter& labels) const;
 
     Document& m_document;
     Toolbox& m_toolbox;
@@ -87,6 +103,8 @@ class LiveView : public QObject, public LiveScene {
     TrailKeeper m_trails;
     std::shared_ptr<const Session> m_session; // of which the picture is, while an overlay needs it
     GroundPicture m_ground;
+    Paper m_paperOf;
+    QPixmap m_paper; // the board below a simulation
     Snapshot m_picture;
     QString m_background;
     double m_towRange = 0; // m
@@ -99,8 +117,9 @@ class LiveView : public QObject, public LiveScene {
     int m_frames = 0; // painted since
     bool m_shown = false;
     bool m_following = true;
-    bool m_classic = false; // the view has been the classic one all the time
-    bool m_moving = false;  // by this
+    bool m_classic = false;  // the view has been the classic one all the time
+    bool m_moving = false;   // by this
+    quint32 m_rewindKey = 0; // while it is held
 };
 
 } // namespace spacetow

@@ -176,7 +176,15 @@ enum class Act : std::uint8_t {
     Stop,
     Pause,
     Step,
+    StepBack,
+    StepIteration,
     Restart,
+    Slower,
+    Faster,
+    TimeFirst,
+    TimeLast,
+    Follow,
+    SaveFlight,
 
     // actions_window.cpp
     NewWindow,

@@ -87,6 +87,8 @@ void MainWindow::layOut() {
     m_column.addWidget(&m_exchange.importBar());
     m_column.addWidget(&m_exchange.exportBar());
     m_column.addWidget(&m_stack, 1);
+    m_column.addWidget(&m_timeline);
+    m_timeline.hide();
     m_stack.addWidget(&m_frame);
     setCentralWidget(&m_center);
     setStatusBar(&m_status);

@@ -16,6 +16,7 @@
 #include "editor/panels/tag_matrix_panel.h"
 #include "editor/panels/transform_bar.h"
 #include "editor/play/live_view.h"
+#include "editor/play/timeline_bar.h"
 #include "editor/window/actions.h"
 #include "editor/window/appearance.h"
 #include "editor/window/collision_view.h"
@@ -36,6 +37,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -86,6 +88,10 @@ class MainWindow : public QMainWindow {
     /// The flight as it was recorded.
     void playReplay(const Replay& recorded);
     void stopPlaying();
+    /// What has been flown, into a file that the user chooses.
+    void saveFlight();
+    /// Where to, after a suggestion; empty: nowhere. Asks with a dialog, unless a test answers.
+    std::function<QString(const QString& suggestion)> whereToSaveFlight;
     /// A game or a simulation runs in place of the drawing board.
     bool isPlaying() const { return m_live.isShown(); }
     /// What runs is a game: it has the keyboard, and the panels are out of the way until they are called.
@@ -146,6 +152,7 @@ class MainWindow : public QMainWindow {
     const CanvasFrame& canvasFrame() const { return m_frame; }
     LiveRun& liveRun() { return m_run; }
     const LiveRun& liveRun() const { return m_run; }
+    TimelineBar& timelineBar() { return m_timeline; }
     LiveView& liveView() { return m_live; }
     const LiveView& liveView() const { return m_live; }
     Inspector& inspector() { return m_inspector; }
@@ -225,6 +232,9 @@ class MainWindow : public QMainWindow {
     void placePanels();
     QString runHint() const;
     void updateMotion();
+    void showTension(const Object* object);
+    void updateTimeline();
+    void updatePace();
     std::shared_ptr<const Level> levelToRun() const;
     void tellErrors();
     void showBoard();
@@ -260,6 +270,7 @@ class MainWindow : public QMainWindow {
     Canvas& m_canvas;
     LiveRun m_run;
     LiveView m_live;
+    TimelineBar m_timeline;
     Inspector m_inspector;
     TagMatrixPanel m_tagMatrix;
     CollisionView m_collisions;
@@ -291,12 +302,13 @@ class MainWindow : public QMainWindow {
     SnapSettings m_snapBefore;    // the run
     std::optional<Vec2> m_shipAt; // where it starts in the run, if not where the level has it
     QElapsedTimer m_sinceMotion;  // was shown
+    double m_framesPerSecond = 0;
     ToolId m_shownTool = ToolId::Select;
-    bool m_shownBusy = false;    // a shape was half drawn
-    bool m_recorded = false;     // what is played
-    bool m_errorsUntold = false; // of what is played
-    int m_view = 0;              // its number among the views of the level
-    bool m_mayClose = false;     // without another question
+    bool m_shownBusy = false;            // a shape was half drawn
+    bool m_recorded = false;             // what is played
+    bool m_errorsUntold = false;         // of what is played
+    int m_view = 0;                      // its number among the views of the level
+    bool m_mayClose = false;             // without another question
     std::shared_ptr<const Level> m_told; // that the run has heard of
     int m_documentListener = 0;
     int m_runListener = 0;

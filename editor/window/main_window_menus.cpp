@@ -120,6 +120,8 @@ void MainWindow::makeToolBars() {
             toolsFiller.add(row);
         }
     }
+    m_timeline.setActions({&m_actions[Act::TimeFirst], &m_actions[Act::StepBack], &m_actions[Act::Pause],
+                           &m_actions[Act::Step], &m_actions[Act::TimeLast]});
     if (auto* button = qobject_cast<QToolButton*>(main->widgetForAction(&m_actions[Act::SmartSnap]))) {
         button->setMenu(m_menus.at(MenuId::Snapping));
         button->setPopupMode(QToolButton::MenuButtonPopup);

@@ -3,7 +3,11 @@
 #include "editor/window/main_window.h"
 
 #include "core/level/object_geometry.h"
+#include "editor/window/messages.h"
 
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QLayout>
 #include <QLocale>
 
@@ -74,14 +78,18 @@ void MainWindow::enterRun(LiveRun::Kind wanted, const Replay* recorded) {
     m_status.setSnap(m_toolbox.snap);
     m_told = m_document.current().level;
     const std::shared_ptr<const Level> level = levelToRun();
+    m_run.wantSession(this, true);
     if (m_recorded) {
         m_run.start(*level, *recorded);
     } else {
         m_run.start(*level, wanted);
     }
+    m_framesPerSecond = 0;
     m_inGame = m_run.isGame();
     m_panelsInGame = false;
     m_live.show(*level, anew);
+    updateTimeline();
+    updatePace();
     placePanels();
     m_canvas.setFocus();
     updateTitle();
@@ -92,16 +100,19 @@ void MainWindow::enterRun(LiveRun::Kind wanted, const Replay* recorded) {
 /// What is in the middle of the canvas stays where it is on the screen, however much room the panels leave.
 void MainWindow::placePanels() {
     const bool away = isWelcoming() || arePanelsHidden();
-    if (away == m_panels->areAway()) {
+    if (away == m_panels->areAway() && isPlaying() == !m_timeline.isHidden()) {
         return;
     }
     const QPointF middle(m_canvas.width() / 2.0, m_canvas.height() / 2.0);
     const QPointF before = m_canvas.mapToGlobal(middle);
     m_panels->setAway(away);
+    m_timeline.setVisible(isPlaying());
     if (!isPlaying() || !m_canvas.isVisible()) {
         return;
     }
-    layout()->activate();
+    for (QLayout* one : {layout(), static_cast<QLayout*>(&m_column), m_frame.layout()}) {
+        one->activate();
+    }
     const QPointF moved = m_canvas.mapFromGlobal(before) - QPointF(m_canvas.width() / 2.0, m_canvas.height() / 2.0);
     m_live.shiftView({moved.x(), moved.y()});
 }
@@ -141,11 +152,16 @@ void MainWindow::listenToRun() {
         updateTool();
     });
     connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateMotion);
+    connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateTimeline);
+    connect(&m_run, &LiveRun::speedChanged, this, &MainWindow::updatePace);
+    connect(&m_timeline.scale(), &TimelineScale::sought, this, [this](qint64 update) { m_run.seek(update); });
     connect(&m_live, &LiveView::framesCounted, this, [this](double perSecond) {
-        if (isPlaying()) {
-            m_status.setPace(tr("%1 fps").arg(qRound(perSecond)));
-        }
+        m_framesPerSecond = perSecond;
+        updatePace();
     });
+    whereToSaveFlight = [this](const QString& suggestion) {
+        return QFileDialog::getSaveFileName(this, tr("Save flight"), suggestion, tr("Flights (*.replay.json)"));
+    };
     connect(&m_run, &LiveRun::phaseChanged, this, &MainWindow::updateTitle);
     connect(&m_run, &LiveRun::paceChanged, this, &MainWindow::updateTool);
     connect(&m_live, &LiveView::finished, this, &MainWindow::stopPlaying);
@@ -161,6 +177,47 @@ void MainWindow::listenToRun() {
     });
 }
 
+void MainWindow::updateTimeline() {
+    if (const auto timeline = m_run.timeline(); timeline && isPlaying()) {
+        m_timeline.showState({timeline->first, timeline->last, timeline->shown, timeline->goal, timeline->updateSeconds,
+                              timeline->marks});
+    }
+}
+
+void MainWindow::updatePace() {
+    if (!isPlaying()) {
+        return;
+    }
+    const double speed = m_run.speed();
+    const QString times = speed < 1 ? tr("1/%1 ×").arg(qRound(1 / speed)) : tr("%1 ×").arg(qRound(speed));
+    const QString frames = m_framesPerSecond > 0 ? tr("%1 fps").arg(qRound(m_framesPerSecond)) : QString();
+    m_status.setPace(speed == 1 ? frames : frames.isEmpty() ? times : times + QStringLiteral(" · ") + frames);
+}
+
+void MainWindow::saveFlight() {
+    const QString name = QFileInfo(m_files.path().isEmpty() ? m_files.name() : m_files.path()).completeBaseName();
+    const QString folder = m_files.path().isEmpty() ? QDir::homePath() : QFileInfo(m_files.path()).path();
+    m_run.setPaused(true); // while one looks for a name, the ship would fall
+    QString path = whereToSaveFlight(QDir(folder).filePath(name + QStringLiteral(".replay.json")));
+    if (path.isEmpty() || !m_run.isRunning()) {
+        return;
+    }
+    if (!path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
+        path += QStringLiteral(".replay.json");
+    }
+    Replay replay = m_run.runner()->recording();
+    const std::shared_ptr<const Level> start = m_run.runner()->startLevel();
+    replay.level = QFileInfo(m_files.path().isEmpty() ? m_files.name() : m_files.path()).fileName().toStdString();
+    if (start) {
+        replay.levelHash = levelHash(*start);
+    }
+    const std::optional<Error> error = writeReplay(path.toStdU16String(), replay);
+    m_message.say(error ? MessageBar::Tone::Error : MessageBar::Tone::Info,
+                  error ? sentence(*error)
+                        : tr("The flight has been saved as %1. Drop the file on a window to see it again.")
+                              .arg(QFileInfo(path).fileName()));
+}
+
 /// As often as one can read it.
 void MainWindow::updateMotion() {
     constexpr qint64 interval = 100; // ms
@@ -168,10 +225,11 @@ void MainWindow::updateMotion() {
         return;
     }
     m_sinceMotion.start();
+    updateTool(); // what the mouse holds
     const std::vector<Key>& keys = m_document.selection().keys();
     const Object* const object = keys.size() == 1 ? m_document.level().objects.find(keys.front()) : nullptr;
     if (object == nullptr || !poseOf(*object)) {
-        m_inspector.hideMotion();
+        showTension(object);
         return;
     }
     const std::vector<BodyPicture>& bodies = m_live.picture().bodies;
@@ -182,6 +240,20 @@ void MainWindow::updateMotion() {
         body == bodies.end() ? std::nullopt : std::optional(Motion{body->pose, body->velocity, body->angularVelocity}));
 }
 
+/// Of a connector; of everything else there is nothing to say.
+void MainWindow::showTension(const Object* object) {
+    const std::shared_ptr<const Session> session = m_run.session();
+    const bool connects = object != nullptr && std::holds_alternative<ConnectorObject>(object->data);
+    if (!connects || !session) {
+        m_inspector.hideMotion();
+    } else if (const std::optional<ConnectorId> id = session->connectorOf(object->key)) {
+        const ConnectorState state = session->world().connector(*id);
+        m_inspector.showTension((state.anchorB - state.anchorA).norm(), state.length, state.tension);
+    } else {
+        m_inspector.showMotion({});
+    }
+}
+
 /// What keys and mouse do to what runs.
 QString MainWindow::runHint() const {
     const auto key = [this](Act act) { return m_actions[act].shortcut().toString(QKeySequence::NativeText); };
@@ -189,23 +261,28 @@ QString MainWindow::runHint() const {
         return tr("Too much for this computer: the game is %1 s behind real time · %2: back to the editor")
             .arg(QLocale().toString(m_run.behind(), 'f', 1), key(Act::Stop));
     }
-    if (m_recorded) {
-        return tr("Playing a recorded flight · keys count when it has ended · %1: back to the editor")
-            .arg(key(Act::Stop));
+    if (m_live.hand().grab()) {
+        return tr("Pulling · move: pull further · let the button go: throw");
+    }
+    if (m_run.isWatching()) {
+        return tr("Playing a recorded flight · who steers takes over · %1: back to the editor").arg(key(Act::Stop));
     }
     if (isInGame()) {
         const QString follow = m_run.keys().shown(PlayKey::Follow);
         const QString view = m_live.isFollowing() || follow.isEmpty()
                                  ? QString()
                                  : tr("%1: follow the ship again").arg(follow) + QStringLiteral(" · ");
-        return view + tr("Playing a copy of the level · %1: back to the editor · Esc: menu").arg(key(Act::Stop));
+        return view + tr("Playing · drag a body: pull it · wheel, right drag: move the view · %1 held: back in time · "
+                         "%2: back to the editor · Esc: menu")
+                          .arg(m_run.keys().shown(PlayKey::Rewind), key(Act::Stop));
     }
-    return m_run.isPaused() ? tr("Simulation held · click: select · drag: move, band on empty ground · %1: go on · "
-                                 "%2: next frame · %3: back to the editor")
-                                  .arg(key(Act::Pause), key(Act::Step), key(Act::Stop))
-                            : tr("Simulation running · click: select · drag: band on empty ground, move what stands "
-                                 "still · %1: hold · %2: back to the editor")
-                                  .arg(key(Act::Pause), key(Act::Stop));
+    return m_run.isPaused()
+               ? tr("Simulation held · click: select · drag: move · %1: go on from here · %2: next frame · "
+                    "%3: back to the editor")
+                     .arg(key(Act::Pause), key(Act::Step), key(Act::Stop))
+               : tr("Simulation running · click: select · drag: pull a body, move what stands still · %1: "
+                    "hold · %2: back to the editor")
+                     .arg(key(Act::Pause), key(Act::Stop));
 }
 
 } // namespace spacetow

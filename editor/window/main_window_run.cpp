@@ -25,7 +25,8 @@ void MainWindow::tellRun() {
         return;
     }
     m_told = level;
-    m_run.runner()->setLevel(levelToRun());
+    m_run.setLevel(levelToRun());
+    m_live.knowLevel(*level);
 }
 
 } // namespace spacetow

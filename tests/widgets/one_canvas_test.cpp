@@ -163,6 +163,14 @@ class OneCanvasTest : public QObject {
         game.drag({-1, 1}, {3, -1}); // a band round the ball
         QVERIFY(game.document().selection().keys() == std::vector<Key>{1});
     }
+    void aClickMeansWhatWasUnderThePress() {
+        Game game(ballAndWall());
+        const QPoint place = game.at({0, 0});
+        QTest::mousePress(&game.view(), Qt::LeftButton, {}, place);
+        game.run(100);
+        QTest::mouseRelease(&game.view(), Qt::LeftButton, {}, place);
+        QVERIFY(game.document().selection().keys() == std::vector<Key>{1});
+    }
     void theInspectorSaysHowWhatIsSelectedMovesNow() {
         TestWindow test;
         test.document().reset(ballAndWall());
@@ -180,6 +188,20 @@ class OneCanvasTest : public QObject {
         QVERIFY2(motion.isVisible() && motion.text().contains("x 0.000 · y -2.000 m"), qPrintable(motion.text()));
         test.trigger(Act::Stop);
         QVERIFY(!motion.isVisible());
+    }
+    void theInspectorSaysHowHardAConnectorPulls() {
+        TestWindow test;
+        Level level = ballAndWall();
+        Object spring;
+        spring.key = 3;
+        spring.data = ConnectorObject{.a = 1, .b = 2, .length = 1, .stiffness = 2};
+        level.objects.append(spring);
+        test.document().reset(level);
+        test.document().select(Selection({3}));
+        test.trigger(Act::Simulate);
+        const MotionLine& motion = test.window->inspector().motion();
+        QTRY_VERIFY2(motion.isVisible() && motion.text().contains("1.000 m at rest"), qPrintable(motion.text()));
+        QTRY_VERIFY2(motion.text().contains("pulls with"), qPrintable(motion.text()));
     }
     void playingFromThePointerStartsTheShipThere() {
         TestWindow test;

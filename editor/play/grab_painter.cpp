@@ -1,0 +1,64 @@
+#include "editor/play/grab_painter.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace spacetow {
+namespace {
+
+constexpr std::size_t shownGhosts = 3; // the newest
+
+struct GrabWords {
+    Q_DECLARE_TR_FUNCTIONS(Grab)
+};
+
+void paintPath(const Stage& stage, const TracedPath& path, const QColor& color, Qt::PenStyle style) {
+    stage.painter.setPen(stroke(color, 1.5, style));
+    stage.painter.drawPolyline(stage.at(path.points));
+    if (style != Qt::SolidLine && !path.points.empty()) {
+        stage.painter.setPen(stroke(color, 1.5));
+        stage.painter.drawEllipse(stage.at(path.points.back()), 4, 4);
+    }
+}
+
+} // namespace
+
+void paintGrab(const Stage& stage, const ShownGrab& grab, LabelPainter& labels) {
+    const SavedPainter saved(stage.painter);
+    const QPointF from = stage.at(grab.anchor);
+    const QPointF to = stage.at(grab.target);
+    stage.painter.setPen(stroke(stage.theme.casing, 5));
+    stage.painter.drawLine(from, to);
+    stage.painter.setPen(stroke(stage.theme.selection, 2));
+    stage.painter.drawLine(from, to);
+    stage.painter.setBrush(stage.theme.selection);
+    stage.painter.drawEllipse(from, 4, 4);
+    stage.painter.setBrush(Qt::NoBrush);
+    stage.painter.drawEllipse(to, 6, 6);
+    const int decimals = grab.force >= 100 ? 0 : grab.force >= 1 ? 1 : 3;
+    labels.paint(grab.target, GrabWords::tr("%1 N").arg(QLocale().toString(grab.force, 'f', decimals)));
+}
+
+void paintWays(const Stage& stage, const TimelineSummary& timeline) {
+    const SavedPainter saved(stage.painter);
+    const std::size_t ghosts = std::min(shownGhosts, timeline.ghosts.size());
+    for (std::size_t i = 0; i < ghosts; ++i) {
+        const Ghost& ghost = *timeline.ghosts[timeline.ghosts.size() - ghosts + i];
+        QColor color = stage.theme.hover;
+        color.setAlpha(static_cast<int>(200 * (i + 1) / ghosts));
+        for (const TracedPath& path : ghost.paths) {
+            paintPath(stage, path, color, Qt::DashLine);
+        }
+    }
+    if (timeline.paths) {
+        QColor color = stage.theme.guide;
+        color.setAlpha(170);
+        for (const TracedPath& path : *timeline.paths) {
+            paintPath(stage, path, color, Qt::SolidLine);
+        }
+    }
+}
+
+} // namespace spacetow
