@@ -45,18 +45,24 @@ QIcon swatch(const std::array<Color, 6>& colors, int count, int side) {
     return pixmap;
 }
 
-/// A colour beside what it means.
-QWidget* explained(QToolButton* color, const QString& meaning) {
+/// A button beside what it means; the words take as many lines as there is room for.
+struct LegendLine {
+    QWidget* all;
+    QLabel* label;
+};
+
+LegendLine lineOf(QToolButton* button, const QString& words, int indent) {
     auto* line = new QWidget;
     auto* layout = new QHBoxLayout(line);
-    layout->setContentsMargins(margin, 0, 0, 0);
+    layout->setContentsMargins(indent, 0, 0, 0);
     layout->setSpacing(margin / 2);
-    auto* label = new QLabel(meaning);
+    auto* label = new QLabel(words);
     label->setWordWrap(true);
-    color->setAutoRaise(true);
-    layout->addWidget(color, 0, Qt::AlignTop);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::NoFocus);
+    layout->addWidget(button, 0, Qt::AlignTop);
     layout->addWidget(label, 1);
-    return line;
+    return {line, label};
 }
 
 } // namespace
@@ -114,7 +120,10 @@ void Legend::fill() {
         }
     }
     list->addStretch(1);
-    m_scroll.setWidget(content); // the one before is deleted
+    if (QWidget* old = m_scroll.takeWidget()) {
+        old->deleteLater(); // a click on one of its buttons may have led here
+    }
+    m_scroll.setWidget(content);
     content->installEventFilter(this);
     m_filling = false;
     place();
@@ -122,24 +131,24 @@ void Legend::fill() {
 
 void Legend::addOverlay(QVBoxLayout& list, int index) {
     const OverlayRow& row = overlayRows()[static_cast<std::size_t>(index)];
-    auto* name = new QToolButton;
-    name->setAutoRaise(true);
-    name->setFocusPolicy(Qt::NoFocus);
-    name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    name->setIcon(livingIcon(QLatin1String(row.icon)));
-    name->setText(titleOf(row));
-    name->setToolTip(tr("Switch off"));
-    name->setProperty("overlay", QLatin1String(row.name));
-    connect(name, &QToolButton::clicked, this, [this, index] { Q_EMIT switchedOff(index); });
-    list.addWidget(name, 0, Qt::AlignLeft);
+    auto* button = new QToolButton;
+    button->setIcon(livingIcon(QLatin1String(row.icon)));
+    button->setToolTip(tr("Switch off"));
+    button->setAccessibleName(titleOf(row));
+    button->setProperty("overlay", QLatin1String(row.name));
+    connect(button, &QToolButton::clicked, this, [this, index] { Q_EMIT switchedOff(index); });
+    const LegendLine line = lineOf(button, titleOf(row), 0);
+    line.label->setProperty("row", index);
+    line.label->setCursor(Qt::PointingHandCursor);
+    line.label->installEventFilter(this);
+    list.addWidget(line.all);
     for (const OverlayInk& ink : row.inks) {
         addInk(list, ink);
     }
     if (row.flag == &OverlayFlags::islands) {
         auto* colors = new QToolButton;
         colors->setIcon(swatch(overlayColors(m_shown->palette, m_shown->ground).islands, 6, 18));
-        colors->setFocusPolicy(Qt::NoFocus);
-        list.addWidget(explained(colors, words(row.remark)));
+        list.addWidget(lineOf(colors, words(row.remark), margin).all);
     } else if (row.flag == &OverlayFlags::tags) {
         addTags(list);
     }
@@ -150,11 +159,10 @@ void Legend::addInk(QVBoxLayout& list, const OverlayInk& ink) {
     color->setIcon(swatch({overlayColors(m_shown->palette, m_shown->ground).*ink.color}, 1, 14));
     color->setToolTip(tr("Choose another color"));
     color->setAccessibleName(words(ink.meaning));
-    color->setFocusPolicy(Qt::NoFocus);
     color->setProperty("ink", QLatin1String(ink.name));
     const auto index = static_cast<int>(&ink - overlayInks().data());
     connect(color, &QToolButton::clicked, this, [this, index] { Q_EMIT colorWanted(index); });
-    list.addWidget(explained(color, words(ink.meaning)));
+    list.addWidget(lineOf(color, words(ink.meaning), margin).all);
 }
 
 /// The tags have their colours in the level, where the inspector changes them.
@@ -163,8 +171,7 @@ void Legend::addTags(QVBoxLayout& list) {
         if (!m_shown->tags[tag].name.empty()) {
             auto* color = new QToolButton;
             color->setIcon(swatch({toColor(QColor::fromRgb(m_shown->tags[tag].color))}, 1, 14));
-            color->setFocusPolicy(Qt::NoFocus);
-            list.addWidget(explained(color, tagText(m_shown->tags, tag)));
+            list.addWidget(lineOf(color, tagText(m_shown->tags, tag), margin).all);
         }
     }
 }
@@ -187,6 +194,10 @@ void Legend::place() {
 }
 
 bool Legend::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonRelease && watched->property("row").isValid()) {
+        Q_EMIT switchedOff(watched->property("row").toInt());
+        return true;
+    }
     // Only what has been shown knows how large its texts are.
     const bool isContent = watched == m_scroll.widget() && event->type() == QEvent::LayoutRequest;
     if (isContent || (watched == &m_canvas && event->type() == QEvent::Resize)) {

@@ -58,7 +58,7 @@ class PainterDraw : public DebugDraw {
 
     bool sees(const Aabb& box) const { return m_visible.overlaps(box); }
     /// Of so many marks that smooth ones would take five times as long, and nobody would see it.
-    bool isCrowd() const { return m_marks > 4000; }
+    bool isCrowd() const { return m_marks > 1500; }
     Batch& batch(const Color& color);
     void paintFillings(const Batch& batch);
     void paintLines(const Batch& batch);

@@ -79,6 +79,13 @@ class LegendTest : public QObject {
         QVERIFY(!test.window->overlays().aabb && test.window->overlays().velocity);
         QVERIFY(!test.window->actions()[Act::OverlayAabb].isChecked());
         QVERIFY(legendButton(test.window->legend(), "overlay", "velocity") != nullptr);
+        for (auto* label : test.window->legend().findChildren<QLabel*>()) {
+            if (label->property("row").isValid()) {
+                QTest::mouseClick(label, Qt::LeftButton); // its name does the same
+                break;
+            }
+        }
+        QVERIFY(!test.window->overlays().any());
     }
 
     void aClickOnTheCanvasBelowItIsNone() {

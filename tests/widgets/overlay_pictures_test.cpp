@@ -220,6 +220,32 @@ class OverlayPicturesTest : public QObject {
         QCOMPARE(image, empty);
     }
 
+    void ofALargeLevelOnlyWhatIsInViewCostsTime() {
+        Level level;
+        for (int row = 0; row < 100; ++row) {
+            std::vector<Vec2> corners;
+            for (int i = 0; i <= 1000; ++i) {
+                corners.emplace_back(0.5 * i, 5.0 * row + i % 2);
+            }
+            level.objects.append(
+                overlayBody(static_cast<Key>(row + 1), BodyKind::Static, EdgeChain{corners, false, 0.2}, Vec2(0, 0)));
+        }
+        const OverlayFlags flags{.aabb = true, .normals = true, .quadtree = true, .contacts = true, .risk = true};
+        const auto worlds = overlayWorlds(level, flags);
+        Viewport view = overlayView();
+        view.center = Vec2(200, 200);
+        QImage image(400, 400, QImage::Format_ARGB32_Premultiplied);
+        QPainter painter(&image);
+        double best = 1e9;
+        for (int i = 0; i < 3; ++i) {
+            const CpuTimer timer;
+            paintLevelOverlays({painter, view, canvasTheme()}, *worlds, {.flags = flags, .level = &level});
+            best = std::min(best, 1000 * timer.seconds());
+        }
+        qInfo("a view of 100,000 edges: %.1f ms", best);
+        QVERIFY2(best < 60, qPrintable(QString::number(best)));
+    }
+
     void thousandsOfBodiesArePaintedInTimeForAFrame() {
         Level level;
         for (int i = 0; i < 2000; ++i) {
