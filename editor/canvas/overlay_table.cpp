@@ -90,7 +90,7 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Show how far through each wall one iteration may carry what approaches it"),
         some(20, 2)},
     OverlayRow{"collides", &OverlayFlags::collides, QT_TRANSLATE_NOOP("Actions", "Show What &Collides"), "collides",
-               "Alt+Shift+F",
+               "Shift+T",
                QT_TRANSLATE_NOOP("Actions", "Mark everything that the selection would collide with, by its tags"),
                some(22, 2)},
 };

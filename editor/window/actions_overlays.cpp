@@ -35,9 +35,11 @@ ActionRow overlayAction() {
                      .icon = row.icon,
                      .keys = row.keys,
                      .tip = row.tip,
-                     .flags = WhilePlaying,
+                     .flags = NoFlag,
                      .toggle = setOverlay<index>,
                      .isOn = hasOverlay<index>};
+    // A game selects nothing that could collide, and has the plain key.
+    action.flags |= row.flag == &OverlayFlags::collides ? NoFlag : WhilePlaying;
     action.flags |= row.onMainBar ? OnMainBar : NoFlag;
     action.flags |= index == withDigit ? SeparatorBefore : NoFlag;
     return action;
