@@ -36,12 +36,10 @@ void paintWays(const Stage& stage, const Ways& ways, QColor color) {
 Flight flown(const Level& level, const Replay& replay) {
     Session session(level, replay.seed);
     Flight flight;
-    for (const Replay::Run& run : replay.runs) {
-        for (std::int64_t i = 0; i < run.count; ++i) {
-            session.step(run.controls);
-            goOn(flight.shipWays, session.ship());
-            goOn(flight.payloadWays, session.payload());
-        }
+    for (InputReader inputs(inputsOf(replay, level)); !inputs.isAtEnd();) {
+        session.step(inputs.next());
+        goOn(flight.shipWays, session.ship());
+        goOn(flight.payloadWays, session.payload());
     }
     flight.end = session.snapshot();
     flight.session = std::make_shared<const Session>(session);

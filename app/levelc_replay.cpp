@@ -10,10 +10,8 @@ namespace {
 
 bool dumpEnd(const QString& file, const Level& level, const Replay& replay) {
     Session session(level, replay.seed);
-    for (const Replay::Run& run : replay.runs) {
-        for (std::int64_t i = 0; i < run.count; ++i) {
-            session.step(run.controls);
-        }
+    for (InputReader inputs(inputsOf(replay, level)); !inputs.isAtEnd();) {
+        session.step(inputs.next());
     }
     return writeDump(file, level, session.world(), session.updates());
 }

@@ -134,8 +134,9 @@ void Course::setLevel(std::shared_ptr<const Level> level) {
     }
 }
 
-void Course::open(InputRuns inputs) {
+void Course::open(const Replay& recorded) {
     restart();
+    InputRuns inputs = inputsOf(recorded, m_start.level());
     const double seconds = static_cast<double>(inputs.updates()) * m_session.updateSeconds();
     m_timeline.setSeconds(std::max(secondsBack, seconds));
     m_record = inputs;
@@ -167,7 +168,7 @@ void Course::stopSimulating() {
 Replay Course::recording() const {
     Replay replay;
     replay.seed = m_seed;
-    setInputs(replay, m_record);
+    setInputs(replay, m_record, m_start.level());
     return replay;
 }
 

@@ -51,8 +51,8 @@ class Course {
     void stepIteration(const StepInput& input);
     /// As it has been edited. At the end of the run the next update takes it over.
     void setLevel(std::shared_ptr<const Level> level);
-    /// A run of these inputs from the beginning; it is to be simulated.
-    void open(InputRuns inputs);
+    /// A recorded run, from the beginning; it is to be simulated.
+    void open(const Replay& recorded);
 
     bool isSimulating() const { return m_future.has_value(); }
     /// So many updates of the future.

@@ -7,6 +7,14 @@
 #include <algorithm>
 
 namespace spacetow {
+namespace {
+
+/// Other numbers do nothing, and a file cannot spell them.
+bool isUsable(const std::optional<Grab>& grab) {
+    return grab && grab->object != 0 && isFinite(grab->anchor) && isFinite(grab->target);
+}
+
+} // namespace
 
 void Replay::append(const Controls& controls) {
     if (!runs.empty() && runs.back().controls == controls) {
@@ -24,8 +32,9 @@ std::int64_t Replay::updates() const {
     return sum;
 }
 
-InputRuns inputsOf(const Replay& replay) {
+InputRuns inputsOf(const Replay& replay, const Level& level) {
     InputRuns inputs;
+    Level now = level;
     std::optional<Grab> grab;
     auto hold = replay.holds.begin();
     auto edit = replay.edits.begin();
@@ -37,7 +46,8 @@ InputRuns inputsOf(const Replay& replay) {
             }
             StepInput input{run.controls, grab, {}};
             for (; edit != replay.edits.end() && edit->update <= update; ++edit) {
-                input.level = edit->level;
+                now = withDelta(now, edit->delta);
+                input.level = std::make_shared<const Level>(now);
             }
             std::int64_t until = hold != replay.holds.end() ? std::min(end, hold->update) : end;
             until = edit != replay.edits.end() ? std::min(until, edit->update) : until;
@@ -51,19 +61,22 @@ InputRuns inputsOf(const Replay& replay) {
     return inputs;
 }
 
-void setInputs(Replay& replay, const InputRuns& inputs) {
+void setInputs(Replay& replay, const InputRuns& inputs, const Level& level) {
     replay.runs.clear();
     replay.holds.clear();
     replay.edits.clear();
     std::optional<Grab> grab;
+    const Level* now = &level;
     std::int64_t update = 0;
     for (const InputRun& run : inputs.runs()) {
-        if (run.input.grab != grab) {
-            grab = run.input.grab;
+        const std::optional<Grab> held = isUsable(run.input.grab) ? run.input.grab : std::nullopt;
+        if (held != grab) {
+            grab = held;
             replay.holds.push_back({update, grab});
         }
         if (run.input.level) {
-            replay.edits.push_back({update, run.input.level});
+            replay.edits.push_back({update, deltaBetween(*now, *run.input.level)});
+            now = run.input.level.get();
         }
         if (!replay.runs.empty() && replay.runs.back().controls == run.input.controls) {
             replay.runs.back().count += run.count;
@@ -74,9 +87,30 @@ void setInputs(Replay& replay, const InputRuns& inputs) {
     }
 }
 
+Replay basedOn(Replay replay, const Level& was, const Level& now) {
+    if (was == now) {
+        return replay;
+    }
+    InputRuns inputs = inputsOf(replay, was);
+    InputRuns begun;
+    for (const InputRun& run : inputs.runs()) {
+        StepInput input = run.input;
+        if (begun.updates() == 0 && !input.level) {
+            input.level = std::make_shared<const Level>(was);
+            begun.append(input);
+            input.level = nullptr;
+            begun.append(input, run.count - 1);
+        } else {
+            begun.append(input, run.count);
+        }
+    }
+    setInputs(replay, begun, now);
+    return replay;
+}
+
 Outcome replayed(const Level& level, const Replay& replay) {
     Session session(level, replay.seed);
-    for (InputReader inputs(inputsOf(replay)); !inputs.isAtEnd();) {
+    for (InputReader inputs(inputsOf(replay, level)); !inputs.isAtEnd();) {
         session.step(inputs.next());
     }
     return {session.phase(),

@@ -4,13 +4,16 @@
 //   {"replay": 1, "level": "01_first_haul.json", "levelHash": "0123456789abcdef", "seed": 1,
 //    "updates": [[bits, count], …]}
 // where bit 0 is left, 1 right, 2 thrust, 3 tow. `levelHash` may be missing; a different one means that the level has
-// been edited since.
+// been edited since. What was done to the level by hand meanwhile makes it a file of version 2, which has
+//    "holds": [[update, key, anchor x, anchor y, target x, target y], [update], …]
+//    "edits": [[update, level, [keys removed], [keys in their order]], …]
+// beside: what the mouse held, or that it let go, and the level file of what was changed; see LevelDelta.
 
 #include "core/base/whole_file.h"
 #include "core/game/controls.h"
 #include "core/game/input_runs.h"
 #include "core/game/snapshot.h"
-#include "core/level/level.h"
+#include "core/level/level_delta.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +24,7 @@
 
 namespace spacetow {
 
-constexpr int replayVersion = 1;
+constexpr int replayVersion = 2;
 constexpr std::size_t maxReplayBytes = 8u << 20;
 constexpr std::int64_t maxReplayUpdates = 1'000'000; // five and a half hours
 
@@ -43,16 +46,16 @@ struct Replay {
     /// The level becomes another one with the update after so many.
     struct Edit {
         std::int64_t update = 0;
-        std::shared_ptr<const Level> level; // never null
+        LevelDelta delta; // from the level as it was before
 
-        bool operator==(const Edit& other) const { return update == other.update && *level == *other.level; }
+        bool operator==(const Edit&) const = default;
     };
 
     std::string level; // file name, for people and tools
     std::optional<std::uint64_t> levelHash;
     std::uint64_t seed = 1;
     std::vector<Run> runs;
-    std::vector<Hold> holds; // in order; of a level that was played with alone
+    std::vector<Hold> holds; // in order, each later than the one before
     std::vector<Edit> edits; // likewise
 
     /// One more update.
@@ -77,9 +80,12 @@ struct Outcome {
     bool operator==(const Outcome&) const = default;
 };
 
-/// What comes from outside in each update.
-InputRuns inputsOf(const Replay& replay);
-void setInputs(Replay& replay, const InputRuns& inputs);
+/// What comes from outside in each update of the recording, in this level.
+InputRuns inputsOf(const Replay& replay, const Level& level);
+/// Makes the recording one of these inputs in a session that begins with the level.
+void setInputs(Replay& replay, const InputRuns& inputs, const Level& level);
+/// The same flight for those who have another level now: it begins with becoming the one that it was.
+Replay basedOn(Replay replay, const Level& was, const Level& now);
 
 /// Flies the whole recording.
 Outcome replayed(const Level& level, const Replay& replay);

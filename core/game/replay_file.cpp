@@ -1,6 +1,8 @@
 // The spelling of recorded flights.
 
 #include "core/game/replay.h"
+#include "core/level/file.h"
+#include "core/level/key_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest = 4; // a replay is an object of arrays of arrays
+constexpr int deepest = 4; // a replay is an object of arrays of arrays, of arrays at most
 
 struct BadField {
     std::string pointer;
@@ -30,7 +32,7 @@ struct WrongField {
 class FieldsSeen {
   public:
     void see(const std::string& name) {
-        constexpr std::array known{"replay", "level", "levelHash", "seed", "updates"};
+        constexpr std::array known{"replay", "level", "levelHash", "seed", "updates", "holds", "edits"};
         if (std::ranges::find(m_seen, name) != m_seen.end()) {
             throw WrongField{"replay-duplicate-field", name};
         }
@@ -101,6 +103,76 @@ std::vector<Replay::Run> runsFrom(const Json& list) {
     return runs;
 }
 
+std::vector<Key> keysFrom(const Json& list, const std::string& pointer) {
+    std::vector<Key> keys;
+    if (!list.is_array()) {
+        throw BadField{pointer};
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::optional<Key> key =
+            list[i].is_string() ? keyFromText(list[i].get_ref<const std::string&>()) : std::nullopt;
+        if (!key) {
+            throw BadField{pointer + '/' + std::to_string(i)};
+        }
+        keys.push_back(*key);
+    }
+    return keys;
+}
+
+/// The list of this name, each entry an array that begins with an update later than the one before.
+template <class Read>
+void readUpdates(const Json& json, const std::string& name, const Read& read) {
+    const auto list = json.find(name);
+    if (list == json.end()) {
+        return;
+    }
+    if (!list->is_array()) {
+        throw BadField{'/' + name};
+    }
+    std::int64_t least = 0;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const std::string pointer = '/' + name + '/' + std::to_string(i);
+        const Json& entry = (*list)[i];
+        if (!entry.is_array() || entry.empty()) {
+            throw BadField{pointer};
+        }
+        const std::int64_t update = integer(entry[0], least, maxReplayUpdates, pointer + "/0");
+        read(update, entry, pointer);
+        least = update + 1;
+    }
+}
+
+Replay::Hold holdFrom(std::int64_t update, const Json& entry, const std::string& pointer) {
+    if (entry.size() == 1) {
+        return {update, {}};
+    }
+    const std::optional<Key> key =
+        entry.size() == 6 && entry[1].is_string() ? keyFromText(entry[1].get_ref<const std::string&>()) : std::nullopt;
+    if (!key) {
+        throw BadField{pointer};
+    }
+    std::array<double, 4> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (!entry[i + 2].is_number()) {
+            throw BadField{pointer + '/' + std::to_string(i + 2)};
+        }
+        numbers[i] = entry[i + 2].get<double>();
+    }
+    return {update, Grab{*key, Vec2(numbers[0], numbers[1]), Vec2(numbers[2], numbers[3])}};
+}
+
+Replay::Edit editFrom(std::int64_t update, const Json& entry, const std::string& pointer) {
+    if (entry.size() != 4 || !entry[1].is_string()) {
+        throw BadField{pointer};
+    }
+    LevelFile file = parseLevel(entry[1].get_ref<const std::string&>(), Checks::FileOnly);
+    // A level that could not be written as it is was not written by anybody.
+    if (!file.level || parseLevel(levelText(*file.level), Checks::FileOnly).level != file.level) {
+        throw BadField{pointer + "/1"};
+    }
+    return {update, {keysFrom(entry[2], pointer + "/2"), *std::move(file.level), keysFrom(entry[3], pointer + "/3")}};
+}
+
 bool tooLong(const std::vector<Replay::Run>& runs) {
     std::int64_t sum = 0;
     for (const Replay::Run& run : runs) {
@@ -134,11 +206,60 @@ Result<Replay> replayFrom(const Json& json) {
         return Error{"replay-bad-field", {"/seed"}};
     }
     replay.seed = seed.get<std::uint64_t>();
+    if (version == 1 && (json.contains("holds") || json.contains("edits"))) {
+        return Error{"replay-unknown-field", {json.contains("holds") ? "holds" : "edits"}};
+    }
     replay.runs = runsFrom(member(json, "updates"));
+    readUpdates(json, "holds", [&replay](std::int64_t update, const Json& entry, const std::string& pointer) {
+        replay.holds.push_back(holdFrom(update, entry, pointer));
+    });
+    readUpdates(json, "edits", [&replay](std::int64_t update, const Json& entry, const std::string& pointer) {
+        replay.edits.push_back(editFrom(update, entry, pointer));
+    });
     if (tooLong(replay.runs)) {
         return Error{"replay-too-long", {std::to_string(maxReplayUpdates)}};
     }
     return replay;
+}
+
+/// What is not UTF-8 is spelled with replacement characters rather than refused.
+std::string spelledText(const std::string& text) {
+    return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string listText(const std::vector<Key>& keys) {
+    std::string text = "[";
+    for (const Key key : keys) {
+        text += (text.size() > 1 ? ",\"" : "\"") + keyText(key) + '"';
+    }
+    return text + ']';
+}
+
+std::string holdText(const Replay::Hold& hold) {
+    std::string text = '[' + std::to_string(hold.update);
+    if (hold.grab) {
+        text += ",\"" + keyText(hold.grab->object) + '"';
+        for (const double number :
+             {hold.grab->anchor.x(), hold.grab->anchor.y(), hold.grab->target.x(), hold.grab->target.y()}) {
+            text += ',' + Json(number).dump();
+        }
+    }
+    return text + ']';
+}
+
+std::string editText(const Replay::Edit& edit) {
+    return '[' + std::to_string(edit.update) + ',' + spelledText(levelText(edit.delta.changed)) + ',' +
+           listText(edit.delta.removed) + ',' + listText(edit.delta.order) + ']';
+}
+
+/// One entry a line; nothing for none.
+template <class Entry>
+std::string entriesText(const char* name, const std::vector<Entry>& entries, std::string (*spell)(const Entry&)) {
+    std::string text;
+    for (const Entry& entry : entries) {
+        text += (text.empty() ? "\n" : ",\n") + spell(entry);
+    }
+    return entries.empty() ? text : std::string(",\n\"") + name + "\": [" + text + "\n]";
 }
 
 } // namespace
@@ -174,9 +295,9 @@ Result<Replay> parseReplay(std::string_view text) {
 }
 
 std::string replayText(const Replay& replay) {
-    // A name that is not UTF-8 is spelled with replacement characters rather than refused.
-    const std::string name = Json(replay.level).dump(-1, ' ', false, Json::error_handler_t::replace);
-    std::string text = "{\n\"replay\": " + std::to_string(replayVersion) + ",\n\"level\": " + name + ",\n";
+    const std::string name = spelledText(replay.level);
+    const int version = replay.holds.empty() && replay.edits.empty() ? 1 : replayVersion; // the oldest that will do
+    std::string text = "{\n\"replay\": " + std::to_string(version) + ",\n\"level\": " + name + ",\n";
     if (replay.levelHash) {
         text += "\"levelHash\": \"" + hex(*replay.levelHash) + "\",\n";
     }
@@ -193,8 +314,9 @@ std::string replayText(const Replay& replay) {
         }
         text += '[' + std::to_string(toBits(run.controls)) + ',' + std::to_string(run.count) + ']';
     }
-    text += replay.runs.empty() ? "]\n}\n" : "\n]\n}\n";
-    return text;
+    text += replay.runs.empty() ? "]" : "\n]";
+    text += entriesText("holds", replay.holds, holdText) + entriesText("edits", replay.edits, editText);
+    return text + "\n}\n";
 }
 
 Result<Replay> readReplay(const std::filesystem::path& path, Sources sources) {

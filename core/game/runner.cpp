@@ -119,9 +119,9 @@ void Runner::stepIteration() {
 }
 
 void Runner::open(const Replay& recorded) {
-    command([this, inputs = inputsOf(recorded)] {
+    command([this, recorded] {
         m_followed = InputReader({});
-        m_course.open(inputs);
+        m_course.open(recorded);
         leap();
         simulate();
     });
@@ -149,9 +149,9 @@ void Runner::restart() {
 }
 
 void Runner::follow(const Replay& recorded) {
-    command([this, inputs = inputsOf(recorded)] {
-        m_followed = InputReader(inputs);
+    command([this, recorded] {
         beginAnew();
+        m_followed = InputReader(inputsOf(recorded, m_course.session().level()));
     });
 }
 

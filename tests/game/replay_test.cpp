@@ -1,6 +1,7 @@
 #include "core/base/random.h"
 #include "core/game/replay.h"
-#include "tests/support/game_levels.h"
+#include "tests/support/live_level.h"
+#include "tests/support/random_level.h"
 #include "tests/support/test_main.h"
 
 #include <QTemporaryDir>
@@ -31,6 +32,26 @@ Replay randomReplay(std::uint64_t seed) {
     return replay;
 }
 
+/// The same, played with: bodies were held, and the level was edited.
+Replay randomPlay(std::uint64_t seed) {
+    Replay replay = randomReplay(seed);
+    Random random(seed);
+    std::int64_t update = 0;
+    for (std::uint32_t i = random.below(30); i > 0; --i, update += 1 + random.below(9)) {
+        const auto number = [&] { return random.uniform(-1e3, 1e3); };
+        Grab grab{1 + random.next() % 1000, Vec2(number(), number()), Vec2(number(), random.below(9))};
+        replay.holds.push_back({update, random.below(5) == 0 ? std::nullopt : std::optional(grab)});
+    }
+    Level level = randomLevel(seed);
+    update = random.below(3);
+    for (std::uint32_t i = 1 + random.below(4); i > 0; --i, update += 1 + random.below(400)) {
+        const Level next = randomLevel(seed * 100 + i);
+        replay.edits.push_back({update, deltaBetween(level, next)});
+        level = next;
+    }
+    return replay;
+}
+
 } // namespace
 
 class ReplayTest : public QObject {
@@ -46,6 +67,62 @@ class ReplayTest : public QObject {
             QCOMPARE(replayText(read.value()), text);
             QVERIFY(text.ends_with("}\n"));
         }
+    }
+    void soIsWhatWasDoneByHand() {
+        for (std::uint64_t seed = 0; seed < 60; ++seed) {
+            const Replay replay = randomPlay(seed);
+            const std::string text = replayText(replay);
+            QVERIFY(text.starts_with("{\n\"replay\": 2,"));
+            const Result<Replay> read = parseReplay(text);
+            QVERIFY2(read && read.value() == replay, qPrintable(QString("seed %1").arg(seed)));
+            QCOMPARE(replayText(read.value()), text);
+        }
+        QVERIFY(replayText(randomReplay(3)).starts_with("{\n\"replay\": 1,")); // older programs know that
+    }
+    void inputsAreToldToTheRecordingAndComeFromItAgain() {
+        const Level level = yard();
+        InputRuns inputs;
+        const StepInput held{thrust, Grab{boxKey, Vec2(0, 0.1), Vec2(1, 2)}, {}};
+        inputs.append({idle, {}, {}}, 20);
+        inputs.append(held, 15);
+        inputs.append({thrust, held.grab, without(level, ballKey)});
+        inputs.append(held, 4);
+        inputs.append({left, {}, {}}, 30);
+        inputs.append({left, Grab{boxKey, Vec2(0, 0), Vec2(std::nan(""), 0)}, {}}, 3); // does nothing, and is not told
+        Replay replay;
+        setInputs(replay, inputs, level);
+        QCOMPARE(replay.updates(), std::int64_t(73));
+        QCOMPARE(replay.runs.size(), std::size_t(3));
+        QCOMPARE(replay.holds.size(), std::size_t(2));
+        Session session(level);
+        for (InputReader all(inputs); !all.isAtEnd();) {
+            session.step(all.next());
+        }
+        const Result<Replay> read = parseReplay(replayText(replay));
+        QCOMPARE(replayed(level, read.value()).hash, session.hash());
+        QVERIFY(replayed(yard(), replay).hash != replayed(openSpace(), replay).hash);
+        // Who has edited the level since plays the same.
+        const std::shared_ptr<const Level> now = without(level, floorKey);
+        const Replay based = basedOn(replay, level, *now);
+        QCOMPARE(replayed(*now, based).hash, session.hash());
+        QVERIFY(basedOn(replay, level, yard()) == replay);
+    }
+    void inputsAreCutAndGivenOnInParts() {
+        InputRuns inputs;
+        inputs.append({left, {}, {}}, 10);
+        inputs.append({right, {}, {}}, 10);
+        const InputRuns later = inputs.after(14);
+        QCOMPARE(later.updates(), std::int64_t(6));
+        QCOMPARE(later.runs().size(), std::size_t(1));
+        QCOMPARE(inputs.after(4).updates(), std::int64_t(16));
+        QCOMPARE(inputs.after(90).updates(), std::int64_t(0));
+        inputs.cutAt(7);
+        QCOMPARE(inputs.updates(), std::int64_t(7));
+        QCOMPARE(inputs.runs().size(), std::size_t(1));
+        const InputRuns edited = later.withLevel(std::make_shared<const Level>());
+        QCOMPARE(edited.updates(), std::int64_t(6));
+        QVERIFY(edited.runs().front().input.level && edited.runs().front().count == 1);
+        QVERIFY(!edited.runs().back().input.level);
     }
     void equalUpdatesShareARun() {
         Replay replay;
@@ -109,7 +186,19 @@ class ReplayTest : public QObject {
         row("no version", "{}", "replay-bad-field", "/replay");
         row("version as text", "{\"replay\":\"1\"}", "replay-bad-field", "/replay");
         row("version 0", "{\"replay\":0}", "replay-bad-field", "/replay");
-        row("newer", "{\"replay\":2}", "replay-newer", "2");
+        row("newer", "{\"replay\":3}", "replay-newer", "3");
+        const auto quoted = [](QByteArray text) { return text.replace('\'', '"'); };
+        row("hands in the first version", quoted("{'replay':1,'level':'','seed':1,'updates':[],'holds':[]}"),
+            "replay-unknown-field", "holds");
+        const QByteArray two = quoted("{'replay':2,'level':'','seed':1,'updates':[[0,9]],");
+        row("holds as number", two + quoted("'holds':3}"), "replay-bad-field", "/holds");
+        row("an empty hold", two + quoted("'holds':[[]]}"), "replay-bad-field", "/holds/0");
+        row("a hold of no key", two + quoted("'holds':[[1,'x',0,0,0,0]]}"), "replay-bad-field", "/holds/0");
+        row("a hold of text", two + quoted("'holds':[[1,'00000001',0,'a',0,0]]}"), "replay-bad-field", "/holds/0/3");
+        row("holds out of order", two + quoted("'holds':[[5],[5]]}"), "replay-bad-field", "/holds/1/0");
+        row("an edit too short", two + quoted("'edits':[[1,'{}']]}"), "replay-bad-field", "/edits/0");
+        row("an edit of no level", two + quoted("'edits':[[1,']',[],[]]]}"), "replay-bad-field", "/edits/0/1");
+        row("an edit of an empty text", two + quoted("'edits':[[1,'{}',[],[7]]]}"), "replay-bad-field", "/edits/0/1");
         row("no level", "{\"replay\":1}", "replay-bad-field", "/level");
         row("level as number", "{\"replay\":1,\"level\":7}", "replay-bad-field", "/level");
         const QByteArray head = "{\"replay\":1,\"level\":\"a\",";
@@ -148,6 +237,15 @@ class ReplayTest : public QObject {
             const Result<Replay> read = parseReplay(text);
             QVERIFY2(!read || read.value().updates() <= maxReplayUpdates, qPrintable(QString("seed %1").arg(seed)));
         }
+        const std::string played = replayText(randomPlay(4));
+        for (std::uint64_t seed = 0; seed < 300; ++seed) {
+            Random random(seed);
+            std::string text = played;
+            text[random.below(static_cast<std::uint32_t>(text.size()))] = static_cast<char>(random.below(256));
+            const Result<Replay> read = parseReplay(text);
+            QVERIFY2(!read || parseReplay(replayText(read.value())).value() == read.value(),
+                     qPrintable(QString("seed %1").arg(seed)));
+        }
     }
     void aFieldThatIsUnknownOrGivenTwiceIsRefused() {
         const std::string good = R"({"replay": 1, "level": "a.json", "seed": 1, "updates": [[0, 1]])";
@@ -157,7 +255,7 @@ class ReplayTest : public QObject {
         QVERIFY((parseReplay(good + R"(, "seed": 2})").error() == Error{"replay-duplicate-field", {"seed"}}));
         QVERIFY((parseReplay(good + R"(, "se\u0065d": 2})").error() == Error{"replay-duplicate-field", {"seed"}}));
         // What a newer version has added is its own business.
-        QCOMPARE(parseReplay(R"({"replay": 2, "level": "", "speed": 2})").error().code, std::string("replay-newer"));
+        QCOMPARE(parseReplay(R"({"replay": 3, "level": "", "speed": 2})").error().code, std::string("replay-newer"));
     }
     void filesAreWrittenWholeOrNotAtAll() {
         const QTemporaryDir dir;

@@ -12,6 +12,7 @@
 #include "core/level/guides.h"
 #include "core/level/kept_changes.h"
 #include "core/level/knife.h"
+#include "core/level/level_delta.h"
 #include "core/level/merge.h"
 #include "core/level/node_edits.h"
 #include "core/level/tag_edits.h"
@@ -173,6 +174,12 @@ Level changesKept(EditTask& task) {
     return withKept(task.level, after, changes, task.some(places));
 }
 
+/// What a recording has of an edit, told to the level that has been edited by somebody else meanwhile.
+Level deltaMade(EditTask& task) {
+    const Level after = reordered(removed(task.level, task.keys), task.some(task.all), OrderTo::Front);
+    return withDelta(moved(task.level, task.some(task.all), task.point()), deltaBetween(task.level, after));
+}
+
 constexpr EditRow editRows[] = {
     {"added",
      [](EditTask& t) {
@@ -242,6 +249,7 @@ constexpr EditRow editRows[] = {
     {"merged", editsMerged},
     {"takenOver", objectsTakenOver},
     {"withKept", changesKept},
+    {"withDelta", deltaMade},
     {"withTagsMeeting",
      [](EditTask& t) {
          return withTagsMeeting(t.level, t.below(TagTable::size), t.below(TagTable::size), t.chance());
