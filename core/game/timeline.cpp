@@ -66,9 +66,12 @@ void Timeline::add(const StepInput& input, const Session& after) {
     mark(input, after);
     m_phase = after.phase();
     m_tracks.add(after);
+    m_looked = m_last;
     if (m_last - m_saved.back().update >= interval()) {
         save(after);
         forgetOld();
+    } else if (stride() > 1 && m_last % stride() == 0) {
+        keepNear(after); // the first step back from here is to be as quick as the next ones
     }
 }
 
@@ -158,16 +161,22 @@ std::shared_ptr<const Session> Timeline::at(std::int64_t update) {
     if (from.update == update) {
         return from.session;
     }
+    m_looked = update;
     Session session = *from.session;
     simulate(session, update);
-    return std::make_shared<const Session>(std::move(session));
+    return nearest(update).session;
+}
+
+/// Of sessions that are kept near the moment that is looked at.
+std::int64_t Timeline::stride() const {
+    return std::max<std::int64_t>(1, interval() / 5);
 }
 
 void Timeline::simulate(Session& session, std::int64_t until) {
-    const std::int64_t stride = std::max<std::int64_t>(1, interval() / 5);
+    const std::int64_t every = stride();
     while (session.updates() < until) {
         session.step(input(session.updates()));
-        if (session.updates() % stride == 0 || session.updates() == until) {
+        if (session.updates() % every == 0 || session.updates() == until) {
             keepNear(session);
         }
     }
@@ -183,8 +192,11 @@ bool Timeline::prepareBackFrom(std::int64_t update, int updates) {
     if (nearest(end).update == end) {
         return true;
     }
+    m_looked = update;
     Session session = *nearest(end).session;
-    simulate(session, std::min(end, session.updates() + updates));
+    const std::int64_t every = stride();
+    const std::int64_t strides = std::max<std::int64_t>(1, updates / every);
+    simulate(session, std::min(end, (session.updates() / every + strides) * every));
     return session.updates() == end;
 }
 
@@ -194,9 +206,8 @@ void Timeline::keepNear(const Session& session) {
         return;
     }
     m_near.insert(place, saved(session));
-    if (m_near.size() > mostNear) { // what is farthest from here
-        const bool front = session.updates() - m_near.front().update > m_near.back().update - session.updates();
-        m_near.erase(front ? m_near.begin() : m_near.end() - 1);
+    if (m_near.size() > mostNear) { // those after the moment are of no use for going back from there
+        m_near.erase(m_near.back().update > m_looked ? m_near.end() - 1 : m_near.begin());
     }
 }
 

@@ -48,6 +48,8 @@ class Timeline {
     /// The session after so many updates, within `first` … `last`. Simulates from the nearest session that is saved,
     /// and keeps some on the way, so that going on backwards from there is quick.
     std::shared_ptr<const Session> at(std::int64_t update);
+    /// So many updates would be simulated for it.
+    std::int64_t updatesTo(std::int64_t update) const { return update - nearest(update).update; }
     /// Simulates, so many updates at a time, what will be needed for going back from there beyond the nearest saved
     /// session. True when nothing is left to be done.
     bool prepareBackFrom(std::int64_t update, int updates);
@@ -84,10 +86,11 @@ class Timeline {
         std::int64_t from; // updates before it
         StepInput input;
     };
-    static constexpr std::size_t mostNear = 12; // sessions
+    static constexpr std::size_t mostNear = 16; // sessions
 
     static Saved saved(const Session& session);
     std::int64_t interval() const;
+    std::int64_t stride() const;
     std::size_t runAt(std::int64_t update) const;
     const Saved& nearest(std::int64_t update) const;
     /// Goes on to the moment, and keeps what is passed.
@@ -102,6 +105,7 @@ class Timeline {
     std::vector<Saved> m_near; // in order; those around the moment that was looked at last
     std::deque<Run> m_inputs;
     std::int64_t m_last = 0;
+    std::int64_t m_looked = 0;        // the moment that was looked at last
     std::int64_t m_lastTouch = -1000; // update of the last mark of one
     double m_updateSeconds = 0.02;
     Phase m_phase = Phase::Sandbox; // at the end

@@ -144,16 +144,36 @@ class TimelineTest : public QObject {
             }
         }
     }
+    void aStepBackSimulatesLittle() {
+        Recorded run = recorded(Session(manyBalls(60)), std::vector<StepInput>(400), {.leastInterval = 40});
+        const auto steps = [&](std::int64_t from, int count) { // each of few updates
+            for (int i = 1; i <= count; ++i) {
+                const std::int64_t before = run.timeline.updatesTo(from - i);
+                if (before > 8) {
+                    return false;
+                }
+                run.timeline.at(from - i);
+                while (!run.timeline.prepareBackFrom(from - i, 8)) {
+                }
+            }
+            return true;
+        };
+        QVERIFY(steps(400, 100)); // from the end, where nothing was prepared
+        run.timeline.at(221);
+        while (!run.timeline.prepareBackFrom(221, 8)) {
+        }
+        QVERIFY(steps(221, 100));
+    }
     void theBytesStayWithinTheirLimit() {
         const Timeline::Limits limits{.seconds = 4, .bytes = 4 << 20, .leastInterval = 1};
         Recorded run = recorded(Session(manyBalls(150)), std::vector<StepInput>(500), limits);
         const std::size_t each = run.session.copyBytes();
         QVERIFY(each > 50'000);
-        QVERIFY(run.timeline.bytes() < limits.bytes + 4 * each);
+        QVERIFY(run.timeline.bytes() < limits.bytes + 18 * each);
         QVERIFY(run.timeline.bytes() > limits.bytes / 2); // and are made use of
         QVERIFY(run.timeline.first() <= 300 && run.timeline.first() > 250);
         QVERIFY(everyMomentIsThat(run));
-        QVERIFY(run.timeline.bytes() < limits.bytes + 16 * each); // with those that were looked at
+        QVERIFY(run.timeline.bytes() < limits.bytes + 18 * each); // with those that were looked at
     }
     void anHourTakesNoMoreMemoryThanTwoMinutes() {
         Level level;
