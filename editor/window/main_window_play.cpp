@@ -208,8 +208,9 @@ void MainWindow::saveFlight() {
     Replay replay = m_run.runner()->recording();
     const std::shared_ptr<const Level> start = m_run.runner()->startLevel();
     replay.level = QFileInfo(m_files.path().isEmpty() ? m_files.name() : m_files.path()).fileName().toStdString();
-    if (start) {
-        replay.levelHash = levelHash(*start);
+    if (start) { // the level may have been edited since: the flight then begins with becoming what it was
+        replay = basedOn(std::move(replay), *start, m_document.level());
+        replay.levelHash = levelHash(m_document.level());
     }
     const std::optional<Error> error = writeReplay(path.toStdU16String(), replay);
     m_message.say(error ? MessageBar::Tone::Error : MessageBar::Tone::Info,
