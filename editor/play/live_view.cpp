@@ -245,6 +245,9 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
     } else {
         drawPaper(painter, {frame, &theme, m_canvas.isGridVisible() ? m_toolbox.snap.fineStep() : 0});
     }
+    if (std::exchange(m_groundTheme, &theme) != &theme) {
+        m_ground.forget();
+    }
     m_ground.draw(painter, frame, m_picture, theme);
     if (!game && m_toolbox.guidesVisible) {
         paintGuides(stage, m_document.level(), {});

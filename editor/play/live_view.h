@@ -103,6 +103,7 @@ class LiveView : public QObject, public LiveScene {
     TrailKeeper m_trails;
     std::shared_ptr<const Session> m_session; // of which the picture is, while an overlay needs it
     GroundPicture m_ground;
+    const Theme* m_groundTheme = nullptr; // in whose colours it is
     Paper m_paperOf;
     QPixmap m_paper; // the board below a simulation
     Snapshot m_picture;
