@@ -27,6 +27,7 @@ constexpr Command commands[] = {
     {"render", renderCommand, "render FILE -o OUT.png|OUT.svg [--size WxH] [--overlays LIST] [--replay REPLAY]"},
     {"simulate", simulateCommand, "simulate FILE --updates N [--game] [--dump OUT.json] [--hash]"},
     {"replay", replayCommand, "replay FILE REPLAY [--dump OUT.json]"},
+    {"flights", flightsCommand, "flights FILE…"},
     {"diff", diffCommand, "diff BEFORE AFTER"},
     {"merge", mergeCommand, "merge BASE OURS THEIRS [-o OUT] [--theirs]"},
     {"schema", schemaCommand, "schema"},

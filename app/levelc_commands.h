@@ -21,6 +21,8 @@ int importCommand(const QStringList& arguments);
 int renderCommand(const QStringList& arguments);
 int simulateCommand(const QStringList& arguments);
 int replayCommand(const QStringList& arguments);
+/// All flights that are stored beside levels.
+int flightsCommand(const QStringList& arguments);
 /// What is different between two levels, in words.
 int diffCommand(const QStringList& arguments);
 /// The three-way merge of levels.

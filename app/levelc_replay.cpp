@@ -1,5 +1,6 @@
 #include "app/levelc_commands.h"
 #include "app/levelc_support.h"
+#include "core/game/flights.h"
 #include "core/game/replay.h"
 #include "core/game/session.h"
 #include "core/level/json_text.h"
@@ -14,6 +15,24 @@ bool dumpEnd(const QString& file, const Level& level, const Replay& replay) {
         session.step(inputs.next());
     }
     return writeDump(file, level, session.world(), session.updates());
+}
+
+/// One line a flight. Whether it is won.
+bool printFlight(const Level& level, const StoredFlight& flight) {
+    const QString name = harmless(QString::fromStdString(flight.path.string()));
+    if (!flight.replay) {
+        printLine(name + ": outcome=unreadable");
+        return false;
+    }
+    const FlightResult result = flightResult(level, *flight.replay);
+    const char* end = result.end == FlightEnd::Won ? "won" : result.end == FlightEnd::Lost ? "lost" : "running";
+    printLine(QStringLiteral("%1: outcome=%2 time=%3 fuel=%4 update=%5 place=(%6, %7)")
+                  .arg(name, QLatin1String(end), QString::fromStdString(spelledNumber(result.time)),
+                       QString::fromStdString(spelledNumber(result.fuel)))
+                  .arg(result.update)
+                  .arg(QString::fromStdString(spelledNumber(result.place.x())),
+                       QString::fromStdString(spelledNumber(result.place.y()))));
+    return result.end == FlightEnd::Won;
 }
 
 } // namespace
@@ -59,6 +78,33 @@ int replayCommand(const QStringList& arguments) {
         return exit_status::unusable;
     }
     return outcome.won() ? exit_status::good : exit_status::bad;
+}
+
+int flightsCommand(const QStringList& arguments) {
+    CommandLine line(
+        QStringLiteral("flights"),
+        QStringLiteral("Flies all flights that are stored beside levels: of cave.json cave.replay.json and "
+                       "cave.NAME.replay.json. Exit status: 0 when all are won, 1 when not, 2 when a level "
+                       "cannot be read."));
+    line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level files."), QStringLiteral("FILE…"));
+    if (!line.read(arguments, 1, -1)) {
+        return exit_status::unusable;
+    }
+    if (line.helpWanted()) {
+        printText(line.helpText());
+        return exit_status::good;
+    }
+    int status = exit_status::good;
+    for (const QString& file : line.parser.positionalArguments()) {
+        const std::optional<Level> level = loadedLevel(file);
+        if (!level) {
+            return exit_status::unusable;
+        }
+        for (const StoredFlight& flight : flightsBeside(toPath(file))) {
+            status = printFlight(*level, flight) ? status : exit_status::bad;
+        }
+    }
+    return status;
 }
 
 } // namespace spacetow

@@ -147,6 +147,11 @@ void Canvas::setProblems(std::shared_ptr<const std::vector<ProblemMark>> marks, 
     update();
 }
 
+void Canvas::setReach(std::shared_ptr<const ShownReach> reach) {
+    m_reach = std::move(reach);
+    update();
+}
+
 void Canvas::showPlace(std::span<const Vec2> place) {
     constexpr double room = 1;         // m round the place
     constexpr double leastPixels = 12; // of a place that has an extent
@@ -250,6 +255,9 @@ void Canvas::paintEvent(QPaintEvent*) {
     if (m_difference) {
         paintDifference(stage, *shown.level, *m_difference);
     }
+    if (m_reach) {
+        paintReach(stage, *m_reach);
+    }
     if (m_overlays.tags) {
         paintTags(stage, *shown.level);
     }
@@ -284,6 +292,9 @@ void Canvas::paintLive(QPainter& painter, const Frame2D& frame) {
     m_live->paint(painter, frame);
     const Stage stage{painter, frame.view, editingTheme(shadeOf(palette()))};
     const Edit& shown = m_document.shown();
+    if (m_reach) {
+        paintReach(stage, *m_reach);
+    }
     LabelPainter labels(stage);
     if (m_live->showsTool()) {
         if (m_overlay.nodes) {

@@ -9,6 +9,7 @@
 #include "editor/canvas/entry_box.h"
 #include "editor/canvas/live_scene.h"
 #include "editor/canvas/overlay_palette.h"
+#include "editor/canvas/reach_painter.h"
 #include "editor/editing/document.h"
 #include "editor/editing/toolbox.h"
 #include "editor/editing/viewport.h"
@@ -47,6 +48,9 @@ class Canvas : public QWidget {
     const std::vector<Key>& highlighted() const { return *m_highlighted; }
     /// Over the level, until null is given.
     void setDifference(std::shared_ptr<const ShownDifference> difference);
+    /// Over the level, and over what runs in place of it, until null is given.
+    void setReach(std::shared_ptr<const ShownReach> reach);
+    const ShownReach* reach() const { return m_reach.get(); }
     /// Places of problems, drawn while the overlay is on, and which problem somebody looks at (−1: none).
     void setProblems(std::shared_ptr<const std::vector<ProblemMark>> marks, int current);
     bool areGuidesVisible() const { return m_toolbox.guidesVisible; }
@@ -150,6 +154,7 @@ class Canvas : public QWidget {
     OverlayFlags m_overlays;
     OverlayPalette m_overlayPalette;
     std::shared_ptr<const ShownDifference> m_difference;
+    std::shared_ptr<const ShownReach> m_reach;
     std::shared_ptr<const std::vector<Key>> m_highlighted = std::make_shared<const std::vector<Key>>();
     std::shared_ptr<const std::vector<ProblemMark>> m_problems;
     int m_problem = -1;

@@ -95,6 +95,9 @@ enum class Act : std::uint8_t {
     OverlayLegend,
     OverlayColorsSafe,
     OverlayColorsReset,
+    Reach,
+    ReachLonger,
+    ReachShorter,
 
     // actions_tools.cpp; each tool is an action too, under its ToolId
     PlaceNext,

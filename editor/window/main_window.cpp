@@ -24,13 +24,15 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
       m_files(m_open->files), m_toolbox(m_document), m_actions(*this), m_column(&m_center),
       m_frame(m_document, m_toolbox), m_canvas(m_frame.canvas()), m_live(m_document, m_toolbox, m_canvas, m_run),
       m_inspector(m_document, [](const Error& error) { return sentence(error); }), m_tagMatrix(m_document),
-      m_collisions(m_document, m_canvas), m_problems(
-                                              m_open->check, [](const Problem& problem) { return sentence(problem); },
-                                              [](const Label& label) { return sentence(label); }),
+      m_collisions(m_document, m_canvas), m_reach(m_document, m_canvas, m_run),
+      m_problems(
+          m_open->check, [](const Problem& problem) { return sentence(problem); },
+          [](const Label& label) { return sentence(label); }),
       m_nodes(m_document), m_outliner(m_document, m_toolbox),
       m_history(m_document, m_toolbox, [](const Label& label) { return sentence(label); }),
-      m_levelPanel(m_document, [](const Error& error) { return sentence(error); }), m_differences(m_document, m_canvas),
-      m_runChanges(m_open->runChanges, m_document, m_canvas), m_minimap(m_document, m_canvas),
+      m_levelPanel(m_document, [](const Error& error) { return sentence(error); }), m_flights(m_document),
+      m_differences(m_document, m_canvas), m_runChanges(m_open->runChanges, m_document, m_canvas),
+      m_minimap(m_document, m_canvas),
       m_recoveryBar(journalFolder(), [this](const JournalEntry& entry) { return restoreWork(entry); }),
       m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
       m_exchange(m_document, m_toolbox, m_canvas,
@@ -329,7 +331,7 @@ void MainWindow::updateMode() {
     const bool editing = !isWelcoming();
     for (QWidget* panel :
          std::initializer_list<QWidget*>{&m_inspector, &m_tagMatrix, &m_problems, &m_nodes, &m_outliner, &m_history,
-                                         &m_levelPanel, &m_differences, &m_runChanges}) {
+                                         &m_levelPanel, &m_flights, &m_differences, &m_runChanges}) {
         panel->setEnabled(editing);
     }
     for (QAction* action : m_panels->actions()) {

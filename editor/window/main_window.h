@@ -6,6 +6,7 @@
 #include "editor/canvas/canvas_frame.h"
 #include "editor/canvas/legend.h"
 #include "editor/panels/array_bar.h"
+#include "editor/panels/flights_panel.h"
 #include "editor/panels/guide_bar.h"
 #include "editor/panels/history_panel.h"
 #include "editor/panels/inspector.h"
@@ -27,6 +28,7 @@
 #include "editor/window/message_bar.h"
 #include "editor/window/open_level.h"
 #include "editor/window/panels.h"
+#include "editor/window/reach_view.h"
 #include "editor/window/recovery_bar.h"
 #include "editor/window/run_changes_panel.h"
 #include "editor/window/status_line.h"
@@ -66,6 +68,8 @@ class MainWindow : public QMainWindow {
     void startNew();
     /// The first level that comes with the program, as a copy without a file.
     void openExample();
+    /// A level that comes with the program, likewise; a sandbox says what to try in it.
+    bool openShipped(const QString& resource);
     /// Shows what former runs have left in the journal, if there is anything; `asked`: says so if there is not.
     void offerRecovery(bool asked = false);
     /// Marks what is different from this level, and lists it; with null nothing any more.
@@ -157,6 +161,8 @@ class MainWindow : public QMainWindow {
     const LiveView& liveView() const { return m_live; }
     Inspector& inspector() { return m_inspector; }
     TagMatrixPanel& tagMatrix() { return m_tagMatrix; }
+    ReachView& reach() { return m_reach; }
+    const ReachView& reach() const { return m_reach; }
     CollisionView& collisions() { return m_collisions; }
     const CollisionView& collisions() const { return m_collisions; }
     ProblemsPanel& problems() { return m_problems; }
@@ -166,6 +172,7 @@ class MainWindow : public QMainWindow {
     HistoryPanel& history() { return m_history; }
     Minimap& minimap() { return m_minimap; }
     LevelPanel& levelPanel() { return m_levelPanel; }
+    FlightsPanel& flights() { return m_flights; }
     DifferencePanel& differences() { return m_differences; }
     RunChangesPanel& runChangesPanel() { return m_runChanges; }
     ArrayBar& arrayBar() { return m_arrays; }
@@ -274,11 +281,13 @@ class MainWindow : public QMainWindow {
     Inspector m_inspector;
     TagMatrixPanel m_tagMatrix;
     CollisionView m_collisions;
+    ReachView m_reach;
     ProblemsPanel m_problems;
     NodesPanel m_nodes;
     OutlinerPanel m_outliner;
     HistoryPanel m_history;
     LevelPanel m_levelPanel;
+    FlightsPanel m_flights;
     DifferencePanel m_differences;
     RunChangesPanel m_runChanges;
     Minimap m_minimap;

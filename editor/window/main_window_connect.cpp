@@ -33,6 +33,7 @@ void MainWindow::listen() {
     m_toolbox.changed.connect([this] { updateTool(); });
     m_fileListener = m_files.changed.connect([this] {
         updateTitle();
+        m_flights.setFile(m_files.path());
         Q_EMIT fileChanged();
     });
     m_openedListener = m_files.opened.connect([this] {
@@ -47,6 +48,12 @@ void MainWindow::listen() {
 }
 
 void MainWindow::listenToPanels() {
+    m_flights.setFile(m_files.path());
+    connect(&m_flights, &FlightsPanel::playWanted, this, &MainWindow::playReplay);
+    connect(&m_flights, &FlightsPanel::placeWanted, this, [this](double x, double y) {
+        const Vec2 place(x, y);
+        m_canvas.showPlace({&place, 1});
+    });
     m_exchange.questions = exchangeDialogs(this);
     m_exchange.suggestion = [this] {
         const QFileInfo file(m_files.path().isEmpty() ? QDir::home().filePath(m_files.name()) : m_files.path());

@@ -22,7 +22,7 @@ bool MainWindow::open(const QString& path) {
         m_exchange.importFile(path);
         return true;
     }
-    return path.startsWith(QStringLiteral(":/")) ? m_files.openExample(path) : m_files.open(path);
+    return path.startsWith(QStringLiteral(":/")) ? openShipped(path) : m_files.open(path);
 }
 
 void MainWindow::openFiles(const QStringList& paths) {
@@ -62,6 +62,17 @@ void MainWindow::openExample() {
     }
 }
 
+bool MainWindow::openShipped(const QString& resource) {
+    if (!m_files.openExample(resource)) {
+        return false;
+    }
+    const Level& level = *m_document.current().level;
+    if (firstOf<ShipObject>(level) == nullptr && !level.description.empty()) {
+        m_message.say(MessageBar::Tone::Info, QString::fromStdString(level.description));
+    }
+    return true;
+}
+
 WelcomePage& MainWindow::welcome() {
     if (!m_welcome) {
         m_welcome = std::make_unique<WelcomePage>();
@@ -70,7 +81,7 @@ WelcomePage& MainWindow::welcome() {
         connect(m_welcome.get(), &WelcomePage::openWanted, &m_actions[Act::Open], &QAction::trigger);
         connect(m_welcome.get(), &WelcomePage::fileWanted, this, [this](const QString& path) { openFiles({path}); });
         connect(m_welcome.get(), &WelcomePage::exampleWanted, this,
-                [this](const QString& resource) { m_files.openExample(resource); });
+                [this](const QString& resource) { openShipped(resource); });
     }
     return *m_welcome;
 }

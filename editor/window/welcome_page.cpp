@@ -2,6 +2,7 @@
 
 #include "core/level/file.h"
 #include "editor/canvas/icons.h"
+#include "editor/panels/names.h"
 #include "editor/window/preferences.h"
 
 #include <QDir>
@@ -32,16 +33,22 @@ QString placeOf(const QString& path) {
                                                                         : folder;
 }
 
-/// The name by which a shipped level calls itself.
-QString nameIn(const QString& resource) {
+struct ShippedWords {
+    QString name;
+    QString description;
+};
+
+/// The name by which a shipped level calls itself, and what it says of itself.
+ShippedWords wordsIn(const QString& resource) {
+    ShippedWords words{QFileInfo(resource).completeBaseName(), {}};
     QFile file(resource);
     if (file.open(QIODevice::ReadOnly)) {
         const LevelFile level = parseLevel(file.readAll().toStdString(), Checks::FileOnly);
         if (level.level && !level.level->name.empty()) {
-            return QString::fromStdString(level.level->name);
+            words = {QString::fromStdString(level.level->name), QString::fromStdString(level.level->description)};
         }
     }
-    return QFileInfo(resource).completeBaseName();
+    return words;
 }
 
 } // namespace
@@ -61,11 +68,11 @@ WelcomePage::WelcomePage(QWidget* parent) : QScrollArea(parent), m_column(&m_pag
     connect(&m_new, &QPushButton::clicked, this, &WelcomePage::newWanted);
     connect(&m_open, &QPushButton::clicked, this, &WelcomePage::openWanted);
     connect(&m_atStart, &QCheckBox::toggled, this, [](bool on) { Preferences().setWelcomes(on); });
-    for (CardGrid* grid : {&m_recent, &m_shipped}) {
+    for (CardGrid* grid : grids()) {
         connect(grid, &CardGrid::cardReached, this, [this](QWidget* card) { ensureWidgetVisible(card); });
     }
     connect(&m_pictures, &LevelPictures::painted, this, [this](const QString& path) {
-        for (CardGrid* grid : {&m_recent, &m_shipped}) {
+        for (CardGrid* grid : grids()) {
             for (LevelCard* card : grid->cards()) {
                 if (card->path() == path) {
                     showPicture(*card);
@@ -73,7 +80,8 @@ WelcomePage::WelcomePage(QWidget* parent) : QScrollArea(parent), m_column(&m_pag
             }
         }
     });
-    m_shipped.setCards(shippedCards());
+    m_shipped.setCards(shippedCards(false));
+    m_sandboxes.setCards(shippedCards(true));
 }
 
 void WelcomePage::layOut() {
@@ -93,8 +101,10 @@ void WelcomePage::layOut() {
     m_recentTitle.setText(tr("Recent levels"));
     m_shippedTitle.setText(tr("Levels that come with the program; what you open is a copy"));
     m_shippedTitle.setWordWrap(true);
+    m_sandboxTitle.setText(tr("Sandboxes: each shows one thing that the physics does, and says what to try"));
+    m_sandboxTitle.setWordWrap(true);
     m_atStart.setText(tr("&Show this page at start and when the last level is closed"));
-    for (QLabel* title : {&m_recentTitle, &m_shippedTitle}) {
+    for (QLabel* title : {&m_recentTitle, &m_shippedTitle, &m_sandboxTitle}) {
         title->setFont(larger(font(), 1.1));
     }
     for (QPushButton* button : {&m_new, &m_open}) {
@@ -133,6 +143,9 @@ void WelcomePage::layOut() {
     inner->addWidget(&m_shippedTitle);
     inner->addWidget(&m_shipped);
     inner->addSpacing(12);
+    inner->addWidget(&m_sandboxTitle);
+    inner->addWidget(&m_sandboxes);
+    inner->addSpacing(12);
     inner->addWidget(&m_atStart);
     auto* const sheet = new QWidget(&m_page);
     sheet->setLayout(inner);
@@ -157,11 +170,18 @@ std::vector<LevelCard*> WelcomePage::recentCards() {
     return cards;
 }
 
-std::vector<LevelCard*> WelcomePage::shippedCards() {
+std::vector<LevelCard*> WelcomePage::shippedCards(bool sandboxes) {
     std::vector<LevelCard*> cards;
     for (const QString& path : shippedLevels()) {
-        const QString place = path.contains(QStringLiteral("sandbox")) ? tr("Sandbox") : tr("Level");
-        auto* const card = new LevelCard(path, nameIn(path), place, &m_shipped);
+        if (path.contains(QStringLiteral("/sandbox/")) != sandboxes) {
+            continue;
+        }
+        const ShippedWords words = wordsIn(path);
+        auto* const card = new LevelCard(path, words.name, sandboxes ? tr("Sandbox") : tr("Level"),
+                                         sandboxes ? &m_sandboxes : &m_shipped);
+        if (!words.description.isEmpty()) {
+            card->setToolTip(plainToolTip(words.description));
+        }
         connect(card, &QAbstractButton::clicked, this, [this, path] { Q_EMIT exampleWanted(path); });
         cards.push_back(card);
     }
@@ -174,7 +194,7 @@ void WelcomePage::refresh() {
     m_recentTitle.setVisible(!m_recent.cards().empty());
     m_atStart.setChecked(Preferences().welcomes());
     QWidget* before = &m_open;
-    for (const CardGrid* grid : {&m_recent, &m_shipped}) {
+    for (const CardGrid* grid : grids()) {
         for (LevelCard* card : grid->cards()) {
             setTabOrder(before, card);
             before = card;
@@ -189,7 +209,7 @@ void WelcomePage::askForPictures() {
     m_new.setIcon(spacetow::icon(QStringLiteral("new"), palette().color(QPalette::HighlightedText)));
     m_open.setIcon(spacetow::icon(QStringLiteral("open"), palette()));
     if (isVisible()) {
-        for (CardGrid* grid : {&m_recent, &m_shipped}) {
+        for (CardGrid* grid : grids()) {
             for (LevelCard* card : grid->cards()) {
                 showPicture(*card);
             }

@@ -10,6 +10,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <array>
+
 namespace spacetow {
 
 /// The resources with the levels that come with the program.
@@ -24,7 +26,9 @@ class WelcomePage : public QScrollArea {
     /// Shows the recent files, newest first, and the levels that come with the program as they are now.
     void refresh();
     CardGrid& recent() { return m_recent; }
+    /// Games that come with the program, and sandboxes.
     CardGrid& shipped() { return m_shipped; }
+    CardGrid& sandboxes() { return m_sandboxes; }
     QPushButton& newButton() { return m_new; }
     QPushButton& openButton() { return m_open; }
     QCheckBox& atStart() { return m_atStart; }
@@ -43,7 +47,8 @@ class WelcomePage : public QScrollArea {
   private:
     void layOut();
     std::vector<LevelCard*> recentCards();
-    std::vector<LevelCard*> shippedCards();
+    std::vector<LevelCard*> shippedCards(bool sandboxes);
+    std::array<CardGrid*, 3> grids() { return {&m_recent, &m_shipped, &m_sandboxes}; }
     void askForPictures();
     void showPicture(LevelCard& card);
 
@@ -58,6 +63,8 @@ class WelcomePage : public QScrollArea {
     CardGrid m_recent;
     QLabel m_shippedTitle;
     CardGrid m_shipped;
+    QLabel m_sandboxTitle;
+    CardGrid m_sandboxes;
     QCheckBox m_atStart;
     LevelPictures m_pictures; // last, so that nothing is painted for who is gone
 };

@@ -128,7 +128,7 @@ class LevelcTest : public QObject {
     void helpIsNoMistake_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::newRow("of the program") << QStringList{"--help"};
-        for (const char* command : {"check", "fix", "import", "info", "render", "simulate", "replay"}) {
+        for (const char* command : {"check", "fix", "import", "info", "render", "simulate", "replay", "flights"}) {
             QTest::newRow(command) << QStringList{command, "--help"};
         }
     }
@@ -324,6 +324,20 @@ class LevelcTest : public QObject {
                      "^outcome=(running|lost) time=[0-9.]+ fuel=[0-9.]+ lives=5 hash=[0-9a-f]{16}\n$")),
                  qPrintable(run.out));
         QVERIFY(!bodyNamed(contents(path("out.json")), "ship").isEmpty());
+    }
+
+    void allFlightsBesideALevelAreFlown() {
+        QVERIFY(QFile::copy(sourceFolder() + "/levels/01_first_haul.json", path("haul.json")));
+        QVERIFY(QFile::copy(sourceFolder() + "/tests/replays/01_first_haul.replay.json", path("haul.a.replay.json")));
+        const Run run = levelc({"flights", path("haul.json")});
+        QCOMPARE(run.status, 0);
+        QCOMPARE(run.out.count('\n'), 1);
+        QVERIFY2(run.out.contains("haul.a.replay.json: outcome=won time="), qPrintable(run.out));
+        write("haul.b.replay.json", "{");
+        const Run both = levelc({"flights", path("haul.json")});
+        QCOMPARE(both.status, 1);
+        QVERIFY2(both.out.contains("haul.b.replay.json: outcome=unreadable"), qPrintable(both.out));
+        QCOMPARE(levelc({"flights", path("nothing.json")}).status, 2);
     }
 
     void aRecordedFlightWinsItsLevel_data() {

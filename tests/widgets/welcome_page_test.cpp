@@ -43,7 +43,8 @@ class WelcomePageTest : public QObject {
         QVERIFY(window.isWelcoming() && window.welcome().isVisible());
         QVERIFY(window.windowTitle().startsWith(MainWindow::tr("Welcome")));
         QVERIFY(window.welcome().recent().isHidden());
-        QVERIFY(window.welcome().shipped().cards().size() >= 2);
+        QVERIFY(!window.welcome().shipped().cards().empty());
+        QVERIFY(window.welcome().sandboxes().cards().size() >= 11);
         QVERIFY(!window.actions()[Act::Save].isEnabled() && !window.actions()[ToolId::Edge].isEnabled());
         QVERIFY(window.actions()[Act::New].isEnabled() && window.actions()[Act::Open].isEnabled());
         QVERIFY(window.panels().areAway());
@@ -60,7 +61,7 @@ class WelcomePageTest : public QObject {
         QCOMPARE(page.recent().cards().size(), 2u);
         QCOMPARE(page.recent().cards()[0]->path(), b);
         page.pictures().finish();
-        for (const CardGrid* grid : {&page.recent(), &page.shipped()}) {
+        for (const CardGrid* grid : {&page.recent(), &page.shipped(), &page.sandboxes()}) {
             for (const LevelCard* card : grid->cards()) {
                 QVERIFY2(colorsIn(*card) > 2, qPrintable(card->path()));
             }
@@ -90,6 +91,20 @@ class WelcomePageTest : public QObject {
         QVERIFY(test.window(0).files().path().isEmpty());
         QVERIFY(test.window(0).document().level().objects.size() > 2);
         QVERIFY(!test.window(0).panels().areAway());
+    }
+
+    void aSandboxSaysWhatToTryWhenItOpens() {
+        TestApplication test;
+        test.start();
+        MainWindow& window = test.window(0);
+        for (LevelCard* card : window.welcome().sandboxes().cards()) {
+            QVERIFY2(!card->toolTip().isEmpty(), qPrintable(card->path()));
+        }
+        window.welcome().sandboxes().cards()[1]->click();
+        QVERIFY(!window.isWelcoming());
+        QCOMPARE(window.messageBar().text(), QString::fromStdString(window.document().level().description));
+        QVERIFY(window.messageBar().text().contains("raise its limit"));
+        QCOMPARE(window.messageBar().tone(), MessageBar::Tone::Info);
     }
 
     void aRecentLevelIsOpenedInThisWindow() {
@@ -127,7 +142,11 @@ class WelcomePageTest : public QObject {
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
         QCOMPARE(QApplication::focusWidget(), &page.openButton());
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
-        const auto& cards = page.shipped().cards();
+        QCOMPARE(QApplication::focusWidget(), page.shipped().cards()[0]);
+        const auto& cards = page.sandboxes().cards();
+        for (std::size_t i = 0; i < page.shipped().cards().size(); ++i) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        }
         QCOMPARE(QApplication::focusWidget(), cards[0]);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
         QCOMPARE(QApplication::focusWidget(), cards[1]);

@@ -1,0 +1,107 @@
+#include "core/game/flights.h"
+
+#include "core/game/session.h"
+#include "core/level/edits.h"
+#include "core/level/file.h"
+#include "tests/support/folders.h"
+#include "tests/support/full_run.h"
+#include "tests/support/game_levels.h"
+#include "tests/support/seed_text.h"
+#include "tests/support/test_main.h"
+
+#include <QTemporaryDir>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace spacetow;
+using namespace spacetow::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+Level firstHaul() {
+    return *readLevel(fs::path(sourceFolder().toStdString()) / "levels" / "01_first_haul.json").value().level;
+}
+
+Replay haulFlight() {
+    return readReplay(fs::path(sourceFolder().toStdString()) / "tests" / "replays" / "01_first_haul.replay.json")
+        .value();
+}
+
+/// Something in it is moved a little.
+Level nudged(Level level, Random& random) {
+    const std::vector<Key> keys{
+        level.objects[static_cast<int>(random.below(static_cast<std::uint32_t>(level.objects.size())))].key};
+    return moved(std::move(level), keys, Vec2(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)));
+}
+
+} // namespace
+
+class StoredFlightsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theRecordedFlightWinsAndSaysWhere() {
+        const FlightResult result = flightResult(firstHaul(), haulFlight());
+        QCOMPARE(result.end, FlightEnd::Won);
+        const Outcome outcome = replayed(firstHaul(), haulFlight());
+        QCOMPARE(result.time, outcome.time);
+        QCOMPARE(result.fuel, outcome.fuel);
+        QVERIFY((result.place - Vec2(11, 8.9)).norm() < 2); // at the finish
+        QVERIFY(result.update > 500 && result.update < outcome.updates);
+    }
+
+    void afterRandomEditsTheResultIsThatOfAFullReplay() {
+        Random random(11);
+        const Replay flight = haulFlight();
+        const int edits = fullOrQuick(100, usualOrThin(12, 2));
+        for (int i = 0; i < edits; ++i) {
+            const Level level = nudged(firstHaul(), random);
+            const FlightResult result = flightResult(level, flight);
+            const Outcome outcome = replayed(level, flight);
+            QVERIFY2((result.end == FlightEnd::Won) == outcome.won() && result.time == outcome.time &&
+                         result.fuel == outcome.fuel,
+                     seedText(static_cast<std::uint64_t>(i)));
+            QVERIFY(!outcome.lost() || result.end == FlightEnd::Lost);
+        }
+    }
+
+    void aCrashIsWhereTheShipWasLostFirst() {
+        Replay flight;
+        for (int i = 0; i < 400; ++i) {
+            flight.append(thrust);
+        }
+        const FlightResult result = flightResult(spaceWithCeiling(), flight);
+        QCOMPARE(result.end, FlightEnd::Lost);
+        QVERIFY(result.place.y() > 0.5 && result.place.y() < 1);
+        QVERIFY(result.update > 10 && result.update < 200);
+        flight.runs.front().count = 10;
+        QCOMPARE(flightResult(spaceWithCeiling(), flight).end, FlightEnd::Astray);
+    }
+
+    void aStopEndsIt() {
+        std::stop_source stop;
+        stop.request_stop();
+        QCOMPARE(flightResult(firstHaul(), haulFlight(), stop.get_token()).end, FlightEnd::Stopped);
+    }
+
+    void flightsAreFoundBesideTheirLevel() {
+        const QTemporaryDir folder;
+        const fs::path place(folder.path().toStdString());
+        for (const char* name : {"cave.replay.json", "cave.fast.replay.json"}) {
+            QVERIFY(!writeReplay(place / name, haulFlight()));
+        }
+        QVERIFY(!writeReplay(place / "caves.replay.json", haulFlight()));
+        std::ofstream(place / "cave.broken.replay.json") << "{";
+        std::ofstream(place / "cave.json") << "{}";
+        const std::vector<StoredFlight> found = flightsBeside(place / "cave.json");
+        QCOMPARE(found.size(), std::size_t(3));
+        QCOMPARE(found[0].path.filename().string(), std::string("cave.broken.replay.json"));
+        QVERIFY(found[0].replay == nullptr && found[1].replay != nullptr && found[2].replay != nullptr);
+        QVERIFY(flightsBeside(place / "nowhere" / "cave.json").empty());
+    }
+};
+
+SPACETOW_TEST(StoredFlightsTest)
+#include "stored_flights_test.moc"
