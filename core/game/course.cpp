@@ -52,6 +52,15 @@ void Course::record(const StepInput& input) {
     }
 }
 
+void Course::step(const StepInput& input) {
+    m_session.setExplains(m_explains);
+    if (m_times != nullptr) {
+        m_session.stepTimed(input, *m_times);
+    } else {
+        m_session.step(input);
+    }
+}
+
 void Course::goOn(const StepInput& input) {
     if (!isAtEnd()) {
         beginOtherFuture(true);
@@ -60,7 +69,7 @@ void Course::goOn(const StepInput& input) {
     if (m_levelGiven && m_session.sharedLevel() != m_level) {
         whole.level = m_level;
     }
-    m_session.step(whole);
+    step(whole);
     m_timeline.add(whole, m_session);
     m_paths = nullptr;
     record(whole);
@@ -71,7 +80,7 @@ bool Course::goAlong() {
     if (m_session.updates() >= m_timeline.last()) {
         return false;
     }
-    m_session.step(m_timeline.input(m_session.updates()));
+    step(m_timeline.input(m_session.updates()));
     arrive();
     return true;
 }

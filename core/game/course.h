@@ -39,6 +39,13 @@ class Course {
     /// Somebody looks at the end of the run, and all of it has been simulated.
     bool isAtEnd() const { return !m_future && m_session.updates() == m_timeline.last(); }
 
+    /// How the run goes on: whether sessions explain themselves (Session::setExplains), and who is told the times of
+    /// stages; null for nobody, else it must outlive the updates.
+    void observe(bool explains, StageTimes* times) {
+        m_explains = explains;
+        m_times = times;
+    }
+
     /// Begins anew, with the level as it is now.
     void restart();
     /// One update more. From a moment before the end another future begins.
@@ -74,6 +81,7 @@ class Course {
   private:
     static constexpr double secondsBack = 60;
 
+    void step(const StepInput& input);
     void record(const StepInput& input);
     /// Somebody looks at another moment, or at the same in another way.
     void arrive();
@@ -91,6 +99,8 @@ class Course {
     std::optional<std::int64_t> m_sought;    // not simulated yet
     std::optional<std::int64_t> m_changedAt; // the moment whose future has been simulated again, while it is shown
     int m_iteration = 0;
+    bool m_explains = false;
+    StageTimes* m_times = nullptr;
     StepInput m_partial;                                    // of the update that is shown in the middle
     std::shared_ptr<const std::vector<TracedPath>> m_paths; // null: to be made
 };

@@ -30,6 +30,15 @@ Clock::time_point timePoint(double time) {
     return Clock::time_point(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time)));
 }
 
+/// ns since whenever.
+std::int64_t clockNanoseconds() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
+}
+
+std::shared_ptr<const StepProfile> profileOf(const std::optional<StepWatch>& watch) {
+    return watch ? std::make_shared<const StepProfile>(watch->profile()) : nullptr;
+}
+
 } // namespace
 
 Runner::Runner(const Level& level, Mode mode, std::uint64_t seed)
@@ -185,6 +194,15 @@ void Runner::wantSession(bool wanted) {
     });
 }
 
+void Runner::wantProfile(bool wanted) {
+    command([this, wanted] {
+        if (wanted != m_watch.has_value()) {
+            m_watch = wanted ? std::optional<StepWatch>(clockNanoseconds) : std::nullopt;
+            post(m_last);
+        }
+    });
+}
+
 void Runner::setGrab(std::optional<Grab> grab) {
     command([this, grab] { m_grab = grab; });
 }
@@ -337,6 +355,7 @@ bool Runner::update() {
     if (isCrowdedAt(m_course.session().updates(), m_course.session().world())) {
         return false;
     }
+    m_course.observe(m_withSession, m_watch ? &m_watch->times() : nullptr);
     if (!m_watching) {
         m_course.goOn(nextInput());
     } else if (!m_course.goAlong()) {
@@ -344,6 +363,9 @@ bool Runner::update() {
             leap();
         }
         return false;
+    }
+    if (m_watch) {
+        m_watch->note();
     }
     keepPace();
     const std::shared_ptr<const Snapshot> before = m_last;
@@ -387,9 +409,9 @@ void Runner::post(std::shared_ptr<const Snapshot> before) {
         session = std::make_shared<const Session>(m_course.isShownAsIs() ? m_course.session() : m_course.shown());
     }
     const bool paused = m_paused || m_unattended;
-    m_frames.post(
-        std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(), m_speed, paused,
-                                            m_pacer.lost(), std::move(session), m_course.summary(m_paused)}));
+    m_frames.post(std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(),
+                                                      m_speed, paused, m_pacer.lost(), std::move(session),
+                                                      m_course.summary(m_paused), profileOf(m_watch)}));
 }
 
 } // namespace spacetow

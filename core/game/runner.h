@@ -5,6 +5,7 @@
 #include "core/base/mailbox.h"
 #include "core/game/course.h"
 #include "core/game/pacer.h"
+#include "core/game/step_profile.h"
 
 #include <atomic>
 #include <chrono>
@@ -27,6 +28,7 @@ struct Frame {
     double lost = 0; // s, by which the game has fallen behind real time since it began or went on
     std::shared_ptr<const Session> session{};          // a copy as it is at `now`; null unless it is wanted
     std::shared_ptr<const TimelineSummary> timeline{}; // never null
+    std::shared_ptr<const StepProfile> profile{};      // null unless it is wanted
 };
 
 /// Why a game has ended by itself.
@@ -70,6 +72,8 @@ class Runner {
     void wantQuadtree(bool wanted);
     /// Whether frames have a copy of the session. It costs what the copy does, once for what is due at a time.
     void wantSession(bool wanted);
+    /// Whether updates are timed, and frames have the figures. It costs looks at the clock.
+    void wantProfile(bool wanted);
     /// What the mouse holds from the next update on; none lets go.
     void setGrab(std::optional<Grab> grab);
     /// So many times as fast as the clock, within `slowest` … `fastest`.
@@ -136,7 +140,8 @@ class Runner {
     bool m_unattended = false;
     bool m_quadtree = false;
     bool m_withSession = false;
-    bool m_more = false; // updates are due at once
+    std::optional<StepWatch> m_watch; // while a profile is wanted
+    bool m_more = false;              // updates are due at once
 
     // Between the threads.
     Mailbox<Frame> m_frames;

@@ -103,11 +103,32 @@ void Session::step(const StepInput& input) {
     stepWith(input, {});
 }
 
-void Session::stepPartly(const StepInput& input, int iterations) {
-    stepWith(input, iterations);
+void Session::stepTimed(const StepInput& input, StageTimes& times) {
+    stepWith(input, {.times = &times});
 }
 
-void Session::stepWith(const StepInput& input, std::optional<int> iterations) {
+void Session::stepPartly(const StepInput& input, int iterations) {
+    stepWith(input, {.iterations = iterations});
+}
+
+void Session::updateWorld(const StepManner& manner) {
+    if (m_world.recordsImpulses() != m_explains) {
+        m_world.setRecordsImpulses(m_explains);
+    }
+    UpdateParameters parameters = m_world.parameters();
+    if (manner.iterations && *manner.iterations < parameters.iterations) {
+        EXPECTS(*manner.iterations > 0);
+        parameters.seconds *= static_cast<double>(*manner.iterations) / parameters.iterations;
+        parameters.iterations = *manner.iterations;
+    }
+    if (manner.times != nullptr) {
+        m_world.update(parameters, *manner.times);
+    } else {
+        m_world.update(parameters);
+    }
+}
+
+void Session::stepWith(const StepInput& input, const StepManner& manner) {
     const Controls& controls = input.controls;
     m_sounds = 0;
     if (input.level) {
@@ -123,13 +144,8 @@ void Session::stepWith(const StepInput& input, std::optional<int> iterations) {
     }
     const std::optional<BodyId> held = input.grab ? bodyOf(input.grab->object) : std::nullopt;
     m_grabForce = held ? pull(m_world, *held, *input.grab) : std::nullopt;
-    UpdateParameters parameters = m_world.parameters();
-    if (iterations && *iterations < parameters.iterations) {
-        EXPECTS(*iterations > 0);
-        parameters.seconds *= static_cast<double>(*iterations) / parameters.iterations;
-        parameters.iterations = *iterations;
-    }
-    m_world.update(parameters);
+    updateWorld(manner);
+    m_touches.note(m_world, m_explains);
     judge();
     if (isPlaying() && controls.thrust) {
         ++m_thrusted;

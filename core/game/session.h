@@ -14,6 +14,7 @@
 #include "core/game/snapshot.h"
 #include "core/game/start_bodies.h"
 #include "core/game/step_input.h"
+#include "core/game/tag_touches.h"
 #include "core/physics/world/world.h"
 
 #include <cstddef>
@@ -37,6 +38,8 @@ class Session {
     /// more; everything else changes in place. An object that could not be built now goes on as it was. Before the
     /// first update the session becomes that of the new level; a later attempt begins with it.
     void step(const StepInput& input);
+    /// Likewise, and tells how long the stages of the world's update take.
+    void stepTimed(const StepInput& input, StageTimes& times);
     /// To be looked at in the middle of an update: the first `iterations` of it, in their share of its time. All of
     /// them are a step.
     void stepPartly(const StepInput& input, int iterations);
@@ -81,6 +84,11 @@ class Session {
     std::uint64_t hash() const;
     /// Memory that a copy takes, about.
     std::size_t copyBytes() const;
+    /// Whether worlds note what contacts give (World::setRecordsImpulses), and meetings of what masks keep apart are
+    /// looked for, from the next step on. Decides nothing.
+    void setExplains(bool explains) { m_explains = explains; }
+    /// Since the first step; meetings while that was wanted.
+    const TagTouches& tagTouches() const { return m_touches; }
 
   private:
     struct Actor {
@@ -104,7 +112,12 @@ class Session {
     void obey(const Controls& fresh);
     void attachRope();
     void letGoOfRope();
-    void stepWith(const StepInput& input, std::optional<int> iterations);
+    struct StepManner {
+        std::optional<int> iterations; // the first of the update only
+        StageTimes* times = nullptr;
+    };
+    void stepWith(const StepInput& input, const StepManner& manner);
+    void updateWorld(const StepManner& manner);
     Verdict verdict() const;
     void judge();
     void loseAttempt();
@@ -149,6 +162,8 @@ class Session {
     double m_flippedFor = -1;    // s
     std::int64_t m_update = 0;
     std::uint32_t m_sounds = 0;
+    bool m_explains = false;
+    TagTouches m_touches;
     std::optional<GrabForce> m_grabForce;
     Camera m_camera;
     Vec2 m_shipSeen{0, 0}, m_payloadSeen{0, 0}; // where they are or were last

@@ -32,8 +32,9 @@ std::size_t copyBytes(const World& world) {
     const std::size_t contacts = bytesOf(data.contacts) + bytesOf(data.manifolds) + bytesOf(data.circleContacts) +
                                  bytesOf(data.generalContacts) + bytesOf(data.batches.circles) +
                                  bytesOf(data.batches.general);
-    const std::size_t events =
-        bytesOf(data.events.began) + bytesOf(data.events.ended) + bytesOf(data.events.tagsTouched);
+    const std::size_t events = bytesOf(data.events.began) + bytesOf(data.events.ended) +
+                               bytesOf(data.events.tagsTouched) + bytesOf(data.impulses.impulses) +
+                               bytesOf(data.impulses.places) + bytesOf(data.impulses.placed);
     return sizeof(WorldData) + bodies + proxies + bytesOf(data.table) + bytesOf(data.sleep.table) + contacts + events +
            bytesOf(data.connectors) + bytesOf(data.notColliding);
 }

@@ -3,6 +3,7 @@
 #include "core/physics/contacts/contact_rules.h"
 #include "core/physics/lanes/solver_kernels.h"
 #include "core/physics/solver/energy_limit.h"
+#include "core/physics/solver/impulse_log.h"
 #include "core/physics/solver/islands.h"
 #include "core/physics/solver/limit_penetration.h"
 #include "core/physics/solver/solve_unconverged.h"
@@ -178,6 +179,9 @@ void solveVelocities(WorldData& data, const IterationStep& step) {
     markTouches(data, data.batches.circles, data.circleContacts);
     markTouches(data, data.batches.general, data.generalContacts);
     markMerged(data);
+    if (data.impulses.on) {
+        logImpulses(data);
+    }
     if (data.flags.anyBounce) {
         finishBounces(data);
     }

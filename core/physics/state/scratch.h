@@ -15,6 +15,8 @@
 
 namespace spacetow {
 
+struct StageTimes;
+
 /// Of find_pairs.
 struct PairSearch {
     std::vector<Slot> movedBodies;                // whose pairs are found anew
@@ -114,6 +116,7 @@ struct Scratch {
     ToiSearch toi;
     Substeps substeps;
     SleepSearch sleep;
+    StageTimes* times = nullptr; // of the running update, if anybody wants them
 
     Scratch() = default;
     ~Scratch() = default;

@@ -10,6 +10,7 @@
 #include "core/physics/state/broad_phase_data.h"
 #include "core/physics/state/contact_data.h"
 #include "core/physics/state/force_data.h"
+#include "core/physics/state/impulse_log.h"
 #include "core/physics/state/island_data.h"
 #include "core/physics/state/iteration_step.h"
 #include "core/physics/state/mover.h"
@@ -93,6 +94,7 @@ struct WorldData {
     Sleep sleep;
     std::vector<BodyId> crushed; // and reported so
     Events events;
+    ImpulseLog impulses;
 
     Scratch scratch;
 

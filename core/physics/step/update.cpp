@@ -5,10 +5,12 @@
 #include "core/physics/contacts/constraint_list.h"
 #include "core/physics/contacts/contact_pool.h"
 #include "core/physics/contacts/narrow_phase.h"
+#include "core/physics/def/stage_times.h"
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/sleep/touches.h"
 #include "core/physics/solver/carriers.h"
 #include "core/physics/solver/crush.h"
+#include "core/physics/solver/impulse_log.h"
 #include "core/physics/solver/integrate.h"
 #include "core/physics/solver/islands.h"
 #include "core/physics/solver/limit_penetration.h"
@@ -21,6 +23,13 @@
 namespace spacetow {
 
 namespace {
+
+/// What has been done since the stage before belongs to this one.
+void ended(const WorldData& data, StepStage stage) {
+    if (data.scratch.times != nullptr) {
+        data.scratch.times->end(stage);
+    }
+}
 
 IterationStep iterationStep(const UpdateParameters& p) {
     const double dt = p.seconds / p.iterations;
@@ -48,6 +57,7 @@ void refreshPairs(WorldData& data, const IterationStep& step) {
         changePairs(data);
         remapPairs(data);
     }
+    ended(data, StepStage::Pairs);
 }
 
 /// The motion as if nothing were touched, and the pairs for it. False when something was not finite.
@@ -60,10 +70,22 @@ bool planMotion(WorldData& data, const IterationStep& step, bool first) {
         isolateFaults(data, step.index);
         measureMotion(data, ahead);
     }
+    ended(data, StepStage::Motion);
     if (data.flags.anyMovedProxy) {
         refreshPairs(data, step);
     }
     return !fault;
+}
+
+void stopWhatMeets(WorldData& data, const IterationStep& step) {
+    measureMotion(data, 0);
+    ended(data, StepStage::Impacts);
+    if (data.flags.anyMovedProxy) {
+        refreshPairs(data, step);
+    }
+    stopAtImpacts(data);
+    limitPenetrationOfFollowers(data, step.dt);
+    ended(data, StepStage::Impacts);
 }
 
 void makeMotion(WorldData& data, const IterationStep& step) {
@@ -72,27 +94,28 @@ void makeMotion(WorldData& data, const IterationStep& step) {
         planMotion(data, step, false);
         findContacts(data, step);
     }
+    ended(data, StepStage::Contacts);
     findIslands(data);
     findDriven(data);
     solveVelocities(data, step);
     findCarriers(data);
+    ended(data, StepStage::Solver);
     if (data.flags.anyFast || data.flags.anySweep || data.flags.anyDeflected) {
-        measureMotion(data, 0);
-        if (data.flags.anyMovedProxy) {
-            refreshPairs(data, step);
-        }
-        stopAtImpacts(data);
-        limitPenetrationOfFollowers(data, step.dt);
+        stopWhatMeets(data, step);
     }
     carryStopped(data);
     measureCorrections(data);
+    ended(data, StepStage::Advance);
     if (data.flags.anyMovedProxy) {
         refreshPairs(data, step);
     }
     keepOutOfStatics(data, step.index);
+    ended(data, StepStage::Crush);
     advance(data, step.dt);
+    ended(data, StepStage::Advance);
     findOverlaps(data);
     reportTouches(data, step.index);
+    ended(data, StepStage::Touches);
 }
 
 void setDuration(WorldData& data, IterationStep& step, double dt) {
@@ -145,7 +168,13 @@ void iterate(WorldData& data, const IterationStep& step) {
 } // namespace
 
 void updateWorld(WorldData& data, const UpdateParameters& parameters) {
+    if (data.scratch.times != nullptr) {
+        data.scratch.times->begin();
+    }
     data.events.clear();
+    if (data.impulses.on) {
+        beginImpulseLog(data, parameters.seconds);
+    }
     beginSleep(data, parameters.gravity);
     applyPending(data, -1);
     if (data.flags.connectionsStale) {
@@ -154,17 +183,20 @@ void updateWorld(WorldData& data, const UpdateParameters& parameters) {
     IterationStep step = iterationStep(parameters);
     prepareStructure(data);
     prepareMotion(data, step, parameters.gravity);
+    ended(data, StepStage::Changes);
     for (step.index = 0; step.index < parameters.iterations; ++step.index) {
         iterate(data, step);
         step.remaining -= step.dt;
         if (applyPending(data, step.index)) {
             prepareStructure(data);
             prepareSteps(data, step);
+            ended(data, StepStage::Changes);
         }
     }
     saveImpulses(data);
     fallAsleep(data, parameters.seconds, parameters.iterations - 1);
     collectTouchedTags(data);
+    ended(data, StepStage::Sleep);
 }
 
 } // namespace spacetow

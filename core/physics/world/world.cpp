@@ -46,6 +46,12 @@ void World::update(const UpdateParameters& parameters) {
     updateWorld(*m_data, parameters);
 }
 
+void World::update(const UpdateParameters& parameters, StageTimes& times) {
+    m_data->scratch.times = &times;
+    update(parameters);
+    m_data->scratch.times = nullptr;
+}
+
 Result<BodyId> World::addBody(const BodyDef& def) {
     Result<MadeBody> made = makeBody(def);
     if (!made) {
@@ -156,6 +162,15 @@ void World::setSleeping(bool allowed) {
 
 bool World::sleeping() const {
     return m_data->sleep.allowed;
+}
+
+void World::setRecordsImpulses(bool records) {
+    m_data->impulses = {};
+    m_data->impulses.on = records;
+}
+
+bool World::recordsImpulses() const {
+    return m_data->impulses.on;
 }
 
 const UpdateParameters& World::parameters() const {

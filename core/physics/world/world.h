@@ -16,6 +16,7 @@
 
 namespace spacetow {
 
+struct StageTimes;
 struct WorldData;
 
 class World {
@@ -68,9 +69,16 @@ class World {
     void setSleeping(bool allowed);
     bool sleeping() const;
 
+    /// Whether updates note what each contact gives, for the explanations (core/physics/query/explain.h); at first they
+    /// do not. It changes nothing else.
+    void setRecordsImpulses(bool records);
+    bool recordsImpulses() const;
+
     /// One update with the world's own parameters, or with others for this call only.
     void update();
     void update(const UpdateParameters& parameters);
+    /// Likewise, and tells how long its stages take.
+    void update(const UpdateParameters& parameters, StageTimes& times);
 
     const UpdateParameters& parameters() const;
     void setParameters(const UpdateParameters& parameters);

@@ -1,0 +1,165 @@
+// explain.h: contacts.
+
+#include "core/base/contract.h"
+#include "core/geometry/closest.h"
+#include "core/geometry/collide.h"
+#include "core/physics/query/explain.h"
+#include "core/physics/state/world_data.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace spacetow {
+
+namespace {
+
+/// From the lower slot, or what moves, to the other.
+struct PairReading {
+    Slot a, b;
+    ContactReading contact;
+};
+
+double secondsOf(const WorldData& data) {
+    return data.impulses.on && data.impulses.seconds > 0 ? data.impulses.seconds : data.parameters.seconds;
+}
+
+Transform contactPoseA(const WorldData& data, const Pair& pair) {
+    return data.pose(pair.bodyA);
+}
+/// Static parts are in world coordinates.
+Transform contactPoseB(const WorldData& data, const Pair& pair) {
+    return pair.staticB ? Transform{} : data.pose(pair.bodyB);
+}
+
+/// Where the parts are nearest to each other, or how they overlap.
+void locate(const WorldData& data, const Pair& pair, ContactReading& contact) {
+    const Transform a = contactPoseA(data, pair);
+    const Transform b = contactPoseB(data, pair);
+    const Manifold manifold = collide(*pair.shapeA, a, *pair.shapeB, b, linearSlop);
+    if (manifold.count > 0) {
+        contact.normal = manifold.normal;
+        contact.point = manifold.points[0].point;
+        if (manifold.count == 2) {
+            contact.point = 0.5 * (contact.point + manifold.points[1].point);
+        }
+        return;
+    }
+    const ClosestPoints closest = closestPoints(*pair.shapeA, a, *pair.shapeB, b);
+    contact.normal = closest.normal;
+    contact.point = closest.distance > 0 ? Vec2(0.5 * (closest.onA + closest.onB)) : data.motions[pair.bodyA].center;
+}
+
+/// The impulses that the contact kept, spread over an update: those of its last iteration in each.
+void addKept(const WorldData& data, const Pair& pair, ContactReading& contact) {
+    if (pair.contact == Pair::none || pair.sweep) {
+        return;
+    }
+    const Contact& kept = data.contacts[pair.contact];
+    const double times = data.parameters.iterations * secondsOf(data) / data.parameters.seconds;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(kept.count); ++i) {
+        contact.normalImpulse += times * kept.points[i].normalImpulse;
+    }
+    contact.friction = times * kept.tangentImpulse;
+    contact.impulse = contact.normalImpulse * contact.normal + contact.friction * leftOf(contact.normal);
+    contact.turnA = -cross(contact.point - data.motions[pair.bodyA].center, contact.impulse);
+    contact.turnB = cross(contact.point - data.motions[pair.bodyB].center, contact.impulse);
+}
+
+/// All that is touching, by the tables, which have their pairs in order.
+void listTouching(const WorldData& data, const PairTable& table, Slot body, std::vector<PairReading>& out) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const PairFlags& flags = table.flags[i];
+        const Pair& pair = table.pairs[i];
+        if ((!flags.touching && !flags.passed) || (pair.bodyA != body && pair.bodyB != body)) {
+            continue;
+        }
+        PairReading reading{pair.bodyA, pair.bodyB, {}};
+        reading.contact.solid = pair.kind != PairKind::Sensor;
+        reading.contact.touching = flags.touching;
+        locate(data, pair, reading.contact);
+        // What has fallen asleep bears what it bore.
+        if (!data.impulses.on || (data.records[pair.bodyA].asleep && &table == &data.sleep.table)) {
+            addKept(data, pair, reading.contact);
+        }
+        out.push_back(reading);
+    }
+}
+
+ContactReading readingOf(const LoggedImpulse& logged) {
+    ContactReading contact;
+    contact.touching = false; // until one is found that is
+    contact.normalImpulse = logged.normal;
+    contact.friction = logged.friction;
+    contact.impulse = logged.push + logged.rub;
+    contact.turnA = logged.turnA;
+    contact.turnB = logged.turnB;
+    const double length = logged.push.norm();
+    contact.normal = length > 0 ? Vec2(logged.push / length) : Vec2(0, 1);
+    if (logged.normal > 0) {
+        contact.point = logged.moment / logged.normal;
+    }
+    return contact;
+}
+
+/// The nearest of the same bodies that nothing is logged for takes the impulse; without one it was but for a moment.
+void placeLogged(const LoggedImpulse& logged, std::vector<PairReading>& out) {
+    const ContactReading given = readingOf(logged);
+    PairReading* nearest = nullptr;
+    for (PairReading& one : out) {
+        const bool open = one.a == logged.a && one.b == logged.b && one.contact.impulse == Vec2(0, 0);
+        if (open && (nearest == nullptr ||
+                     (one.contact.point - given.point).norm() < (nearest->contact.point - given.point).norm())) {
+            nearest = &one;
+        }
+    }
+    if (nearest == nullptr) {
+        out.push_back({logged.a, logged.b, given});
+        return;
+    }
+    const Vec2 point = nearest->contact.point;
+    nearest->contact = given;
+    nearest->contact.touching = true;
+    nearest->contact.point = given.normalImpulse > 0 ? given.point : point;
+}
+
+/// The body that was added first comes first.
+ContactReading inOrder(const WorldData& data, const PairReading& reading) {
+    ContactReading contact = reading.contact;
+    contact.a = data.idOf(reading.a);
+    contact.b = data.idOf(reading.b);
+    if (data.records[reading.b].serial < data.records[reading.a].serial) {
+        std::swap(contact.a, contact.b);
+        std::swap(contact.turnA, contact.turnB);
+        contact.normal = -contact.normal;
+        contact.impulse = -contact.impulse;
+    }
+    return contact;
+}
+
+} // namespace
+
+double impulseSeconds(const World& world) {
+    return secondsOf(world.data());
+}
+
+std::vector<ContactReading> contactsOf(const World& world, BodyId body) {
+    EXPECTS(world.contains(body));
+    const WorldData& data = world.data();
+    std::vector<PairReading> found;
+    listTouching(data, data.table, body.index, found);
+    listTouching(data, data.sleep.table, body.index, found);
+    for (const LoggedImpulse& logged : data.impulses.impulses) {
+        const bool isItsOwn = logged.a == body.index || logged.b == body.index;
+        if (isItsOwn && data.records[logged.a].used && data.records[logged.b].used) {
+            placeLogged(logged, found);
+        }
+    }
+    std::vector<ContactReading> contacts;
+    contacts.reserve(found.size());
+    for (const PairReading& one : found) {
+        contacts.push_back(inOrder(data, one));
+    }
+    return contacts;
+}
+
+} // namespace spacetow

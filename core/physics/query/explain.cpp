@@ -1,0 +1,235 @@
+#include "core/physics/query/explain.h"
+
+#include "core/base/contract.h"
+#include "core/physics/solver/field_forces.h"
+#include "core/physics/state/world_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spacetow {
+
+namespace {
+
+bool isFree(const BodyRecord& record) {
+    return record.used && record.active && record.kind == BodyKind::Dynamic;
+}
+
+void addForce(ForceReading& sum, const ForceReading& more) {
+    sum.force += more.force;
+    sum.torque += more.torque;
+}
+
+/// What the owner of the world applied is what the last update accelerated by beyond gravity.
+ForceReading appliedTo(const WorldData& data, Slot slot) {
+    const BodyRecord& record = data.records[slot];
+    const bool moved = std::find(data.moving.begin(), data.moving.end(), slot) != data.moving.end();
+    const bool fresh =
+        std::find(data.changedBodies.begin(), data.changedBodies.end(), slot) != data.changedBodies.end();
+    if (!moved || fresh || record.positionFrozen) {
+        return {};
+    }
+    const BodyStep& s = data.steps[slot];
+    const Vec2 falls = record.kind == BodyKind::Dynamic ? data.parameters.gravity : Vec2(0, 0);
+    return {record.mass * (s.acceleration - falls), record.inertia * s.angularAcceleration};
+}
+
+ForceReading fieldsOn(const WorldData& data, Slot slot) {
+    const BodyRecord& record = data.records[slot];
+    const BodyMotion& m = data.motions[slot];
+    const FieldSample sample{.body = data.idOf(slot),
+                             .pose = {m.center - m.rotation * record.localCenter, m.rotation},
+                             .massCenter = m.center,
+                             .velocity = m.velocity,
+                             .angularVelocity = m.angularVelocity,
+                             .mass = record.mass,
+                             .inertia = record.inertia};
+    ForceReading sum;
+    for (const FieldRecord& field : data.fields) {
+        if (actsOn(data, field, slot)) {
+            const FieldForce f = field.def->force(sample);
+            if (isFinite(f.force) && std::isfinite(f.torque)) {
+                addForce(sum, {f.force, f.torque});
+            }
+        }
+    }
+    return sum;
+}
+
+struct Stretch {
+    Vec2 a, b; // anchors, world
+    Vec2 along{0, 1};
+    double distance;
+};
+
+Stretch stretchOf(const WorldData& data, const ConnectorRecord& c) {
+    Stretch stretch{data.pose(c.a).toWorld(c.anchorA), data.pose(c.b).toWorld(c.anchorB), {0, 1}, 0};
+    const Vec2 span = stretch.b - stretch.a;
+    stretch.distance = span.norm();
+    if (stretch.distance > 0) {
+        stretch.along = span / stretch.distance;
+    }
+    return stretch;
+}
+
+ForceReading connectorsOn(const WorldData& data, Slot slot) {
+    ForceReading sum;
+    for (const ConnectorRecord& c : data.connectors) {
+        if (!c.used || c.tension == 0 || (c.a != slot && c.b != slot)) {
+            continue;
+        }
+        const Stretch stretch = stretchOf(data, c);
+        const bool first = c.a == slot;
+        const Vec2 force = (first ? c.tension : -c.tension) * stretch.along;
+        addForce(sum, {force, cross((first ? stretch.a : stretch.b) - data.motions[slot].center, force)});
+    }
+    return sum;
+}
+
+ForceReading contactsOn(const World& world, BodyId body) {
+    ForceReading sum;
+    for (const ContactReading& contact : contactsOf(world, body)) {
+        const bool first = contact.a == body;
+        addForce(sum, {first ? Vec2(-contact.impulse) : contact.impulse, first ? contact.turnA : contact.turnB});
+    }
+    const double seconds = impulseSeconds(world);
+    return {sum.force / seconds, sum.torque / seconds};
+}
+
+BodyForces forcesOn(const World& world, BodyId body) {
+    const WorldData& data = world.data();
+    const BodyRecord& record = data.records[body.index];
+    const BodyMotion& m = data.motions[body.index];
+    BodyForces forces;
+    if (!isFree(record)) {
+        return forces;
+    }
+    if (!record.positionFrozen) {
+        forces.gravity.force = record.mass * data.parameters.gravity;
+    }
+    forces.applied = appliedTo(data, body.index);
+    forces.connectors = connectorsOn(data, body.index);
+    forces.fields = fieldsOn(data, body.index);
+    forces.contacts = contactsOn(world, body);
+    forces.damping = {-record.linearDamping * record.mass * m.velocity,
+                      -record.angularDamping * record.inertia * m.angularVelocity};
+    return forces;
+}
+
+BodyEnergy energyOf(const WorldData& data, Slot slot) {
+    const BodyRecord& r = data.records[slot];
+    const BodyMotion& m = data.motions[slot];
+    return {0.5 * r.mass * m.velocity.squaredNorm() + 0.5 * r.inertia * m.angularVelocity * m.angularVelocity,
+            -r.mass * data.parameters.gravity.dot(m.center)};
+}
+
+/// J, as World::energy has it.
+double elasticEnergy(const ConnectorRecord& c, double distance) {
+    const double stretch = distance - c.length;
+    return c.slack && stretch < 0 ? 0 : 0.5 * c.stiffness * stretch * stretch;
+}
+
+template <class Tree>
+int cellsOf(const Tree& tree) {
+    return static_cast<int>(tree.cells().size());
+}
+
+int touchingIn(const PairTable& table) {
+    return static_cast<int>(
+        std::count_if(table.flags.begin(), table.flags.end(), [](const PairFlags& flags) { return flags.touching; }));
+}
+
+void countBody(const BodyRecord& record, WorldCounters& count) {
+    switch (record.kind) {
+    case BodyKind::Static:
+        ++count.statics;
+        return;
+    case BodyKind::Kinematic:
+        ++count.kinematics;
+        break;
+    case BodyKind::Dynamic:
+        ++count.dynamics;
+        break;
+    }
+    ++(record.asleep ? count.asleep : count.awake);
+}
+
+} // namespace
+
+ForceReading BodyForces::sum() const {
+    ForceReading all;
+    for (const ForceReading& one : {gravity, applied, connectors, fields, contacts, damping}) {
+        addForce(all, one);
+    }
+    return all;
+}
+
+BodyReading explained(const World& world, BodyId body) {
+    EXPECTS(world.contains(body));
+    const WorldData& data = world.data();
+    const BodyRecord& record = data.records[body.index];
+    const BodyMotion& m = data.motions[body.index];
+    BodyReading reading;
+    reading.forces = forcesOn(world, body);
+    reading.touchedTags = world.body(body).touchedTags;
+    if (isFree(record)) {
+        reading.energy = energyOf(data, body.index);
+        reading.momentum = record.mass * m.velocity;
+        reading.spin = record.inertia * m.angularVelocity;
+        reading.angularMomentum = reading.spin + cross(m.center, reading.momentum);
+    }
+    return reading;
+}
+
+ConnectorReading explained(const World& world, ConnectorId connector) {
+    EXPECTS(world.contains(connector));
+    const ConnectorRecord& c = world.data().connectors[connector.index];
+    const double distance = stretchOf(world.data(), c).distance;
+    return {distance, c.length, c.tension, elasticEnergy(c, distance)};
+}
+
+WorldReading totals(const World& world) {
+    const WorldData& data = world.data();
+    WorldReading sum;
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        const BodyRecord& record = data.records[slot];
+        if (!isFree(record)) {
+            continue;
+        }
+        const BodyMotion& m = data.motions[slot];
+        const BodyEnergy energy = energyOf(data, slot);
+        sum.kinetic += energy.kinetic;
+        sum.potential += energy.potential;
+        sum.momentum += record.mass * m.velocity;
+        sum.motion += record.mass * m.velocity.norm();
+        sum.angularMomentum += record.inertia * m.angularVelocity + record.mass * cross(m.center, m.velocity);
+    }
+    for (const ConnectorRecord& c : data.connectors) {
+        sum.elastic += c.used ? elasticEnergy(c, stretchOf(data, c).distance) : 0;
+    }
+    return sum;
+}
+
+WorldCounters counters(const World& world) {
+    const WorldData& data = world.data();
+    WorldCounters count;
+    for (const BodyRecord& record : data.records) {
+        if (record.used) {
+            countBody(record, count);
+        }
+    }
+    count.pairs = static_cast<int>(data.table.size() + data.sleep.table.size());
+    count.contacts = touchingIn(data.table) + touchingIn(data.sleep.table);
+    count.treeCells = cellsOf(data.tree);
+    if (data.statics) {
+        count.treeCells += cellsOf(data.statics->tree);
+    }
+    if (data.staticChanges) {
+        count.treeCells += cellsOf(data.staticChanges->geometry.tree);
+    }
+    count.islands = static_cast<int>(data.moving.empty() ? 0 : data.islands.islandRoots.size());
+    count.connectors = static_cast<int>(data.connectors.size() - data.freeConnectors.size());
+    return count;
+}
+
+} // namespace spacetow

@@ -1,0 +1,164 @@
+#include "core/physics/query/masked_meetings.h"
+
+#include "core/geometry/bounds.h"
+#include "core/geometry/collide.h"
+#include "core/geometry/overlaps.h"
+#include "core/physics/broad_phase/statics.h"
+#include "core/physics/state/world_data.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+using Meetings = std::vector<std::pair<BodyId, BodyId>>;
+
+/// Those that there are, each once.
+std::vector<Filter> filtersOf(const WorldData& data) {
+    std::vector<Filter> filters;
+    for (const BodyRecord& record : data.records) {
+        const bool known =
+            std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) { return filter == record.filter; });
+        if (record.used && record.active && !known) {
+            filters.push_back(record.filter);
+        }
+    }
+    return filters;
+}
+
+/// Whether there is anybody whom it would not touch.
+bool isPicky(const std::vector<Filter>& filters, const Filter& own) {
+    return std::any_of(filters.begin(), filters.end(), [&](const Filter& other) { return !mayTouch(own, other); });
+}
+
+bool areConnected(const WorldData& data, Slot a, Slot b) {
+    return std::binary_search(data.notColliding.begin(), data.notColliding.end(), SlotPair(std::minmax(a, b)));
+}
+
+/// Whether nothing but their masks is between them.
+bool isMaskedOnly(const WorldData& data, Slot a, Slot b) {
+    const BodyRecord& ra = data.records[a];
+    const BodyRecord& rb = data.records[b];
+    const bool moves = ra.kind == BodyKind::Dynamic || rb.kind == BodyKind::Dynamic;
+    return a != b && (moves || !ra.tangible || !rb.tangible) && !mayTouch(ra.filter, rb.filter) &&
+           !areConnected(data, a, b);
+}
+
+/// Two parts where they are.
+struct Placed {
+    const Part& part;
+    Transform pose;
+};
+
+bool meets(const Placed& a, const Placed& b, bool solid) {
+    return solid ? collide(a.part, a.pose, b.part, b.pose, linearSlop).count > 0
+                 : overlaps(a.part, a.pose, b.part, b.pose);
+}
+
+bool isSolid(const WorldData& data, Slot a, Slot b) {
+    return data.records[a].tangible && data.records[b].tangible;
+}
+
+bool bodiesMeet(const WorldData& data, Slot a, Slot b) {
+    const bool solid = isSolid(data, a, b);
+    for (const Part& partA : *data.records[a].parts) {
+        const Placed one{partA, data.pose(a)};
+        const Aabb box = boundsOf(partA, one.pose).grown(linearSlop);
+        for (const Part& partB : *data.records[b].parts) {
+            const Placed other{partB, data.pose(b)};
+            if (boundsOf(partB, other.pose).overlaps(box) && meets(one, other, solid)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+void note(const WorldData& data, Slot a, Slot b, Meetings& out) {
+    const bool ordered = data.records[a].serial < data.records[b].serial;
+    out.emplace_back(data.idOf(ordered ? a : b), data.idOf(ordered ? b : a));
+}
+
+/// A body that moves, with its box and whether it is picky.
+struct Standing {
+    Slot slot;
+    Aabb box;
+    bool picky;
+};
+
+std::vector<Standing> movingBodies(const WorldData& data, const std::vector<Filter>& filters) {
+    std::vector<Standing> all;
+    for (Slot slot = 0; slot < data.records.size(); ++slot) {
+        const BodyRecord& record = data.records[slot];
+        if (record.used && record.active && record.kind != BodyKind::Static) {
+            Standing one{slot, {}, isPicky(filters, record.filter)};
+            for (const Part& part : *record.parts) {
+                one.box.include(boundsOf(part, data.pose(slot)));
+            }
+            one.box = one.box.grown(linearSlop);
+            all.push_back(one);
+        }
+    }
+    std::sort(all.begin(), all.end(),
+              [](const Standing& a, const Standing& b) { return a.box.min.x() < b.box.min.x(); });
+    return all;
+}
+
+/// By what comes next to the right.
+void findMoving(const WorldData& data, const std::vector<Standing>& all, Meetings& out) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (std::size_t k = i + 1; k < all.size() && all[k].box.min.x() <= all[i].box.max.x(); ++k) {
+            const Slot a = all[i].slot;
+            const Slot b = all[k].slot;
+            if (all[i].picky && all[k].picky && all[i].box.overlaps(all[k].box) && isMaskedOnly(data, a, b) &&
+                bodiesMeet(data, a, b)) {
+                note(data, a, b, out);
+            }
+        }
+    }
+}
+
+void findStaticsOf(const WorldData& data, const Standing& body, Meetings& out) {
+    std::vector<std::uint32_t> found;
+    findStatics(data, body.box, found);
+    std::vector<Slot> met;
+    for (const std::uint32_t i : found) {
+        const StaticGeometry::Collider& wall = data.staticCollider(i);
+        if (!isMaskedOnly(data, body.slot, wall.body) || std::find(met.begin(), met.end(), wall.body) != met.end()) {
+            continue;
+        }
+        const bool solid = isSolid(data, body.slot, wall.body);
+        for (const Part& part : *data.records[body.slot].parts) {
+            if (meets({part, data.pose(body.slot)}, {wall.shape, {}}, solid)) {
+                met.push_back(wall.body);
+                note(data, body.slot, wall.body, out);
+                break;
+            }
+        }
+    }
+}
+
+} // namespace
+
+std::vector<std::pair<BodyId, BodyId>> maskedMeetings(const World& world) {
+    const WorldData& data = world.data();
+    const std::vector<Filter> filters = filtersOf(data);
+    Meetings meetings;
+    if (std::none_of(filters.begin(), filters.end(), [&](const Filter& own) { return isPicky(filters, own); })) {
+        return meetings;
+    }
+    const std::vector<Standing> all = movingBodies(data, filters);
+    findMoving(data, all, meetings);
+    if (data.statics != nullptr && !data.flags.staticsChanged) {
+        for (const Standing& body : all) {
+            if (body.picky) {
+                findStaticsOf(data, body, meetings);
+            }
+        }
+    }
+    std::sort(meetings.begin(), meetings.end());
+    return meetings;
+}
+
+} // namespace spacetow

@@ -1,0 +1,207 @@
+#include "core/physics/query/why_apart.h"
+
+#include "core/base/contract.h"
+#include "core/geometry/bounds.h"
+#include "core/geometry/closest.h"
+#include "core/geometry/collide.h"
+#include "core/physics/state/world_data.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace spacetow {
+
+namespace {
+
+struct Touching {
+    bool any = false;
+    bool solid = false;
+};
+
+/// Marks of the last update, in a table whose pairs are sorted by their bodies.
+void lookUp(const PairTable& table, Slot a, Slot b, Touching& touching) {
+    const std::uint64_t bodies = std::uint64_t{a} << 32 | b;
+    const auto first = std::lower_bound(table.pairs.begin(), table.pairs.end(), bodies,
+                                        [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });
+    for (auto i = static_cast<std::size_t>(first - table.pairs.begin());
+         i < table.size() && table.pairs[i].bodies() == bodies; ++i) {
+        touching.any |= table.flags[i].touching || table.flags[i].passed;
+    }
+}
+
+Touching touchingOf(const WorldData& data, Slot a, Slot b) {
+    Touching touching;
+    for (const PairTable* table : {&data.table, &data.sleep.table}) {
+        lookUp(*table, a, b, touching);
+        lookUp(*table, b, a, touching);
+    }
+    touching.solid = touching.any && data.records[a].tangible && data.records[b].tangible;
+    return touching;
+}
+
+bool hasOnlyWalls(const BodyRecord& record) {
+    return std::all_of(record.parts->begin(), record.parts->end(),
+                       [](const Part& part) { return std::holds_alternative<WallPart>(part); });
+}
+
+std::vector<ConnectorId> connectorsBetween(const WorldData& data, Slot a, Slot b) {
+    std::vector<ConnectorId> found;
+    for (std::uint32_t i = 0; i < data.connectors.size(); ++i) {
+        const ConnectorRecord& c = data.connectors[i];
+        if (c.used && !c.bodiesCollide && std::minmax(c.a, c.b) == std::minmax(a, b)) {
+            found.push_back({i, c.generation});
+        }
+    }
+    return found;
+}
+
+/// What decides before where they are.
+std::optional<CollisionAnswer> answerByRules(const WorldData& data, BodyId a, BodyId b) {
+    const BodyRecord& ra = data.records[a.index];
+    const BodyRecord& rb = data.records[b.index];
+    const bool sensed = !ra.tangible || !rb.tangible;
+    CollisionAnswer answer;
+    if (!ra.active || !rb.active) {
+        answer.why = WhyApart::Inactive;
+        answer.body = ra.active ? b : a;
+    } else if (ra.kind != BodyKind::Dynamic && rb.kind != BodyKind::Dynamic && !sensed) {
+        answer.why = WhyApart::Unmovable;
+    } else if (!mayTouch(ra.filter, rb.filter)) {
+        const bool first = !ra.filter.touches.intersects(rb.filter.tags);
+        answer.why = WhyApart::Mask;
+        answer.body = first ? a : b;
+        answer.missing = first ? rb.filter.tags : ra.filter.tags;
+        answer.bothMasks = first && !rb.filter.touches.intersects(ra.filter.tags);
+    } else if (auto between = connectorsBetween(data, a.index, b.index); !between.empty()) {
+        answer.why = WhyApart::Connected;
+        answer.connectors = std::move(between);
+    } else {
+        return std::nullopt;
+    }
+    return answer;
+}
+
+/// Goes through the pairs of parts of two bodies.
+class Distance {
+  public:
+    Distance(const WorldData& data, BodyId a, BodyId b)
+        : m_a(a), m_b(b), m_partsA(*data.records[a.index].parts), m_partsB(*data.records[b.index].parts),
+          m_poseA(data.pose(a.index)), m_poseB(data.pose(b.index)) {}
+
+    CollisionAnswer answer() {
+        std::vector<Aabb> boxes;
+        boxes.reserve(m_partsB.size());
+        for (const Part& part : m_partsB) {
+            boxes.push_back(coreBox(part, m_poseB));
+        }
+        for (const Part& partA : m_partsA) {
+            const Aabb box = coreBox(partA, m_poseA);
+            for (std::size_t i = 0; i < m_partsB.size() && !m_meets; ++i) {
+                if (gap(box, boxes[i]) <= m_nearest.distance) {
+                    visit(partA, m_partsB[i]);
+                }
+            }
+        }
+        return verdict();
+    }
+
+  private:
+    /// Of what closestPoints() sees, which knows no depth of edges.
+    static Aabb coreBox(const Part& part, const Transform& pose) {
+        const Core core = coreOf(part, pose);
+        Aabb box;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(core.count); ++i) {
+            box.include(core.points[i]);
+        }
+        return box.grown(core.radius);
+    }
+
+    static double gap(const Aabb& a, const Aabb& b) {
+        const Vec2 apart = (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(Vec2(0, 0));
+        return apart.norm();
+    }
+
+    void visit(const Part& a, const Part& b) {
+        const ClosestPoints closest = closestPoints(a, m_poseA, b, m_poseB);
+        const auto* wallA = std::get_if<WallPart>(&a);
+        const auto* wallB = std::get_if<WallPart>(&b);
+        if (closest.distance <= m_nearest.distance) {
+            m_nearest = closest;
+        }
+        if (closest.distance > linearSlop || (wallA != nullptr && wallB != nullptr)) {
+            return;
+        }
+        m_meets = collide(a, m_poseA, b, m_poseB, linearSlop).count > 0;
+        if (!m_meets && wallA != nullptr && wallA->oneWay) {
+            note(m_a, *wallA, m_poseA);
+        } else if (!m_meets && wallB != nullptr && wallB->oneWay) {
+            note(m_b, *wallB, m_poseB);
+        }
+    }
+
+    void note(BodyId body, const WallPart& wall, const Transform& pose) {
+        m_behind = body;
+        m_from = pose.toWorld(wall.a);
+        m_to = pose.toWorld(wall.b);
+    }
+
+    CollisionAnswer verdict() const {
+        CollisionAnswer answer;
+        if (!m_meets && m_behind) {
+            answer.why = WhyApart::Behind;
+            answer.body = m_behind;
+            answer.from = m_from;
+            answer.to = m_to;
+            return answer;
+        }
+        answer.why = m_meets || m_nearest.distance == 0 ? WhyApart::NextUpdate : WhyApart::Distance;
+        answer.from = m_nearest.onA;
+        answer.to = m_nearest.onB;
+        answer.distance = m_nearest.distance;
+        return answer;
+    }
+
+    BodyId m_a, m_b;
+    const std::vector<Part>& m_partsA;
+    const std::vector<Part>& m_partsB;
+    Transform m_poseA, m_poseB;
+    ClosestPoints m_nearest{.distance = std::numeric_limits<double>::infinity()};
+    bool m_meets = false;
+    BodyId m_behind;
+    Vec2 m_from{0, 0}, m_to{0, 0};
+};
+
+} // namespace
+
+CollisionAnswer whyNotColliding(const World& world, BodyId a, BodyId b) {
+    EXPECTS(world.contains(a) && world.contains(b));
+    const WorldData& data = world.data();
+    CollisionAnswer answer;
+    if (a == b) {
+        answer.why = WhyApart::SameBody;
+        return answer;
+    }
+    const Touching touching = touchingOf(data, a.index, b.index);
+    if (touching.solid) {
+        return answer;
+    }
+    if (auto ruled = answerByRules(data, a, b)) {
+        return *std::move(ruled);
+    }
+    const BodyRecord& ra = data.records[a.index];
+    const BodyRecord& rb = data.records[b.index];
+    if (!ra.tangible || !rb.tangible) {
+        answer.why = WhyApart::Intangible;
+        answer.body = ra.tangible ? b : a;
+        answer.felt = touching.any;
+        return answer;
+    }
+    if (hasOnlyWalls(ra) && hasOnlyWalls(rb)) {
+        answer.why = WhyApart::Walls;
+        return answer;
+    }
+    return Distance(data, a, b).answer();
+}
+
+} // namespace spacetow
