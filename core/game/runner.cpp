@@ -30,11 +30,6 @@ Clock::time_point timePoint(double time) {
     return Clock::time_point(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time)));
 }
 
-/// ns since whenever.
-std::int64_t clockNanoseconds() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
-}
-
 std::shared_ptr<const StepProfile> profileOf(const std::optional<StepWatch>& watch) {
     return watch ? std::make_shared<const StepProfile>(watch->profile()) : nullptr;
 }
@@ -178,29 +173,6 @@ void Runner::beginAnew() {
     m_pacer = Pacer(m_course.session().updateSeconds() / m_speed);
     m_pacer.restart(seconds(Clock::now()));
     showAgain();
-}
-
-void Runner::wantQuadtree(bool wanted) {
-    command([this, wanted] {
-        m_quadtree = wanted;
-        showAgain();
-    });
-}
-
-void Runner::wantSession(bool wanted) {
-    command([this, wanted] {
-        m_withSession = wanted;
-        showAgain();
-    });
-}
-
-void Runner::wantProfile(bool wanted) {
-    command([this, wanted] {
-        if (wanted != m_watch.has_value()) {
-            m_watch = wanted ? std::optional<StepWatch>(clockNanoseconds) : std::nullopt;
-            post(m_last);
-        }
-    });
 }
 
 void Runner::setGrab(std::optional<Grab> grab) {

@@ -141,6 +141,13 @@ void Canvas::setDifference(std::shared_ptr<const ShownDifference> difference) {
     update();
 }
 
+void Canvas::setForces(std::vector<ForceArrow> arrows) {
+    if (!arrows.empty() || !m_forces.empty()) {
+        m_forces = std::move(arrows);
+        update();
+    }
+}
+
 void Canvas::setProblems(std::shared_ptr<const std::vector<ProblemMark>> marks, int current) {
     m_problems = std::move(marks);
     m_problem = current;
@@ -271,6 +278,7 @@ void Canvas::paintEvent(QPaintEvent*) {
         paintNodes(stage, *shown.level, shown.selection, *m_overlay.nodes);
     }
     LabelPainter labels(stage);
+    paintForces(stage, m_forces, labels);
     paintToolOverlay(stage, m_overlay, labels);
     if (m_overlay.snap) {
         paintSnap(stage, *m_overlay.snap, m_snapName ? m_snapName(*m_overlay.snap) : QString(), labels);
@@ -296,6 +304,7 @@ void Canvas::paintLive(QPainter& painter, const Frame2D& frame) {
         paintReach(stage, *m_reach);
     }
     LabelPainter labels(stage);
+    paintForces(stage, m_forces, labels);
     if (m_live->showsTool()) {
         if (m_overlay.nodes) {
             paintNodes(stage, *shown.level, shown.selection, *m_overlay.nodes);

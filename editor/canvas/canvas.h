@@ -7,6 +7,7 @@
 #include "editor/canvas/board.h"
 #include "editor/canvas/difference_painter.h"
 #include "editor/canvas/entry_box.h"
+#include "editor/canvas/force_painter.h"
 #include "editor/canvas/live_scene.h"
 #include "editor/canvas/overlay_palette.h"
 #include "editor/canvas/reach_painter.h"
@@ -53,6 +54,9 @@ class Canvas : public QWidget {
     const ShownReach* reach() const { return m_reach.get(); }
     /// Places of problems, drawn while the overlay is on, and which problem somebody looks at (−1: none).
     void setProblems(std::shared_ptr<const std::vector<ProblemMark>> marks, int current);
+    /// Of the body that is explained; none to show none.
+    void setForces(std::vector<ForceArrow> arrows);
+    const std::vector<ForceArrow>& forces() const { return m_forces; }
     bool areGuidesVisible() const { return m_toolbox.guidesVisible; }
     void setGuidesVisible(bool visible);
 
@@ -158,6 +162,7 @@ class Canvas : public QWidget {
     std::shared_ptr<const std::vector<Key>> m_highlighted = std::make_shared<const std::vector<Key>>();
     std::shared_ptr<const std::vector<ProblemMark>> m_problems;
     int m_problem = -1;
+    std::vector<ForceArrow> m_forces;
     struct ShownMarks {
         Frame2D frame;
         const Theme* theme = nullptr;

@@ -27,6 +27,8 @@ class TagMatrixPanel : public QWidget {
     void setAction(QAction& action) { m_highlight.setDefaultAction(&action); }
 
     void rename(int tag);
+    /// Of the run that goes on, or was the last.
+    void showTouches(const TagTouches& touches) { m_view.setTouches(touches); }
 
   protected:
     void showEvent(QShowEvent* event) override;

@@ -1,5 +1,6 @@
 #include "editor/panels/tag_matrix_view.h"
 
+#include "editor/canvas/palette.h"
 #include "editor/panels/names.h"
 #include "editor/panels/tag_names.h"
 
@@ -19,6 +20,7 @@ constexpr int tagDot = 10;       // px
 constexpr int nameGap = 6;       // px between tagDot and name
 constexpr int widestName = 150;  // px, of a name
 constexpr int smallestCell = 22; // px, of a cell
+constexpr double touchDot = 3.5; // px, its radius
 
 } // namespace
 
@@ -41,6 +43,13 @@ void TagMatrixView::setMatrix(const TagMatrix& matrix, const TagTable& tags) {
     setCurrent(std::min(m_row, std::max(0, count() - 1)), m_column);
     updateGeometry();
     update();
+}
+
+void TagMatrixView::setTouches(const TagTouches& touches) {
+    if (!(touches == m_touches)) {
+        m_touches = touches;
+        update();
+    }
 }
 
 void TagMatrixView::measure() {
@@ -103,8 +112,17 @@ QString TagMatrixView::textFor(const Pair& pair) const {
                          : cell.meeting == TagMeeting::None ? tr("“%1” and “%2” pass through each other.")
                          : cell.meeting == TagMeeting::All  ? tr("“%1” and “%2” touch each other.")
                                                            : tr("Some that are “%1” and “%2” touch each other.");
-    const QString text = what.arg(tagText(m_tags, pair.a), tagText(m_tags, pair.b));
-    return cell.isFixed ? text + QLatin1Char(' ') + tr("The rules of the game say so.") : text;
+    QString text = what.arg(tagText(m_tags, pair.a), tagText(m_tags, pair.b));
+    if (cell.isFixed) {
+        text += QLatin1Char(' ') + tr("The rules of the game say so.");
+    }
+    if (m_touches.haveTouched(pair.a, pair.b)) {
+        text += QLatin1Char(' ') + tr("They did touch in the last run.");
+    }
+    if (m_touches.havePassed(pair.a, pair.b)) {
+        text += QLatin1Char(' ') + tr("They met in the last run, and passed through each other.");
+    }
+    return text;
 }
 
 void TagMatrixView::toggle(const Pair& pair) {
@@ -187,10 +205,25 @@ void TagMatrixView::paintCell(QPainter& painter, int row, int column) const {
         painter.drawLine(QPointF(box.left() + 0.25 * box.width(), box.center().y()),
                          QPointF(box.right() - 0.25 * box.width(), box.center().y()));
     }
+    paintTouches(painter, pair, box);
     if (hasFocus() && row == m_row && column == m_column) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
         painter.setBrush(Qt::NoBrush);
         painter.drawRoundedRect(box.adjusted(-1.5, -1.5, 1.5, 1.5), 4, 4);
+    }
+}
+
+void TagMatrixView::paintTouches(QPainter& painter, const Pair& pair, const QRectF& box) const {
+    const MarkColors colors = markColors(shadeOf(palette()));
+    if (m_touches.haveTouched(pair.a, pair.b)) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colors.good);
+        painter.drawEllipse(box.topRight() + QPointF(-touchDot, touchDot), touchDot, touchDot);
+    }
+    if (m_touches.havePassed(pair.a, pair.b)) {
+        painter.setPen(QPen(colors.warning, 1.6));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(box.bottomRight() + QPointF(-touchDot, -touchDot), touchDot - 0.5, touchDot - 0.5);
     }
 }
 

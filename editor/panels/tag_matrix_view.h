@@ -2,6 +2,7 @@
 // A triangle of cells, one for each pair of tags: who touches whom. A click or the space bar changes the cell, the
 // arrow keys go from cell to cell; names at the sides open a menu.
 
+#include "core/game/tag_touches.h"
 #include "editor/editing/tag_matrix.h"
 
 #include <QWidget>
@@ -17,6 +18,10 @@ class TagMatrixView : public QWidget {
     explicit TagMatrixView(QWidget* parent = nullptr);
 
     void setMatrix(const TagMatrix& matrix, const TagTable& tags);
+    /// What really touched in the last run: a disc in the corner of the cell, or a ring where they met and passed.
+    void setTouches(const TagTouches& touches);
+    const TagTouches& touches() const { return m_touches; }
+    QString textFor(int a, int b) const { return textFor(Pair{a, b}); }
 
     struct Pair {
         int a = 0;
@@ -59,9 +64,11 @@ class TagMatrixView : public QWidget {
     void setCurrent(int row, int column);
     void paintNames(QPainter& painter) const;
     void paintCell(QPainter& painter, int row, int column) const;
+    void paintTouches(QPainter& painter, const Pair& pair, const QRectF& box) const;
 
     TagMatrix m_matrix;
     TagTable m_tags;
+    TagTouches m_touches;
     int m_cell = 0;  // px
     int m_names = 0; // px, the longest name with its colour
     std::optional<Pair> m_hovered;

@@ -50,6 +50,7 @@ void LiveRun::begin(const Level& level, const Beginning& beginning) {
     }
     m_kind = phase() == Phase::Sandbox ? Kind::Simulation : beginning.wanted;
     m_runner->wantSession(!m_sessionWanted.empty());
+    m_runner->wantProfile(m_profile);
     m_watching = false;
     m_lost = 0;
     m_paceTime.start();
@@ -240,6 +241,12 @@ void LiveRun::wantSession(const void* who, bool wanted) {
     wanted ? m_sessionWanted.insert(who).second : m_sessionWanted.erase(who) > 0;
     if (m_runner && before == m_sessionWanted.empty()) {
         m_runner->wantSession(!m_sessionWanted.empty());
+    }
+}
+
+void LiveRun::wantProfile(bool wanted) {
+    if (std::exchange(m_profile, wanted) != wanted && m_runner) {
+        m_runner->wantProfile(wanted);
     }
 }
 

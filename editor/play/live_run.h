@@ -59,6 +59,8 @@ class LiveRun : public QObject {
     void restart();
     /// Whether somebody needs copies of what runs, see session(). Each asks for itself.
     void wantSession(const void* who, bool wanted);
+    /// Whether frames tell how long the stages of updates took.
+    void wantProfile(bool wanted);
     /// A recorded flight goes its way, and nobody has taken over yet.
     bool isWatching() const { return m_watching; }
 
@@ -136,6 +138,7 @@ class LiveRun : public QObject {
     bool m_ranBefore = false;     // it was rewound
     std::int64_t m_rewoundTo = 0; // shown or asked for
     QElapsedTimer m_rewindTime;
+    bool m_profile = false;
     Phase m_shownPhase = Phase::Sandbox;
     QElapsedTimer m_paceTime; // since it was looked at
     double m_lost = 0;        // s, at that time

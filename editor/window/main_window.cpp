@@ -32,6 +32,7 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
       m_history(m_document, m_toolbox, [](const Label& label) { return sentence(label); }),
       m_levelPanel(m_document, [](const Error& error) { return sentence(error); }), m_flights(m_document),
       m_differences(m_document, m_canvas), m_runChanges(m_open->runChanges, m_document, m_canvas),
+      m_explanations(m_document, m_canvas, m_tagMatrix),
       m_minimap(m_document, m_canvas),
       m_recoveryBar(journalFolder(), [this](const JournalEntry& entry) { return restoreWork(entry); }),
       m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
@@ -72,7 +73,8 @@ MainWindow::~MainWindow() {
     m_files.opened.disconnect(m_openedListener);
     m_open->disk.noticed.disconnect(m_noticeListener);
     m_open->remove(*this);
-    for (QObject* widget : std::initializer_list<QObject*>{&m_canvas, &m_run, &m_live, &m_problems, &m_status}) {
+    for (QObject* widget : std::initializer_list<QObject*>{&m_canvas, &m_run, &m_live, &m_problems, &m_status,
+                                                           &m_explanations.panel(), &m_explanations.plots()}) {
         widget->blockSignals(true);
     }
 }

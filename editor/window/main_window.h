@@ -23,6 +23,7 @@
 #include "editor/window/collision_view.h"
 #include "editor/window/difference_panel.h"
 #include "editor/window/exchange.h"
+#include "editor/window/explanations.h"
 #include "editor/window/finder.h"
 #include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
@@ -175,6 +176,7 @@ class MainWindow : public QMainWindow {
     FlightsPanel& flights() { return m_flights; }
     DifferencePanel& differences() { return m_differences; }
     RunChangesPanel& runChangesPanel() { return m_runChanges; }
+    Explanations& explanations() { return m_explanations; }
     ArrayBar& arrayBar() { return m_arrays; }
     TransformBar& transformBar() { return m_transform; }
     Actions& actions() { return m_actions; }
@@ -242,6 +244,8 @@ class MainWindow : public QMainWindow {
     void showTension(const Object* object);
     void updateTimeline();
     void updatePace();
+    void updateExplanations();
+    void writePlots(const QByteArray& csv);
     std::shared_ptr<const Level> levelToRun() const;
     void tellErrors();
     void showBoard();
@@ -290,6 +294,7 @@ class MainWindow : public QMainWindow {
     FlightsPanel m_flights;
     DifferencePanel m_differences;
     RunChangesPanel m_runChanges;
+    Explanations m_explanations;
     Minimap m_minimap;
     RecoveryBar m_recoveryBar;
     MessageBar m_diskBar; // what others do to the file

@@ -2,6 +2,7 @@
 
 #include "editor/window/main_window.h"
 
+#include "core/base/whole_file.h"
 #include "core/level/object_geometry.h"
 #include "editor/window/messages.h"
 
@@ -155,6 +156,14 @@ void MainWindow::listenToRun() {
     connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateTimeline);
     connect(&m_run, &LiveRun::speedChanged, this, &MainWindow::updatePace);
     connect(&m_timeline.scale(), &TimelineScale::sought, this, [this](qint64 update) { m_run.seek(update); });
+    connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateExplanations);
+    connect(&m_run, &LiveRun::started, this, &MainWindow::updateExplanations);
+    connect(&m_run, &LiveRun::stopped, this, [this] { m_explanations.setRuns(false); });
+    connect(&m_explanations.panel(), &ExplainPanel::objectWanted, this, &MainWindow::showObject);
+    connect(&m_explanations.plots(), &PlotPanel::exportWanted, this, &MainWindow::writePlots);
+    m_explanations.whereToWrite = [this](const QString& suggested) {
+        return QFileDialog::getSaveFileName(this, tr("Write plots"), suggested, tr("Tables (*.csv)"));
+    };
     connect(&m_live, &LiveView::framesCounted, this, [this](double perSecond) {
         m_framesPerSecond = perSecond;
         updatePace();
@@ -253,6 +262,27 @@ void MainWindow::showTension(const Object* object) {
     } else {
         m_inspector.showMotion({});
     }
+}
+
+/// Copies and times are made for what can be seen only.
+void MainWindow::updateExplanations() {
+    m_explanations.setRuns(m_run.isRunning());
+    m_run.wantSession(&m_explanations, m_explanations.wantsSession());
+    m_run.wantProfile(m_explanations.wantsProfile());
+    const std::shared_ptr<const Frame> frame = m_run.frame();
+    if (frame != nullptr && frame->session != nullptr) {
+        m_explanations.showRun(frame->session, frame->profile);
+    }
+}
+
+void MainWindow::writePlots(const QByteArray& csv) {
+    const QString path = m_explanations.whereToWrite(m_exchange.suggestion() + QStringLiteral(".csv"));
+    if (path.isEmpty()) {
+        return;
+    }
+    const std::optional<Error> error = writeFileOrStream(path.toStdString(), csv.toStdString());
+    m_message.say(error ? MessageBar::Tone::Error : MessageBar::Tone::Info,
+                  error ? sentence(*error) : tr("The plots are in “%1”.").arg(path));
 }
 
 /// What keys and mouse do to what runs.

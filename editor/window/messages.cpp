@@ -77,6 +77,9 @@ QString sentence(const Problem& problem) {
 }
 
 QString sentence(const Error& error) {
+    if (textOf(explainTexts(), error.code) != nullptr) {
+        return sentenceOf(explainTexts(), error.code, error.arguments);
+    }
     if (textOf(exchangeTexts(), error.code) == nullptr) {
         return sentenceOf(problemTexts(), error.code, error.arguments);
     }
@@ -104,7 +107,7 @@ QString sentence(const Label& label) {
 
 bool hasSentence(const std::string& code) {
     return textOf(problemTexts(), code) != nullptr || textOf(exchangeTexts(), code) != nullptr ||
-           textOf(hintTexts(), code) != nullptr;
+           textOf(hintTexts(), code) != nullptr || textOf(explainTexts(), code) != nullptr;
 }
 
 bool hasLabel(const std::string& code) {

@@ -18,6 +18,8 @@ struct LabelText {
 
 std::span<const MessageText> problemTexts();  // and errors
 std::span<const MessageText> exchangeTexts(); // what importing and exporting have to say
+/// Why two objects do not collide, and what would cure it.
+std::span<const MessageText> explainTexts();
 std::span<const LabelText> labelTexts();
 /// Of all tools, which have them in their rows, and of guides.
 std::span<const MessageText> hintTexts();

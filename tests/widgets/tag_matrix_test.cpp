@@ -1,5 +1,6 @@
 #include "editor/panels/tag_matrix_panel.h"
 
+#include "core/game/session.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
@@ -71,6 +72,32 @@ class TagMatrixTest : public QObject {
         QVERIFY(test.touches(0) == TagMask::all() && test.touches(1) == TagMask::all());
         test.document.undo();
         QVERIFY(!test.touches(0).contains(debrisTag));
+    }
+
+    void whatTouchedInTheLastRunIsMarked() {
+        Object floor = taggedBody(1, TagMask::bit(6));
+        std::get<BodyObject>(floor.data).kind = BodyKind::Static;
+        Object touching = taggedBody(2, TagMask::bit(7));
+        std::get<BodyObject>(touching.data).position = {1.5, 0};
+        Object passing = taggedBody(3, TagMask::bit(8), TagMask{});
+        std::get<BodyObject>(passing.data).position = {-1.5, 0};
+        TagMatrixFixture test({floor, touching, passing});
+        TagMatrixView& view = test.panel.view();
+        const auto seen = [&view](int a, int b) { return view.grab(view.cellOf(a, b)).toImage(); };
+        const QImage before = seen(6, 7);
+        const QImage beforePassing = seen(6, 8);
+        const QImage beforeOthers = seen(7, 8);
+        Session session(test.document.level());
+        session.setExplains(true);
+        session.step(Controls{});
+        test.panel.showTouches(session.tagTouches());
+        QVERIFY(view.textFor(6, 7).contains("did touch") && !view.textFor(6, 7).contains("met"));
+        QVERIFY(view.textFor(8, 6).contains("met in the last run") && !view.textFor(8, 6).contains("did touch"));
+        QVERIFY(!view.textFor(7, 8).contains("last run"));
+        QVERIFY(seen(6, 7) != before);
+        QVERIFY(seen(6, 8) != beforePassing);
+        QVERIFY(seen(6, 8) != seen(6, 7));
+        QVERIFY(seen(7, 8) == beforeOthers);
     }
 
     void theKeysGoFromCellToCell() {
