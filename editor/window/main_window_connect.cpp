@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QLayout>
 
 namespace spacetow {
 
@@ -130,6 +131,9 @@ void MainWindow::restore() {
     m_inspector.foldSections(m_files.preferences.foldedSections());
     restoreGeometry(m_files.preferences.geometry());
     restoreState(m_files.preferences.windowState());
+    layout()->invalidate(); // it holds to what the panels asked for before they were tabs
+    layout()->activate();
+    restoreGeometry(m_files.preferences.geometry()); // which it had outgrown by that
 }
 
 } // namespace spacetow

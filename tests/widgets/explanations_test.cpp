@@ -145,6 +145,19 @@ class ExplanationsTest : public QObject {
         QCOMPARE(static_cast<std::size_t>(file.readAll().count('\n')), rows + 1);
     }
 
+    void aWindowComesBackNoLargerThanItWas() {
+        ExplainedRun run;
+        run.show("explain");
+        run.test.window->resize(1100, 700);
+        QApplication::processEvents();
+        run.test.unsaved = Unsaved::Discard;
+        run.test.window->close();
+        run.test.reopen();
+        QApplication::processEvents();
+        QVERIFY(run.dock("explain").isVisible());
+        QCOMPARE(run.test.window->size(), QSize(1100, 700));
+    }
+
     void nothingIsClippedInASmallWindow() {
         ExplainedRun run;
         for (const char* name : {"explain", "plots", "profile"}) {
