@@ -13,13 +13,19 @@ namespace spacetow {
 std::vector<Part> partsOf(const Shape& shape);
 
 /// Finds the walls that continue one another: all in the same coordinates, ends no further apart than the tolerance of
-/// near_points.h, edge to edge in the direction a → b and line to line in either. Where more than two meet, the
-/// straightest pairs are joined. Resets earlier joints. O(n log n); a point where a crowd of walls end joins none.
+/// near_points.h, edge to edge in the direction a → b and line to line in either; then, of what is left, edge to line,
+/// on the side that is solid on both. Where more than two meet, the straightest pairs are joined. Resets earlier
+/// joints. O(n log n); a point where a crowd of walls end joins none.
 void joinWalls(std::span<WallPart* const> walls);
 
 /// Finds faces that parts share from one corner on, within the same tolerance: all in the same coordinates. They become
 /// inner faces, as if the parts had been cut from one polygon, so that a row of boxes is as smooth as one long box; the
 /// longer one of two gets a corner where the other ends. What is beyond the corners of parts is found, too. O(n log n).
 void joinConvexParts(std::span<ConvexPart* const> parts);
+
+/// Finds the corners of parts at which walls end that nothing else continues, and go on as one side of the part: as a
+/// floor does that is an edge first and the top of a box then. All in the same coordinates, after the two above. What
+/// of the other side of the corner is beside the floor, and not below it, becomes a floor edge. O(n log n).
+void joinWallsWithParts(std::span<WallPart* const> walls, std::span<ConvexPart* const> parts);
 
 } // namespace spacetow

@@ -39,6 +39,7 @@ std::vector<LooseEnd> looseEnds(std::span<WallPart* const> walls) {
     for (std::size_t i = 0; i < walls.size(); ++i) {
         WallPart& wall = *walls[i];
         wall.joinedAtA = wall.joinedAtB = false;
+        wall.sideAtA = wall.sideAtB = JoinedSide::Both;
         wall.beforeA = wall.afterB = Vec2(0, 0);
         const Vec2 way = wall.b - wall.a;
         const Vec2 along = way.normalized();
@@ -50,20 +51,25 @@ std::vector<LooseEnd> looseEnds(std::span<WallPart* const> walls) {
     return ends;
 }
 
+/// Whether one of the two walls is an edge and the other a line.
+bool differ(const LooseEnd& s, const LooseEnd& t) {
+    return s.oneWay != t.oneWay;
+}
+
 /// How straight one end continues the other; `none` when it cannot.
-Match matchOf(const std::vector<LooseEnd>& ends, std::size_t i, std::size_t j) {
+Match matchOf(const std::vector<LooseEnd>& ends, std::size_t i, std::size_t j, bool mixed) {
     const LooseEnd& s = ends[i];
     const LooseEnd& t = ends[j];
     const double cosine = -s.away.dot(t.away);
     const double squared = (s.point - t.point).squaredNorm();
     const double distance = meetingDistance(s.length, t.length);
-    const bool fits = s.wall != t.wall && s.oneWay == t.oneWay && squared <= distance * distance &&
-                      (s.oneWay ? s.leaves != t.leaves : cosine > foldedBack);
+    const bool fits = s.wall != t.wall && differ(s, t) == mixed && squared <= distance * distance &&
+                      (s.oneWay && t.oneWay ? s.leaves != t.leaves : cosine > foldedBack);
     return fits ? Match{j, cosine, squared} : Match{};
 }
 
 /// For each end the one that continues it most nearly.
-std::vector<std::size_t> partnersOf(const std::vector<LooseEnd>& ends) {
+std::vector<std::size_t> partnersOf(const std::vector<LooseEnd>& ends, bool mixed) {
     std::vector<Vec2> points;
     points.reserve(ends.size());
     for (const LooseEnd& end : ends) {
@@ -74,7 +80,7 @@ std::vector<std::size_t> partnersOf(const std::vector<LooseEnd>& ends) {
     for (std::size_t i = 0; i < ends.size(); ++i) {
         Match best;
         const bool few =
-            near.visit(ends[i].point, [&](std::uint32_t j) { best = std::max(best, matchOf(ends, i, j)); });
+            near.visit(ends[i].point, [&](std::uint32_t j) { best = std::max(best, matchOf(ends, i, j, mixed)); });
         partners[i] = few ? best.end : Match::none;
     }
     return partners;
@@ -87,25 +93,42 @@ void join(const LooseEnd& end, const LooseEnd& partner, std::span<WallPart* cons
     if (partner.point != end.point) {
         farEnd += end.point - partner.point;
     }
+    JoinedSide side = JoinedSide::Both;
+    if (differ(end, partner)) {
+        side = end.oneWay || end.leaves != partner.leaves ? JoinedSide::Left : JoinedSide::Right;
+    }
     WallPart& wall = *walls[end.wall];
     if (end.leaves) {
         wall.joinedAtA = true;
+        wall.sideAtA = side;
         wall.beforeA = farEnd;
     } else {
         wall.joinedAtB = true;
+        wall.sideAtB = side;
         wall.afterB = farEnd;
+    }
+}
+
+void joinEnds(const std::vector<LooseEnd>& ends, bool mixed, std::span<WallPart* const> walls) {
+    const std::vector<std::size_t> partners = partnersOf(ends, mixed);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        if (partners[i] != Match::none && partners[partners[i]] == i) {
+            join(ends[i], ends[partners[i]], walls);
+        }
     }
 }
 
 } // namespace
 
 void joinWalls(std::span<WallPart* const> walls) {
-    const std::vector<LooseEnd> ends = looseEnds(walls);
-    const std::vector<std::size_t> partners = partnersOf(ends);
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        if (partners[i] != Match::none && partners[partners[i]] == i) {
-            join(ends[i], ends[partners[i]], walls);
-        }
+    std::vector<LooseEnd> ends = looseEnds(walls);
+    joinEnds(ends, false, walls);
+    std::erase_if(ends, [walls](const LooseEnd& end) {
+        return end.leaves ? walls[end.wall]->joinedAtA : walls[end.wall]->joinedAtB;
+    });
+    const auto isLine = [](const LooseEnd& end) { return !end.oneWay; };
+    if (std::any_of(ends.begin(), ends.end(), isLine) && !std::all_of(ends.begin(), ends.end(), isLine)) {
+        joinEnds(ends, true, walls);
     }
 }
 

@@ -22,6 +22,10 @@ WallEnd::Kind jointKind(double turn, double cosine) {
     return convex ? WallEnd::Kind::Convex : WallEnd::Kind::Smooth;
 }
 
+bool isOnSide(JoinedSide joined, bool right) {
+    return joined != (right ? JoinedSide::Left : JoinedSide::Right);
+}
+
 void join(WallEnd& end, const Vec2& next, const Vec2& direction) {
     end.next = next;
     end.nextDirection = direction;
@@ -58,13 +62,15 @@ WallSide faceOf(const WallPart& wall, bool right) {
 
 WallSide sideOf(const WallPart& wall, bool right) {
     WallSide side = faceOf(wall, right);
-    if (right ? wall.joinedAtB : wall.joinedAtA) {
+    const bool atA = wall.joinedAtA && isOnSide(wall.sideAtA, right);
+    const bool atB = wall.joinedAtB && isOnSide(wall.sideAtB, right);
+    if (right ? atB : atA) {
         const Vec2& previous = right ? wall.afterB : wall.beforeA;
         join(side.start, previous, unitOr(side.start.point - previous, side.direction));
         const Vec2& incoming = side.start.nextDirection;
         side.start.kind = jointKind(cross(incoming, side.direction), incoming.dot(side.direction));
     }
-    if (right ? wall.joinedAtA : wall.joinedAtB) {
+    if (right ? atA : atB) {
         const Vec2& next = right ? wall.beforeA : wall.afterB;
         join(side.end, next, unitOr(next - side.end.point, side.direction));
         const Vec2& outgoing = side.end.nextDirection;

@@ -1,3 +1,4 @@
+#include "tests/support/gaps.h"
 #include "tests/support/joint_scenes.h"
 
 using namespace spacetow;
@@ -6,6 +7,10 @@ using namespace spacetow::test;
 namespace {
 
 const char* const jointedWalls[] = {"edges", "thin edges", "lines", "boxes", "uneven boxes"};
+const char* const mixedWalls[][2] = {
+    {"edges", "lines"}, {"lines", "edges"}, {"thin edges", "lines"}, {"edges", "thin edges"},
+    {"edges", "boxes"}, {"boxes", "edges"}, {"lines", "boxes"},      {"boxes", "lines"},
+};
 const char* const passingBodies[] = {"box", "ship", "bar", "hexagon", "convex", "concave"};
 
 /// 0, or a power of ten from 10^low to 10^high with either sign.
@@ -23,7 +28,8 @@ T anyOf(Random& random, const T (&list)[n]) {
 
 QString described(const JointedFloor& floor, const Passage& passage, const Felt& felt) {
     return QString("%1%2 at %3°, missing by (%4, %5) m; %6 corner at %7 m, %8 m/s, %9 iterations: ")
-               .arg(floor.walls, floor.oneBody ? " of one body" : "")
+               .arg(floor.then.isEmpty() ? floor.walls : floor.walls + ", then " + floor.then,
+                    floor.oneBody ? " of one body" : "")
                .arg(floor.angle * 180 / pi)
                .arg(floor.miss.x())
                .arg(floor.miss.y())
@@ -47,25 +53,37 @@ class JointSweepTest : public QObject {
     void aBoxRestsBesideAJoint();
     void aShipRestsInTheTipOfAHollow();
     void aHexagonRestsShortOfAJoint();
+    void nothingGetsIntoABlockAtTheEndOfAWall();
 };
 
 void JointSweepTest::noJointIsFelt_data() {
     QTest::addColumn<QString>("what");
     QTest::addColumn<bool>("exact");
+    QTest::addColumn<bool>("mixed");
     for (const char* what : passingBodies) {
-        QTest::addRow("%s, pieces that meet", what) << what << true;
-        QTest::addRow("%s, pieces that nearly meet", what) << what << false;
+        for (const bool mixed : {false, true}) {
+            QTest::addRow("%s, pieces%s that meet", what, mixed ? " of two kinds" : "") << what << true << mixed;
+            QTest::addRow("%s, pieces%s that nearly meet", what, mixed ? " of two kinds" : "")
+                << what << false << mixed;
+        }
     }
 }
 
 void JointSweepTest::noJointIsFelt() {
     QFETCH(QString, what);
     QFETCH(bool, exact);
+    QFETCH(bool, mixed);
     constexpr double speeds[] = {0, 0.1, 0.5, 1, 3, 5, 9, 20, 50};
     constexpr int counts[] = {1, 4, 20, 100};
-    for (unsigned seed = 0; seed < fullOrQuick(2000u, usualOrThin(160u, 20u)); ++seed) {
+    const unsigned usual = mixed ? 60 : 160;
+    for (unsigned seed = 0; seed < fullOrQuick(2000u, usualOrThin(usual, 20u)); ++seed) {
         Random random(seed);
         JointedFloor floor{.walls = anyOf(random, jointedWalls), .oneBody = random.below(2) == 0};
+        if (mixed) {
+            const auto& kinds = mixedWalls[random.below(std::size(mixedWalls))];
+            floor.walls = kinds[0];
+            floor.then = kinds[1];
+        }
         floor.angle = random.below(24) * pi / 12;
         if (!exact) {
             floor.miss = {tiny(random, -16, -6), tiny(random, -16, -6)};
@@ -185,6 +203,32 @@ void JointSweepTest::aHexagonRestsShortOfAJoint() {
                 QVERIFY(std::abs(world.body(id).angularVelocity) < 1e-9);
                 QVERIFY(std::abs(world.body(id).velocity.y()) < 1e-9);
             }
+        }
+    }
+}
+
+void JointSweepTest::nothingGetsIntoABlockAtTheEndOfAWall() {
+    const char* const thrown[] = {"ball", "box", "ship", "bar", "hexagon", "convex"};
+    for (unsigned seed = 0; seed < fullOrQuick(3000u, usualOrThin(300u, 40u)); ++seed) {
+        Random random(seed);
+        World world(withIterations(random.below(2) == 0 ? 4 : 20, {0, 0}));
+        const Polygon block{{{0, -1}, {1, -1}, {1, 0}, {0, 0}}};
+        add(world, {.kind = BodyKind::Static, .shapes = {block}});
+        add(world, lineBody({-3, random.uniform(-0.5, 1)}, {0, 0}));
+        const QString what = anyOf(random, thrown);
+        const bool round = what == "ball";
+        const Shape shape = round ? Shape(Circle{{0, 0}, 0.15}) : Shape(lyingShapeOf(what, random));
+        const Rot from = Rot::fromAngle(random.uniform(-pi, pi));
+        const Vec2 to(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3));
+        BodyDef def{.shapes = {shape}, .position = 2.2 * from.right()};
+        def.angle = random.uniform(-pi, pi);
+        def.velocity = random.uniform(0.5, 30) * (to - def.position).normalized();
+        def.angularVelocity = random.uniform(-5, 5);
+        const BodyId id = add(world, def);
+        for (int i = 0; i < 60; ++i) {
+            world.update();
+            const double depth = overlapDepth(shape, world.body(id).pose, block, {}, 0.02);
+            QVERIFY2(depth < 0.01, qPrintable(QString("seed %1: %2, %3 m").arg(seed).arg(what).arg(depth)));
         }
     }
 }

@@ -3,10 +3,12 @@
 #include "core/physics/world/world.h"
 
 #include "core/base/random.h"
+#include "core/physics/state/world_data.h"
 #include "tests/support/bodies.h"
 #include "tests/support/test_main.h"
 
 #include <numbers>
+#include <optional>
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -45,6 +47,32 @@ bool samePlaces(const World& a, const World& b) {
     }
     return true;
 }
+
+/// A box that slides on another one, which stands on a floor.
+struct Ride {
+    World world{{.iterations = 4}};
+    BodyId carrier, rider;
+
+    Ride() {
+        add(world, edgeBody({-5, 0}, {5, 0}));
+        BodyDef below = box({0, 1}, 1, 1);
+        BodyDef above = box({-0.4, 2.5}, 0.5, 0.5);
+        below.friction = above.friction = 0.01;
+        above.velocity = {0.4, 0};
+        carrier = add(world, below);
+        rider = add(world, above);
+    }
+    Vec2 carrierFromRider() const { return world.body(carrier).massCenter - world.body(rider).massCenter; }
+    /// The same when the manifold between them was made, where there is one: it alone has something below it.
+    std::optional<Vec2> whenManifoldWasMade() const {
+        for (const KeptManifold& manifold : world.data().manifolds) {
+            if (manifold.tolerance >= 0 && manifold.relative.position.y() < 0) {
+                return manifold.relative.position;
+            }
+        }
+        return std::nullopt;
+    }
+};
 
 double angularMomentum(const World& world) {
     double sum = 0;
@@ -92,6 +120,28 @@ class KeptContactsTest : public QObject {
                 QVERIFY2(samePlaces(keeping, forgetting), qPrintable(QString("seed %1, update %2").arg(seed).arg(i)));
             }
         }
+    }
+
+    /// What does not bounce keeps its manifold for several updates, and slides all the same.
+    void aKeptManifoldMovesABodyNearlyAsNewOnesDo() {
+        constexpr double moreThanAnUpdate = 0.02; // m; of one it is 0.008 m
+        Ride keeping;
+        Ride forgetting;
+        int kept = 0;
+        for (int i = 0; i < 60; ++i) {
+            forgetting.world.setFilter(forgetting.rider, forgetting.world.body(forgetting.rider).filter);
+            keeping.world.update();
+            forgetting.world.update();
+            const BodyState a = keeping.world.body(keeping.rider);
+            const BodyState b = forgetting.world.body(forgetting.rider);
+            QVERIFY((a.massCenter - b.massCenter).norm() < 1e-3 && std::abs(a.angle - b.angle) < 1e-3);
+            QVERIFY((a.velocity - b.velocity).norm() < 1e-3 && a.velocity.x() > 0.2);
+            const std::optional<Vec2> old = keeping.whenManifoldWasMade();
+            kept += old && (*old - keeping.carrierFromRider()).norm() > moreThanAnUpdate ? 1 : 0;
+            const std::optional<Vec2> fresh = forgetting.whenManifoldWasMade();
+            QVERIFY(!fresh || (*fresh - forgetting.carrierFromRider()).norm() < moreThanAnUpdate);
+        }
+        QVERIFY2(kept > 10, qPrintable(QString::number(kept)));
     }
 
     /// The points of a kept manifold move with the bodies, and the impulses act where they are.

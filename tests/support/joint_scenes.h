@@ -11,21 +11,22 @@ namespace spacetow::test {
 /// Of two pieces that meet at the origin: as two bodies or one, straight ahead but for `miss`.
 struct JointedFloor {
     QString walls; // "edges", "thin edges", "lines", "boxes", "uneven boxes"
+    QString then;  // the second piece, where that is of another kind
     bool oneBody = false;
     double angle = 0;   // rad
     Vec2 miss{0, 0};    // m, of the second piece, along the floor and above it
     bool whole = false; // one piece only, to compare with
 };
 
-inline Shape pieceOf(const JointedFloor& floor, const Vec2& a, const Vec2& b, double thick) {
-    const Rot rotation = Rot::fromAngle(floor.angle);
+/// Of a floor at this angle.
+inline Shape pieceOf(const QString& walls, const Rot& rotation, const Vec2& a, const Vec2& b, double thick) {
     const Vec2 from = rotation * a;
     const Vec2 to = rotation * b;
-    if (floor.walls == "lines") {
+    if (walls == "lines") {
         return Line{from, to};
     }
-    if (floor.walls == "edges" || floor.walls == "thin edges") {
-        return Edge{from, to, floor.walls == "edges" ? noBack : 0};
+    if (walls == "edges" || walls == "thin edges") {
+        return Edge{from, to, walls == "edges" ? noBack : 0};
     }
     const Vec2 down = rotation * Vec2(0, -thick);
     return Polygon{{from, from + down, to + down, to}};
@@ -33,10 +34,12 @@ inline Shape pieceOf(const JointedFloor& floor, const Vec2& a, const Vec2& b, do
 
 inline void addJointedFloor(World& world, const JointedFloor& floor) {
     const Vec2 end(60, 0);
+    const Rot rotation = Rot::fromAngle(floor.angle);
     const double secondThick = floor.walls == "uneven boxes" ? 2 : 1;
-    std::vector<Shape> shapes{pieceOf(floor, {-10, 0}, floor.whole ? end : Vec2(0, 0), 1)};
+    std::vector<Shape> shapes{pieceOf(floor.walls, rotation, {-10, 0}, floor.whole ? end : Vec2(0, 0), 1)};
     if (!floor.whole) {
-        shapes.push_back(pieceOf(floor, floor.miss, end + floor.miss, secondThick));
+        const QString& second = floor.then.isEmpty() ? floor.walls : floor.then;
+        shapes.push_back(pieceOf(second, rotation, floor.miss, end + floor.miss, secondThick));
     }
     BodyDef body{.kind = BodyKind::Static, .friction = 0};
     for (const Shape& shape : shapes) {

@@ -130,6 +130,7 @@ void setParts(BodyRecord& record, const BodyDef& def) {
     }
     joinWalls(walls);
     joinConvexParts(convexParts);
+    joinWallsWithParts(walls, convexParts);
     record.parts = std::move(parts);
 }
 
