@@ -36,13 +36,13 @@ void ReachView::finish() {
 }
 
 ReachView::Subject ReachView::wanted() {
+    m_run.wantSession(this, m_on); // also before the pause, which shows what there is
     if (!m_on) {
         return {};
     }
     if (!m_run.isRunning()) {
         return {m_document.current().level, nullptr, {}, m_seconds};
     }
-    m_run.runner()->wantSession(true); // also before the pause, which shows what there is
     if (!m_run.isPaused()) {
         return {};
     }

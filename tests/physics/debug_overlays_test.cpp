@@ -1,5 +1,5 @@
 // What drawWorld draws that concerns more than one body, or more than its outline.
-#include "core/physics/query/contact_points.h"
+#include "core/physics/query/contact_manifolds.h"
 #include "core/physics/query/queries.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/recording_draw.h"
@@ -139,8 +139,8 @@ void DebugOverlaysTest::contactsShowTheirPointsNormalsAndForces() {
     }
     QVERIFY2(std::abs(metres - 1) < 0.02, qPrintable(QString::number(metres))); // its weight is what carries it
     double newtons = 0;
-    for (const ContactReading& contact : contactReadings(world)) {
-        for (const ContactReading::Point& point : contact.points) {
+    for (const ContactManifold& contact : contactManifolds(world)) {
+        for (const ContactManifold::Point& point : contact.points) {
             newtons += point.normalImpulse * 10 / 0.02;
         }
     }
@@ -156,7 +156,7 @@ void DebugOverlaysTest::whatIsMerelyNearHasARing() {
     world.update();
     const DebugView view = closeView({.contacts = true});
     const std::vector<DrawCall> calls = recorded(world, view);
-    const std::vector<ContactReading> contacts = contactReadings(world);
+    const std::vector<ContactManifold> contacts = contactManifolds(world);
     QCOMPARE(contacts.size(), std::size_t{1});
     QVERIFY(!contacts[0].touching);
     QCOMPARE(callsOf(calls, Form::Circle, view.colors.nearPoint).size(), static_cast<std::size_t>(contacts[0].count));
@@ -171,10 +171,10 @@ void DebugOverlaysTest::circlesTouchWhereTheyMeet() {
     upper.rotationFrozen = true;
     add(world, upper);
     run(world, 0.2);
-    const std::vector<ContactReading> contacts = contactReadings(world);
+    const std::vector<ContactManifold> contacts = contactManifolds(world);
     QCOMPARE(contacts.size(), std::size_t{2});
     std::set<int> heights;
-    for (const ContactReading& contact : contacts) {
+    for (const ContactManifold& contact : contacts) {
         QVERIFY(contact.touching);
         QCOMPARE(contact.count, 1);
         QVERIFY(std::abs(std::abs(contact.normal.y()) - 1) < 1e-3);

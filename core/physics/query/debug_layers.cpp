@@ -1,7 +1,7 @@
 #include "core/physics/query/debug_layers.h"
 
 #include "core/geometry/bounds.h"
-#include "core/physics/query/contact_points.h"
+#include "core/physics/query/contact_manifolds.h"
 #include "core/physics/query/queries.h"
 #include "core/physics/query/tunnelling.h"
 #include "core/physics/state/world_data.h"
@@ -116,11 +116,11 @@ bool keepsApart(const WorldData& data, BodyId a, BodyId b) {
     return std::ranges::binary_search(data.notColliding, pair);
 }
 
-void drawContact(const World& world, const ContactReading& contact, const DebugView& view, DebugDraw& draw) {
+void drawContact(const World& world, const ContactManifold& contact, const DebugView& view, DebugDraw& draw) {
     const UpdateParameters& parameters = world.parameters();
     const double lighter = std::min(world.body(contact.a).mass, world.body(contact.b).mass);
     const double metres = parameters.iterations / (parameters.seconds * lighter * earthGravity); // an N s
-    for (const ContactReading::Point& point :
+    for (const ContactManifold::Point& point :
          std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
         const Vec2 at = view.view.toView(point.at);
         if (!contact.touching) {
@@ -136,7 +136,7 @@ void drawContact(const World& world, const ContactReading& contact, const DebugV
         draw.filledCircle(at, dotRadius, view.colors.touchPoint);
     }
     if (contact.touching && contact.tangentImpulse != 0 && std::isfinite(metres)) {
-        const ContactReading::Point& point = contact.points[0];
+        const ContactManifold::Point& point = contact.points[0];
         draw.arrow(view.view.toView(point.at),
                    view.view.toView(point.at + metres * contact.tangentImpulse * leftOf(contact.normal)),
                    view.colors.impulse);
@@ -263,7 +263,7 @@ void drawTrails(const DebugView& view, DebugDraw& draw) {
 }
 
 void drawContacts(const World& world, const DebugView& view, DebugDraw& draw) {
-    for (const ContactReading& contact : contactReadings(world, view.area)) {
+    for (const ContactManifold& contact : contactManifolds(world, view.area)) {
         drawContact(world, contact, view, draw);
     }
 }

@@ -128,6 +128,8 @@ struct WorldData {
     }
     BodyId idOf(Slot slot) const { return {slot, records[slot].generation}; }
     Transform pose(Slot slot) const { return {motions[slot].center, motions[slot].rotation}; }
+    /// Of the second part of a pair; static parts are in world coordinates.
+    Transform poseOfB(const Pair& pair) const { return pair.staticB ? Transform{} : pose(pair.bodyB); }
 };
 
 } // namespace spacetow

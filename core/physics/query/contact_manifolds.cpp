@@ -1,4 +1,4 @@
-#include "core/physics/query/contact_points.h"
+#include "core/physics/query/contact_manifolds.h"
 
 #include "core/geometry/collide.h"
 #include "core/physics/state/world_data.h"
@@ -12,16 +12,12 @@ namespace {
 // m: of surfaces that are further apart than this the solver has no contact.
 constexpr double farthest = 1000;
 
-Transform poseOfB(const WorldData& data, const Pair& pair) {
-    return pair.staticB ? Transform{} : data.pose(pair.bodyB);
-}
-
 /// From the manifold that the solver keeps, carried along with both bodies.
-void readKept(const WorldData& data, const Pair& pair, ContactReading& reading) {
+void readKept(const WorldData& data, const Pair& pair, ContactManifold& reading) {
     const Contact& contact = data.contacts[pair.contact];
     const KeptManifold& kept = data.manifolds[contact.manifold];
     const Transform a = data.pose(pair.bodyA);
-    const Transform b = poseOfB(data, pair);
+    const Transform b = data.poseOfB(pair);
     reading.normal = (kept.normalOnA ? a : b).rotation * kept.normal;
     reading.count = contact.count;
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
@@ -31,9 +27,9 @@ void readKept(const WorldData& data, const Pair& pair, ContactReading& reading) 
 }
 
 /// Of circles no manifold is kept: they are cheaply compared anew.
-void readAnew(const WorldData& data, const Pair& pair, ContactReading& reading) {
+void readAnew(const WorldData& data, const Pair& pair, ContactManifold& reading) {
     const Contact& contact = data.contacts[pair.contact];
-    const Manifold manifold = collide(*pair.shapeA, data.pose(pair.bodyA), *pair.shapeB, poseOfB(data, pair), farthest);
+    const Manifold manifold = collide(*pair.shapeA, data.pose(pair.bodyA), *pair.shapeB, data.poseOfB(pair), farthest);
     reading.normal = manifold.normal;
     reading.count = std::min(contact.count, manifold.count);
     for (std::size_t i = 0; i < static_cast<std::size_t>(reading.count); ++i) {
@@ -41,27 +37,27 @@ void readAnew(const WorldData& data, const Pair& pair, ContactReading& reading) 
     }
 }
 
-bool isIn(const std::optional<Aabb>& area, const ContactReading& reading) {
+bool isIn(const std::optional<Aabb>& area, const ContactManifold& reading) {
     const auto points = std::span(reading.points).first(static_cast<std::size_t>(reading.count));
     return !area || std::ranges::any_of(points, [&](const auto& point) { return area->contains(point.at); });
 }
 
 void readTable(const WorldData& data, const PairTable& table, const std::optional<Aabb>& area,
-               std::vector<ContactReading>& readings) {
+               std::vector<ContactManifold>& readings) {
     for (std::size_t i = 0; i < table.size(); ++i) {
         const Pair& pair = table.pairs[i];
         if (pair.kind == PairKind::Sensor || pair.contact == Pair::none || data.contacts[pair.contact].count == 0) {
             continue;
         }
         const Contact& contact = data.contacts[pair.contact];
-        ContactReading reading;
+        ContactManifold reading;
         reading.a = data.idOf(pair.bodyA);
         reading.b = data.idOf(pair.bodyB);
         reading.touching = table.flags[i].touching;
         reading.tangentImpulse = contact.tangentImpulse;
         const bool isKept = contact.manifold != Pair::none && data.manifolds[contact.manifold].tolerance >= 0;
         isKept ? readKept(data, pair, reading) : readAnew(data, pair, reading);
-        const auto pushes = [](const ContactReading::Point& point) { return point.normalImpulse > 0; };
+        const auto pushes = [](const ContactManifold::Point& point) { return point.normalImpulse > 0; };
         reading.touching = reading.touching || std::ranges::any_of(reading.points, pushes);
         if (reading.count > 0 && isIn(area, reading)) {
             readings.push_back(reading);
@@ -71,9 +67,9 @@ void readTable(const WorldData& data, const PairTable& table, const std::optiona
 
 } // namespace
 
-std::vector<ContactReading> contactReadings(const World& world, const std::optional<Aabb>& area) {
+std::vector<ContactManifold> contactManifolds(const World& world, const std::optional<Aabb>& area) {
     const WorldData& data = world.data();
-    std::vector<ContactReading> readings;
+    std::vector<ContactManifold> readings;
     readTable(data, data.table, area, readings);
     readTable(data, data.sleep.table, area, readings);
     return readings;

@@ -11,7 +11,7 @@
 
 namespace spacetow {
 
-struct ContactReading {
+struct ContactManifold {
     struct Point {
         Vec2 at{0, 0};            // world
         double normalImpulse = 0; // N s, of the last iteration
@@ -26,6 +26,6 @@ struct ContactReading {
 
 /// All contacts whose points are in `area`, in the order of their pairs, then those of bodies that sleep. From the
 /// manifolds that the solver keeps, where it keeps one.
-std::vector<ContactReading> contactReadings(const World& world, const std::optional<Aabb>& area = {});
+std::vector<ContactManifold> contactManifolds(const World& world, const std::optional<Aabb>& area = {});
 
 } // namespace spacetow
