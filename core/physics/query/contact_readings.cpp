@@ -23,25 +23,10 @@ double secondsOf(const WorldData& data) {
     return data.impulses.on && data.impulses.seconds > 0 ? data.impulses.seconds : data.parameters.seconds;
 }
 
-<<<<<<< HEAD
-Transform contactPoseA(const WorldData& data, const Pair& pair) {
-    return data.pose(pair.bodyA);
-}
-/// Static parts are in world coordinates.
-Transform contactPoseB(const WorldData& data, const Pair& pair) {
-    return pair.staticB ? Transform{} : data.pose(pair.bodyB);
-}
-
-/// Where the parts are nearest to each other, or how they overlap.
-void locate(const WorldData& data, const Pair& pair, ContactReading& contact) {
-    const Transform a = contactPoseA(data, pair);
-    const Transform b = contactPoseB(data, pair);
-=======
 /// Where the parts are nearest to each other, or how they overlap.
 void locate(const WorldData& data, const Pair& pair, ContactReading& contact) {
     const Transform a = data.pose(pair.bodyA);
     const Transform b = data.poseOfB(pair);
->>>>>>> 5966146 (Tell the manifolds that are drawn from the contacts that are explained)
     const Manifold manifold = collide(*pair.shapeA, a, *pair.shapeB, b, linearSlop);
     if (manifold.count > 0) {
         contact.normal = manifold.normal;
