@@ -86,10 +86,13 @@ double kineticEnergyOf(const World& world) {
 }
 
 bool isDriven(const Level& level) {
-    return std::ranges::any_of(level.objects, [](const Object& object) {
+    for (const Object& object : level.objects) {
         const auto* body = std::get_if<BodyObject>(&object.data);
-        return body != nullptr && body->kind == BodyKind::Kinematic;
-    });
+        if (body != nullptr && body->kind == BodyKind::Kinematic) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// Of the rooms of the maze in the order in which one comes through them; −1 in a doorway.
