@@ -6,6 +6,7 @@
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
+#include <QDockWidget>
 #include <QFile>
 
 using namespace spacetow;
