@@ -1,4 +1,4 @@
-// Times the sandbox: sandbox_bench [--json FILE]. Each figure is printed beside its bar.
+// Times the sandbox: sandbox_bench [--json FILE] [--cpu]. Each figure is printed beside its bar.
 
 #include "tests/bench/sandbox_figures.h"
 
@@ -9,10 +9,31 @@
 
 #include <cstdio>
 #include <fstream>
+#include <optional>
 
 using namespace spacetow::bench;
 
 namespace {
+
+struct Request {
+    std::string file;
+    bool cpu = false; // processor time instead of what the clock on the wall says
+};
+
+/// Nothing when the arguments make no sense.
+std::optional<Request> request(const QStringList& arguments) {
+    Request result;
+    for (qsizetype i = 1; i < arguments.size(); ++i) {
+        if (arguments[i] == QStringLiteral("--json") && i + 1 < arguments.size()) {
+            result.file = arguments[++i].toStdString();
+        } else if (arguments[i] == QStringLiteral("--cpu")) {
+            result.cpu = true;
+        } else {
+            return std::nullopt;
+        }
+    }
+    return result;
+}
 
 void printFigure(const SandboxFigure& figure) {
     const bool misses = figure.bar > 0 && (figure.isAtLeast ? figure.value < figure.bar : figure.value > figure.bar);
@@ -30,9 +51,9 @@ void printFigure(const SandboxFigure& figure) {
 int main(int count, char** arguments) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(count, arguments);
-    const QStringList words = QCoreApplication::arguments();
-    if (words.size() != 1 && !(words.size() == 3 && words[1] == QStringLiteral("--json"))) {
-        std::fprintf(stderr, "Usage: sandbox_bench [--json FILE]\n");
+    const std::optional<Request> asked = request(QCoreApplication::arguments());
+    if (!asked) {
+        std::fprintf(stderr, "Usage: sandbox_bench [--json FILE] [--cpu]\n");
         return 2;
     }
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
@@ -47,12 +68,14 @@ int main(int count, char** arguments) {
         row["unit"] = figure.unit;
         rows.push_back(std::move(row));
     };
-    measureRuns(report);
-    measureTime(report);
-    if (words.size() == 1) {
+    const Meter meter{report, asked->cpu};
+    measureRuns(meter);
+    measureTime(meter);
+    measureWindow(meter);
+    if (asked->file.empty()) {
         return 0;
     }
-    std::ofstream file(words[2].toStdString());
+    std::ofstream file(asked->file);
     file << rows.dump(2) << '\n';
     return file.good() ? 0 : 1;
 }

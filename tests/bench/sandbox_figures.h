@@ -22,6 +22,15 @@ struct SandboxFigure {
 
 using ReportFigure = std::function<void(const SandboxFigure&)>;
 
+/// Who measures, and how.
+struct Meter {
+    ReportFigure report;
+    bool cpu = false; // time of the processor in this thread, instead of the clock on the wall
+
+    /// In milliseconds.
+    double time(const std::function<void()>& work) const;
+};
+
 /// Balls that fall into a trough, by formula; 4 iterations an update.
 Level ballPit(int balls);
 /// The first level of the campaign.
@@ -29,7 +38,9 @@ std::shared_ptr<const Level> firstLevel();
 /// What somebody without a plan holds in so many updates.
 std::vector<StepInput> randomInputs(int updates, std::uint64_t seed);
 
-void measureRuns(const ReportFigure& report);
-void measureTime(const ReportFigure& report);
+void measureRuns(const Meter& meter);
+void measureTime(const Meter& meter);
+/// Needs a QApplication.
+void measureWindow(const Meter& meter);
 
 } // namespace spacetow::bench

@@ -20,22 +20,26 @@ void stepAll(Session& session, const std::vector<StepInput>& inputs) {
 }
 
 /// Updates in a second, in each of so many seconds from the start; the least counts.
-void measurePit(const ReportFigure& report) {
+void measurePit(const Meter& meter) {
     Session session(ballPit(pitBalls));
     constexpr int seconds = 10;
     const int each = static_cast<int>(1 / session.updateSeconds());
     double least = 1e9;
     double sum = 0;
     for (int second = 0; second < seconds; ++second) {
-        const double taken = milliseconds([&] { stepAll(session, std::vector<StepInput>(std::size_t(each))); });
+        const double taken = meter.time([&] { stepAll(session, std::vector<StepInput>(std::size_t(each))); });
         least = std::min(least, 1e3 * each / taken);
         sum += taken;
     }
-    report({"circles.updates", pitBalls, 1e3 * each * seconds / sum, "1/s", double(each), true});
-    report({"circles.updates.least", pitBalls, least, "1/s", double(each), true});
+    meter.report({"circles.updates", pitBalls, 1e3 * each * seconds / sum, "1/s", double(each), true});
+    meter.report({"circles.updates.least", pitBalls, least, "1/s", double(each), true});
 }
 
 } // namespace
+
+double Meter::time(const std::function<void()>& work) const {
+    return cpu ? processorMilliseconds(work) : milliseconds(work);
+}
 
 Level ballPit(int balls) {
     Level level;
@@ -78,11 +82,11 @@ std::vector<StepInput> randomInputs(int updates, std::uint64_t seed) {
     return inputs;
 }
 
-void measureRuns(const ReportFigure& report) {
-    measurePit(report);
+void measureRuns(const Meter& meter) {
+    measurePit(meter);
     const std::vector<StepInput> inputs = randomInputs(minute, 1);
     Session flight(*firstLevel());
-    report({"simulate.level-1", minute, milliseconds([&] { stepAll(flight, inputs); }), "ms", 1000});
+    meter.report({"simulate.level-1", minute, meter.time([&] { stepAll(flight, inputs); }), "ms", 1000});
 }
 
 } // namespace spacetow::bench

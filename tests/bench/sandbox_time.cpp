@@ -1,6 +1,6 @@
 // Turning a run back: a minute of it, kept, looked at anywhere, and simulated again after an edit.
 #include "core/base/random.h"
-#include "core/game/timeline.h"
+#include "core/game/course.h"
 #include "core/level/edits.h"
 #include "tests/bench/sandbox_figures.h"
 #include "tests/bench/stopwatch.h"
@@ -30,19 +30,19 @@ struct KeptRun {
     Timeline timeline;
 };
 
-void measureScrubbing(KeptRun& run, const std::string& name, const ReportFigure& report) {
+void measureScrubbing(KeptRun& run, const std::string& name, const Meter& meter) {
     Random random(1);
     std::vector<double> times;
     for (int i = 0; i < looks; ++i) {
         const std::int64_t update = run.somewhere(random);
-        times.push_back(milliseconds([&] { run.timeline.at(update); }));
+        times.push_back(meter.time([&] { run.timeline.at(update); }));
     }
-    report({"scrub.median." + name, looks, quantile(times, 0.5), "ms"});
-    report({"scrub.longest." + name, looks, quantile(times, 1), "ms", 150});
+    meter.report({"scrub.median." + name, looks, quantile(times, 0.5), "ms"});
+    meter.report({"scrub.longest." + name, looks, quantile(times, 1), "ms", 150});
 }
 
 /// One update after the other, as a key that is held does it: with what is prepared between two of them.
-void measureSteppingBack(KeptRun& run, const std::string& name, const ReportFigure& report) {
+void measureSteppingBack(KeptRun& run, const std::string& name, const Meter& meter) {
     Random random(2);
     std::vector<double> times;
     std::int64_t update = run.timeline.last();
@@ -53,43 +53,47 @@ void measureSteppingBack(KeptRun& run, const std::string& name, const ReportFigu
         }
         while (!run.timeline.prepareBackFrom(update, 20)) {
         }
-        times.push_back(milliseconds([&] { run.timeline.at(--update); }));
+        times.push_back(meter.time([&] { run.timeline.at(--update); }));
     }
-    report({"step-back.median." + name, looks, quantile(times, 0.5), "ms"});
-    report({"step-back.longest." + name, looks, quantile(times, 1), "ms", 50});
+    meter.report({"step-back.median." + name, looks, quantile(times, 0.5), "ms"});
+    meter.report({"step-back.longest." + name, looks, quantile(times, 1), "ms", 50});
 }
 
-void measureKept(KeptRun& run, const std::string& name, double bar, const ReportFigure& report) {
-    report({"kept-minute." + name, keptUpdates, static_cast<double>(run.timeline.bytes()) / megabyte, "MB", bar});
-    measureScrubbing(run, name, report);
-    measureSteppingBack(run, name, report);
+void measureKept(KeptRun& run, const std::string& name, double bar, const Meter& meter) {
+    meter.report({"kept-minute." + name, keptUpdates, static_cast<double>(run.timeline.bytes()) / megabyte, "MB", bar});
+    measureScrubbing(run, name, meter);
+    measureSteppingBack(run, name, meter);
 }
 
 /// The level is changed while standing at its start; all of the minute comes again.
-void measureResimulation(KeptRun& run, const ReportFigure& report) {
-    Level edited = run.session.level();
+void measureResimulation(const std::vector<StepInput>& inputs, const Meter& meter) {
+    Course course(firstLevel(), 1);
+    for (const StepInput& input : inputs) {
+        course.goOn(input);
+    }
+    Level edited = course.session().level();
     edited.gravity.y() -= 0.01;
     const auto level = std::make_shared<const Level>(std::move(edited));
-    const double taken = milliseconds([&] {
-        const std::shared_ptr<const Session> start = run.timeline.at(run.timeline.first());
-        Future future(*start, run.timeline.inputsFrom(start->updates()).withLevel(level));
-        run.timeline.goOnFrom(*start);
-        while (!future.isDone()) {
-            future.advance(run.timeline, 100);
+    const double taken = meter.time([&] {
+        course.seek(course.timeline().first());
+        course.setLevel(level);
+        while (course.isSimulating()) {
+            course.simulate(100);
         }
     });
-    report({"resimulate.level-1", keptUpdates, taken, "ms", 1000});
+    meter.report({"resimulate.level-1", static_cast<int>(course.timeline().last()), taken, "ms", 1000});
 }
 
 } // namespace
 
-void measureTime(const ReportFigure& report) {
-    KeptRun flight(firstLevel(), randomInputs(keptUpdates, 1));
-    measureKept(flight, "level-1", 64, report);
-    measureResimulation(flight, report);
+void measureTime(const Meter& meter) {
+    const std::vector<StepInput> inputs = randomInputs(keptUpdates, 1);
+    KeptRun flight(firstLevel(), inputs);
+    measureKept(flight, "level-1", 64, meter);
+    measureResimulation(inputs, meter);
     constexpr int balls = 2000;
     KeptRun pit(std::make_shared<const Level>(ballPit(balls)), std::vector<StepInput>(keptUpdates));
-    measureKept(pit, "balls", 512, report);
+    measureKept(pit, "balls", 512, meter);
 }
 
 } // namespace spacetow::bench
