@@ -11,7 +11,7 @@ using namespace spacetow::test;
 namespace {
 
 /// Without gravity: a ball that flies to the right, far below it a wall.
-Level flyingBall() {
+Level driftingBall() {
     Level level;
     level.gravity = Vec2(0, 0);
     level.iterations = 4;
@@ -24,7 +24,7 @@ Level flyingBall() {
 
 struct SandboxSession : TestWindow {
     SandboxSession() {
-        document().reset(flyingBall());
+        document().reset(driftingBall());
         before = levelText(level());
         trigger(Act::Simulate);
     }
@@ -138,7 +138,7 @@ class SandboxSessionTest : public QObject {
 
     void aShipThatStartsAtThePointerIsNoChangeOfTheLevel() {
         TestWindow test;
-        Level level = flyingBall();
+        Level level = driftingBall();
         level.objects.append({3, "ship", ShipObject{}, {}});
         test.document().reset(level);
         QTest::mouseMove(&test.canvas(), test.at(2, 1));
