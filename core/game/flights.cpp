@@ -1,5 +1,6 @@
 #include "core/game/flights.h"
 
+#include "core/game/input_runs.h"
 #include "core/game/session.h"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ class Flight {
   public:
     Flight(const Level& level, std::uint64_t seed) : m_session(level, seed) { note(); }
 
-    void step(const Controls& controls) {
-        m_session.step(controls);
+    void step(const StepInput& input) {
+        m_session.step(input);
         if (m_session.phase() == Phase::Won || !m_lost) {
             note();
         }
@@ -80,13 +81,11 @@ std::vector<StoredFlight> flightsBeside(const std::filesystem::path& level) {
 
 FlightResult flightResult(const Level& level, const Replay& replay, const std::stop_token& stop) {
     Flight flight(level, replay.seed);
-    for (const Replay::Run& run : replay.runs) {
-        for (std::int64_t i = 0; i < run.count; ++i) {
-            if (stop.stop_requested()) {
-                return {.end = FlightEnd::Stopped};
-            }
-            flight.step(run.controls);
+    for (InputReader inputs(inputsOf(replay, level)); !inputs.isAtEnd();) {
+        if (stop.stop_requested()) {
+            return {.end = FlightEnd::Stopped};
         }
+        flight.step(inputs.next());
     }
     return flight.result();
 }

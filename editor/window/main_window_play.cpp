@@ -222,6 +222,7 @@ void MainWindow::saveFlight() {
         replay.levelHash = levelHash(m_document.level());
     }
     const std::optional<Error> error = writeReplay(path.toStdU16String(), replay);
+    m_flights.setFile(m_files.path()); // it may stand beside the level
     m_message.say(error ? MessageBar::Tone::Error : MessageBar::Tone::Info,
                   error ? sentence(*error)
                         : tr("The flight has been saved as %1. Drop the file on a window to see it again.")

@@ -11,9 +11,9 @@ using namespace spacetow::test;
 
 namespace {
 
-/// Gravity, and a finish that nobody comes to.
-Level reachSpace() {
-    Level level = openSpace();
+/// Gravity, and payload and finish where nobody comes to them.
+Level reachSpace(const Vec2& payload = Vec2(500, 0)) {
+    Level level = openSpaceWithPayloadAt(payload);
     level.gravity = Vec2(0, -0.95);
     level.objects.replace(2, {finishKey, "finish", FinishObject{Vec2(-1, 9000), Vec2(1, 9000)}, {}});
     return level;
@@ -34,6 +34,10 @@ void steerAtRandom(Session& session, Random& random, int updates) {
     }
 }
 
+Session onTheRope() {
+    return towing(reachSpace(Vec2(0, -1)));
+}
+
 /// Waiting, flying or towing.
 Session someFlight(Random& random) {
     switch (random.below(3)) {
@@ -46,7 +50,7 @@ Session someFlight(Random& random) {
         return session;
     }
     default: {
-        Session session = towing(reachSpace());
+        Session session = onTheRope();
         steerAtRandom(session, random, static_cast<int>(random.below(150)));
         return session;
     }
@@ -110,7 +114,7 @@ class ReachTest : public QObject {
     }
 
     void onTheRopeItIsNotMuchWider() {
-        Session session = towing(reachSpace());
+        Session session = onTheRope();
         const ReachOutline outline = reachOutlines(session, {1.0}).front();
         Session up = session;
         hold(up, thrust, 50);
@@ -132,7 +136,7 @@ class ReachTest : public QObject {
 
     void thePathWithTheKeysHeldIsTheOneThatIsFlown() {
         Random random(5);
-        Session session = towing(reachSpace());
+        Session session = onTheRope();
         steerAtRandom(session, random, 40);
         const Controls keys{.left = true, .thrust = true};
         const HeldPath path = heldPath(session, keys, 1);
@@ -162,7 +166,7 @@ class ReachTest : public QObject {
     }
 
     void theFanTakesLittleTime() {
-        const Session session = towing(reachSpace());
+        const Session session = onTheRope();
         double best = 1;
         for (int i = 0; i < 5; ++i) {
             const CpuTimer timer;

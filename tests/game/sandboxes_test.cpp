@@ -8,6 +8,7 @@
 #include "tests/support/test_main.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>

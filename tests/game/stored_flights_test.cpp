@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Level firstHaul() {
+Level storedHaul() {
     return *readLevel(fs::path(sourceFolder().toStdString()) / "levels" / "01_first_haul.json").value().level;
 }
 
@@ -43,9 +43,9 @@ class StoredFlightsTest : public QObject {
 
   private slots:
     void theRecordedFlightWinsAndSaysWhere() {
-        const FlightResult result = flightResult(firstHaul(), haulFlight());
+        const FlightResult result = flightResult(storedHaul(), haulFlight());
         QCOMPARE(result.end, FlightEnd::Won);
-        const Outcome outcome = replayed(firstHaul(), haulFlight());
+        const Outcome outcome = replayed(storedHaul(), haulFlight());
         QCOMPARE(result.time, outcome.time);
         QCOMPARE(result.fuel, outcome.fuel);
         QVERIFY((result.place - Vec2(11, 8.9)).norm() < 2); // at the finish
@@ -57,7 +57,7 @@ class StoredFlightsTest : public QObject {
         const Replay flight = haulFlight();
         const int edits = fullOrQuick(100, usualOrThin(12, 2));
         for (int i = 0; i < edits; ++i) {
-            const Level level = nudged(firstHaul(), random);
+            const Level level = nudged(storedHaul(), random);
             const FlightResult result = flightResult(level, flight);
             const Outcome outcome = replayed(level, flight);
             QVERIFY2((result.end == FlightEnd::Won) == outcome.won() && result.time == outcome.time &&
@@ -83,7 +83,7 @@ class StoredFlightsTest : public QObject {
     void aStopEndsIt() {
         std::stop_source stop;
         stop.request_stop();
-        QCOMPARE(flightResult(firstHaul(), haulFlight(), stop.get_token()).end, FlightEnd::Stopped);
+        QCOMPARE(flightResult(storedHaul(), haulFlight(), stop.get_token()).end, FlightEnd::Stopped);
     }
 
     void flightsAreFoundBesideTheirLevel() {
