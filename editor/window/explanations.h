@@ -1,6 +1,6 @@
 #pragma once
 // The panels that explain what runs, and what feeds them: the session of the run or, while nothing runs, the one that
-// the level would start with. Sessions are copied only while one of the panels can be seen.
+// the level would start with. They ask for what they need only while they can be seen.
 
 #include "core/game/session.h"
 #include "core/game/step_profile.h"

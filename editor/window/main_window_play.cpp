@@ -265,7 +265,7 @@ void MainWindow::showTension(const Object* object) {
     }
 }
 
-/// Copies and times are made for what can be seen only.
+/// Times are taken for what can be seen only.
 void MainWindow::updateExplanations() {
     m_explanations.setRuns(m_run.isRunning());
     m_run.wantSession(&m_explanations, m_explanations.wantsSession());
