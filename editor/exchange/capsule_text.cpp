@@ -127,7 +127,7 @@ Result<std::string> capsuleText(const Capsule& capsule) {
         return Error{"capsule-too-large", {std::to_string(maxCapsuleBytes)}};
     }
     std::string text = inOneLine(capsule.program + ", " + capsule.platform) + '\n' +
-                       inOneLine(capsule.name + ", update " + std::to_string(capsule.inputs.size())) + '\n';
+                       inOneLine(capsule.run.level + ", update " + std::to_string(capsule.run.updates())) + '\n';
     text += std::string(capsuleDashes) + std::string(capsuleBegin) + std::string(capsuleDashes) + '\n';
     const std::string_view all(base64.constData(), std::size_t(base64.size()));
     for (std::size_t at = 0; at < all.size(); at += lineLength) {

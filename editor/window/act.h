@@ -200,6 +200,7 @@ enum class Act : std::uint8_t {
     CommandPalette,
     Keys,
     EditKeys,
+    CopyCapsule,
     About,
 };
 

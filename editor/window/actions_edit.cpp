@@ -3,6 +3,7 @@
 #include "editor/editing/clipboard.h"
 #include "editor/editing/node_verbs.h"
 #include "editor/editing/verbs.h"
+#include "editor/exchange/capsule_text.h"
 #include "editor/window/messages.h"
 #include "editor/window/verb_action.h"
 
@@ -82,6 +83,10 @@ void cutToClipboard(MainWindow& window) {
 
 void pasteAt(MainWindow& window, const std::optional<Vec2>& at) {
     const std::string text = QApplication::clipboard()->text().toStdString();
+    if (holdsCapsule(text)) {
+        window.bugCapsule().open(text);
+        return;
+    }
     const std::optional<FinishedEdit> edit = pasted(window.toolbox().context(), text, at);
     if (!edit) {
         window.messageBar().say(MessageBar::Tone::Info,

@@ -48,6 +48,16 @@ constexpr ActionRow helpRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Give other keys to actions, or the keys of Tiled, Inkscape or Blender"),
      .flags = WithoutLevel | WhilePlaying,
      .run = [](MainWindow& window) { KeyEditor(&window).exec(); }},
+    {.id = Act::CopyCapsule,
+     .menu = MenuId::Help,
+     .text = QT_TRANSLATE_NOOP("Actions", "Copy &Bug Capsule"),
+     .icon = "bug",
+     .keys = "Ctrl+Alt+B",
+     .tip =
+         QT_TRANSLATE_NOOP("Actions", "Copy the level and the run up to this moment as text, for a mail or an issue; "
+                                      "pasted into a window, it opens at the same moment"),
+     .flags = WhilePlaying,
+     .run = [](MainWindow& window) { window.bugCapsule().copy(); }},
     {.id = Act::About,
      .menu = MenuId::Help,
      .text = QT_TRANSLATE_NOOP("Actions", "&About SpaceTow Studio…"),

@@ -20,6 +20,7 @@
 #include "editor/play/timeline_bar.h"
 #include "editor/window/actions.h"
 #include "editor/window/appearance.h"
+#include "editor/window/bug_capsule.h"
 #include "editor/window/collision_view.h"
 #include "editor/window/difference_panel.h"
 #include "editor/window/exchange.h"
@@ -185,6 +186,7 @@ class MainWindow : public QMainWindow {
     Files& files() { return m_files; }
     const Files& files() const { return m_files; }
     Exchange& exchange() { return m_exchange; }
+    BugCapsule& bugCapsule() { return m_bugCapsule; }
     MessageBar& messageBar() { return m_message; }
     Recovery& recovery() { return m_open->recovery; }
     RecoveryBar& recoveryBar() { return m_recoveryBar; }
@@ -304,6 +306,7 @@ class MainWindow : public QMainWindow {
     GuideBar m_guideBar;
     StatusLine m_status;
     Exchange m_exchange;
+    BugCapsule m_bugCapsule;
     std::optional<Panels> m_panels; // once there is a window to add them to
     std::optional<Finder> m_finder; // above all the rest
     OverlayFlags m_overlays;

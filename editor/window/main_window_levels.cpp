@@ -1,4 +1,5 @@
 // Which level the window shows: how one comes in, what stands in place of one, and how it leaves.
+#include "editor/exchange/capsule_text.h"
 #include "editor/window/application.h"
 #include "editor/window/dropped_files.h"
 #include "editor/window/main_window.h"
@@ -148,7 +149,7 @@ void MainWindow::comeForward() {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
-    if (std::ranges::any_of(urls, &QUrl::isLocalFile)) {
+    if (std::ranges::any_of(urls, &QUrl::isLocalFile) || holdsCapsule(event->mimeData()->text().toStdString())) {
         event->acceptProposedAction();
     }
 }
@@ -163,6 +164,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (!paths.isEmpty()) {
         event->acceptProposedAction();
         openDropped(paths, *this);
+    } else if (std::string text = event->mimeData()->text().toStdString(); holdsCapsule(text)) {
+        event->acceptProposedAction();
+        m_bugCapsule.open(std::move(text));
     }
 }
 

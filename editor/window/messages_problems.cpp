@@ -272,6 +272,7 @@ constexpr MessageText problems[] = {
          "The replay was made with a newer version (%1; this one reads up to %2). Please update the program.")},
     {"replay-too-long", QT_TRANSLATE_NOOP("messages", "The replay is longer than %1 updates.")},
     {"replay-not-json", QT_TRANSLATE_NOOP("messages", "The replay is not JSON: line %1 is wrong.")},
+    {"capsule-no-run", QT_TRANSLATE_NOOP("messages", "The run has ended, and nothing of it is left.")},
     {"capsule-none", QT_TRANSLATE_NOOP("messages", "There is no bug capsule in the text.")},
     {"capsule-cut", QT_TRANSLATE_NOOP("messages", "The bug capsule is not whole: its last line is missing.")},
     {"capsule-damaged", QT_TRANSLATE_NOOP("messages", "The bug capsule has been changed or damaged on its way.")},

@@ -1,0 +1,164 @@
+#include "editor/window/bug_capsule.h"
+
+#include "core/level/edits.h"
+#include "core/level/file.h"
+#include "editor/exchange/capsule_text.h"
+#include "tests/support/game_levels.h"
+#include "tests/support/test_main.h"
+#include "tests/support/window.h"
+
+#include <QClipboard>
+#include <QDropEvent>
+#include <QMimeData>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+QString onClipboard() {
+    return QGuiApplication::clipboard()->text();
+}
+
+void paste(TestWindow& test, const QString& text) {
+    QGuiApplication::clipboard()->setText(text);
+    test.trigger(Act::Paste);
+    test.window->bugCapsule().finish();
+}
+
+/// A ball that falls past a wall, held in the run after some updates; the capsule of that is on the clipboard.
+struct ReportedRun : TestWindow {
+    ReportedRun() {
+        Level level = openSpace();
+        level.gravity = Vec2(0.3, -1);
+        addBall(level, {1, 1}, 0.2, {0.5, 0});
+        document().reset(level);
+        trigger(Act::Simulate);
+    }
+    std::int64_t shown() { return window->liveRun().frame()->now->update; }
+    void moveBall() {
+        Level edited = moved(level(), std::vector<Key>{level().objects[3].key}, {0.5, 0});
+        document().commit({"move", 1}, {std::make_shared<const Level>(std::move(edited)), {}});
+    }
+    QString copied() {
+        trigger(Act::CopyCapsule);
+        window->bugCapsule().finish();
+        return onClipboard();
+    }
+};
+
+bool sameBodies(const Snapshot& a, const Snapshot& b) {
+    return std::ranges::equal(a.bodies, b.bodies, [](const BodyPicture& one, const BodyPicture& other) {
+        return one.pose.position == other.pose.position && one.velocity == other.velocity;
+    });
+}
+
+} // namespace
+
+class BugCapsuleTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void pastedIntoAnotherWindowARunIsThereAtTheSameMoment() {
+        ReportedRun from;
+        QTRY_VERIFY(from.shown() > 5);
+        from.moveBall();
+        const std::int64_t then = from.shown();
+        QTRY_VERIFY(from.shown() > then + 5);
+        from.trigger(Act::Pause);
+        QTRY_VERIFY(from.window->liveRun().frame()->paused);
+        const std::shared_ptr<const Snapshot> moment = from.window->liveRun().frame()->now;
+        const QString text = from.copied();
+        QVERIFY(text.contains("SPACETOW BUG CAPSULE"));
+        QVERIFY(from.window->messageBar().text().contains("clipboard"));
+        QCOMPARE(from.shown(), moment->update);
+
+        TestWindow to;
+        paste(to, text);
+        QVERIFY2(to.window->isPlaying(), qPrintable(to.window->messageBar().text()));
+        QVERIFY(to.level().objects.size() == from.level().objects.size());
+        QTRY_COMPARE(to.window->liveRun().frame()->now->update, moment->update);
+        QVERIFY(to.window->liveRun().isPaused());
+        QVERIFY(sameBodies(*to.window->liveRun().frame()->now, *moment));
+        to.trigger(Act::Stop);
+        QVERIFY(!to.window->openLevel()->runChanges.areWaiting()); // nothing has been done there
+    }
+
+    void withoutARunItIsTheLevel() {
+        TestWindow from;
+        from.document().reset(openSpace());
+        from.trigger(Act::CopyCapsule);
+        from.window->bugCapsule().finish();
+        const Result<Capsule> capsule = capsuleFromText(onClipboard().toStdString());
+        QVERIFY(bool(capsule));
+        QVERIFY(*capsule.value().level == openSpace());
+        QCOMPARE(capsule.value().run.updates(), std::int64_t(0));
+        QCOMPARE(capsule.value().hash, Session(openSpace()).hash());
+        QVERIFY(QString::fromStdString(capsule.value().program).startsWith("SpaceTow Studio"));
+    }
+
+    void whatIsCutOrNoCapsuleIsSaidAndNothingElseHappens_data() {
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("to");
+        QTest::addColumn<QString>("said");
+        QTest::addRow("cut in half") << QStringLiteral("-----END") << QStringLiteral("gone") << QStringLiteral("whole");
+        QTest::addRow("edited") << QStringLiteral("A") << QStringLiteral("B") << QStringLiteral("damaged");
+        QTest::addRow("no capsule") << QStringLiteral("CAPSULE") << QStringLiteral("") << QStringLiteral("clipboard");
+    }
+    void whatIsCutOrNoCapsuleIsSaidAndNothingElseHappens() {
+        QFETCH(QString, from);
+        QFETCH(QString, to);
+        QFETCH(QString, said);
+        ReportedRun run;
+        QTRY_VERIFY(run.shown() > 2);
+        const QString text = run.copied();
+        TestWindow test;
+        test.document().reset(TestWindow::twoBallsAtOneSpot());
+        const std::string before = levelText(test.level());
+        const int header = text.indexOf("CAPSULE-----") + 12;
+        const bool inBody = from == QStringLiteral("A");
+        QString other = text;
+        if (inBody) {
+            other = text.left(header) + text.mid(header).replace(text.indexOf(from, header) - header, 1, to);
+        } else {
+            other.replace(from, to);
+        }
+        paste(test, other);
+        QVERIFY2(test.window->messageBar().text().contains(said), qPrintable(test.window->messageBar().text()));
+        QVERIFY(!test.window->isPlaying());
+        QVERIFY(levelText(test.level()) == before);
+        QCOMPARE(test.document().historySize(), 0);
+    }
+
+    void droppedAsTextItOpensToo() {
+        ReportedRun run;
+        QTRY_VERIFY(run.shown() > 2);
+        const QString text = run.copied();
+        TestWindow test;
+        QMimeData data;
+        data.setText(text);
+        QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(test.window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(test.window.get(), &drop);
+        test.window->bugCapsule().finish();
+        QVERIFY(test.window->isPlaying());
+    }
+
+    void whatIsNotSavedIsNotLostByIt() {
+        ReportedRun run;
+        QTRY_VERIFY(run.shown() > 2);
+        const QString text = run.copied();
+        TestWindow test;
+        test.drawWalls();
+        const Level drawn = test.level();
+        paste(test, text); // a window alone has to ask; the answer is Cancel
+        QCOMPARE(test.asked, 1);
+        QVERIFY(test.level() == drawn);
+        QVERIFY(!test.window->isPlaying());
+    }
+};
+
+SPACETOW_TEST(BugCapsuleTest)
+#include "bug_capsule_test.moc"
