@@ -44,19 +44,6 @@ bool levelBears(const ConvexPart& part, int corner, const ConvexPart& reference,
     return false;
 }
 
-int standingFor(const ConvexPart& part, int face, const ConvexPart& other) {
-    if (isOuterFace(part, face)) {
-        return face;
-    }
-    for (const int beside : {cornerAfter(part, face), face > 0 ? face - 1 : part.count - 1}) {
-        if (isSolidFace(part, face) && isOuterFace(part, beside) &&
-            normalOf(part, face).dot(normalOf(part, beside)) > 1 - 1e-9 && isBeside(part, beside, other)) {
-            return beside;
-        }
-    }
-    return -1;
-}
-
 bool isBeside(const ConvexPart& reference, int face, const ConvexPart& other) {
     const int before = face > 0 ? face - 1 : reference.count - 1;
     if (!continuesInside(reference, face, before) && !continuesInside(reference, face, cornerAfter(reference, face))) {

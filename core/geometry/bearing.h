@@ -40,10 +40,6 @@ inline bool liesFlat(const ConvexPart& part, int face, const Vec2& normal) {
 /// down flat does so with two, one of which may be in the middle of a side of the outline.
 bool levelBears(const ConvexPart& part, int corner, const ConvexPart& reference, int face);
 
-/// The outer face that stands for this one, which is nearest to the other part: itself, or where it is the edge of a
-/// floor the one that goes on below, when the other part is beside that as well. -1 where none does.
-int standingFor(const ConvexPart& part, int face, const ConvexPart& other);
-
 /// Whether a face has to do with the other part: where it goes on as an inner one, what is over that alone is the
 /// affair of the part beyond.
 bool isBeside(const ConvexPart& reference, int face, const ConvexPart& other);

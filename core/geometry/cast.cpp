@@ -245,7 +245,7 @@ struct RayCaster {
                 leaves = std::min(leaves, -start / speed);
             }
         }
-        const bool outer = ((convex.outerFaces | convex.floorEdges) >> face & 1) != 0;
+        const bool outer = (convex.outerFaces >> face & 1) != 0;
         if (enters < 0 || enters > leaves || !outer) {
             return std::nullopt;
         }

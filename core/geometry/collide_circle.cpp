@@ -123,7 +123,7 @@ Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, dou
             separation = s;
             best = i;
         }
-        if (s > outerSeparation && isSolidFace(convex, i)) {
+        if (s > outerSeparation && isOuterFace(convex, i)) {
             outerSeparation = s;
             bestOuter = i;
         }
@@ -145,7 +145,7 @@ Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, dou
             const bool allowed = cornerAllows(convex, corner, manifold.normal);
             return allowed ? named(manifold, featureId(ConvexPoint, corner, 0)) : Manifold{};
         }
-        if (!isSolidFace(convex, best)) {
+        if (!isOuterFace(convex, best)) {
             return manifold; // the centre is in the part beyond the cut
         }
         bestOuter = best;

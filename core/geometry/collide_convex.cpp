@@ -70,14 +70,8 @@ struct Reference {
     bool swapped; // it is the second of the parts
 };
 
-/// How far beyond a corner the plane of a face bears, m: as far as the edge of a floor, and where a face of another
-/// part continues it, no gap is left.
+/// How far beyond a corner the plane of a face bears, m: where a face of another part continues it, no gap is left.
 double reachBeyond(const ConvexPart& part, int face, int corner) {
-    const int adjacent = corner != face ? corner : (face > 0 ? face - 1 : part.count - 1);
-    if (!isOuterFace(part, adjacent) && isSolidFace(part, adjacent) &&
-        normalOf(part, face).dot(normalOf(part, adjacent)) > 1 - 1e-9) {
-        return faceLength(part, adjacent);
-    }
     const bool joined =
         isCut(part) && isOuterFace(part, corner) != isOuterFace(part, corner > 0 ? corner - 1 : part.count - 1);
     const Vec2& beyond = part.normalsBeyond[static_cast<std::size_t>(corner)];
@@ -205,14 +199,12 @@ bool isOverFace(const ConvexPart& reference, int face, const ConvexPart& other) 
 Manifold nearestManifold(const ConvexPart& a, const ConvexPart& b, const NearestFeatures& nearest, double margin) {
     Manifold manifold;
     if (nearest.faceA >= 0) {
-        const int face = standingFor(a, nearest.faceA, b);
-        const bool allowed = face >= 0 && levelBears(b, nearest.cornerB, a, face);
-        return allowed ? faceManifold({a, face, false}, b, margin) : manifold;
+        const bool allowed = isOuterFace(a, nearest.faceA) && levelBears(b, nearest.cornerB, a, nearest.faceA);
+        return allowed ? faceManifold({a, nearest.faceA, false}, b, margin) : manifold;
     }
     if (nearest.faceB >= 0) {
-        const int face = standingFor(b, nearest.faceB, a);
-        const bool allowed = face >= 0 && levelBears(a, nearest.cornerA, b, face);
-        return allowed ? faceManifold({b, face, true}, a, margin) : manifold;
+        const bool allowed = isOuterFace(b, nearest.faceB) && levelBears(a, nearest.cornerA, b, nearest.faceB);
+        return allowed ? faceManifold({b, nearest.faceB, true}, a, margin) : manifold;
     }
     const Vec2& onA = cornerOf(a, nearest.cornerA);
     const Vec2& onB = cornerOf(b, nearest.cornerB);

@@ -28,11 +28,6 @@ inline bool isOuterFace(const ConvexPart& part, int i) {
     return (part.outerFaces >> i & 1) != 0;
 }
 
-/// The same or the edge of a floor, which stops what is not on that.
-inline bool isSolidFace(const ConvexPart& part, int i) {
-    return ((part.outerFaces | part.floorEdges) >> i & 1) != 0;
-}
-
 /// Whether some faces of the part are inside the polygon that it was cut from.
 inline bool isCut(const ConvexPart& part) {
     return part.outerFaces != (1u << part.count) - 1;

@@ -23,9 +23,4 @@ void joinWalls(std::span<WallPart* const> walls);
 /// longer one of two gets a corner where the other ends. What is beyond the corners of parts is found, too. O(n log n).
 void joinConvexParts(std::span<ConvexPart* const> parts);
 
-/// Finds the corners of parts at which walls end that nothing else continues, and go on as one side of the part: as a
-/// floor does that is an edge first and the top of a box then. All in the same coordinates, after the two above. What
-/// of the other side of the corner is beside the floor, and not below it, becomes a floor edge. O(n log n).
-void joinWallsWithParts(std::span<WallPart* const> walls, std::span<ConvexPart* const> parts);
-
 } // namespace spacetow

@@ -28,7 +28,6 @@ inline ConvexPart moved(const ConvexPart& part, const Transform& pose) {
     ConvexPart result;
     result.count = part.count;
     result.outerFaces = part.outerFaces;
-    result.floorEdges = part.floorEdges;
     result.center = pose.toWorld(part.center);
     for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
         result.corners[i] = pose.toWorld(part.corners[i]);

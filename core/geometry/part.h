@@ -10,7 +10,7 @@
 
 namespace spacetow {
 
-/// On which of its sides something continues a wall: a line that meets an edge or a polygon goes on on one of them.
+/// On which of its sides something continues a wall: a line that meets an edge goes on on one of them.
 enum class JoinedSide : std::uint8_t { Both, Left, Right };
 
 /// A segment that is solid from one side (an edge) or from both (a line). Where another wall continues it end to
@@ -37,8 +37,6 @@ struct ConvexPart {
     std::array<Vec2, maxCorners> corners;
     std::array<Vec2, maxCorners> normals; // unit, outward
     std::uint8_t outerFaces = 0;          // bit i: face i lies on the polygon's outline
-    /// Bit i: face i lies there too, but is the edge of a floor that a wall continues, and gives no contact normal.
-    std::uint8_t floorEdges = 0;
     /// Unit; of the outline's face on the other side of corner i: of the one that ends there where an outer face of
     /// this part starts, else of the one that starts there.
     std::array<Vec2, maxCorners> normalsBeyond;

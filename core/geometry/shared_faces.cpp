@@ -1,5 +1,4 @@
 #include "core/geometry/convex_parts.h"
-#include "core/geometry/insert_corner.h"
 #include "core/geometry/near_points.h"
 
 #include <tuple>
@@ -93,6 +92,25 @@ std::vector<Split> splitsOf(const std::vector<Flank>& flanks) {
     }
     std::sort(splits.begin(), splits.end());
     return splits;
+}
+
+/// A new corner after corner `face`; those behind it move up by one.
+void insertCorner(ConvexPart& part, int face, double at) {
+    const auto i = static_cast<std::size_t>(face);
+    const Vec2& from = part.corners[i];
+    const Vec2& to = part.corners[static_cast<std::size_t>(nextOf(part, face))];
+    const Vec2 corner = from + at * (to - from).normalized();
+    for (auto k = static_cast<std::size_t>(part.count); k > i + 1; --k) {
+        part.corners[k] = part.corners[k - 1];
+        part.normals[k] = part.normals[k - 1];
+        part.normalsBeyond[k] = part.normalsBeyond[k - 1];
+    }
+    part.corners[i + 1] = corner;
+    part.normals[i + 1] = part.normalsBeyond[i + 1] = part.normals[i];
+    const unsigned below = part.outerFaces & ((1u << (i + 1)) - 1);
+    const unsigned above = part.outerFaces & ~((1u << (i + 1)) - 1);
+    part.outerFaces = static_cast<std::uint8_t>(below | above << 1 | 1u << (i + 1));
+    ++part.count;
 }
 
 /// As far as there is room for more corners.

@@ -1,4 +1,3 @@
-#include "core/geometry/cast.h"
 #include "core/geometry/collide.h"
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/near_points.h"
@@ -42,10 +41,6 @@ class NearJointsTest : public QObject {
     void whatTheShorterOfTwoBlocksCoversIsAnInnerFace();
     void facesThatLieFlatOnEachOtherHaveTwoPoints();
     void aLineGoesOnAsAnEdgeOnTheSolidSideAlone();
-    void aWallGoesOnAsTheTopOfABlock_data();
-    void aWallGoesOnAsTheTopOfABlock();
-    void aWallDoesNotGoOnAsABlockThatItLiesOnOrIsIn();
-    void theSideOfABlockBelowAWallIsAsSolidAsBefore();
 };
 
 void NearJointsTest::pointsWithinTheToleranceAreFound() {
@@ -161,93 +156,6 @@ void NearJointsTest::aLineGoesOnAsAnEdgeOnTheSolidSideAlone() {
     WallPart third = wallFrom(line({0, 0}, {1, 0}));
     joinWalls(std::array{&first, &second, &third}); // edges go before
     QVERIFY(first.afterB == second.b && !third.joinedAtA);
-}
-
-void NearJointsTest::aWallGoesOnAsTheTopOfABlock_data() {
-    QTest::addColumn<bool>("isLine");
-    QTest::addColumn<bool>("leaves"); // the wall starts at the block, which is to its left
-    QTest::addColumn<double>("rise"); // of the wall's other end, m
-    for (const bool isLine : {false, true}) {
-        for (const bool leaves : {false, true}) {
-            for (const double rise : {0.0, 0.5, -0.5}) {
-                QTest::addRow("%s %s, %g m up", isLine ? "line" : "edge", leaves ? "leaves" : "arrives", rise)
-                    << isLine << leaves << rise;
-            }
-        }
-    }
-}
-
-void NearJointsTest::aWallGoesOnAsTheTopOfABlock() {
-    QFETCH(bool, isLine);
-    QFETCH(bool, leaves);
-    QFETCH(double, rise);
-    for (const double gap : {0.0, 1e-15, 1e-6, 1e-4}) {
-        const Vec2 tip(gap, gap);
-        const Vec2 away = tip + Vec2(leaves ? 1 : -1, rise);
-        const Part part = isLine ? line(leaves ? tip : away, leaves ? away : tip) //
-                                 : edge(leaves ? tip : away, leaves ? away : tip);
-        WallPart wall = wallFrom(part);
-        std::vector<Part> blocks{leaves ? blockBetween({-1, -1}, {0, 0}) : blockBetween({0, -1}, {1, 0})};
-        auto& block = std::get<ConvexPart>(blocks.front());
-        joinWalls(std::array{&wall});
-        joinBlocks(blocks);
-        joinWallsWithParts(std::array{&wall}, std::array{&block});
-        const bool meets = gap < jointTolerance;
-        const WallSide side = sideOf(wall, false);
-        const WallEnd& end = leaves ? side.start : side.end;
-        const bool convex = rise < 0;
-        QVERIFY(end.kind == (!meets ? WallEnd::Kind::Free : (convex ? WallEnd::Kind::Convex : WallEnd::Kind::Smooth)));
-        QVERIFY(!meets || isNear(end.nextDirection, Vec2(1, 0), 1e-12));
-        QVERIFY(!isLine || (leaves ? sideOf(wall, true).end : sideOf(wall, true).start).kind == WallEnd::Kind::Free);
-        QCOMPARE(block.count, meets ? 5 : 4);
-        QCOMPARE(block.outerFaces == 0b11111 || block.outerFaces == 0b1111, !meets);
-        QCOMPARE(block.floorEdges == 0, !meets);
-        const Vec2 normal = side.normal;
-        const bool isThere = std::any_of(block.normalsBeyond.begin(), block.normalsBeyond.begin() + block.count,
-                                         [&](const Vec2& beyond) { return isNear(beyond, normal, 1e-12); });
-        QVERIFY(!meets || isThere);
-    }
-}
-
-void NearJointsTest::aWallDoesNotGoOnAsABlockThatItLiesOnOrIsIn() {
-    const Vec2 ends[] = {{0.5, 0}, {0.5, -0.5}, {0, -0.5}, {0, -1.5}, {-1, -1}};
-    for (const Vec2& end : ends) { // along its top, through it, along its side, beyond it, and from below beside it
-        for (const bool isLine : {false, true}) {
-            WallPart wall = wallFrom(isLine ? line(end, {0, 0}) : edge(end, {0, 0}));
-            std::vector<Part> blocks{blockBetween({0, -1}, {1, 0})};
-            auto& block = std::get<ConvexPart>(blocks.front());
-            joinWalls(std::array{&wall});
-            joinWallsWithParts(std::array{&wall}, std::array{&block});
-            const bool below = end.x() < 0; // a blunt corner
-            QCOMPARE(wall.joinedAtB, below);
-            QCOMPARE(block.count, below ? 5 : 4);
-        }
-    }
-}
-
-void NearJointsTest::theSideOfABlockBelowAWallIsAsSolidAsBefore() {
-    std::vector<Part> blocks{blockBetween({0, -1}, {1, 0})};
-    const Part before = blocks.front();
-    auto& block = std::get<ConvexPart>(blocks.front());
-    WallPart wall = wallFrom(line({-1, 0}, {0, 0}));
-    joinWalls(std::array{&wall});
-    joinWallsWithParts(std::array{&wall}, std::array{&block});
-    QCOMPARE(block.count, 5);
-    for (const double y : {-0.9, -0.1, -0.01, -0.004, -0.0001}) {
-        const auto hit = rayCast(blocks.front(), {}, {-1, y}, {2, y});
-        QVERIFY(hit.has_value() && isNear(hit->normal, Vec2(-1, 0), 1e-12));
-    }
-    for (const Part& body : {Part(Circle{{0, 0}, 0.1}), box(0.1, 0.1)}) {
-        for (const double y : {-0.9, -0.5, -0.2, -0.1001}) {
-            for (const double x : {-0.11, -0.1, -0.09}) {
-                const Manifold now = collide(blocks.front(), {}, body, {{x, y}, {}}, 0.05);
-                const Manifold then = collide(before, {}, body, {{x, y}, {}}, 0.05);
-                QCOMPARE(now.count > 0, then.count > 0);
-                QVERIFY(isNear(now.normal, then.normal, 1e-12));
-                QVERIFY(isNear(now.points[0].separation, then.points[0].separation, 1e-12));
-            }
-        }
-    }
 }
 
 SPACETOW_TEST(NearJointsTest)

@@ -42,7 +42,6 @@ void joinStatics(StaticGeometry& geometry) {
     }
     joinWalls(walls);
     joinConvexParts(convexParts);
-    joinWallsWithParts(walls, convexParts);
     for (StaticGeometry::Collider& collider : geometry.colliders) {
         if (const auto* wall = std::get_if<WallPart>(&collider.shape); wall != nullptr && wall->oneWay) {
             collider.side = sideOf(*wall, false);

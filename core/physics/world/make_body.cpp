@@ -130,7 +130,6 @@ void setParts(BodyRecord& record, const BodyDef& def) {
     }
     joinWalls(walls);
     joinConvexParts(convexParts);
-    joinWallsWithParts(walls, convexParts);
     record.parts = std::move(parts);
 }
 
