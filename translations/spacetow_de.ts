@@ -184,10 +184,6 @@
         <translation>&amp;Hüllrechtecke</translation>
     </message>
     <message>
-        <source>Show the bounding box of every body</source>
-        <translation>Das Hüllrechteck jedes Körpers anzeigen</translation>
-    </message>
-    <message>
         <source>&amp;Incircles</source>
         <translation>&amp;Inkreise</translation>
     </message>
@@ -197,7 +193,7 @@
     </message>
     <message>
         <source>&amp;Velocities</source>
-        <translation>&amp;Geschwindigkeiten</translation>
+        <translation>G&amp;eschwindigkeiten</translation>
     </message>
     <message>
         <source>Show where every body would be in a second</source>
@@ -214,18 +210,6 @@
     <message>
         <source>&amp;Normals</source>
         <translation>&amp;Normalen</translation>
-    </message>
-    <message>
-        <source>Show the free side of every wall</source>
-        <translation>Die freie Seite jeder Wand anzeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Quadtree</source>
-        <translation>&amp;Quadtree</translation>
-    </message>
-    <message>
-        <source>Show the cells in which collisions are looked for</source>
-        <translation>Die Zellen anzeigen, in denen nach Kollisionen gesucht wird</translation>
     </message>
     <message>
         <source>&amp;All Off</source>
@@ -376,32 +360,16 @@
         <translation>Spiel &amp;beenden</translation>
     </message>
     <message>
-        <source>Go back to the level as it was</source>
-        <translation>Zum Level zurückkehren, wie es war</translation>
-    </message>
-    <message>
         <source>Pa&amp;use</source>
         <translation>&amp;Pause</translation>
-    </message>
-    <message>
-        <source>Hold the game</source>
-        <translation>Das Spiel anhalten</translation>
     </message>
     <message>
         <source>&amp;Next Frame</source>
         <translation>&amp;Einzelbild weiter</translation>
     </message>
     <message>
-        <source>Hold the game and advance it by one update</source>
-        <translation>Das Spiel anhalten und um einen Zeitschritt weiterrücken</translation>
-    </message>
-    <message>
         <source>&amp;Restart</source>
         <translation>&amp;Neu starten</translation>
-    </message>
-    <message>
-        <source>Play the level from its beginning</source>
-        <translation>Das Level von Anfang an spielen</translation>
     </message>
     <message>
         <source>&amp;Keys…</source>
@@ -824,7 +792,7 @@
         <translation>Zeigt Namen und Farben der Merkmale jedes Objekts</translation>
     </message>
     <message>
-        <source>Show What &amp;Collides</source>
+        <source>Sho&amp;w What Collides</source>
         <translation>Zeigen, was &amp;kollidiert</translation>
     </message>
     <message>
@@ -1017,7 +985,7 @@
     </message>
     <message>
         <source>Hide &amp;All</source>
-        <translation>&amp;Alle ausblenden</translation>
+        <translation>Alle a&amp;usblenden</translation>
     </message>
     <message>
         <source>Put all panels out of the way, and back as they were</source>
@@ -1307,6 +1275,234 @@
         <source>There is no other window.</source>
         <translation>Es gibt kein anderes Fenster.</translation>
     </message>
+    <message>
+        <source>Show the bounding box of every body, and that of the broad phase</source>
+        <translation>Das Hüllrechteck jedes Körpers und das der Grobphase anzeigen</translation>
+    </message>
+    <message>
+        <source>Show the free side of every wall, and the solid band behind it</source>
+        <translation>Die freie Seite jeder Wand und den massiven Streifen dahinter anzeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Quadtrees</source>
+        <translation>&amp;Quadtrees</translation>
+    </message>
+    <message>
+        <source>Show the cells in which collisions are looked for, and what they hold</source>
+        <translation>Die Zellen anzeigen, in denen nach Kollisionen gesucht wird, und was sie enthalten</translation>
+    </message>
+    <message>
+        <source>&amp;Contacts</source>
+        <translation>K&amp;ontakte</translation>
+    </message>
+    <message>
+        <source>Show where bodies touch, and the forces between them</source>
+        <translation>Anzeigen, wo Körper sich berühren, und die Kräfte zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>T&amp;ension</source>
+        <translation>Spannun&amp;g</translation>
+    </message>
+    <message>
+        <source>Show how much every rope and connector pulls</source>
+        <translation>Anzeigen, wie stark jedes Seil und jede Verbindung zieht</translation>
+    </message>
+    <message>
+        <source>T&amp;rails</source>
+        <translation>&amp;Bahnen</translation>
+    </message>
+    <message>
+        <source>Show the way that every body has gone, or will go at first</source>
+        <translation>Den Weg anzeigen, den jeder Körper gegangen ist oder anfangs gehen wird</translation>
+    </message>
+    <message>
+        <source>Centers of &amp;Mass</source>
+        <translation>Sch&amp;werpunkte</translation>
+    </message>
+    <message>
+        <source>Show the center of mass of every body</source>
+        <translation>Den Schwerpunkt jedes Körpers anzeigen</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Namen</translation>
+    </message>
+    <message>
+        <source>Show the name of every object that has one</source>
+        <translation>Den Namen jedes Objekts anzeigen, das einen hat</translation>
+    </message>
+    <message>
+        <source>I&amp;slands and Sleep</source>
+        <translation>Inseln und &amp;Schlaf</translation>
+    </message>
+    <message>
+        <source>Show which bodies may push each other, and which ones sleep</source>
+        <translation>Anzeigen, welche Körper einander schieben können und welche schlafen</translation>
+    </message>
+    <message>
+        <source>Ris&amp;k of Passing Through</source>
+        <translation>&amp;Durchdringungsgefahr</translation>
+    </message>
+    <message>
+        <source>Show how far through each wall one iteration may carry what approaches it</source>
+        <translation>Bei jeder Wand anzeigen, wie weit eine Iteration hindurchtragen kann, was auf sie zukommt</translation>
+    </message>
+    <message>
+        <source>Reach o&amp;f the Ship</source>
+        <translation>&amp;Reichweite des Schiffs</translation>
+    </message>
+    <message>
+        <source>Show where the ship, and the payload on its rope, can be in the next seconds: from its start, or from where it is in a run that is paused</source>
+        <translation>Anzeigen, wo das Schiff und die Fracht an seinem Seil in den nächsten Sekunden sein können: ab dem Start oder, in einem angehaltenen Lauf, ab ihrem jetzigen Ort</translation>
+    </message>
+    <message>
+        <source>Reach a Second Longer</source>
+        <translation>Reichweite eine Sekunde länger</translation>
+    </message>
+    <message>
+        <source>Look a second further ahead, up to five</source>
+        <translation>Eine Sekunde weiter vorausschauen, bis zu fünf</translation>
+    </message>
+    <message>
+        <source>Reach a Second Shorter</source>
+        <translation>Reichweite eine Sekunde kürzer</translation>
+    </message>
+    <message>
+        <source>Look less far ahead, down to one second</source>
+        <translation>Weniger weit vorausschauen, bis hinab zu einer Sekunde</translation>
+    </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>&amp;Legende</translation>
+    </message>
+    <message>
+        <source>Explain the colors of the overlays that are on, in a corner of the canvas</source>
+        <translation>Die Farben der eingeschalteten Einblendungen in einer Ecke der Zeichenfläche erklären</translation>
+    </message>
+    <message>
+        <source>Color-Blind-Safe Colors</source>
+        <translation>Farben für Farbenblinde</translation>
+    </message>
+    <message>
+        <source>Draw the overlays in the colors of Okabe and Ito, which everybody tells apart</source>
+        <translation>Die Einblendungen in den Farben von Okabe und Ito zeichnen, die alle unterscheiden können</translation>
+    </message>
+    <message>
+        <source>Forget Own Colors</source>
+        <translation>Eigene Farben vergessen</translation>
+    </message>
+    <message>
+        <source>Give all overlays the colors of the set again</source>
+        <translation>Allen Einblendungen wieder die Farben des Farbsatzes geben</translation>
+    </message>
+    <message>
+        <source>No overlay has a color of your own: click one in the legend.</source>
+        <translation>Keine Einblendung hat eine eigene Farbe: Klicken Sie in der Legende auf eine.</translation>
+    </message>
+    <message>
+        <source>S&amp;imulate</source>
+        <translation>S&amp;imulieren</translation>
+    </message>
+    <message>
+        <source>Let the bodies of the level move in place, and go on editing beside</source>
+        <translation>Die Körper des Levels an Ort und Stelle bewegen und daneben weiter bearbeiten</translation>
+    </message>
+    <message>
+        <source>The level runs already.</source>
+        <translation>Das Level läuft schon.</translation>
+    </message>
+    <message>
+        <source>Play fr&amp;om Pointer</source>
+        <translation>Ab &amp;Mauszeiger spielen</translation>
+    </message>
+    <message>
+        <source>Play a copy of the level in which the ship starts where the pointer is</source>
+        <translation>Eine Kopie des Levels spielen, in der das Schiff am Mauszeiger startet</translation>
+    </message>
+    <message>
+        <source>Go back to the drawing board</source>
+        <translation>Zur Zeichenfläche zurückkehren</translation>
+    </message>
+    <message>
+        <source>Hold what runs, or let it go on</source>
+        <translation>Den Lauf anhalten oder fortsetzen</translation>
+    </message>
+    <message>
+        <source>Hold what runs and advance it by one update</source>
+        <translation>Den Lauf anhalten und um einen Zeitschritt weiterrücken</translation>
+    </message>
+    <message>
+        <source>Run the level from its beginning</source>
+        <translation>Das Level von Anfang an laufen lassen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Frame</source>
+        <translation>Einzelbild &amp;zurück</translation>
+    </message>
+    <message>
+        <source>Hold what runs and go back by one update</source>
+        <translation>Den Lauf anhalten und um einen Zeitschritt zurückgehen</translation>
+    </message>
+    <message>
+        <source>Next I&amp;teration</source>
+        <translation>Nächste I&amp;teration</translation>
+    </message>
+    <message>
+        <source>Hold what runs and look into the next update, one iteration further</source>
+        <translation>Den Lauf anhalten und in den nächsten Zeitschritt hineinsehen, eine Iteration weiter</translation>
+    </message>
+    <message>
+        <source>To the &amp;Beginning</source>
+        <translation>Zum &amp;Anfang</translation>
+    </message>
+    <message>
+        <source>Hold what runs and go back as far as it is kept</source>
+        <translation>Den Lauf anhalten und so weit zurückgehen, wie er aufbewahrt ist</translation>
+    </message>
+    <message>
+        <source>To the &amp;End</source>
+        <translation>Zum En&amp;de</translation>
+    </message>
+    <message>
+        <source>Hold what runs and show its last moment</source>
+        <translation>Den Lauf anhalten und seinen letzten Augenblick zeigen</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>&amp;Langsamer</translation>
+    </message>
+    <message>
+        <source>Let time run half as fast; [ does so on the canvas</source>
+        <translation>Die Zeit halb so schnell laufen lassen; [ tut das auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>F&amp;aster</source>
+        <translation>S&amp;chneller</translation>
+    </message>
+    <message>
+        <source>Let time run twice as fast; ] does so on the canvas</source>
+        <translation>Die Zeit doppelt so schnell laufen lassen; ] tut das auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the Ship</source>
+        <translation>Dem Schiff &amp;folgen</translation>
+    </message>
+    <message>
+        <source>Let the view go with the ship again, after it has been moved</source>
+        <translation>Die Ansicht wieder mit dem Schiff mitgehen lassen, nachdem sie verschoben wurde</translation>
+    </message>
+    <message>
+        <source>Only in a game is there a ship to follow.</source>
+        <translation>Nur im Spiel gibt es ein Schiff, dem sich folgen lässt.</translation>
+    </message>
+    <message>
+        <source>Save Fli&amp;ght…</source>
+        <translation>Fl&amp;ug speichern…</translation>
+    </message>
+    <message>
+        <source>Write what has been flown into a file that can be dropped on a window</source>
+        <translation>Den bisherigen Flug in eine Datei schreiben, die sich auf ein Fenster ziehen lässt</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -1457,6 +1653,10 @@
         <source>There is no room for the tag “%1” of their side among the 32 tags.</source>
         <translation>Für das Merkmal „%1“ der anderen Seite ist unter den 32 Merkmalen kein Platz.</translation>
     </message>
+    <message>
+        <source>Guides: in another order</source>
+        <translation>Hilfslinien: in anderer Reihenfolge</translation>
+    </message>
 </context>
 <context>
     <name>DroppedFiles</name>
@@ -1471,6 +1671,137 @@
     <message>
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
         <translation>Dateien anderer Programme werden einzeln importiert, da jede zuerst angesehen wird: Von diesen ist es %1.</translation>
+    </message>
+</context>
+<context>
+    <name>Explain</name>
+    <message>
+        <source>Debris</source>
+        <translation>Trümmer</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Thrust and steering</source>
+        <translation>Schub und Steuerung</translation>
+    </message>
+    <message>
+        <source>Pulled by the mouse</source>
+        <translation>Zug der Maus</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Kraftfelder</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Zusammen</translation>
+    </message>
+    <message>
+        <source>felt, without a force</source>
+        <translation>gespürt, ohne Kraft</translation>
+    </message>
+    <message>
+        <source>%1, of which friction %2</source>
+        <translation>%1, davon Reibung %2</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Tags touched</source>
+        <translation>Berührte Merkmale</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Dreht sich</translation>
+    </message>
+    <message>
+        <source>Kinetic energy</source>
+        <translation>Kinetische Energie</translation>
+    </message>
+    <message>
+        <source>Potential energy</source>
+        <translation>Potenzielle Energie</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>Eigendrehimpuls</translation>
+    </message>
+    <message>
+        <source>Angular momentum</source>
+        <translation>Drehimpuls</translation>
+    </message>
+    <message>
+        <source>Sleeps</source>
+        <translation>Schläft</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>Distance of its ends</source>
+        <translation>Abstand der Enden</translation>
+    </message>
+    <message>
+        <source>Natural length</source>
+        <translation>Natürliche Länge</translation>
+    </message>
+    <message>
+        <source>Pushes with</source>
+        <translation>Drückt mit</translation>
+    </message>
+    <message>
+        <source>Pulls with</source>
+        <translation>Zieht mit</translation>
+    </message>
+    <message>
+        <source>Elastic energy</source>
+        <translation>Elastische Energie</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>Zwischen</translation>
+    </message>
+    <message>
+        <source>All bodies</source>
+        <translation>Alle Körper</translation>
+    </message>
+    <message>
+        <source>Energy together</source>
+        <translation>Gesamtenergie</translation>
     </message>
 </context>
 <context>
@@ -1566,6 +1897,63 @@
     <message>
         <source>%1 is saved, but of the version before no backup could be made:</source>
         <translation>%1 ist gespeichert, aber von der Fassung davor konnte keine Sicherung angelegt werden:</translation>
+    </message>
+</context>
+<context>
+    <name>FlightsPanel</name>
+    <message>
+        <source>wins after %1 s, with %2 s of thrust</source>
+        <translation>gewinnt nach %1 s, mit %2 s Schub</translation>
+    </message>
+    <message>
+        <source>is lost at %1</source>
+        <translation>geht bei %1 verloren</translation>
+    </message>
+    <message>
+        <source>goes astray and ends at %1</source>
+        <translation>kommt vom Weg ab und endet bei %1</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>is being flown…</source>
+        <translation>wird geflogen…</translation>
+    </message>
+</context>
+<context>
+    <name>Forces</name>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Applied</source>
+        <translation>Ausgeübt</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Kraftfelder</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+</context>
+<context>
+    <name>Grab</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
@@ -2094,6 +2482,54 @@
         <source>Steps of motion in one iteration</source>
         <translation>Bewegungsschritte in einer Iteration</translation>
     </message>
+    <message>
+        <source>Ship</source>
+        <translation>Schiff</translation>
+    </message>
+    <message>
+        <source>Tow rope</source>
+        <translation>Schleppseil</translation>
+    </message>
+    <message>
+        <source>Bodies at rest sleep</source>
+        <translation>Ruhende Körper schlafen</translation>
+    </message>
+    <message>
+        <source>Thrust</source>
+        <translation>Schub</translation>
+    </message>
+    <message>
+        <source>Force along the nose of the ship</source>
+        <translation>Kraft entlang der Nase des Schiffs</translation>
+    </message>
+    <message>
+        <source>Steering</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>How fast the ship begins to turn while a direction is held</source>
+        <translation>Wie schnell das Schiff sich zu drehen beginnt, solange eine Richtung gehalten wird</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s mass</source>
+        <translation>Masse des Schiffs</translation>
+    </message>
+    <message>
+        <source>Of the ship alone</source>
+        <translation>Nur des Schiffs, ohne Fracht</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s restitution</source>
+        <translation>Stoßzahl des Schiffs</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s linear damping</source>
+        <translation>Lineare Dämpfung des Schiffs</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s angular damping</source>
+        <translation>Drehdämpfung des Schiffs</translation>
+    </message>
 </context>
 <context>
     <name>KeyFileTexts</name>
@@ -2291,6 +2727,133 @@
         <source>Start the level over</source>
         <translation>Das Level von vorn beginnen</translation>
     </message>
+    <message>
+        <source>Let time run slower</source>
+        <translation>Die Zeit langsamer laufen lassen</translation>
+    </message>
+    <message>
+        <source>Let time run faster</source>
+        <translation>Die Zeit schneller laufen lassen</translation>
+    </message>
+    <message>
+        <source>While held: one update back</source>
+        <translation>Im angehaltenen Lauf: einen Zeitschritt zurück</translation>
+    </message>
+    <message>
+        <source>While held: one update on</source>
+        <translation>Im angehaltenen Lauf: einen Zeitschritt weiter</translation>
+    </message>
+    <message>
+        <source>Turn time back, as long as the key is held</source>
+        <translation>Die Zeit zurückdrehen, solange die Taste gehalten wird</translation>
+    </message>
+</context>
+<context>
+    <name>Legend</name>
+    <message>
+        <source>Bounding box</source>
+        <translation>Hüllrechteck</translation>
+    </message>
+    <message>
+        <source>Box of the broad phase, with room to move</source>
+        <translation>Rechteck der Grobphase, mit Bewegungsspielraum</translation>
+    </message>
+    <message>
+        <source>Largest circle about the centroid</source>
+        <translation>Größter Kreis um den Flächenschwerpunkt</translation>
+    </message>
+    <message>
+        <source>Way of the next second</source>
+        <translation>Weg der nächsten Sekunde</translation>
+    </message>
+    <message>
+        <source>Up, 1 m</source>
+        <translation>Oben, 1 m</translation>
+    </message>
+    <message>
+        <source>Free side, 1 m</source>
+        <translation>Freie Seite, 1 m</translation>
+    </message>
+    <message>
+        <source>Solid band behind the wall</source>
+        <translation>Massiver Streifen hinter der Wand</translation>
+    </message>
+    <message>
+        <source>Cell of what stands still</source>
+        <translation>Zelle für Ruhendes</translation>
+    </message>
+    <message>
+        <source>Cell of what moves</source>
+        <translation>Zelle für Bewegtes</translation>
+    </message>
+    <message>
+        <source>Point of contact</source>
+        <translation>Berührungspunkt</translation>
+    </message>
+    <message>
+        <source>Near, not touching yet</source>
+        <translation>Nah, noch ohne Berührung</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Force; 1 m is the weight of the lighter one</source>
+        <translation>Kraft; 1 m ist das Gewicht des leichteren Körpers</translation>
+    </message>
+    <message>
+        <source>Pressed to half its length</source>
+        <translation>Auf die halbe Länge gedrückt</translation>
+    </message>
+    <message>
+        <source>At its natural length</source>
+        <translation>Natürliche Länge</translation>
+    </message>
+    <message>
+        <source>Stretched by half its length</source>
+        <translation>Auf das Anderthalbfache gezogen</translation>
+    </message>
+    <message>
+        <source>Way, older ones fainter</source>
+        <translation>Weg, älterer blasser</translation>
+    </message>
+    <message>
+        <source>Center of mass and axes</source>
+        <translation>Schwerpunkt und Achsen</translation>
+    </message>
+    <message>
+        <source>Name of the object</source>
+        <translation>Name des Objekts</translation>
+    </message>
+    <message>
+        <source>Asleep</source>
+        <translation>Schläft</translation>
+    </message>
+    <message>
+        <source>Deep enough for what comes</source>
+        <translation>Tief genug für das, was kommt</translation>
+    </message>
+    <message>
+        <source>Passed through in one iteration</source>
+        <translation>In einer Iteration durchquert</translation>
+    </message>
+    <message>
+        <source>The selection collides with it</source>
+        <translation>Die Auswahl kollidiert damit</translation>
+    </message>
+    <message>
+        <source>The selection passes through</source>
+        <translation>Die Auswahl geht hindurch</translation>
+    </message>
+    <message>
+        <source>One color an island</source>
+        <translation>Eine Farbe je Insel</translation>
+    </message>
+    <message>
+        <source>The color of the first tag; a dot for each further one</source>
+        <translation>Die Farbe des ersten Merkmals; ein Punkt für jedes weitere</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -2355,11 +2918,11 @@
     <name>Panels</name>
     <message>
         <source>&amp;Inspector</source>
-        <translation>&amp;Inspektor</translation>
+        <translation>I&amp;nspektor</translation>
     </message>
     <message>
         <source>&amp;Outliner</source>
-        <translation>&amp;Gliederung</translation>
+        <translation>G&amp;liederung</translation>
     </message>
     <message>
         <source>&amp;Problems</source>
@@ -2367,7 +2930,7 @@
     </message>
     <message>
         <source>&amp;Nodes</source>
-        <translation>K&amp;noten</translation>
+        <translation>&amp;Knoten</translation>
     </message>
     <message>
         <source>&amp;History</source>
@@ -2375,11 +2938,11 @@
     </message>
     <message>
         <source>&amp;Level Properties</source>
-        <translation>&amp;Level-Eigenschaften</translation>
+        <translation>Level-&amp;Eigenschaften</translation>
     </message>
     <message>
         <source>&amp;Tag Matrix</source>
-        <translation>&amp;Merkmalmatrix</translation>
+        <translation>Merkm&amp;almatrix</translation>
     </message>
     <message>
         <source>Show or hide this panel</source>
@@ -2387,11 +2950,240 @@
     </message>
     <message>
         <source>&amp;Minimap</source>
-        <translation>Mini&amp;karte</translation>
+        <translation>&amp;Minikarte</translation>
     </message>
     <message>
         <source>&amp;Differences</source>
-        <translation>&amp;Unterschiede</translation>
+        <translation>Un&amp;terschiede</translation>
+    </message>
+    <message>
+        <source>&amp;Flights</source>
+        <translation>&amp;Flüge</translation>
+    </message>
+    <message>
+        <source>&amp;Run Changes</source>
+        <translation>Änderungen &amp;im Lauf</translation>
+    </message>
+    <message>
+        <source>E&amp;xplain</source>
+        <translation>E&amp;rklärung</translation>
+    </message>
+    <message>
+        <source>Plot&amp;s</source>
+        <translation>Dia&amp;gramme</translation>
+    </message>
+    <message>
+        <source>Pro&amp;file</source>
+        <translation>Pr&amp;ofil</translation>
+    </message>
+</context>
+<context>
+    <name>Plots</name>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>velocity to the right</source>
+        <translation>Geschwindigkeit nach rechts</translation>
+    </message>
+    <message>
+        <source>velocity upwards</source>
+        <translation>Geschwindigkeit nach oben</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>angular velocity</source>
+        <translation>Winkelgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>force to the right</source>
+        <translation>Kraft nach rechts</translation>
+    </message>
+    <message>
+        <source>force upwards</source>
+        <translation>Kraft nach oben</translation>
+    </message>
+    <message>
+        <source>force of contacts</source>
+        <translation>Kraft der Kontakte</translation>
+    </message>
+    <message>
+        <source>kinetic energy</source>
+        <translation>kinetische Energie</translation>
+    </message>
+    <message>
+        <source>potential energy</source>
+        <translation>potenzielle Energie</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>momentum to the right</source>
+        <translation>Impuls nach rechts</translation>
+    </message>
+    <message>
+        <source>momentum upwards</source>
+        <translation>Impuls nach oben</translation>
+    </message>
+    <message>
+        <source>spin</source>
+        <translation>Drehimpuls</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>elastic energy</source>
+        <translation>elastische Energie</translation>
+    </message>
+    <message>
+        <source>energy of everything</source>
+        <translation>Energie insgesamt</translation>
+    </message>
+    <message>
+        <source>kinetic energy of everything</source>
+        <translation>kinetische Energie insgesamt</translation>
+    </message>
+    <message>
+        <source>potential energy of everything</source>
+        <translation>potenzielle Energie insgesamt</translation>
+    </message>
+    <message>
+        <source>elastic energy of everything</source>
+        <translation>elastische Energie insgesamt</translation>
+    </message>
+    <message>
+        <source>drift of energy</source>
+        <translation>Drift der Energie</translation>
+    </message>
+    <message>
+        <source>momentum of everything to the right</source>
+        <translation>Impuls insgesamt nach rechts</translation>
+    </message>
+    <message>
+        <source>momentum of everything upwards</source>
+        <translation>Impuls insgesamt nach oben</translation>
+    </message>
+    <message>
+        <source>drift of momentum</source>
+        <translation>Drift des Impulses</translation>
+    </message>
+    <message>
+        <source>angular momentum of everything</source>
+        <translation>Drehimpuls von allem</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Time of impact</source>
+        <translation>Aufprallzeitpunkt</translation>
+    </message>
+    <message>
+        <source>Crushing</source>
+        <translation>Quetschen</translation>
+    </message>
+    <message>
+        <source>Advance</source>
+        <translation>Vorrücken</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>Berührungen</translation>
+    </message>
+    <message>
+        <source>Sleep</source>
+        <translation>Schlaf</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ProfilePanel</name>
+    <message>
+        <source>Static bodies</source>
+        <translation>Statische Körper</translation>
+    </message>
+    <message>
+        <source>Kinematic bodies</source>
+        <translation>Kinematische Körper</translation>
+    </message>
+    <message>
+        <source>Dynamic bodies</source>
+        <translation>Dynamische Körper</translation>
+    </message>
+    <message>
+        <source>Awake</source>
+        <translation>Wach</translation>
+    </message>
+    <message>
+        <source>Asleep</source>
+        <translation>Schläft</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Pairs that may meet</source>
+        <translation>Paare, die sich treffen könnten</translation>
+    </message>
+    <message>
+        <source>Pairs that touch</source>
+        <translation>Paare, die sich berühren</translation>
+    </message>
+    <message>
+        <source>Islands</source>
+        <translation>Inseln</translation>
+    </message>
+    <message>
+        <source>Leaves of the quadtrees</source>
+        <translation>Blätter der Quadtrees</translation>
+    </message>
+</context>
+<context>
+    <name>Reach</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -4410,7 +5202,10 @@
     </message>
     <message numerus="yes">
         <source>%n times</source>
-        <translation><numerusform>%n-mal</numerusform><numerusform>%n-mal</numerusform></translation>
+        <translation>
+            <numerusform>%n-mal</numerusform>
+            <numerusform>%n-mal</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1, in line %2</source>
@@ -4427,6 +5222,146 @@
     <message>
         <source>The width of wide strokes was not taken over: they are walls without thickness (%4). “Stroke to Path” of Inkscape makes areas of them.</source>
         <translation>Die Breite breiter Striche wurde nicht übernommen: Sie sind Wände ohne Dicke (%4). „Kontur in Pfad umwandeln“ in Inkscape macht Flächen daraus.</translation>
+    </message>
+    <message>
+        <source>They touch: “%1” and “%2” are in contact.</source>
+        <translation>Sie berühren sich: „%1“ und „%2“ haben Kontakt.</translation>
+    </message>
+    <message>
+        <source>Both are the same body, which does not collide with itself.</source>
+        <translation>Beide sind derselbe Körper, und der kollidiert nicht mit sich selbst.</translation>
+    </message>
+    <message>
+        <source>“%1” is switched off, so it touches nothing.</source>
+        <translation>„%1“ ist ausgeschaltet und berührt deshalb nichts.</translation>
+    </message>
+    <message>
+        <source>Neither is moved by forces: “%1” and “%2” pass through each other unless one of them is dynamic.</source>
+        <translation>Keines von beiden wird durch Kräfte bewegt: „%1“ und „%2“ gehen durcheinander hindurch, solange keines davon dynamisch ist.</translation>
+    </message>
+    <message>
+        <source>“%2” has no tags, and what has none is touched by nothing.</source>
+        <translation>„%2“ hat keine Merkmale, und was keine hat, wird von nichts berührt.</translation>
+    </message>
+    <message>
+        <source>“%1” does not touch what “%2” is: %3.</source>
+        <translation>„%1“ berührt nicht, was „%2“ ist: %3.</translation>
+    </message>
+    <message>
+        <source>“%1” does not touch what “%2” is: %3. Nor does “%2” touch what “%1” is.</source>
+        <translation>„%1“ berührt nicht, was „%2“ ist: %3. Auch „%2“ berührt nicht, was „%1“ ist.</translation>
+    </message>
+    <message>
+        <source>“%3” connects “%1” and “%2”, and bodies that it connects do not collide.</source>
+        <translation>„%3“ verbindet „%1“ und „%2“, und Körper, die es verbindet, kollidieren nicht.</translation>
+    </message>
+    <message>
+        <source>The tow rope connects “%1” and “%2”, which therefore do not collide.</source>
+        <translation>Das Schleppseil verbindet „%1“ und „%2“; deshalb kollidieren sie nicht.</translation>
+    </message>
+    <message>
+        <source>“%1” is intangible: it would be felt, but stops nothing.</source>
+        <translation>„%1“ ist nicht greifbar: Es würde bemerkt, hält aber nichts auf.</translation>
+    </message>
+    <message>
+        <source>“%1” is intangible: “%2” touches it and is felt, but nothing stops it.</source>
+        <translation>„%1“ ist nicht greifbar: „%2“ berührt es und wird bemerkt, aber nicht aufgehalten.</translation>
+    </message>
+    <message>
+        <source>Both are nothing but walls, and walls pass through each other.</source>
+        <translation>Beide bestehen nur aus Wänden, und Wände gehen durcheinander hindurch.</translation>
+    </message>
+    <message>
+        <source>“%2” is behind a one-way wall of “%1”, from (%3, %4) to (%5, %6), which is open from there.</source>
+        <translation>„%2“ ist hinter einer einseitigen Kante von „%1“, von (%3, %4) bis (%5, %6), die von dort durchlässig ist.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” may collide, but are %3 m apart.</source>
+        <translation>„%1“ und „%2“ können kollidieren, sind aber %3 m voneinander entfernt.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” overlap, and collide as soon as the simulation goes on.</source>
+        <translation>„%1“ und „%2“ überschneiden sich und kollidieren, sobald die Simulation weiterläuft.</translation>
+    </message>
+    <message>
+        <source>Let “%1” touch “%2”</source>
+        <translation>„%1“ darf „%2“ berühren</translation>
+    </message>
+    <message>
+        <source>Give “%1” the tag “%2”</source>
+        <translation>„%1“ das Merkmal „%2“ geben</translation>
+    </message>
+    <message>
+        <source>Make “%1” tangible</source>
+        <translation>„%1“ greifbar machen</translation>
+    </message>
+    <message>
+        <source>Let the bodies of “%1” collide</source>
+        <translation>Die Körper von „%1“ kollidieren lassen</translation>
+    </message>
+    <message>
+        <source>Back to before the run</source>
+        <translation>Zurück zum Stand vor dem Lauf</translation>
+    </message>
+    <message>
+        <source>Keep change of the level</source>
+        <translation>Änderung des Levels behalten</translation>
+    </message>
+    <message>
+        <source>Keep new object</source>
+        <translation>Neues Objekt behalten</translation>
+    </message>
+    <message>
+        <source>Keep deletion</source>
+        <translation>Löschung behalten</translation>
+    </message>
+    <message>
+        <source>Keep move</source>
+        <translation>Verschiebung behalten</translation>
+    </message>
+    <message>
+        <source>Keep tags</source>
+        <translation>Merkmale behalten</translation>
+    </message>
+    <message>
+        <source>Keep order</source>
+        <translation>Reihenfolge behalten</translation>
+    </message>
+    <message>
+        <source>Keep change</source>
+        <translation>Änderung behalten</translation>
+    </message>
+    <message>
+        <source>There is no bug capsule in the text.</source>
+        <translation>Der Text enthält keine Fehlerkapsel.</translation>
+    </message>
+    <message>
+        <source>The bug capsule is not whole: its last line is missing.</source>
+        <translation>Die Fehlerkapsel ist unvollständig: Ihre letzte Zeile fehlt.</translation>
+    </message>
+    <message>
+        <source>The bug capsule has been changed or damaged on its way.</source>
+        <translation>Die Fehlerkapsel wurde unterwegs verändert oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>The bug capsule cannot be understood at “%1”.</source>
+        <translation>Die Fehlerkapsel ist bei „%1“ unverständlich.</translation>
+    </message>
+    <message>
+        <source>The level in the bug capsule cannot be read.</source>
+        <translation>Das Level in der Fehlerkapsel lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>The bug capsule was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
+        <translation>Die Fehlerkapsel stammt aus einer neueren Version (%1; diese liest bis %2). Bitte aktualisieren Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>The run is longer than a bug capsule may be: %1 updates.</source>
+        <translation>Der Lauf ist länger, als eine Fehlerkapsel sein darf: %1 Zeitschritte.</translation>
+    </message>
+    <message>
+        <source>The run is larger than a bug capsule may be: %1 bytes.</source>
+        <translation>Der Lauf ist größer, als eine Fehlerkapsel sein darf: %1 Byte.</translation>
     </message>
 </context>
 <context>
@@ -4498,6 +5433,10 @@
     <message>
         <source>Drawing board</source>
         <translation>Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>Drawing board, running</source>
+        <translation>Zeichenfläche, läuft</translation>
     </message>
 </context>
 <context>
@@ -4675,6 +5614,41 @@
     </message>
 </context>
 <context>
+    <name>spacetow::ExplainPanel</name>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>Wie viel</translation>
+    </message>
+    <message>
+        <source>Explanation of the selection</source>
+        <translation>Erklärung der Auswahl</translation>
+    </message>
+    <message>
+        <source>Everything. Select one object to see what moves it, or two to hear why they do not collide.</source>
+        <translation>Alles. Wählen Sie ein Objekt aus, um zu sehen, was es bewegt, oder zwei, um zu erfahren, warum sie nicht kollidieren.</translation>
+    </message>
+    <message>
+        <source>Why do these two not collide?</source>
+        <translation>Warum kollidieren diese beiden nicht?</translation>
+    </message>
+    <message>
+        <source>Select one object, or two.</source>
+        <translation>Wählen Sie ein oder zwei Objekte aus.</translation>
+    </message>
+    <message>
+        <source>“%1” is not part of the simulation.</source>
+        <translation>„%1“ ist nicht Teil der Simulation.</translation>
+    </message>
+    <message>
+        <source>At least one of them is no body in the simulation.</source>
+        <translation>Mindestens eines davon ist kein Körper in der Simulation.</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::ExportBar</name>
     <message>
         <source>Export picture</source>
@@ -4758,6 +5732,17 @@
     <message>
         <source>Nothing is called that.</source>
         <translation>Nichts heißt so.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::FlightsPanel</name>
+    <message>
+        <source>No flight is stored beside this level. A flight of cave.json is a file cave.replay.json or cave.NAME.replay.json in the same folder.</source>
+        <translation>Neben diesem Level ist kein Flug gespeichert. Ein Flug zu cave.json ist eine Datei cave.replay.json oder cave.NAME.replay.json im selben Ordner.</translation>
+    </message>
+    <message>
+        <source>Flights</source>
+        <translation>Flüge</translation>
     </message>
 </context>
 <context>
@@ -5167,6 +6152,29 @@
     </message>
 </context>
 <context>
+    <name>spacetow::Legend</name>
+    <message>
+        <source>Legend of the overlays</source>
+        <translation>Legende der Einblendungen</translation>
+    </message>
+    <message>
+        <source>Hide the legend</source>
+        <translation>Die Legende ausblenden</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>Ausschalten</translation>
+    </message>
+    <message>
+        <source>Choose another color</source>
+        <translation>Eine andere Farbe wählen</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::LevelPanel</name>
     <message>
         <source>That would leave the range of the field, so nothing has changed.</source>
@@ -5375,14 +6383,6 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <translation>%1[*] (%2) - SpaceTow Studio</translation>
     </message>
     <message>
-        <source>Playing a recorded flight · keys count when it has ended · %1: back to the editor</source>
-        <translation>Aufgezeichneter Flug läuft · Tasten wirken erst nach seinem Ende · %1: zurück zum Editor</translation>
-    </message>
-    <message>
-        <source>Playing a copy of the level · %1: back to the editor · Esc: menu</source>
-        <translation>Eine Kopie des Levels läuft · %1: zurück zum Editor · Esc: Menü</translation>
-    </message>
-    <message>
         <source>No level is open · arrows, Tab and Enter choose one</source>
         <translation>Kein Level ist offen · Pfeiltasten, Tab und Eingabe wählen eines</translation>
     </message>
@@ -5442,6 +6442,66 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <source>what was not saved of %1</source>
         <translation>was von %1 nicht gespeichert war</translation>
     </message>
+    <message>
+        <source>Write plots</source>
+        <translation>Kurven schreiben</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save flight</source>
+        <translation>Flug speichern</translation>
+    </message>
+    <message>
+        <source>Flights (*.replay.json)</source>
+        <translation>Flüge (*.replay.json)</translation>
+    </message>
+    <message>
+        <source>1/%1 ×</source>
+        <translation>1/%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>Der Flug wurde als %1 gespeichert. Ziehen Sie die Datei auf ein Fenster, um ihn wieder anzusehen.</translation>
+    </message>
+    <message>
+        <source>The plots are in “%1”.</source>
+        <translation>Die Kurven stehen in „%1“.</translation>
+    </message>
+    <message>
+        <source>Pulling · move: pull further · let the button go: throw</source>
+        <translation>Ziehen am Körper · Bewegen: weiter ziehen · Taste loslassen: werfen</translation>
+    </message>
+    <message>
+        <source>Playing a recorded flight · who steers takes over · %1: back to the editor</source>
+        <translation>Aufgezeichneter Flug läuft · wer steuert, übernimmt · %1: zurück zum Editor</translation>
+    </message>
+    <message>
+        <source>%1: follow the ship again</source>
+        <translation>%1: wieder dem Schiff folgen</translation>
+    </message>
+    <message>
+        <source>Playing · drag a body: pull it · wheel, right drag: move the view · %1 held: back in time · %2: back to the editor · Esc: menu</source>
+        <translation>Spiel läuft · Körper ziehen: an ihm zerren · Mausrad, Ziehen mit rechts: Ansicht bewegen · %1 gedrückt halten: in der Zeit zurück · %2: zurück zum Editor · Esc: Menü</translation>
+    </message>
+    <message>
+        <source>Simulation held · click: select · drag: move · %1: go on from here · %2: next frame · %3: back to the editor</source>
+        <translation>Simulation angehalten · Klick: auswählen · Ziehen: verschieben · %1: von hier fortsetzen · %2: Einzelbild weiter · %3: zurück zum Editor</translation>
+    </message>
+    <message>
+        <source>Simulation running · click: select · drag: pull a body, move what stands still · %1: hold · %2: back to the editor</source>
+        <translation>Simulation läuft · Klick: auswählen · Ziehen: an einem Körper zerren, Stillstehendes verschieben · %1: anhalten · %2: zurück zum Editor</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -5463,6 +6523,41 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>Click or drag: go there · wheel: zoom · arrows: move the view</source>
         <translation>Klick oder Ziehen: dorthin gehen · Mausrad: zoomen · Pfeiltasten: Ansicht verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::MotionLine</name>
+    <message>
+        <source>Now, while it runs</source>
+        <translation>Jetzt, während es läuft</translation>
+    </message>
+    <message>
+        <source>How the body moves now, while it runs; the fields say where it starts</source>
+        <translation>Wie sich der Körper jetzt im Lauf bewegt; die Felder geben an, wo er startet</translation>
+    </message>
+    <message>
+        <source>Now: x %1 · y %2 m · %3°</source>
+        <translation>Jetzt: x %1 · y %2 m · %3°</translation>
+    </message>
+    <message>
+        <source>%1 m/s (x %2 · y %3) · %4°/s</source>
+        <translation>%1 m/s (x %2 · y %3) · %4°/s</translation>
+    </message>
+    <message>
+        <source>Now: %1 m long, %2 m at rest</source>
+        <translation>Jetzt: %1 m lang, %2 m in Ruhe</translation>
+    </message>
+    <message>
+        <source>pushes with %1 N</source>
+        <translation>drückt mit %1 N</translation>
+    </message>
+    <message>
+        <source>pulls with %1 N</source>
+        <translation>zieht mit %1 N</translation>
+    </message>
+    <message>
+        <source>Now: not there any more</source>
+        <translation>Jetzt: nicht mehr vorhanden</translation>
     </message>
 </context>
 <context>
@@ -5757,10 +6852,77 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     </message>
 </context>
 <context>
-    <name>spacetow::PlayView</name>
+    <name>spacetow::PlotPanel</name>
     <message>
-        <source>Running game</source>
-        <translation>Laufendes Spiel</translation>
+        <source>Quantity of the selection</source>
+        <translation>Größe der Auswahl</translation>
+    </message>
+    <message>
+        <source>What of the selected body or connector, or of everything, is to be plotted</source>
+        <translation>Was vom ausgewählten Körper, von der ausgewählten Verbindung oder von allem aufgetragen werden soll</translation>
+    </message>
+    <message>
+        <source>Add curve</source>
+        <translation>Kurve hinzufügen</translation>
+    </message>
+    <message>
+        <source>x against y</source>
+        <translation>x gegen y</translation>
+    </message>
+    <message>
+        <source>The second curve against the first, in place of all over time</source>
+        <translation>Die zweite Kurve über der ersten statt aller über der Zeit</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Write what is plotted into a file that spreadsheets read</source>
+        <translation>Schreibt die Kurven in eine Datei, die Tabellenkalkulationen lesen</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Remove all curves</source>
+        <translation>Alle Kurven entfernen</translation>
+    </message>
+    <message>
+        <source>Drift: how far energy has come from its first value, as a share of the most that was ever in motion or in springs; and momentum, as a share of the most that all bodies had</source>
+        <translation>Drift: wie weit sich die Energie von ihrem Anfangswert entfernt hat, als Anteil des Höchsten, was je in Bewegung oder in Federn steckte; und der Impuls, als Anteil des Höchsten, was alle Körper hatten</translation>
+    </message>
+    <message>
+        <source>Select a body or a connector, choose a quantity and add its curve. It grows while the level is played or simulated.</source>
+        <translation>Wählen Sie einen Körper oder eine Verbindung aus, dann eine Größe, und fügen Sie deren Kurve hinzu. Sie wächst, während das Level gespielt oder simuliert wird.</translation>
+    </message>
+    <message>
+        <source>Remove the curve “%1”</source>
+        <translation>Die Kurve „%1“ entfernen</translation>
+    </message>
+    <message>
+        <source>Nothing runs.</source>
+        <translation>Nichts läuft.</translation>
+    </message>
+    <message>
+        <source>Energy %1 J, drift %2 · momentum %3 kg m/s, drift %4</source>
+        <translation>Energie %1 J, Drift %2 · Impuls %3 kg m/s, Drift %4</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::PlotView</name>
+    <message>
+        <source>Plot</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom · drag: move · double-click: show everything</source>
+        <translation>Mausrad: zoomen · Ziehen: verschieben · Doppelklick: alles zeigen</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +7004,52 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     <message>
         <source>Nothing was found that would cure this by itself.</source>
         <translation>Es wurde nichts gefunden, was dies von selbst beheben würde.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ProfileChart</name>
+    <message>
+        <source>Times of the last updates</source>
+        <translation>Zeiten der letzten Zeitschritte</translation>
+    </message>
+    <message>
+        <source>The last updates, newest at the right; the colours are those of the stages below</source>
+        <translation>Die letzten Zeitschritte, der neueste rechts; die Farben sind die der Abschnitte unten</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Times are taken while the level is played or simulated.</source>
+        <translation>Zeiten werden gemessen, während das Level gespielt oder simuliert wird.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ProfilePanel</name>
+    <message>
+        <source>Stage, ms</source>
+        <translation>Abschnitt, ms</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Times and counters</source>
+        <translation>Zeiten und Zähler</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Zusammen</translation>
     </message>
 </context>
 <context>
@@ -5945,6 +7153,54 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     <message>
         <source>Metres; drag a slanting guide out of the corner</source>
         <translation>Meter; Ziehen holt eine schräge Hilfslinie aus der Ecke</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RunChangesList</name>
+    <message>
+        <source>Is kept only together with:
+%1</source>
+        <translation>Wird nur zusammen behalten mit:
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RunChangesPanel</name>
+    <message>
+        <source>Keep &amp;All</source>
+        <translation>&amp;Alle behalten</translation>
+    </message>
+    <message>
+        <source>Keep &amp;Ticked</source>
+        <translation>Ange&amp;hakte behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Discard All</source>
+        <translation>Alle &amp;verwerfen</translation>
+    </message>
+    <message>
+        <source>Changes made in this run</source>
+        <translation>Änderungen in diesem Lauf</translation>
+    </message>
+    <message>
+        <source>Makes all of these changes in the level, each as one step that can be undone</source>
+        <translation>Übernimmt alle diese Änderungen ins Level, jede als einen Schritt, der sich rückgängig machen lässt</translation>
+    </message>
+    <message>
+        <source>Makes those that are ticked in the level, and forgets the others</source>
+        <translation>Übernimmt die angehakten ins Level und vergisst die anderen</translation>
+    </message>
+    <message>
+        <source>Leaves the level as it was before the run; Undo brings the changes back</source>
+        <translation>Lässt das Level, wie es vor dem Lauf war; Rückgängig holt die Änderungen zurück</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n changes were made in this run. The level is as before; keep what you like.</source>
+        <translation><numerusform>In diesem Lauf wurde %n Änderung vorgenommen. Das Level ist wie zuvor; behalten Sie sie, wenn Sie möchten.</numerusform><numerusform>In diesem Lauf wurden %n Änderungen vorgenommen. Das Level ist wie zuvor; behalten Sie, was Sie möchten.</numerusform></translation>
+    </message>
+    <message>
+        <source>Nothing waits to be kept. What is changed in a level while it runs is listed here when the run ends.</source>
+        <translation>Nichts wartet darauf, behalten zu werden. Was in einem Level geändert wird, während es läuft, steht nach dem Ende des Laufs hier.</translation>
     </message>
 </context>
 <context>
@@ -6145,6 +7401,64 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
             <numerusform>%n Objekte sind „%1“; Doppelklick: auswählen, Rechtsklick: mehr</numerusform>
         </translation>
     </message>
+    <message>
+        <source>They did touch in the last run.</source>
+        <translation>Im letzten Lauf haben sie sich berührt.</translation>
+    </message>
+    <message>
+        <source>They met in the last run, and passed through each other.</source>
+        <translation>Im letzten Lauf sind sie sich begegnet und durcheinander hindurchgegangen.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TimelineBar</name>
+    <message>
+        <source>%1 / %2 s</source>
+        <translation>%1 / %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TimelineScale</name>
+    <message>
+        <source>Touch</source>
+        <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>Payload taken in tow</source>
+        <translation>Fracht in Schlepp genommen</translation>
+    </message>
+    <message>
+        <source>Payload let go</source>
+        <translation>Fracht losgelassen</translation>
+    </message>
+    <message>
+        <source>Crash</source>
+        <translation>Absturz</translation>
+    </message>
+    <message>
+        <source>New attempt</source>
+        <translation>Neuer Versuch</translation>
+    </message>
+    <message>
+        <source>Win</source>
+        <translation>Sieg</translation>
+    </message>
+    <message>
+        <source>Edit of the level</source>
+        <translation>Änderung des Levels</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1, bei %2</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::TransformBar</name>
@@ -6230,6 +7544,10 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     <message>
         <source>Level</source>
         <translation>Level</translation>
+    </message>
+    <message>
+        <source>Sandboxes: each shows one thing that the physics does, and says what to try</source>
+        <translation>Sandkästen: Jeder zeigt etwas, was die Physik kann, und sagt, was sich ausprobieren lässt</translation>
     </message>
 </context>
 <context>

@@ -321,6 +321,16 @@
     </message>
 </context>
 <context>
+    <name>spacetow::RunChangesPanel</name>
+    <message numerus="yes">
+        <source>%n changes were made in this run. The level is as before; keep what you like.</source>
+        <translation>
+            <numerusform>%n change was made in this run. The level is as before; keep what you like.</numerusform>
+            <numerusform>%n changes were made in this run. The level is as before; keep what you like.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spacetow::StatusLine</name>
     <message numerus="yes">
         <source>%n selected</source>

@@ -725,11 +725,7 @@
     </message>
     <message>
         <source>&amp;Bounding Boxes</source>
-        <translation>Cajas &amp;delimitadoras</translation>
-    </message>
-    <message>
-        <source>Show the bounding box of every body</source>
-        <translation>Mostrar la caja delimitadora de cada cuerpo</translation>
+        <translation>Ca&amp;jas delimitadoras</translation>
     </message>
     <message>
         <source>&amp;Incircles</source>
@@ -760,18 +756,6 @@
         <translation>&amp;Normales</translation>
     </message>
     <message>
-        <source>Show the free side of every wall</source>
-        <translation>Mostrar el lado libre de cada muro</translation>
-    </message>
-    <message>
-        <source>&amp;Quadtree</source>
-        <translation>&amp;Quadtree</translation>
-    </message>
-    <message>
-        <source>Show the cells in which collisions are looked for</source>
-        <translation>Mostrar las celdas en que se buscan colisiones</translation>
-    </message>
-    <message>
         <source>&amp;All Off</source>
         <translation>Ocult&amp;ar todo</translation>
     </message>
@@ -781,7 +765,7 @@
     </message>
     <message>
         <source>&amp;Tags</source>
-        <translation>&amp;Etiquetas</translation>
+        <translation>Eti&amp;quetas</translation>
     </message>
     <message>
         <source>Show names and colors of the tags of every object</source>
@@ -796,7 +780,7 @@
         <translation>Marcar los lugares de todos los problemas del nivel</translation>
     </message>
     <message>
-        <source>Show What &amp;Collides</source>
+        <source>Sho&amp;w What Collides</source>
         <translation>Mostrar con qué &amp;colisiona</translation>
     </message>
     <message>
@@ -848,32 +832,16 @@
         <translation>&amp;Detener</translation>
     </message>
     <message>
-        <source>Go back to the level as it was</source>
-        <translation>Volver al nivel tal como estaba</translation>
-    </message>
-    <message>
         <source>Pa&amp;use</source>
         <translation>Pau&amp;sa</translation>
-    </message>
-    <message>
-        <source>Hold the game</source>
-        <translation>Pausar el juego</translation>
     </message>
     <message>
         <source>&amp;Next Frame</source>
         <translation>&amp;Fotograma siguiente</translation>
     </message>
     <message>
-        <source>Hold the game and advance it by one update</source>
-        <translation>Pausar el juego y avanzarlo una actualización</translation>
-    </message>
-    <message>
         <source>&amp;Restart</source>
         <translation>&amp;Reiniciar</translation>
-    </message>
-    <message>
-        <source>Play the level from its beginning</source>
-        <translation>Jugar el nivel desde el principio</translation>
     </message>
     <message>
         <source>&amp;Snap to Grid</source>
@@ -1307,6 +1275,234 @@
         <source>There is no other window.</source>
         <translation>No hay ninguna otra ventana.</translation>
     </message>
+    <message>
+        <source>Show the bounding box of every body, and that of the broad phase</source>
+        <translation>Mostrar la caja delimitadora de cada cuerpo y la de la fase amplia</translation>
+    </message>
+    <message>
+        <source>Show the free side of every wall, and the solid band behind it</source>
+        <translation>Mostrar el lado libre de cada muro y la franja sólida que hay detrás</translation>
+    </message>
+    <message>
+        <source>&amp;Quadtrees</source>
+        <translation>Q&amp;uadtrees</translation>
+    </message>
+    <message>
+        <source>Show the cells in which collisions are looked for, and what they hold</source>
+        <translation>Mostrar las celdas en que se buscan colisiones y lo que contienen</translation>
+    </message>
+    <message>
+        <source>&amp;Contacts</source>
+        <translation>Con&amp;tactos</translation>
+    </message>
+    <message>
+        <source>Show where bodies touch, and the forces between them</source>
+        <translation>Mostrar dónde se tocan los cuerpos y las fuerzas entre ellos</translation>
+    </message>
+    <message>
+        <source>T&amp;ension</source>
+        <translation>T&amp;ensión</translation>
+    </message>
+    <message>
+        <source>Show how much every rope and connector pulls</source>
+        <translation>Mostrar cuánto tira cada cuerda y cada conector</translation>
+    </message>
+    <message>
+        <source>T&amp;rails</source>
+        <translation>Tra&amp;zas</translation>
+    </message>
+    <message>
+        <source>Show the way that every body has gone, or will go at first</source>
+        <translation>Mostrar el camino que cada cuerpo ha recorrido o recorrerá al principio</translation>
+    </message>
+    <message>
+        <source>Centers of &amp;Mass</source>
+        <translation>Centros de &amp;masa</translation>
+    </message>
+    <message>
+        <source>Show the center of mass of every body</source>
+        <translation>Mostrar el centro de masa de cada cuerpo</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Nombres</translation>
+    </message>
+    <message>
+        <source>Show the name of every object that has one</source>
+        <translation>Mostrar el nombre de cada objeto que lo tenga</translation>
+    </message>
+    <message>
+        <source>I&amp;slands and Sleep</source>
+        <translation>Islas &amp;y sueño</translation>
+    </message>
+    <message>
+        <source>Show which bodies may push each other, and which ones sleep</source>
+        <translation>Mostrar qué cuerpos pueden empujarse y cuáles duermen</translation>
+    </message>
+    <message>
+        <source>Ris&amp;k of Passing Through</source>
+        <translation>&amp;Riesgo de atravesar</translation>
+    </message>
+    <message>
+        <source>Show how far through each wall one iteration may carry what approaches it</source>
+        <translation>Mostrar hasta dónde puede atravesar cada muro, en una iteración, lo que se le acerca</translation>
+    </message>
+    <message>
+        <source>Reach o&amp;f the Ship</source>
+        <translation>Alcance &amp;de la nave</translation>
+    </message>
+    <message>
+        <source>Show where the ship, and the payload on its rope, can be in the next seconds: from its start, or from where it is in a run that is paused</source>
+        <translation>Mostrar dónde pueden estar la nave, y la carga en su cuerda, en los próximos segundos: desde su salida, o desde donde está en una ejecución en pausa</translation>
+    </message>
+    <message>
+        <source>Reach a Second Longer</source>
+        <translation>Alargar el alcance un segundo</translation>
+    </message>
+    <message>
+        <source>Look a second further ahead, up to five</source>
+        <translation>Mirar un segundo más adelante, hasta cinco</translation>
+    </message>
+    <message>
+        <source>Reach a Second Shorter</source>
+        <translation>Acortar el alcance un segundo</translation>
+    </message>
+    <message>
+        <source>Look less far ahead, down to one second</source>
+        <translation>Mirar menos adelante, hasta un solo segundo</translation>
+    </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>&amp;Leyenda</translation>
+    </message>
+    <message>
+        <source>Explain the colors of the overlays that are on, in a corner of the canvas</source>
+        <translation>Explicar los colores de las superposiciones visibles en una esquina del lienzo</translation>
+    </message>
+    <message>
+        <source>Color-Blind-Safe Colors</source>
+        <translation>Colores para daltónicos</translation>
+    </message>
+    <message>
+        <source>Draw the overlays in the colors of Okabe and Ito, which everybody tells apart</source>
+        <translation>Dibujar las superposiciones con los colores de Okabe e Ito, que todo el mundo distingue</translation>
+    </message>
+    <message>
+        <source>Forget Own Colors</source>
+        <translation>Olvidar colores propios</translation>
+    </message>
+    <message>
+        <source>Give all overlays the colors of the set again</source>
+        <translation>Devolver a todas las superposiciones los colores del conjunto</translation>
+    </message>
+    <message>
+        <source>No overlay has a color of your own: click one in the legend.</source>
+        <translation>Ninguna superposición tiene un color propio: haga clic en una en la leyenda.</translation>
+    </message>
+    <message>
+        <source>S&amp;imulate</source>
+        <translation>S&amp;imular</translation>
+    </message>
+    <message>
+        <source>Let the bodies of the level move in place, and go on editing beside</source>
+        <translation>Dejar que los cuerpos del nivel se muevan en su sitio y seguir editando a la vez</translation>
+    </message>
+    <message>
+        <source>The level runs already.</source>
+        <translation>El nivel ya está en marcha.</translation>
+    </message>
+    <message>
+        <source>Play fr&amp;om Pointer</source>
+        <translation>Jugar desde el &amp;puntero</translation>
+    </message>
+    <message>
+        <source>Play a copy of the level in which the ship starts where the pointer is</source>
+        <translation>Jugar una copia del nivel en la que la nave empieza donde está el puntero</translation>
+    </message>
+    <message>
+        <source>Go back to the drawing board</source>
+        <translation>Volver al lienzo</translation>
+    </message>
+    <message>
+        <source>Hold what runs, or let it go on</source>
+        <translation>Pausar la ejecución o continuarla</translation>
+    </message>
+    <message>
+        <source>Hold what runs and advance it by one update</source>
+        <translation>Pausar la ejecución y avanzarla una actualización</translation>
+    </message>
+    <message>
+        <source>Run the level from its beginning</source>
+        <translation>Ejecutar el nivel desde el principio</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Frame</source>
+        <translation>Fotograma &amp;anterior</translation>
+    </message>
+    <message>
+        <source>Hold what runs and go back by one update</source>
+        <translation>Pausar la ejecución y retroceder una actualización</translation>
+    </message>
+    <message>
+        <source>Next I&amp;teration</source>
+        <translation>I&amp;teración siguiente</translation>
+    </message>
+    <message>
+        <source>Hold what runs and look into the next update, one iteration further</source>
+        <translation>Pausar la ejecución y mirar dentro de la actualización siguiente, una iteración más allá</translation>
+    </message>
+    <message>
+        <source>To the &amp;Beginning</source>
+        <translation>Al prin&amp;cipio</translation>
+    </message>
+    <message>
+        <source>Hold what runs and go back as far as it is kept</source>
+        <translation>Pausar la ejecución y retroceder hasta donde se conserva</translation>
+    </message>
+    <message>
+        <source>To the &amp;End</source>
+        <translation>Al fi&amp;nal</translation>
+    </message>
+    <message>
+        <source>Hold what runs and show its last moment</source>
+        <translation>Pausar la ejecución y mostrar su último momento</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>Más &amp;lento</translation>
+    </message>
+    <message>
+        <source>Let time run half as fast; [ does so on the canvas</source>
+        <translation>Hacer que el tiempo vaya a la mitad de velocidad; [ lo hace en el lienzo</translation>
+    </message>
+    <message>
+        <source>F&amp;aster</source>
+        <translation>&amp;Más rápido</translation>
+    </message>
+    <message>
+        <source>Let time run twice as fast; ] does so on the canvas</source>
+        <translation>Hacer que el tiempo vaya el doble de rápido; ] lo hace en el lienzo</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the Ship</source>
+        <translation>Seguir a la na&amp;ve</translation>
+    </message>
+    <message>
+        <source>Let the view go with the ship again, after it has been moved</source>
+        <translation>Hacer que la vista siga otra vez a la nave después de haberla movido</translation>
+    </message>
+    <message>
+        <source>Only in a game is there a ship to follow.</source>
+        <translation>Solo en una partida hay una nave a la que seguir.</translation>
+    </message>
+    <message>
+        <source>Save Fli&amp;ght…</source>
+        <translation>&amp;Guardar vuelo…</translation>
+    </message>
+    <message>
+        <source>Write what has been flown into a file that can be dropped on a window</source>
+        <translation>Guardar lo volado en un archivo que se puede soltar sobre una ventana</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -1457,6 +1653,10 @@
         <source>There is no room for the tag “%1” of their side among the 32 tags.</source>
         <translation>La etiqueta «%1» del otro lado no cabe entre las 32 etiquetas.</translation>
     </message>
+    <message>
+        <source>Guides: in another order</source>
+        <translation>Guías: en otro orden</translation>
+    </message>
 </context>
 <context>
     <name>DroppedFiles</name>
@@ -1471,6 +1671,137 @@
     <message>
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
         <translation>Los archivos de otros programas se importan de uno en uno, ya que cada uno se revisa antes: de estos es %1.</translation>
+    </message>
+</context>
+<context>
+    <name>Explain</name>
+    <message>
+        <source>Debris</source>
+        <translation>Escombros</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Fuerzas</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Gravedad</translation>
+    </message>
+    <message>
+        <source>Thrust and steering</source>
+        <translation>Propulsión y dirección</translation>
+    </message>
+    <message>
+        <source>Pulled by the mouse</source>
+        <translation>Arrastre del ratón</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>Conectores</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Campos</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contactos</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortiguación</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>felt, without a force</source>
+        <translation>se percibe, sin fuerza</translation>
+    </message>
+    <message>
+        <source>%1, of which friction %2</source>
+        <translation>%1, de ello fricción %2</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Tags touched</source>
+        <translation>Etiquetas tocadas</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Gira</translation>
+    </message>
+    <message>
+        <source>Kinetic energy</source>
+        <translation>Energía cinética</translation>
+    </message>
+    <message>
+        <source>Potential energy</source>
+        <translation>Energía potencial</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Momento lineal</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>Momento angular propio</translation>
+    </message>
+    <message>
+        <source>Angular momentum</source>
+        <translation>Momento angular</translation>
+    </message>
+    <message>
+        <source>Sleeps</source>
+        <translation>Duerme</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Tracción</translation>
+    </message>
+    <message>
+        <source>Distance of its ends</source>
+        <translation>Distancia entre extremos</translation>
+    </message>
+    <message>
+        <source>Natural length</source>
+        <translation>Longitud natural</translation>
+    </message>
+    <message>
+        <source>Pushes with</source>
+        <translation>Empuja con</translation>
+    </message>
+    <message>
+        <source>Pulls with</source>
+        <translation>Tira con</translation>
+    </message>
+    <message>
+        <source>Elastic energy</source>
+        <translation>Energía elástica</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>Entre</translation>
+    </message>
+    <message>
+        <source>All bodies</source>
+        <translation>Todos los cuerpos</translation>
+    </message>
+    <message>
+        <source>Energy together</source>
+        <translation>Energía total</translation>
     </message>
 </context>
 <context>
@@ -1566,6 +1897,63 @@
     <message>
         <source>%1 is saved, but of the version before no backup could be made:</source>
         <translation>%1 se ha guardado, pero no se pudo hacer una copia de seguridad de la versión anterior:</translation>
+    </message>
+</context>
+<context>
+    <name>FlightsPanel</name>
+    <message>
+        <source>wins after %1 s, with %2 s of thrust</source>
+        <translation>gana tras %1 s, con %2 s de propulsión</translation>
+    </message>
+    <message>
+        <source>is lost at %1</source>
+        <translation>se pierde en %1</translation>
+    </message>
+    <message>
+        <source>goes astray and ends at %1</source>
+        <translation>se desvía y termina en %1</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>no se puede leer</translation>
+    </message>
+    <message>
+        <source>is being flown…</source>
+        <translation>en vuelo…</translation>
+    </message>
+</context>
+<context>
+    <name>Forces</name>
+    <message>
+        <source>Gravity</source>
+        <translation>Gravedad</translation>
+    </message>
+    <message>
+        <source>Applied</source>
+        <translation>Aplicada</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>Conectores</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Campos</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contacto</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortiguación</translation>
+    </message>
+</context>
+<context>
+    <name>Grab</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
@@ -2094,6 +2482,54 @@
         <source>mixed</source>
         <translation>varios</translation>
     </message>
+    <message>
+        <source>Ship</source>
+        <translation>Nave</translation>
+    </message>
+    <message>
+        <source>Tow rope</source>
+        <translation>Cuerda de remolque</translation>
+    </message>
+    <message>
+        <source>Bodies at rest sleep</source>
+        <translation>Cuerpos en reposo duermen</translation>
+    </message>
+    <message>
+        <source>Thrust</source>
+        <translation>Propulsión</translation>
+    </message>
+    <message>
+        <source>Force along the nose of the ship</source>
+        <translation>Fuerza en la dirección del morro de la nave</translation>
+    </message>
+    <message>
+        <source>Steering</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>How fast the ship begins to turn while a direction is held</source>
+        <translation>Con qué rapidez empieza a girar la nave mientras se mantiene una dirección</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s mass</source>
+        <translation>Masa de la nave</translation>
+    </message>
+    <message>
+        <source>Of the ship alone</source>
+        <translation>Solo de la nave</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s restitution</source>
+        <translation>Restitución de la nave</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s linear damping</source>
+        <translation>Amortiguación lineal de la nave</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s angular damping</source>
+        <translation>Amortiguación angular de la nave</translation>
+    </message>
 </context>
 <context>
     <name>KeyFileTexts</name>
@@ -2291,6 +2727,133 @@
         <source>Start the level over</source>
         <translation>Empezar el nivel de nuevo</translation>
     </message>
+    <message>
+        <source>Let time run slower</source>
+        <translation>Hacer que el tiempo vaya más lento</translation>
+    </message>
+    <message>
+        <source>Let time run faster</source>
+        <translation>Hacer que el tiempo vaya más rápido</translation>
+    </message>
+    <message>
+        <source>While held: one update back</source>
+        <translation>En pausa: una actualización atrás</translation>
+    </message>
+    <message>
+        <source>While held: one update on</source>
+        <translation>En pausa: una actualización adelante</translation>
+    </message>
+    <message>
+        <source>Turn time back, as long as the key is held</source>
+        <translation>Retroceder en el tiempo mientras se mantiene la tecla</translation>
+    </message>
+</context>
+<context>
+    <name>Legend</name>
+    <message>
+        <source>Bounding box</source>
+        <translation>Caja delimitadora</translation>
+    </message>
+    <message>
+        <source>Box of the broad phase, with room to move</source>
+        <translation>Caja de la fase amplia, con margen de movimiento</translation>
+    </message>
+    <message>
+        <source>Largest circle about the centroid</source>
+        <translation>Mayor círculo en torno al centroide</translation>
+    </message>
+    <message>
+        <source>Way of the next second</source>
+        <translation>Camino del próximo segundo</translation>
+    </message>
+    <message>
+        <source>Up, 1 m</source>
+        <translation>Arriba, 1 m</translation>
+    </message>
+    <message>
+        <source>Free side, 1 m</source>
+        <translation>Lado libre, 1 m</translation>
+    </message>
+    <message>
+        <source>Solid band behind the wall</source>
+        <translation>Franja sólida detrás del muro</translation>
+    </message>
+    <message>
+        <source>Cell of what stands still</source>
+        <translation>Celda de lo que está quieto</translation>
+    </message>
+    <message>
+        <source>Cell of what moves</source>
+        <translation>Celda de lo que se mueve</translation>
+    </message>
+    <message>
+        <source>Point of contact</source>
+        <translation>Punto de contacto</translation>
+    </message>
+    <message>
+        <source>Near, not touching yet</source>
+        <translation>Cerca, aún sin tocarse</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Force; 1 m is the weight of the lighter one</source>
+        <translation>Fuerza; 1 m es el peso del más ligero</translation>
+    </message>
+    <message>
+        <source>Pressed to half its length</source>
+        <translation>Comprimido a la mitad de su longitud</translation>
+    </message>
+    <message>
+        <source>At its natural length</source>
+        <translation>Longitud natural</translation>
+    </message>
+    <message>
+        <source>Stretched by half its length</source>
+        <translation>Estirado a una vez y media</translation>
+    </message>
+    <message>
+        <source>Way, older ones fainter</source>
+        <translation>Camino, más tenue cuanto más antiguo</translation>
+    </message>
+    <message>
+        <source>Center of mass and axes</source>
+        <translation>Centro de masa y ejes</translation>
+    </message>
+    <message>
+        <source>Name of the object</source>
+        <translation>Nombre del objeto</translation>
+    </message>
+    <message>
+        <source>Asleep</source>
+        <translation>Dormido</translation>
+    </message>
+    <message>
+        <source>Deep enough for what comes</source>
+        <translation>Lo bastante profundo para lo que llega</translation>
+    </message>
+    <message>
+        <source>Passed through in one iteration</source>
+        <translation>Se atraviesa en una iteración</translation>
+    </message>
+    <message>
+        <source>The selection collides with it</source>
+        <translation>La selección choca con ello</translation>
+    </message>
+    <message>
+        <source>The selection passes through</source>
+        <translation>La selección lo atraviesa</translation>
+    </message>
+    <message>
+        <source>One color an island</source>
+        <translation>Un color por isla</translation>
+    </message>
+    <message>
+        <source>The color of the first tag; a dot for each further one</source>
+        <translation>El color de la primera etiqueta; un punto por cada una de las demás</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -2392,6 +2955,235 @@
     <message>
         <source>Show or hide this panel</source>
         <translation>Mostrar u ocultar este panel</translation>
+    </message>
+    <message>
+        <source>&amp;Flights</source>
+        <translation>&amp;Vuelos</translation>
+    </message>
+    <message>
+        <source>&amp;Run Changes</source>
+        <translation>C&amp;ambios en ejecución</translation>
+    </message>
+    <message>
+        <source>E&amp;xplain</source>
+        <translation>E&amp;xplicación</translation>
+    </message>
+    <message>
+        <source>Plot&amp;s</source>
+        <translation>&amp;Gráficas</translation>
+    </message>
+    <message>
+        <source>Pro&amp;file</source>
+        <translation>Per&amp;fil</translation>
+    </message>
+</context>
+<context>
+    <name>Plots</name>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>ángulo</translation>
+    </message>
+    <message>
+        <source>velocity to the right</source>
+        <translation>velocidad hacia la derecha</translation>
+    </message>
+    <message>
+        <source>velocity upwards</source>
+        <translation>velocidad hacia arriba</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>rapidez</translation>
+    </message>
+    <message>
+        <source>angular velocity</source>
+        <translation>velocidad angular</translation>
+    </message>
+    <message>
+        <source>force to the right</source>
+        <translation>fuerza hacia la derecha</translation>
+    </message>
+    <message>
+        <source>force upwards</source>
+        <translation>fuerza hacia arriba</translation>
+    </message>
+    <message>
+        <source>force of contacts</source>
+        <translation>fuerza de los contactos</translation>
+    </message>
+    <message>
+        <source>kinetic energy</source>
+        <translation>energía cinética</translation>
+    </message>
+    <message>
+        <source>potential energy</source>
+        <translation>energía potencial</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>energía</translation>
+    </message>
+    <message>
+        <source>momentum to the right</source>
+        <translation>momento lineal hacia la derecha</translation>
+    </message>
+    <message>
+        <source>momentum upwards</source>
+        <translation>momento lineal hacia arriba</translation>
+    </message>
+    <message>
+        <source>spin</source>
+        <translation>momento angular</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>longitud</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>tensión</translation>
+    </message>
+    <message>
+        <source>elastic energy</source>
+        <translation>energía elástica</translation>
+    </message>
+    <message>
+        <source>energy of everything</source>
+        <translation>energía del conjunto</translation>
+    </message>
+    <message>
+        <source>kinetic energy of everything</source>
+        <translation>energía cinética del conjunto</translation>
+    </message>
+    <message>
+        <source>potential energy of everything</source>
+        <translation>energía potencial del conjunto</translation>
+    </message>
+    <message>
+        <source>elastic energy of everything</source>
+        <translation>energía elástica del conjunto</translation>
+    </message>
+    <message>
+        <source>drift of energy</source>
+        <translation>deriva de la energía</translation>
+    </message>
+    <message>
+        <source>momentum of everything to the right</source>
+        <translation>momento lineal del conjunto hacia la derecha</translation>
+    </message>
+    <message>
+        <source>momentum of everything upwards</source>
+        <translation>momento lineal del conjunto hacia arriba</translation>
+    </message>
+    <message>
+        <source>drift of momentum</source>
+        <translation>deriva del momento lineal</translation>
+    </message>
+    <message>
+        <source>angular momentum of everything</source>
+        <translation>momento angular de todo</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Cambios</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Pares</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contactos</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Solucionador</translation>
+    </message>
+    <message>
+        <source>Time of impact</source>
+        <translation>Instante de impacto</translation>
+    </message>
+    <message>
+        <source>Crushing</source>
+        <translation>Aplastamiento</translation>
+    </message>
+    <message>
+        <source>Advance</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>Toques</translation>
+    </message>
+    <message>
+        <source>Sleep</source>
+        <translation>Sueño</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ProfilePanel</name>
+    <message>
+        <source>Static bodies</source>
+        <translation>Cuerpos estáticos</translation>
+    </message>
+    <message>
+        <source>Kinematic bodies</source>
+        <translation>Cuerpos cinemáticos</translation>
+    </message>
+    <message>
+        <source>Dynamic bodies</source>
+        <translation>Cuerpos dinámicos</translation>
+    </message>
+    <message>
+        <source>Awake</source>
+        <translation>Despiertos</translation>
+    </message>
+    <message>
+        <source>Asleep</source>
+        <translation>Dormido</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>Conectores</translation>
+    </message>
+    <message>
+        <source>Pairs that may meet</source>
+        <translation>Pares que pueden encontrarse</translation>
+    </message>
+    <message>
+        <source>Pairs that touch</source>
+        <translation>Pares que se tocan</translation>
+    </message>
+    <message>
+        <source>Islands</source>
+        <translation>Islas</translation>
+    </message>
+    <message>
+        <source>Leaves of the quadtrees</source>
+        <translation>Hojas de los quadtrees</translation>
+    </message>
+</context>
+<context>
+    <name>Reach</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -4410,7 +5202,10 @@
     </message>
     <message numerus="yes">
         <source>%n times</source>
-        <translation><numerusform>%n veces</numerusform><numerusform>%n veces</numerusform></translation>
+        <translation>
+            <numerusform>%n veces</numerusform>
+            <numerusform>%n veces</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1, in line %2</source>
@@ -4427,6 +5222,146 @@
     <message>
         <source>The width of wide strokes was not taken over: they are walls without thickness (%4). “Stroke to Path” of Inkscape makes areas of them.</source>
         <translation>La anchura de los trazos anchos no se ha tomado: son muros sin grosor (%4). «Borde a trayecto» de Inkscape los convierte en áreas.</translation>
+    </message>
+    <message>
+        <source>They touch: “%1” and “%2” are in contact.</source>
+        <translation>Se tocan: «%1» y «%2» están en contacto.</translation>
+    </message>
+    <message>
+        <source>Both are the same body, which does not collide with itself.</source>
+        <translation>Ambos son el mismo cuerpo, que no colisiona consigo mismo.</translation>
+    </message>
+    <message>
+        <source>“%1” is switched off, so it touches nothing.</source>
+        <translation>«%1» está desactivado, así que no toca nada.</translation>
+    </message>
+    <message>
+        <source>Neither is moved by forces: “%1” and “%2” pass through each other unless one of them is dynamic.</source>
+        <translation>A ninguno lo mueven las fuerzas: «%1» y «%2» se atraviesan, salvo que uno de ellos sea dinámico.</translation>
+    </message>
+    <message>
+        <source>“%2” has no tags, and what has none is touched by nothing.</source>
+        <translation>«%2» no tiene etiquetas, y nada toca lo que no las tiene.</translation>
+    </message>
+    <message>
+        <source>“%1” does not touch what “%2” is: %3.</source>
+        <translation>«%1» no toca lo que «%2» es: %3.</translation>
+    </message>
+    <message>
+        <source>“%1” does not touch what “%2” is: %3. Nor does “%2” touch what “%1” is.</source>
+        <translation>«%1» no toca lo que «%2» es: %3. Tampoco «%2» toca lo que «%1» es.</translation>
+    </message>
+    <message>
+        <source>“%3” connects “%1” and “%2”, and bodies that it connects do not collide.</source>
+        <translation>«%3» une «%1» y «%2», y los cuerpos que une no colisionan.</translation>
+    </message>
+    <message>
+        <source>The tow rope connects “%1” and “%2”, which therefore do not collide.</source>
+        <translation>La cuerda de remolque une «%1» y «%2», que por eso no colisionan.</translation>
+    </message>
+    <message>
+        <source>“%1” is intangible: it would be felt, but stops nothing.</source>
+        <translation>«%1» es intangible: se notaría, pero no detiene nada.</translation>
+    </message>
+    <message>
+        <source>“%1” is intangible: “%2” touches it and is felt, but nothing stops it.</source>
+        <translation>«%1» es intangible: «%2» lo toca y se nota, pero nada lo detiene.</translation>
+    </message>
+    <message>
+        <source>Both are nothing but walls, and walls pass through each other.</source>
+        <translation>Ambos son solo muros, y los muros se atraviesan.</translation>
+    </message>
+    <message>
+        <source>“%2” is behind a one-way wall of “%1”, from (%3, %4) to (%5, %6), which is open from there.</source>
+        <translation>«%2» está detrás de un muro de una cara de «%1», de (%3, %4) a (%5, %6), que desde ahí está abierto.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” may collide, but are %3 m apart.</source>
+        <translation>«%1» y «%2» pueden colisionar, pero están a %3 m de distancia.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” overlap, and collide as soon as the simulation goes on.</source>
+        <translation>«%1» y «%2» se solapan y colisionarán en cuanto siga la simulación.</translation>
+    </message>
+    <message>
+        <source>Let “%1” touch “%2”</source>
+        <translation>Dejar que «%1» toque «%2»</translation>
+    </message>
+    <message>
+        <source>Give “%1” the tag “%2”</source>
+        <translation>Dar a «%1» la etiqueta «%2»</translation>
+    </message>
+    <message>
+        <source>Make “%1” tangible</source>
+        <translation>Hacer tangible «%1»</translation>
+    </message>
+    <message>
+        <source>Let the bodies of “%1” collide</source>
+        <translation>Dejar que choquen los cuerpos de «%1»</translation>
+    </message>
+    <message>
+        <source>Back to before the run</source>
+        <translation>Volver a antes de la ejecución</translation>
+    </message>
+    <message>
+        <source>Keep change of the level</source>
+        <translation>Conservar cambio del nivel</translation>
+    </message>
+    <message>
+        <source>Keep new object</source>
+        <translation>Conservar objeto nuevo</translation>
+    </message>
+    <message>
+        <source>Keep deletion</source>
+        <translation>Conservar eliminación</translation>
+    </message>
+    <message>
+        <source>Keep move</source>
+        <translation>Conservar movimiento</translation>
+    </message>
+    <message>
+        <source>Keep tags</source>
+        <translation>Conservar etiquetas</translation>
+    </message>
+    <message>
+        <source>Keep order</source>
+        <translation>Conservar orden</translation>
+    </message>
+    <message>
+        <source>Keep change</source>
+        <translation>Conservar cambio</translation>
+    </message>
+    <message>
+        <source>There is no bug capsule in the text.</source>
+        <translation>En el texto no hay ninguna cápsula de error.</translation>
+    </message>
+    <message>
+        <source>The bug capsule is not whole: its last line is missing.</source>
+        <translation>La cápsula de error no está completa: falta su última línea.</translation>
+    </message>
+    <message>
+        <source>The bug capsule has been changed or damaged on its way.</source>
+        <translation>La cápsula de error se alteró o se dañó por el camino.</translation>
+    </message>
+    <message>
+        <source>The bug capsule cannot be understood at “%1”.</source>
+        <translation>La cápsula de error no se entiende en «%1».</translation>
+    </message>
+    <message>
+        <source>The level in the bug capsule cannot be read.</source>
+        <translation>No se puede leer el nivel de la cápsula de error.</translation>
+    </message>
+    <message>
+        <source>The bug capsule was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
+        <translation>La cápsula de error se hizo con una versión más nueva (%1; esta lee hasta %2). Actualice el programa.</translation>
+    </message>
+    <message>
+        <source>The run is longer than a bug capsule may be: %1 updates.</source>
+        <translation>La ejecución es más larga de lo que puede ser una cápsula de error: %1 actualizaciones.</translation>
+    </message>
+    <message>
+        <source>The run is larger than a bug capsule may be: %1 bytes.</source>
+        <translation>La ejecución es mayor de lo que puede ser una cápsula de error: %1 bytes.</translation>
     </message>
 </context>
 <context>
@@ -4498,6 +5433,10 @@
     <message>
         <source>Drawing board</source>
         <translation>Lienzo</translation>
+    </message>
+    <message>
+        <source>Drawing board, running</source>
+        <translation>Lienzo, en marcha</translation>
     </message>
 </context>
 <context>
@@ -4675,6 +5614,41 @@
     </message>
 </context>
 <context>
+    <name>spacetow::ExplainPanel</name>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>Cuánto</translation>
+    </message>
+    <message>
+        <source>Explanation of the selection</source>
+        <translation>Explicación de la selección</translation>
+    </message>
+    <message>
+        <source>Everything. Select one object to see what moves it, or two to hear why they do not collide.</source>
+        <translation>Todo. Seleccione un objeto para ver qué lo mueve, o dos para saber por qué no colisionan.</translation>
+    </message>
+    <message>
+        <source>Why do these two not collide?</source>
+        <translation>¿Por qué no colisionan estos dos?</translation>
+    </message>
+    <message>
+        <source>Select one object, or two.</source>
+        <translation>Seleccione un objeto, o dos.</translation>
+    </message>
+    <message>
+        <source>“%1” is not part of the simulation.</source>
+        <translation>«%1» no forma parte de la simulación.</translation>
+    </message>
+    <message>
+        <source>At least one of them is no body in the simulation.</source>
+        <translation>Al menos uno de ellos no es un cuerpo de la simulación.</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::ExportBar</name>
     <message>
         <source>Export picture</source>
@@ -4758,6 +5732,17 @@
     <message>
         <source>Nothing is called that.</source>
         <translation>Nada se llama así.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::FlightsPanel</name>
+    <message>
+        <source>No flight is stored beside this level. A flight of cave.json is a file cave.replay.json or cave.NAME.replay.json in the same folder.</source>
+        <translation>No hay ningún vuelo guardado junto a este nivel. Un vuelo de cave.json es un archivo cave.replay.json o cave.NAME.replay.json en la misma carpeta.</translation>
+    </message>
+    <message>
+        <source>Flights</source>
+        <translation>Vuelos</translation>
     </message>
 </context>
 <context>
@@ -5167,6 +6152,29 @@
     </message>
 </context>
 <context>
+    <name>spacetow::Legend</name>
+    <message>
+        <source>Legend of the overlays</source>
+        <translation>Leyenda de las superposiciones</translation>
+    </message>
+    <message>
+        <source>Hide the legend</source>
+        <translation>Ocultar la leyenda</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Leyenda</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>Desactivar</translation>
+    </message>
+    <message>
+        <source>Choose another color</source>
+        <translation>Elegir otro color</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::LevelPanel</name>
     <message>
         <source>That would leave the range of the field, so nothing has changed.</source>
@@ -5273,14 +6281,6 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     <message>
         <source>Opened %1</source>
         <translation>Abierto %1</translation>
-    </message>
-    <message>
-        <source>Playing a recorded flight · keys count when it has ended · %1: back to the editor</source>
-        <translation>Se reproduce un vuelo grabado · las teclas valen cuando termine · %1: volver al editor</translation>
-    </message>
-    <message>
-        <source>Playing a copy of the level · %1: back to the editor · Esc: menu</source>
-        <translation>Se juega una copia del nivel · %1: volver al editor · Esc: menú</translation>
     </message>
     <message>
         <source>No level is open · arrows, Tab and Enter choose one</source>
@@ -5442,6 +6442,66 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
         <source>what was not saved of %1</source>
         <translation>lo que no se había guardado de %1</translation>
     </message>
+    <message>
+        <source>Write plots</source>
+        <translation>Guardar curvas</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save flight</source>
+        <translation>Guardar vuelo</translation>
+    </message>
+    <message>
+        <source>Flights (*.replay.json)</source>
+        <translation>Vuelos (*.replay.json)</translation>
+    </message>
+    <message>
+        <source>1/%1 ×</source>
+        <translation>1/%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>El vuelo se guardó como %1. Suelte el archivo sobre una ventana para volver a verlo.</translation>
+    </message>
+    <message>
+        <source>The plots are in “%1”.</source>
+        <translation>Las curvas están en «%1».</translation>
+    </message>
+    <message>
+        <source>Pulling · move: pull further · let the button go: throw</source>
+        <translation>Tirando · mover: tirar más · soltar el botón: lanzar</translation>
+    </message>
+    <message>
+        <source>Playing a recorded flight · who steers takes over · %1: back to the editor</source>
+        <translation>Se reproduce un vuelo grabado · quien pilota toma el mando · %1: volver al editor</translation>
+    </message>
+    <message>
+        <source>%1: follow the ship again</source>
+        <translation>%1: seguir otra vez a la nave</translation>
+    </message>
+    <message>
+        <source>Playing · drag a body: pull it · wheel, right drag: move the view · %1 held: back in time · %2: back to the editor · Esc: menu</source>
+        <translation>Jugando · arrastrar un cuerpo: tirar de él · rueda, arrastrar con el botón derecho: mover la vista · mantener %1: retroceder en el tiempo · %2: volver al editor · Esc: menú</translation>
+    </message>
+    <message>
+        <source>Simulation held · click: select · drag: move · %1: go on from here · %2: next frame · %3: back to the editor</source>
+        <translation>Simulación en pausa · clic: seleccionar · arrastrar: mover · %1: seguir desde aquí · %2: fotograma siguiente · %3: volver al editor</translation>
+    </message>
+    <message>
+        <source>Simulation running · click: select · drag: pull a body, move what stands still · %1: hold · %2: back to the editor</source>
+        <translation>Simulación en marcha · clic: seleccionar · arrastrar: tirar de un cuerpo, mover lo que está quieto · %1: pausar · %2: volver al editor</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -5463,6 +6523,41 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     <message>
         <source>Click or drag: go there · wheel: zoom · arrows: move the view</source>
         <translation>Clic o arrastrar: ir ahí · rueda: zoom · flechas: mover la vista</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::MotionLine</name>
+    <message>
+        <source>Now, while it runs</source>
+        <translation>Ahora, en marcha</translation>
+    </message>
+    <message>
+        <source>How the body moves now, while it runs; the fields say where it starts</source>
+        <translation>Cómo se mueve ahora el cuerpo, en marcha; los campos dicen dónde empieza</translation>
+    </message>
+    <message>
+        <source>Now: x %1 · y %2 m · %3°</source>
+        <translation>Ahora: x %1 · y %2 m · %3°</translation>
+    </message>
+    <message>
+        <source>%1 m/s (x %2 · y %3) · %4°/s</source>
+        <translation>%1 m/s (x %2 · y %3) · %4°/s</translation>
+    </message>
+    <message>
+        <source>Now: %1 m long, %2 m at rest</source>
+        <translation>Ahora: %1 m de largo, %2 m en reposo</translation>
+    </message>
+    <message>
+        <source>pushes with %1 N</source>
+        <translation>empuja con %1 N</translation>
+    </message>
+    <message>
+        <source>pulls with %1 N</source>
+        <translation>tira con %1 N</translation>
+    </message>
+    <message>
+        <source>Now: not there any more</source>
+        <translation>Ahora: ya no está</translation>
     </message>
 </context>
 <context>
@@ -5757,10 +6852,77 @@ La lista muestra primero lo que se dibuja encima.</translation>
     </message>
 </context>
 <context>
-    <name>spacetow::PlayView</name>
+    <name>spacetow::PlotPanel</name>
     <message>
-        <source>Running game</source>
-        <translation>Partida en marcha</translation>
+        <source>Quantity of the selection</source>
+        <translation>Magnitud de la selección</translation>
+    </message>
+    <message>
+        <source>What of the selected body or connector, or of everything, is to be plotted</source>
+        <translation>Qué se va a trazar del cuerpo o conector seleccionado, o del conjunto</translation>
+    </message>
+    <message>
+        <source>Add curve</source>
+        <translation>Añadir curva</translation>
+    </message>
+    <message>
+        <source>x against y</source>
+        <translation>x frente a y</translation>
+    </message>
+    <message>
+        <source>The second curve against the first, in place of all over time</source>
+        <translation>La segunda curva frente a la primera, en vez de todas frente al tiempo</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Write what is plotted into a file that spreadsheets read</source>
+        <translation>Guardar lo trazado en un archivo que leen las hojas de cálculo</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Vaciar</translation>
+    </message>
+    <message>
+        <source>Remove all curves</source>
+        <translation>Eliminar todas las curvas</translation>
+    </message>
+    <message>
+        <source>Drift: how far energy has come from its first value, as a share of the most that was ever in motion or in springs; and momentum, as a share of the most that all bodies had</source>
+        <translation>Deriva: cuánto se ha alejado la energía de su primer valor, como parte de lo máximo que hubo en movimiento o en los muelles; y el momento lineal, como parte de lo máximo que tuvieron todos los cuerpos</translation>
+    </message>
+    <message>
+        <source>Select a body or a connector, choose a quantity and add its curve. It grows while the level is played or simulated.</source>
+        <translation>Seleccione un cuerpo o un conector, elija una magnitud y añada su curva. Crece mientras el nivel se juega o se simula.</translation>
+    </message>
+    <message>
+        <source>Remove the curve “%1”</source>
+        <translation>Eliminar la curva «%1»</translation>
+    </message>
+    <message>
+        <source>Nothing runs.</source>
+        <translation>No hay nada en marcha.</translation>
+    </message>
+    <message>
+        <source>Energy %1 J, drift %2 · momentum %3 kg m/s, drift %4</source>
+        <translation>Energía %1 J, deriva %2 · momento lineal %3 kg m/s, deriva %4</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::PlotView</name>
+    <message>
+        <source>Plot</source>
+        <translation>Curvas</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom · drag: move · double-click: show everything</source>
+        <translation>Rueda: zoom · arrastrar: mover · doble clic: mostrar todo</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +7004,52 @@ La lista muestra primero lo que se dibuja encima.</translation>
     <message>
         <source>Nothing was found that would cure this by itself.</source>
         <translation>No se ha encontrado nada que corrija esto por sí solo.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ProfileChart</name>
+    <message>
+        <source>Times of the last updates</source>
+        <translation>Tiempos de las últimas actualizaciones</translation>
+    </message>
+    <message>
+        <source>The last updates, newest at the right; the colours are those of the stages below</source>
+        <translation>Las últimas actualizaciones, la más nueva a la derecha; los colores son los de las etapas de abajo</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Times are taken while the level is played or simulated.</source>
+        <translation>Los tiempos se miden mientras el nivel se juega o se simula.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ProfilePanel</name>
+    <message>
+        <source>Stage, ms</source>
+        <translation>Etapa, ms</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Times and counters</source>
+        <translation>Tiempos y contadores</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Total</translation>
     </message>
 </context>
 <context>
@@ -5945,6 +7153,54 @@ La lista muestra primero lo que se dibuja encima.</translation>
     <message>
         <source>Metres; drag a slanting guide out of the corner</source>
         <translation>Metros; arrastre una guía inclinada desde la esquina</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RunChangesList</name>
+    <message>
+        <source>Is kept only together with:
+%1</source>
+        <translation>Solo se conserva junto con:
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RunChangesPanel</name>
+    <message>
+        <source>Keep &amp;All</source>
+        <translation>Conservar &amp;todo</translation>
+    </message>
+    <message>
+        <source>Keep &amp;Ticked</source>
+        <translation>Conservar &amp;marcados</translation>
+    </message>
+    <message>
+        <source>&amp;Discard All</source>
+        <translation>&amp;Descartar todo</translation>
+    </message>
+    <message>
+        <source>Changes made in this run</source>
+        <translation>Cambios hechos en esta ejecución</translation>
+    </message>
+    <message>
+        <source>Makes all of these changes in the level, each as one step that can be undone</source>
+        <translation>Hace todos estos cambios en el nivel, cada uno como un paso que se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Makes those that are ticked in the level, and forgets the others</source>
+        <translation>Hace en el nivel los que están marcados y olvida los demás</translation>
+    </message>
+    <message>
+        <source>Leaves the level as it was before the run; Undo brings the changes back</source>
+        <translation>Deja el nivel como estaba antes de la ejecución; Deshacer recupera los cambios</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n changes were made in this run. The level is as before; keep what you like.</source>
+        <translation><numerusform>Se hizo %n cambio en esta ejecución. El nivel está como antes; consérvelo si quiere.</numerusform><numerusform>Se hicieron %n cambios en esta ejecución. El nivel está como antes; conserve lo que quiera.</numerusform></translation>
+    </message>
+    <message>
+        <source>Nothing waits to be kept. What is changed in a level while it runs is listed here when the run ends.</source>
+        <translation>No hay nada pendiente de conservar. Lo que se cambia en un nivel en marcha aparece aquí al terminar la ejecución.</translation>
     </message>
 </context>
 <context>
@@ -6145,6 +7401,64 @@ La lista muestra primero lo que se dibuja encima.</translation>
             <numerusform>%n objetos son «%1»; doble clic para seleccionarlos, clic derecho para más</numerusform>
         </translation>
     </message>
+    <message>
+        <source>They did touch in the last run.</source>
+        <translation>Se tocaron en la última ejecución.</translation>
+    </message>
+    <message>
+        <source>They met in the last run, and passed through each other.</source>
+        <translation>Se encontraron en la última ejecución y se atravesaron.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TimelineBar</name>
+    <message>
+        <source>%1 / %2 s</source>
+        <translation>%1 / %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TimelineScale</name>
+    <message>
+        <source>Touch</source>
+        <translation>Contacto</translation>
+    </message>
+    <message>
+        <source>Payload taken in tow</source>
+        <translation>Carga tomada a remolque</translation>
+    </message>
+    <message>
+        <source>Payload let go</source>
+        <translation>Carga soltada</translation>
+    </message>
+    <message>
+        <source>Crash</source>
+        <translation>Choque</translation>
+    </message>
+    <message>
+        <source>New attempt</source>
+        <translation>Nuevo intento</translation>
+    </message>
+    <message>
+        <source>Win</source>
+        <translation>Victoria</translation>
+    </message>
+    <message>
+        <source>Edit of the level</source>
+        <translation>Cambio del nivel</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Línea de tiempo</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1, en %2</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::TransformBar</name>
@@ -6230,6 +7544,10 @@ La lista muestra primero lo que se dibuja encima.</translation>
     <message>
         <source>Level</source>
         <translation>Nivel</translation>
+    </message>
+    <message>
+        <source>Sandboxes: each shows one thing that the physics does, and says what to try</source>
+        <translation>Zonas de pruebas: cada una muestra algo que hace la física y dice qué probar</translation>
     </message>
 </context>
 <context>

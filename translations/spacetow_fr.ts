@@ -728,12 +728,8 @@
         <translation>&amp;Boîtes englobantes</translation>
     </message>
     <message>
-        <source>Show the bounding box of every body</source>
-        <translation>Afficher la boîte englobante de chaque corps</translation>
-    </message>
-    <message>
         <source>&amp;Incircles</source>
-        <translation>Cercles &amp;inscrits</translation>
+        <translation>C&amp;ercles inscrits</translation>
     </message>
     <message>
         <source>Show the incircle of every polygon</source>
@@ -749,7 +745,7 @@
     </message>
     <message>
         <source>&amp;Orientations</source>
-        <translation>&amp;Orientations</translation>
+        <translation>O&amp;rientations</translation>
     </message>
     <message>
         <source>Show which way up every body is</source>
@@ -760,20 +756,8 @@
         <translation>&amp;Normales</translation>
     </message>
     <message>
-        <source>Show the free side of every wall</source>
-        <translation>Afficher le côté libre de chaque mur</translation>
-    </message>
-    <message>
-        <source>&amp;Quadtree</source>
-        <translation>&amp;Quadtree</translation>
-    </message>
-    <message>
-        <source>Show the cells in which collisions are looked for</source>
-        <translation>Afficher les cellules où les collisions sont cherchées</translation>
-    </message>
-    <message>
         <source>&amp;All Off</source>
-        <translation>Tout étein&amp;dre</translation>
+        <translation>&amp;Tout éteindre</translation>
     </message>
     <message>
         <source>Hide all overlays</source>
@@ -781,7 +765,7 @@
     </message>
     <message>
         <source>&amp;Tags</source>
-        <translation>É&amp;tiquettes</translation>
+        <translation>Ét&amp;iquettes</translation>
     </message>
     <message>
         <source>Show names and colors of the tags of every object</source>
@@ -796,7 +780,7 @@
         <translation>Marquer le lieu de tous les problèmes du niveau</translation>
     </message>
     <message>
-        <source>Show What &amp;Collides</source>
+        <source>Sho&amp;w What Collides</source>
         <translation>Montrer les &amp;collisions</translation>
     </message>
     <message>
@@ -848,32 +832,16 @@
         <translation>&amp;Arrêter</translation>
     </message>
     <message>
-        <source>Go back to the level as it was</source>
-        <translation>Revenir au niveau tel qu’il était</translation>
-    </message>
-    <message>
         <source>Pa&amp;use</source>
         <translation>&amp;Pause</translation>
-    </message>
-    <message>
-        <source>Hold the game</source>
-        <translation>Suspendre la partie</translation>
     </message>
     <message>
         <source>&amp;Next Frame</source>
         <translation>&amp;Image suivante</translation>
     </message>
     <message>
-        <source>Hold the game and advance it by one update</source>
-        <translation>Suspendre la partie et l’avancer d’un pas</translation>
-    </message>
-    <message>
         <source>&amp;Restart</source>
         <translation>&amp;Recommencer</translation>
-    </message>
-    <message>
-        <source>Play the level from its beginning</source>
-        <translation>Jouer le niveau depuis le début</translation>
     </message>
     <message>
         <source>&amp;Snap to Grid</source>
@@ -1307,6 +1275,234 @@
         <source>There is no other window.</source>
         <translation>Il n’y a pas d’autre fenêtre.</translation>
     </message>
+    <message>
+        <source>Show the bounding box of every body, and that of the broad phase</source>
+        <translation>Afficher la boîte englobante de chaque corps, et celle de la phase large</translation>
+    </message>
+    <message>
+        <source>Show the free side of every wall, and the solid band behind it</source>
+        <translation>Afficher le côté libre de chaque mur, et la bande solide derrière lui</translation>
+    </message>
+    <message>
+        <source>&amp;Quadtrees</source>
+        <translation>Q&amp;uadtrees</translation>
+    </message>
+    <message>
+        <source>Show the cells in which collisions are looked for, and what they hold</source>
+        <translation>Afficher les cellules où les collisions sont cherchées, et ce qu’elles contiennent</translation>
+    </message>
+    <message>
+        <source>&amp;Contacts</source>
+        <translation>C&amp;ontacts</translation>
+    </message>
+    <message>
+        <source>Show where bodies touch, and the forces between them</source>
+        <translation>Afficher où les corps se touchent, et les forces entre eux</translation>
+    </message>
+    <message>
+        <source>T&amp;ension</source>
+        <translation>&amp;Forces de tension</translation>
+    </message>
+    <message>
+        <source>Show how much every rope and connector pulls</source>
+        <translation>Afficher combien tire chaque corde et chaque connecteur</translation>
+    </message>
+    <message>
+        <source>T&amp;rails</source>
+        <translation>Tr&amp;aces</translation>
+    </message>
+    <message>
+        <source>Show the way that every body has gone, or will go at first</source>
+        <translation>Afficher le chemin que chaque corps a suivi, ou suivra au début</translation>
+    </message>
+    <message>
+        <source>Centers of &amp;Mass</source>
+        <translation>Centres de &amp;masse</translation>
+    </message>
+    <message>
+        <source>Show the center of mass of every body</source>
+        <translation>Afficher le centre de masse de chaque corps</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Noms des objets</translation>
+    </message>
+    <message>
+        <source>Show the name of every object that has one</source>
+        <translation>Afficher le nom de chaque objet qui en a un</translation>
+    </message>
+    <message>
+        <source>I&amp;slands and Sleep</source>
+        <translation>Îlots et &amp;sommeil</translation>
+    </message>
+    <message>
+        <source>Show which bodies may push each other, and which ones sleep</source>
+        <translation>Afficher quels corps peuvent se pousser, et lesquels dorment</translation>
+    </message>
+    <message>
+        <source>Ris&amp;k of Passing Through</source>
+        <translation>Ris&amp;que de traversée</translation>
+    </message>
+    <message>
+        <source>Show how far through each wall one iteration may carry what approaches it</source>
+        <translation>Afficher jusqu’où, à travers chaque mur, une itération peut porter ce qui s’en approche</translation>
+    </message>
+    <message>
+        <source>Reach o&amp;f the Ship</source>
+        <translation>Portée &amp;du vaisseau</translation>
+    </message>
+    <message>
+        <source>Show where the ship, and the payload on its rope, can be in the next seconds: from its start, or from where it is in a run that is paused</source>
+        <translation>Afficher où le vaisseau, et la charge au bout de sa corde, peuvent être dans les prochaines secondes : depuis le départ, ou depuis leur place dans une exécution en pause</translation>
+    </message>
+    <message>
+        <source>Reach a Second Longer</source>
+        <translation>Allonger la portée d’une seconde</translation>
+    </message>
+    <message>
+        <source>Look a second further ahead, up to five</source>
+        <translation>Regarder une seconde plus loin, jusqu’à cinq</translation>
+    </message>
+    <message>
+        <source>Reach a Second Shorter</source>
+        <translation>Raccourcir la portée d’une seconde</translation>
+    </message>
+    <message>
+        <source>Look less far ahead, down to one second</source>
+        <translation>Regarder moins loin, jusqu’à une seule seconde</translation>
+    </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>Lé&amp;gende</translation>
+    </message>
+    <message>
+        <source>Explain the colors of the overlays that are on, in a corner of the canvas</source>
+        <translation>Expliquer les couleurs des superpositions affichées, dans un coin de la zone de dessin</translation>
+    </message>
+    <message>
+        <source>Color-Blind-Safe Colors</source>
+        <translation>Couleurs pour daltoniens</translation>
+    </message>
+    <message>
+        <source>Draw the overlays in the colors of Okabe and Ito, which everybody tells apart</source>
+        <translation>Dessiner les superpositions dans les couleurs d’Okabe et Ito, que tout le monde distingue</translation>
+    </message>
+    <message>
+        <source>Forget Own Colors</source>
+        <translation>Oublier mes couleurs</translation>
+    </message>
+    <message>
+        <source>Give all overlays the colors of the set again</source>
+        <translation>Rendre à toutes les superpositions les couleurs du jeu de couleurs</translation>
+    </message>
+    <message>
+        <source>No overlay has a color of your own: click one in the legend.</source>
+        <translation>Aucune superposition n’a de couleur à vous : cliquez-en une dans la légende.</translation>
+    </message>
+    <message>
+        <source>S&amp;imulate</source>
+        <translation>&amp;Simuler</translation>
+    </message>
+    <message>
+        <source>Let the bodies of the level move in place, and go on editing beside</source>
+        <translation>Laisser bouger sur place les corps du niveau, tout en continuant à modifier</translation>
+    </message>
+    <message>
+        <source>The level runs already.</source>
+        <translation>Le niveau est déjà en cours d’exécution.</translation>
+    </message>
+    <message>
+        <source>Play fr&amp;om Pointer</source>
+        <translation>Jouer depuis le poin&amp;teur</translation>
+    </message>
+    <message>
+        <source>Play a copy of the level in which the ship starts where the pointer is</source>
+        <translation>Jouer une copie du niveau où le vaisseau part du pointeur</translation>
+    </message>
+    <message>
+        <source>Go back to the drawing board</source>
+        <translation>Revenir à la zone de dessin</translation>
+    </message>
+    <message>
+        <source>Hold what runs, or let it go on</source>
+        <translation>Suspendre l’exécution ou la reprendre</translation>
+    </message>
+    <message>
+        <source>Hold what runs and advance it by one update</source>
+        <translation>Suspendre l’exécution et l’avancer d’un pas</translation>
+    </message>
+    <message>
+        <source>Run the level from its beginning</source>
+        <translation>Exécuter le niveau depuis le début</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Frame</source>
+        <translation>Image précé&amp;dente</translation>
+    </message>
+    <message>
+        <source>Hold what runs and go back by one update</source>
+        <translation>Suspendre l’exécution et la reculer d’un pas</translation>
+    </message>
+    <message>
+        <source>Next I&amp;teration</source>
+        <translation>Itérati&amp;on suivante</translation>
+    </message>
+    <message>
+        <source>Hold what runs and look into the next update, one iteration further</source>
+        <translation>Suspendre l’exécution et regarder dans le pas suivant, une itération plus loin</translation>
+    </message>
+    <message>
+        <source>To the &amp;Beginning</source>
+        <translation>Au dé&amp;but</translation>
+    </message>
+    <message>
+        <source>Hold what runs and go back as far as it is kept</source>
+        <translation>Suspendre l’exécution et revenir aussi loin qu’elle est conservée</translation>
+    </message>
+    <message>
+        <source>To the &amp;End</source>
+        <translation>À la &amp;fin</translation>
+    </message>
+    <message>
+        <source>Hold what runs and show its last moment</source>
+        <translation>Suspendre l’exécution et montrer son dernier instant</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>Plus l&amp;entement</translation>
+    </message>
+    <message>
+        <source>Let time run half as fast; [ does so on the canvas</source>
+        <translation>Ralentir le temps de moitié ; [ le fait dans la zone de dessin</translation>
+    </message>
+    <message>
+        <source>F&amp;aster</source>
+        <translation>P&amp;lus vite</translation>
+    </message>
+    <message>
+        <source>Let time run twice as fast; ] does so on the canvas</source>
+        <translation>Faire passer le temps deux fois plus vite ; ] le fait dans la zone de dessin</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the Ship</source>
+        <translation>Suivre le &amp;vaisseau</translation>
+    </message>
+    <message>
+        <source>Let the view go with the ship again, after it has been moved</source>
+        <translation>La vue suit de nouveau le vaisseau, après avoir été déplacée</translation>
+    </message>
+    <message>
+        <source>Only in a game is there a ship to follow.</source>
+        <translation>Il n’y a de vaisseau à suivre que pendant une partie.</translation>
+    </message>
+    <message>
+        <source>Save Fli&amp;ght…</source>
+        <translation>Enre&amp;gistrer le vol…</translation>
+    </message>
+    <message>
+        <source>Write what has been flown into a file that can be dropped on a window</source>
+        <translation>Enregistrer ce qui a été volé dans un fichier qui peut être déposé sur une fenêtre</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -1457,6 +1653,10 @@
         <source>There is no room for the tag “%1” of their side among the 32 tags.</source>
         <translation>Pas de place pour l’étiquette «&#xa0;%1&#xa0;» de leur côté parmi les 32 étiquettes.</translation>
     </message>
+    <message>
+        <source>Guides: in another order</source>
+        <translation>Guides : dans un autre ordre</translation>
+    </message>
 </context>
 <context>
     <name>DroppedFiles</name>
@@ -1471,6 +1671,137 @@
     <message>
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
         <translation>Les fichiers d’autres programmes sont importés un par un, car chacun est d’abord examiné : parmi ceux-ci, c’est %1.</translation>
+    </message>
+</context>
+<context>
+    <name>Explain</name>
+    <message>
+        <source>Debris</source>
+        <translation>Débris</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Forces</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Gravité</translation>
+    </message>
+    <message>
+        <source>Thrust and steering</source>
+        <translation>Poussée et direction</translation>
+    </message>
+    <message>
+        <source>Pulled by the mouse</source>
+        <translation>Tiré par la souris</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>Connecteurs</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Champs</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortissement</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>felt, without a force</source>
+        <translation>ressenti, sans force</translation>
+    </message>
+    <message>
+        <source>%1, of which friction %2</source>
+        <translation>%1, dont %2 de frottement</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Tags touched</source>
+        <translation>Étiquettes touchées</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Tourne</translation>
+    </message>
+    <message>
+        <source>Kinetic energy</source>
+        <translation>Énergie cinétique</translation>
+    </message>
+    <message>
+        <source>Potential energy</source>
+        <translation>Énergie potentielle</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>Moment cinétique propre</translation>
+    </message>
+    <message>
+        <source>Angular momentum</source>
+        <translation>Moment cinétique</translation>
+    </message>
+    <message>
+        <source>Sleeps</source>
+        <translation>Dort</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Traction</translation>
+    </message>
+    <message>
+        <source>Distance of its ends</source>
+        <translation>Distance des bouts</translation>
+    </message>
+    <message>
+        <source>Natural length</source>
+        <translation>Longueur naturelle</translation>
+    </message>
+    <message>
+        <source>Pushes with</source>
+        <translation>Pousse avec</translation>
+    </message>
+    <message>
+        <source>Pulls with</source>
+        <translation>Tire avec</translation>
+    </message>
+    <message>
+        <source>Elastic energy</source>
+        <translation>Énergie élastique</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>Entre</translation>
+    </message>
+    <message>
+        <source>All bodies</source>
+        <translation>Tous les corps</translation>
+    </message>
+    <message>
+        <source>Energy together</source>
+        <translation>Énergie totale</translation>
     </message>
 </context>
 <context>
@@ -1566,6 +1897,63 @@
     <message>
         <source>%1 is saved, but of the version before no backup could be made:</source>
         <translation>%1 est enregistré, mais aucune sauvegarde de la version précédente n’a pu être faite :</translation>
+    </message>
+</context>
+<context>
+    <name>FlightsPanel</name>
+    <message>
+        <source>wins after %1 s, with %2 s of thrust</source>
+        <translation>gagne après %1 s, avec %2 s de poussée</translation>
+    </message>
+    <message>
+        <source>is lost at %1</source>
+        <translation>est perdu à %1</translation>
+    </message>
+    <message>
+        <source>goes astray and ends at %1</source>
+        <translation>s’égare et finit à %1</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>est illisible</translation>
+    </message>
+    <message>
+        <source>is being flown…</source>
+        <translation>est en vol…</translation>
+    </message>
+</context>
+<context>
+    <name>Forces</name>
+    <message>
+        <source>Gravity</source>
+        <translation>Gravité</translation>
+    </message>
+    <message>
+        <source>Applied</source>
+        <translation>Appliquée</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>Connecteurs</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Champs</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contact</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortissement</translation>
+    </message>
+</context>
+<context>
+    <name>Grab</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
@@ -2094,6 +2482,54 @@
         <source>mixed</source>
         <translation>mixte</translation>
     </message>
+    <message>
+        <source>Ship</source>
+        <translation>Vaisseau</translation>
+    </message>
+    <message>
+        <source>Tow rope</source>
+        <translation>Corde de remorquage</translation>
+    </message>
+    <message>
+        <source>Bodies at rest sleep</source>
+        <translation>Corps au repos endormis</translation>
+    </message>
+    <message>
+        <source>Thrust</source>
+        <translation>Poussée</translation>
+    </message>
+    <message>
+        <source>Force along the nose of the ship</source>
+        <translation>Force dans l’axe du nez du vaisseau</translation>
+    </message>
+    <message>
+        <source>Steering</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>How fast the ship begins to turn while a direction is held</source>
+        <translation>À quelle vitesse le vaisseau se met à tourner tant qu’une direction est maintenue</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s mass</source>
+        <translation>Masse du vaisseau</translation>
+    </message>
+    <message>
+        <source>Of the ship alone</source>
+        <translation>Du vaisseau seul</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s restitution</source>
+        <translation>Restitution du vaisseau</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s linear damping</source>
+        <translation>Amortissement linéaire du vaisseau</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s angular damping</source>
+        <translation>Amortissement angulaire du vaisseau</translation>
+    </message>
 </context>
 <context>
     <name>KeyFileTexts</name>
@@ -2291,6 +2727,133 @@
         <source>Start the level over</source>
         <translation>Recommencer le niveau</translation>
     </message>
+    <message>
+        <source>Let time run slower</source>
+        <translation>Faire passer le temps plus lentement</translation>
+    </message>
+    <message>
+        <source>Let time run faster</source>
+        <translation>Faire passer le temps plus vite</translation>
+    </message>
+    <message>
+        <source>While held: one update back</source>
+        <translation>En pause : un pas en arrière</translation>
+    </message>
+    <message>
+        <source>While held: one update on</source>
+        <translation>En pause : un pas en avant</translation>
+    </message>
+    <message>
+        <source>Turn time back, as long as the key is held</source>
+        <translation>Remonter le temps tant que la touche est maintenue</translation>
+    </message>
+</context>
+<context>
+    <name>Legend</name>
+    <message>
+        <source>Bounding box</source>
+        <translation>Boîte englobante</translation>
+    </message>
+    <message>
+        <source>Box of the broad phase, with room to move</source>
+        <translation>Boîte de la phase large, avec marge de mouvement</translation>
+    </message>
+    <message>
+        <source>Largest circle about the centroid</source>
+        <translation>Plus grand cercle autour du centroïde</translation>
+    </message>
+    <message>
+        <source>Way of the next second</source>
+        <translation>Chemin de la prochaine seconde</translation>
+    </message>
+    <message>
+        <source>Up, 1 m</source>
+        <translation>Haut, 1 m</translation>
+    </message>
+    <message>
+        <source>Free side, 1 m</source>
+        <translation>Côté libre, 1 m</translation>
+    </message>
+    <message>
+        <source>Solid band behind the wall</source>
+        <translation>Bande solide derrière le mur</translation>
+    </message>
+    <message>
+        <source>Cell of what stands still</source>
+        <translation>Cellule de ce qui est immobile</translation>
+    </message>
+    <message>
+        <source>Cell of what moves</source>
+        <translation>Cellule de ce qui bouge</translation>
+    </message>
+    <message>
+        <source>Point of contact</source>
+        <translation>Point de contact</translation>
+    </message>
+    <message>
+        <source>Near, not touching yet</source>
+        <translation>Proche, sans contact encore</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Force; 1 m is the weight of the lighter one</source>
+        <translation>Force ; 1 m vaut le poids du plus léger</translation>
+    </message>
+    <message>
+        <source>Pressed to half its length</source>
+        <translation>Comprimé à la moitié de sa longueur</translation>
+    </message>
+    <message>
+        <source>At its natural length</source>
+        <translation>Longueur naturelle</translation>
+    </message>
+    <message>
+        <source>Stretched by half its length</source>
+        <translation>Étiré à une fois et demie</translation>
+    </message>
+    <message>
+        <source>Way, older ones fainter</source>
+        <translation>Chemin, de plus en plus pâle avec l’âge</translation>
+    </message>
+    <message>
+        <source>Center of mass and axes</source>
+        <translation>Centre de masse et axes</translation>
+    </message>
+    <message>
+        <source>Name of the object</source>
+        <translation>Nom de l’objet</translation>
+    </message>
+    <message>
+        <source>Asleep</source>
+        <translation>Endormi</translation>
+    </message>
+    <message>
+        <source>Deep enough for what comes</source>
+        <translation>Assez profond pour ce qui arrive</translation>
+    </message>
+    <message>
+        <source>Passed through in one iteration</source>
+        <translation>Traversé en une itération</translation>
+    </message>
+    <message>
+        <source>The selection collides with it</source>
+        <translation>La sélection le heurte</translation>
+    </message>
+    <message>
+        <source>The selection passes through</source>
+        <translation>La sélection le traverse</translation>
+    </message>
+    <message>
+        <source>One color an island</source>
+        <translation>Une couleur par îlot</translation>
+    </message>
+    <message>
+        <source>The color of the first tag; a dot for each further one</source>
+        <translation>La couleur de la première étiquette ; un point pour chaque autre</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -2392,6 +2955,235 @@
     <message>
         <source>Show or hide this panel</source>
         <translation>Afficher ou masquer ce panneau</translation>
+    </message>
+    <message>
+        <source>&amp;Flights</source>
+        <translation>V&amp;ols</translation>
+    </message>
+    <message>
+        <source>&amp;Run Changes</source>
+        <translation>Modifications en cou&amp;rs d’exécution</translation>
+    </message>
+    <message>
+        <source>E&amp;xplain</source>
+        <translation>E&amp;xplication</translation>
+    </message>
+    <message>
+        <source>Plot&amp;s</source>
+        <translation>Cour&amp;bes</translation>
+    </message>
+    <message>
+        <source>Pro&amp;file</source>
+        <translation>Pro&amp;fil</translation>
+    </message>
+</context>
+<context>
+    <name>Plots</name>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>angle</translation>
+    </message>
+    <message>
+        <source>velocity to the right</source>
+        <translation>vitesse vers la droite</translation>
+    </message>
+    <message>
+        <source>velocity upwards</source>
+        <translation>vitesse vers le haut</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>angular velocity</source>
+        <translation>vitesse angulaire</translation>
+    </message>
+    <message>
+        <source>force to the right</source>
+        <translation>force vers la droite</translation>
+    </message>
+    <message>
+        <source>force upwards</source>
+        <translation>force vers le haut</translation>
+    </message>
+    <message>
+        <source>force of contacts</source>
+        <translation>force des contacts</translation>
+    </message>
+    <message>
+        <source>kinetic energy</source>
+        <translation>énergie cinétique</translation>
+    </message>
+    <message>
+        <source>potential energy</source>
+        <translation>énergie potentielle</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>énergie</translation>
+    </message>
+    <message>
+        <source>momentum to the right</source>
+        <translation>quantité de mouvement vers la droite</translation>
+    </message>
+    <message>
+        <source>momentum upwards</source>
+        <translation>quantité de mouvement vers le haut</translation>
+    </message>
+    <message>
+        <source>spin</source>
+        <translation>moment cinétique</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>longueur</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>tension</translation>
+    </message>
+    <message>
+        <source>elastic energy</source>
+        <translation>énergie élastique</translation>
+    </message>
+    <message>
+        <source>energy of everything</source>
+        <translation>énergie de l’ensemble</translation>
+    </message>
+    <message>
+        <source>kinetic energy of everything</source>
+        <translation>énergie cinétique de l’ensemble</translation>
+    </message>
+    <message>
+        <source>potential energy of everything</source>
+        <translation>énergie potentielle de l’ensemble</translation>
+    </message>
+    <message>
+        <source>elastic energy of everything</source>
+        <translation>énergie élastique de l’ensemble</translation>
+    </message>
+    <message>
+        <source>drift of energy</source>
+        <translation>dérive de l’énergie</translation>
+    </message>
+    <message>
+        <source>momentum of everything to the right</source>
+        <translation>quantité de mouvement de l’ensemble vers la droite</translation>
+    </message>
+    <message>
+        <source>momentum of everything upwards</source>
+        <translation>quantité de mouvement de l’ensemble vers le haut</translation>
+    </message>
+    <message>
+        <source>drift of momentum</source>
+        <translation>dérive de la quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>angular momentum of everything</source>
+        <translation>moment cinétique de l’ensemble</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Modifications</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Solveur</translation>
+    </message>
+    <message>
+        <source>Time of impact</source>
+        <translation>Instant d’impact</translation>
+    </message>
+    <message>
+        <source>Crushing</source>
+        <translation>Écrasement</translation>
+    </message>
+    <message>
+        <source>Advance</source>
+        <translation>Avancement</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>Touchers</translation>
+    </message>
+    <message>
+        <source>Sleep</source>
+        <translation>Sommeil</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>ProfilePanel</name>
+    <message>
+        <source>Static bodies</source>
+        <translation>Corps statiques</translation>
+    </message>
+    <message>
+        <source>Kinematic bodies</source>
+        <translation>Corps cinématiques</translation>
+    </message>
+    <message>
+        <source>Dynamic bodies</source>
+        <translation>Corps dynamiques</translation>
+    </message>
+    <message>
+        <source>Awake</source>
+        <translation>Éveillés</translation>
+    </message>
+    <message>
+        <source>Asleep</source>
+        <translation>Endormi</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>Connecteurs</translation>
+    </message>
+    <message>
+        <source>Pairs that may meet</source>
+        <translation>Paires pouvant se rencontrer</translation>
+    </message>
+    <message>
+        <source>Pairs that touch</source>
+        <translation>Paires en contact</translation>
+    </message>
+    <message>
+        <source>Islands</source>
+        <translation>Îlots</translation>
+    </message>
+    <message>
+        <source>Leaves of the quadtrees</source>
+        <translation>Feuilles des quadtrees</translation>
+    </message>
+</context>
+<context>
+    <name>Reach</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -4410,7 +5202,10 @@
     </message>
     <message numerus="yes">
         <source>%n times</source>
-        <translation><numerusform>%n fois</numerusform><numerusform>%n fois</numerusform></translation>
+        <translation>
+            <numerusform>%n fois</numerusform>
+            <numerusform>%n fois</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1, in line %2</source>
@@ -4427,6 +5222,146 @@
     <message>
         <source>The width of wide strokes was not taken over: they are walls without thickness (%4). “Stroke to Path” of Inkscape makes areas of them.</source>
         <translation>La largeur des contours larges n’a pas été reprise : ce sont des murs sans épaisseur (%4). « Contour en chemin » d’Inkscape en fait des surfaces.</translation>
+    </message>
+    <message>
+        <source>They touch: “%1” and “%2” are in contact.</source>
+        <translation>Ils se touchent : « %1 » et « %2 » sont en contact.</translation>
+    </message>
+    <message>
+        <source>Both are the same body, which does not collide with itself.</source>
+        <translation>Les deux sont le même corps, qui ne se heurte pas lui-même.</translation>
+    </message>
+    <message>
+        <source>“%1” is switched off, so it touches nothing.</source>
+        <translation>« %1 » est désactivé et ne touche donc rien.</translation>
+    </message>
+    <message>
+        <source>Neither is moved by forces: “%1” and “%2” pass through each other unless one of them is dynamic.</source>
+        <translation>Aucun des deux n’est mû par des forces : « %1 » et « %2 » se traversent, à moins que l’un d’eux ne soit dynamique.</translation>
+    </message>
+    <message>
+        <source>“%2” has no tags, and what has none is touched by nothing.</source>
+        <translation>« %2 » n’a pas d’étiquette, et rien ne touche ce qui n’en a pas.</translation>
+    </message>
+    <message>
+        <source>“%1” does not touch what “%2” is: %3.</source>
+        <translation>« %1 » ne touche pas ce qu’est « %2 » : %3.</translation>
+    </message>
+    <message>
+        <source>“%1” does not touch what “%2” is: %3. Nor does “%2” touch what “%1” is.</source>
+        <translation>« %1 » ne touche pas ce qu’est « %2 » : %3. « %2 » ne touche pas non plus ce qu’est « %1 ».</translation>
+    </message>
+    <message>
+        <source>“%3” connects “%1” and “%2”, and bodies that it connects do not collide.</source>
+        <translation>« %3 » relie « %1 » et « %2 », et les corps qu’il relie ne se heurtent pas.</translation>
+    </message>
+    <message>
+        <source>The tow rope connects “%1” and “%2”, which therefore do not collide.</source>
+        <translation>La corde de remorquage relie « %1 » et « %2 », qui ne se heurtent donc pas.</translation>
+    </message>
+    <message>
+        <source>“%1” is intangible: it would be felt, but stops nothing.</source>
+        <translation>« %1 » est intangible : on le sentirait, mais il n’arrête rien.</translation>
+    </message>
+    <message>
+        <source>“%1” is intangible: “%2” touches it and is felt, but nothing stops it.</source>
+        <translation>« %1 » est intangible : « %2 » le touche et est senti, mais rien ne l’arrête.</translation>
+    </message>
+    <message>
+        <source>Both are nothing but walls, and walls pass through each other.</source>
+        <translation>Les deux ne sont que des murs, et les murs se traversent.</translation>
+    </message>
+    <message>
+        <source>“%2” is behind a one-way wall of “%1”, from (%3, %4) to (%5, %6), which is open from there.</source>
+        <translation>« %2 » est derrière un mur à sens unique de « %1 », de (%3, %4) à (%5, %6), qui est ouvert de ce côté.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” may collide, but are %3 m apart.</source>
+        <translation>« %1 » et « %2 » peuvent se heurter, mais sont à %3 m l’un de l’autre.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” overlap, and collide as soon as the simulation goes on.</source>
+        <translation>« %1 » et « %2 » se chevauchent et se heurteront dès que la simulation continuera.</translation>
+    </message>
+    <message>
+        <source>Let “%1” touch “%2”</source>
+        <translation>Laisser « %1 » toucher « %2 »</translation>
+    </message>
+    <message>
+        <source>Give “%1” the tag “%2”</source>
+        <translation>Donner à « %1 » l’étiquette « %2 »</translation>
+    </message>
+    <message>
+        <source>Make “%1” tangible</source>
+        <translation>Rendre « %1 » tangible</translation>
+    </message>
+    <message>
+        <source>Let the bodies of “%1” collide</source>
+        <translation>Laisser les corps de « %1 » se heurter</translation>
+    </message>
+    <message>
+        <source>Back to before the run</source>
+        <translation>Revenir à l’état d’avant l’exécution</translation>
+    </message>
+    <message>
+        <source>Keep change of the level</source>
+        <translation>Garder la modification du niveau</translation>
+    </message>
+    <message>
+        <source>Keep new object</source>
+        <translation>Garder le nouvel objet</translation>
+    </message>
+    <message>
+        <source>Keep deletion</source>
+        <translation>Garder la suppression</translation>
+    </message>
+    <message>
+        <source>Keep move</source>
+        <translation>Garder le déplacement</translation>
+    </message>
+    <message>
+        <source>Keep tags</source>
+        <translation>Garder les étiquettes</translation>
+    </message>
+    <message>
+        <source>Keep order</source>
+        <translation>Garder l’ordre</translation>
+    </message>
+    <message>
+        <source>Keep change</source>
+        <translation>Garder la modification</translation>
+    </message>
+    <message>
+        <source>There is no bug capsule in the text.</source>
+        <translation>Il n’y a pas de capsule de bogue dans le texte.</translation>
+    </message>
+    <message>
+        <source>The bug capsule is not whole: its last line is missing.</source>
+        <translation>La capsule de bogue est incomplète : sa dernière ligne manque.</translation>
+    </message>
+    <message>
+        <source>The bug capsule has been changed or damaged on its way.</source>
+        <translation>La capsule de bogue a été modifiée ou abîmée en chemin.</translation>
+    </message>
+    <message>
+        <source>The bug capsule cannot be understood at “%1”.</source>
+        <translation>La capsule de bogue est incompréhensible à « %1 ».</translation>
+    </message>
+    <message>
+        <source>The level in the bug capsule cannot be read.</source>
+        <translation>Le niveau de la capsule de bogue est illisible.</translation>
+    </message>
+    <message>
+        <source>The bug capsule was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
+        <translation>La capsule de bogue vient d’une version plus récente (%1 ; celle-ci lit jusqu’à %2). Mettez à jour le programme.</translation>
+    </message>
+    <message>
+        <source>The run is longer than a bug capsule may be: %1 updates.</source>
+        <translation>L’exécution est plus longue que ne peut l’être une capsule de bogue : %1 pas.</translation>
+    </message>
+    <message>
+        <source>The run is larger than a bug capsule may be: %1 bytes.</source>
+        <translation>L’exécution est plus grosse que ne peut l’être une capsule de bogue : %1 octets.</translation>
     </message>
 </context>
 <context>
@@ -4498,6 +5433,10 @@
     <message>
         <source>Drawing board</source>
         <translation>Zone de dessin</translation>
+    </message>
+    <message>
+        <source>Drawing board, running</source>
+        <translation>Zone de dessin, en marche</translation>
     </message>
 </context>
 <context>
@@ -4675,6 +5614,41 @@
     </message>
 </context>
 <context>
+    <name>spacetow::ExplainPanel</name>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>Combien</translation>
+    </message>
+    <message>
+        <source>Explanation of the selection</source>
+        <translation>Explication de la sélection</translation>
+    </message>
+    <message>
+        <source>Everything. Select one object to see what moves it, or two to hear why they do not collide.</source>
+        <translation>Tout. Sélectionnez un objet pour voir ce qui le meut, ou deux pour savoir pourquoi ils ne se heurtent pas.</translation>
+    </message>
+    <message>
+        <source>Why do these two not collide?</source>
+        <translation>Pourquoi ces deux-là ne se heurtent-ils pas ?</translation>
+    </message>
+    <message>
+        <source>Select one object, or two.</source>
+        <translation>Sélectionnez un objet, ou deux.</translation>
+    </message>
+    <message>
+        <source>“%1” is not part of the simulation.</source>
+        <translation>« %1 » ne fait pas partie de la simulation.</translation>
+    </message>
+    <message>
+        <source>At least one of them is no body in the simulation.</source>
+        <translation>Au moins l’un des deux n’est pas un corps de la simulation.</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::ExportBar</name>
     <message>
         <source>Export picture</source>
@@ -4758,6 +5732,17 @@
     <message>
         <source>Nothing is called that.</source>
         <translation>Rien ne porte ce nom.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::FlightsPanel</name>
+    <message>
+        <source>No flight is stored beside this level. A flight of cave.json is a file cave.replay.json or cave.NAME.replay.json in the same folder.</source>
+        <translation>Aucun vol n’est enregistré à côté de ce niveau. Un vol de cave.json est un fichier cave.replay.json ou cave.NAME.replay.json dans le même dossier.</translation>
+    </message>
+    <message>
+        <source>Flights</source>
+        <translation>Vols</translation>
     </message>
 </context>
 <context>
@@ -5167,6 +6152,29 @@
     </message>
 </context>
 <context>
+    <name>spacetow::Legend</name>
+    <message>
+        <source>Legend of the overlays</source>
+        <translation>Légende des superpositions</translation>
+    </message>
+    <message>
+        <source>Hide the legend</source>
+        <translation>Masquer la légende</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Légende</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>Désactiver</translation>
+    </message>
+    <message>
+        <source>Choose another color</source>
+        <translation>Choisir une autre couleur</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::LevelPanel</name>
     <message>
         <source>That would leave the range of the field, so nothing has changed.</source>
@@ -5273,14 +6281,6 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <message>
         <source>Opened %1</source>
         <translation>%1 ouvert</translation>
-    </message>
-    <message>
-        <source>Playing a recorded flight · keys count when it has ended · %1: back to the editor</source>
-        <translation>Lecture d’un vol enregistré · les touches comptent quand il est fini · %1&#xa0;: retour à l’éditeur</translation>
-    </message>
-    <message>
-        <source>Playing a copy of the level · %1: back to the editor · Esc: menu</source>
-        <translation>Partie sur une copie du niveau · %1&#xa0;: retour à l’éditeur · Échap&#xa0;: menu</translation>
     </message>
     <message>
         <source>No level is open · arrows, Tab and Enter choose one</source>
@@ -5442,6 +6442,66 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
         <source>what was not saved of %1</source>
         <translation>ce qui n’était pas enregistré de %1</translation>
     </message>
+    <message>
+        <source>Write plots</source>
+        <translation>Écrire les courbes</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save flight</source>
+        <translation>Enregistrer le vol</translation>
+    </message>
+    <message>
+        <source>Flights (*.replay.json)</source>
+        <translation>Vols (*.replay.json)</translation>
+    </message>
+    <message>
+        <source>1/%1 ×</source>
+        <translation>1/%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 i/s</translation>
+    </message>
+    <message>
+        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>Le vol a été enregistré sous %1. Déposez le fichier sur une fenêtre pour le revoir.</translation>
+    </message>
+    <message>
+        <source>The plots are in “%1”.</source>
+        <translation>Les courbes sont dans « %1 ».</translation>
+    </message>
+    <message>
+        <source>Pulling · move: pull further · let the button go: throw</source>
+        <translation>Traction · déplacer : tirer plus loin · relâcher le bouton : lancer</translation>
+    </message>
+    <message>
+        <source>Playing a recorded flight · who steers takes over · %1: back to the editor</source>
+        <translation>Lecture d’un vol enregistré · piloter, c’est prendre la main · %1 : retour à l’éditeur</translation>
+    </message>
+    <message>
+        <source>%1: follow the ship again</source>
+        <translation>%1 : suivre de nouveau le vaisseau</translation>
+    </message>
+    <message>
+        <source>Playing · drag a body: pull it · wheel, right drag: move the view · %1 held: back in time · %2: back to the editor · Esc: menu</source>
+        <translation>Partie en cours · glisser un corps : le tirer · molette, glisser avec le bouton droit : déplacer la vue · %1 maintenue : remonter le temps · %2 : retour à l’éditeur · Échap : menu</translation>
+    </message>
+    <message>
+        <source>Simulation held · click: select · drag: move · %1: go on from here · %2: next frame · %3: back to the editor</source>
+        <translation>Simulation suspendue · clic : sélectionner · glisser : déplacer · %1 : continuer d’ici · %2 : image suivante · %3 : retour à l’éditeur</translation>
+    </message>
+    <message>
+        <source>Simulation running · click: select · drag: pull a body, move what stands still · %1: hold · %2: back to the editor</source>
+        <translation>Simulation en marche · clic : sélectionner · glisser : tirer un corps, déplacer ce qui est immobile · %1 : suspendre · %2 : retour à l’éditeur</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -5463,6 +6523,41 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <message>
         <source>Click or drag: go there · wheel: zoom · arrows: move the view</source>
         <translation>Clic ou glisser&#xa0;: y aller · molette&#xa0;: zoomer · flèches&#xa0;: déplacer la vue</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::MotionLine</name>
+    <message>
+        <source>Now, while it runs</source>
+        <translation>À présent, en marche</translation>
+    </message>
+    <message>
+        <source>How the body moves now, while it runs; the fields say where it starts</source>
+        <translation>Comment le corps se meut à présent, en marche ; les champs disent d’où il part</translation>
+    </message>
+    <message>
+        <source>Now: x %1 · y %2 m · %3°</source>
+        <translation>À présent : x %1 · y %2 m · %3°</translation>
+    </message>
+    <message>
+        <source>%1 m/s (x %2 · y %3) · %4°/s</source>
+        <translation>%1 m/s (x %2 · y %3) · %4°/s</translation>
+    </message>
+    <message>
+        <source>Now: %1 m long, %2 m at rest</source>
+        <translation>À présent : %1 m de long, %2 m au repos</translation>
+    </message>
+    <message>
+        <source>pushes with %1 N</source>
+        <translation>pousse avec %1 N</translation>
+    </message>
+    <message>
+        <source>pulls with %1 N</source>
+        <translation>tire avec %1 N</translation>
+    </message>
+    <message>
+        <source>Now: not there any more</source>
+        <translation>À présent : n’existe plus</translation>
     </message>
 </context>
 <context>
@@ -5757,10 +6852,77 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
 </context>
 <context>
-    <name>spacetow::PlayView</name>
+    <name>spacetow::PlotPanel</name>
     <message>
-        <source>Running game</source>
-        <translation>Partie en cours</translation>
+        <source>Quantity of the selection</source>
+        <translation>Grandeur de la sélection</translation>
+    </message>
+    <message>
+        <source>What of the selected body or connector, or of everything, is to be plotted</source>
+        <translation>Ce qui doit être tracé du corps ou du connecteur sélectionné, ou de l’ensemble</translation>
+    </message>
+    <message>
+        <source>Add curve</source>
+        <translation>Ajouter une courbe</translation>
+    </message>
+    <message>
+        <source>x against y</source>
+        <translation>x en fonction de y</translation>
+    </message>
+    <message>
+        <source>The second curve against the first, in place of all over time</source>
+        <translation>La deuxième courbe en fonction de la première, au lieu de toutes en fonction du temps</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Write what is plotted into a file that spreadsheets read</source>
+        <translation>Écrire ce qui est tracé dans un fichier que lisent les tableurs</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Remove all curves</source>
+        <translation>Supprimer toutes les courbes</translation>
+    </message>
+    <message>
+        <source>Drift: how far energy has come from its first value, as a share of the most that was ever in motion or in springs; and momentum, as a share of the most that all bodies had</source>
+        <translation>Dérive : de combien l’énergie s’est écartée de sa valeur initiale, en part du maximum jamais atteint en mouvement ou dans les ressorts ; et la quantité de mouvement, en part du maximum qu’ont eu tous les corps</translation>
+    </message>
+    <message>
+        <source>Select a body or a connector, choose a quantity and add its curve. It grows while the level is played or simulated.</source>
+        <translation>Sélectionnez un corps ou un connecteur, choisissez une grandeur et ajoutez sa courbe. Elle s’allonge pendant que le niveau est joué ou simulé.</translation>
+    </message>
+    <message>
+        <source>Remove the curve “%1”</source>
+        <translation>Supprimer la courbe « %1 »</translation>
+    </message>
+    <message>
+        <source>Nothing runs.</source>
+        <translation>Rien n’est en marche.</translation>
+    </message>
+    <message>
+        <source>Energy %1 J, drift %2 · momentum %3 kg m/s, drift %4</source>
+        <translation>Énergie %1 J, dérive %2 · quantité de mouvement %3 kg m/s, dérive %4</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::PlotView</name>
+    <message>
+        <source>Plot</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom · drag: move · double-click: show everything</source>
+        <translation>Molette : zoomer · glisser : déplacer · double-clic : tout afficher</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +7004,52 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <message>
         <source>Nothing was found that would cure this by itself.</source>
         <translation>Rien n’a été trouvé qui corrigerait cela de soi-même.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ProfileChart</name>
+    <message>
+        <source>Times of the last updates</source>
+        <translation>Temps des derniers pas</translation>
+    </message>
+    <message>
+        <source>The last updates, newest at the right; the colours are those of the stages below</source>
+        <translation>Les derniers pas, le plus récent à droite ; les couleurs sont celles des étapes ci-dessous</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Times are taken while the level is played or simulated.</source>
+        <translation>Les temps sont mesurés pendant que le niveau est joué ou simulé.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ProfilePanel</name>
+    <message>
+        <source>Stage, ms</source>
+        <translation>Étape, ms</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>À présent</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Times and counters</source>
+        <translation>Temps et compteurs</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Total</translation>
     </message>
 </context>
 <context>
@@ -5945,6 +7153,54 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <message>
         <source>Metres; drag a slanting guide out of the corner</source>
         <translation>Mètres&#xa0;; tirer un guide oblique hors du coin</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RunChangesList</name>
+    <message>
+        <source>Is kept only together with:
+%1</source>
+        <translation>N’est gardé qu’avec :
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RunChangesPanel</name>
+    <message>
+        <source>Keep &amp;All</source>
+        <translation>&amp;Tout garder</translation>
+    </message>
+    <message>
+        <source>Keep &amp;Ticked</source>
+        <translation>Garder les &amp;cochées</translation>
+    </message>
+    <message>
+        <source>&amp;Discard All</source>
+        <translation>Tout a&amp;bandonner</translation>
+    </message>
+    <message>
+        <source>Changes made in this run</source>
+        <translation>Modifications de cette exécution</translation>
+    </message>
+    <message>
+        <source>Makes all of these changes in the level, each as one step that can be undone</source>
+        <translation>Faire toutes ces modifications dans le niveau, chacune en une étape annulable</translation>
+    </message>
+    <message>
+        <source>Makes those that are ticked in the level, and forgets the others</source>
+        <translation>Faire dans le niveau celles qui sont cochées, et oublier les autres</translation>
+    </message>
+    <message>
+        <source>Leaves the level as it was before the run; Undo brings the changes back</source>
+        <translation>Laisser le niveau tel qu’avant l’exécution ; Annuler ramène les modifications</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n changes were made in this run. The level is as before; keep what you like.</source>
+        <translation><numerusform>%n modification a été faite pendant cette exécution. Le niveau est comme avant ; gardez-la si vous voulez.</numerusform><numerusform>%n modifications ont été faites pendant cette exécution. Le niveau est comme avant ; gardez ce que vous voulez.</numerusform></translation>
+    </message>
+    <message>
+        <source>Nothing waits to be kept. What is changed in a level while it runs is listed here when the run ends.</source>
+        <translation>Rien n’attend d’être gardé. Ce qui est modifié dans un niveau en marche apparaît ici à la fin de l’exécution.</translation>
     </message>
 </context>
 <context>
@@ -6145,6 +7401,64 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
             <numerusform>%n objets sont «&#xa0;%1&#xa0;»&#xa0;; double-clic&#xa0;: les sélectionner, clic droit&#xa0;: plus</numerusform>
         </translation>
     </message>
+    <message>
+        <source>They did touch in the last run.</source>
+        <translation>Ils se sont touchés lors de la dernière exécution.</translation>
+    </message>
+    <message>
+        <source>They met in the last run, and passed through each other.</source>
+        <translation>Ils se sont rencontrés lors de la dernière exécution, et se sont traversés.</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TimelineBar</name>
+    <message>
+        <source>%1 / %2 s</source>
+        <translation>%1 / %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TimelineScale</name>
+    <message>
+        <source>Touch</source>
+        <translation>Contact</translation>
+    </message>
+    <message>
+        <source>Payload taken in tow</source>
+        <translation>Charge prise en remorque</translation>
+    </message>
+    <message>
+        <source>Payload let go</source>
+        <translation>Charge lâchée</translation>
+    </message>
+    <message>
+        <source>Crash</source>
+        <translation>Écrasement</translation>
+    </message>
+    <message>
+        <source>New attempt</source>
+        <translation>Nouvel essai</translation>
+    </message>
+    <message>
+        <source>Win</source>
+        <translation>Victoire</translation>
+    </message>
+    <message>
+        <source>Edit of the level</source>
+        <translation>Modification du niveau</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Chronologie</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1, à %2</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::TransformBar</name>
@@ -6230,6 +7544,10 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <message>
         <source>Level</source>
         <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Sandboxes: each shows one thing that the physics does, and says what to try</source>
+        <translation>Bacs à sable : chacun montre une chose que fait la physique, et dit quoi essayer</translation>
     </message>
 </context>
 <context>

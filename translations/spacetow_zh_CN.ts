@@ -728,10 +728,6 @@
         <translation>包围盒(&amp;B)</translation>
     </message>
     <message>
-        <source>Show the bounding box of every body</source>
-        <translation>显示每个物体的包围盒</translation>
-    </message>
-    <message>
         <source>&amp;Incircles</source>
         <translation>内切圆(&amp;I)</translation>
     </message>
@@ -760,18 +756,6 @@
         <translation>法线(&amp;N)</translation>
     </message>
     <message>
-        <source>Show the free side of every wall</source>
-        <translation>显示每面墙的自由侧</translation>
-    </message>
-    <message>
-        <source>&amp;Quadtree</source>
-        <translation>四叉树(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>Show the cells in which collisions are looked for</source>
-        <translation>显示用于查找碰撞的单元</translation>
-    </message>
-    <message>
         <source>&amp;All Off</source>
         <translation>全部关闭(&amp;A)</translation>
     </message>
@@ -781,7 +765,7 @@
     </message>
     <message>
         <source>&amp;Tags</source>
-        <translation>标签(&amp;T)</translation>
+        <translation>标签(&amp;G)</translation>
     </message>
     <message>
         <source>Show names and colors of the tags of every object</source>
@@ -796,7 +780,7 @@
         <translation>标出关卡中所有问题的位置</translation>
     </message>
     <message>
-        <source>Show What &amp;Collides</source>
+        <source>Sho&amp;w What Collides</source>
         <translation>显示碰撞对象(&amp;C)</translation>
     </message>
     <message>
@@ -848,32 +832,16 @@
         <translation>停止(&amp;S)</translation>
     </message>
     <message>
-        <source>Go back to the level as it was</source>
-        <translation>回到试玩前的关卡</translation>
-    </message>
-    <message>
         <source>Pa&amp;use</source>
         <translation>暂停(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Hold the game</source>
-        <translation>暂停游戏</translation>
     </message>
     <message>
         <source>&amp;Next Frame</source>
         <translation>下一帧(&amp;N)</translation>
     </message>
     <message>
-        <source>Hold the game and advance it by one update</source>
-        <translation>暂停游戏并前进一个时间步</translation>
-    </message>
-    <message>
         <source>&amp;Restart</source>
         <translation>重新开始(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Play the level from its beginning</source>
-        <translation>从头开始玩此关卡</translation>
     </message>
     <message>
         <source>&amp;Snap to Grid</source>
@@ -1189,7 +1157,7 @@
     </message>
     <message>
         <source>Hide &amp;All</source>
-        <translation>全部隐藏(&amp;H)</translation>
+        <translation>全部隐藏(&amp;I)</translation>
     </message>
     <message>
         <source>Put all panels out of the way, and back as they were</source>
@@ -1306,6 +1274,234 @@
     <message>
         <source>There is no other window.</source>
         <translation>没有其他窗口。</translation>
+    </message>
+    <message>
+        <source>Show the bounding box of every body, and that of the broad phase</source>
+        <translation>显示每个物体的包围盒及其粗测阶段包围盒</translation>
+    </message>
+    <message>
+        <source>Show the free side of every wall, and the solid band behind it</source>
+        <translation>显示每面墙的自由侧及其后的实心带</translation>
+    </message>
+    <message>
+        <source>&amp;Quadtrees</source>
+        <translation>四叉树(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Show the cells in which collisions are looked for, and what they hold</source>
+        <translation>显示用于查找碰撞的单元及其内容</translation>
+    </message>
+    <message>
+        <source>&amp;Contacts</source>
+        <translation>接触(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Show where bodies touch, and the forces between them</source>
+        <translation>显示物体的接触位置以及它们之间的力</translation>
+    </message>
+    <message>
+        <source>T&amp;ension</source>
+        <translation>张力(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Show how much every rope and connector pulls</source>
+        <translation>显示每根绳索和每个连接件的拉力</translation>
+    </message>
+    <message>
+        <source>T&amp;rails</source>
+        <translation>轨迹(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show the way that every body has gone, or will go at first</source>
+        <translation>显示每个物体走过的或起初将走的路径</translation>
+    </message>
+    <message>
+        <source>Centers of &amp;Mass</source>
+        <translation>质心(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Show the center of mass of every body</source>
+        <translation>显示每个物体的质心</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Show the name of every object that has one</source>
+        <translation>显示每个已命名对象的名称</translation>
+    </message>
+    <message>
+        <source>I&amp;slands and Sleep</source>
+        <translation>孤岛与休眠(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show which bodies may push each other, and which ones sleep</source>
+        <translation>显示哪些物体可能互相推动，哪些正在休眠</translation>
+    </message>
+    <message>
+        <source>Ris&amp;k of Passing Through</source>
+        <translation>穿透风险(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show how far through each wall one iteration may carry what approaches it</source>
+        <translation>显示接近每面墙的物体在一次迭代中可能穿入多深</translation>
+    </message>
+    <message>
+        <source>Reach o&amp;f the Ship</source>
+        <translation>飞船可达范围(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Show where the ship, and the payload on its rope, can be in the next seconds: from its start, or from where it is in a run that is paused</source>
+        <translation>显示飞船及其绳索上的载荷在接下来几秒内可能到达的位置：从起点算起，或在已暂停的运行中从当前位置算起</translation>
+    </message>
+    <message>
+        <source>Reach a Second Longer</source>
+        <translation>可达范围延长一秒</translation>
+    </message>
+    <message>
+        <source>Look a second further ahead, up to five</source>
+        <translation>多预测一秒，最多五秒</translation>
+    </message>
+    <message>
+        <source>Reach a Second Shorter</source>
+        <translation>可达范围缩短一秒</translation>
+    </message>
+    <message>
+        <source>Look less far ahead, down to one second</source>
+        <translation>缩短预测时间，最少一秒</translation>
+    </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>图例(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Explain the colors of the overlays that are on, in a corner of the canvas</source>
+        <translation>在画布一角说明已开启的叠加显示的颜色</translation>
+    </message>
+    <message>
+        <source>Color-Blind-Safe Colors</source>
+        <translation>色盲友好颜色</translation>
+    </message>
+    <message>
+        <source>Draw the overlays in the colors of Okabe and Ito, which everybody tells apart</source>
+        <translation>用人人都能区分的 Okabe-Ito 配色绘制叠加显示</translation>
+    </message>
+    <message>
+        <source>Forget Own Colors</source>
+        <translation>清除自定颜色</translation>
+    </message>
+    <message>
+        <source>Give all overlays the colors of the set again</source>
+        <translation>让所有叠加显示恢复为配色方案的颜色</translation>
+    </message>
+    <message>
+        <source>No overlay has a color of your own: click one in the legend.</source>
+        <translation>没有叠加显示使用自定颜色：请单击图例中的一项。</translation>
+    </message>
+    <message>
+        <source>S&amp;imulate</source>
+        <translation>模拟(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Let the bodies of the level move in place, and go on editing beside</source>
+        <translation>让关卡中的物体就地运动，同时可继续编辑</translation>
+    </message>
+    <message>
+        <source>The level runs already.</source>
+        <translation>关卡已在运行。</translation>
+    </message>
+    <message>
+        <source>Play fr&amp;om Pointer</source>
+        <translation>从指针处试玩(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Play a copy of the level in which the ship starts where the pointer is</source>
+        <translation>试玩关卡的副本，飞船从指针处出发</translation>
+    </message>
+    <message>
+        <source>Go back to the drawing board</source>
+        <translation>返回画布</translation>
+    </message>
+    <message>
+        <source>Hold what runs, or let it go on</source>
+        <translation>暂停或继续运行</translation>
+    </message>
+    <message>
+        <source>Hold what runs and advance it by one update</source>
+        <translation>暂停运行并前进一个时间步</translation>
+    </message>
+    <message>
+        <source>Run the level from its beginning</source>
+        <translation>从头运行关卡</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Frame</source>
+        <translation>上一帧(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Hold what runs and go back by one update</source>
+        <translation>暂停运行并后退一个时间步</translation>
+    </message>
+    <message>
+        <source>Next I&amp;teration</source>
+        <translation>下一次迭代(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Hold what runs and look into the next update, one iteration further</source>
+        <translation>暂停运行并查看下一时间步的内部，每次前进一次迭代</translation>
+    </message>
+    <message>
+        <source>To the &amp;Beginning</source>
+        <translation>到开头(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Hold what runs and go back as far as it is kept</source>
+        <translation>暂停运行并回到所保留的最早时刻</translation>
+    </message>
+    <message>
+        <source>To the &amp;End</source>
+        <translation>到结尾(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Hold what runs and show its last moment</source>
+        <translation>暂停运行并显示其最后时刻</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>减慢(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Let time run half as fast; [ does so on the canvas</source>
+        <translation>让时间流速减半；在画布上可按 [</translation>
+    </message>
+    <message>
+        <source>F&amp;aster</source>
+        <translation>加快(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Let time run twice as fast; ] does so on the canvas</source>
+        <translation>让时间流速加倍；在画布上可按 ]</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the Ship</source>
+        <translation>跟随飞船(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Let the view go with the ship again, after it has been moved</source>
+        <translation>移动视图后，让其重新跟随飞船</translation>
+    </message>
+    <message>
+        <source>Only in a game is there a ship to follow.</source>
+        <translation>只有在游戏中才有可跟随的飞船。</translation>
+    </message>
+    <message>
+        <source>Save Fli&amp;ght…</source>
+        <translation>保存飞行记录(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Write what has been flown into a file that can be dropped on a window</source>
+        <translation>把已飞行的过程写入可拖放到窗口上的文件</translation>
     </message>
 </context>
 <context>
@@ -1457,6 +1653,10 @@
         <source>There is no room for the tag “%1” of their side among the 32 tags.</source>
         <translation>32 个标签中没有空位可容纳对方的标签“%1”。</translation>
     </message>
+    <message>
+        <source>Guides: in another order</source>
+        <translation>参考线：次序不同</translation>
+    </message>
 </context>
 <context>
     <name>DroppedFiles</name>
@@ -1471,6 +1671,137 @@
     <message>
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
         <translation>其他程序的文件逐个导入，因为每个都要先查看：此次导入的是 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>Explain</name>
+    <message>
+        <source>Debris</source>
+        <translation>碎片</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>重力</translation>
+    </message>
+    <message>
+        <source>Thrust and steering</source>
+        <translation>推力和转向</translation>
+    </message>
+    <message>
+        <source>Pulled by the mouse</source>
+        <translation>鼠标拖拽</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>连接件</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>力场</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>阻尼</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>合计</translation>
+    </message>
+    <message>
+        <source>felt, without a force</source>
+        <translation>有感应，无作用力</translation>
+    </message>
+    <message>
+        <source>%1, of which friction %2</source>
+        <translation>%1，其中摩擦 %2</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Tags touched</source>
+        <translation>接触的标签</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>转动</translation>
+    </message>
+    <message>
+        <source>Kinetic energy</source>
+        <translation>动能</translation>
+    </message>
+    <message>
+        <source>Potential energy</source>
+        <translation>势能</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>动量</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>自旋角动量</translation>
+    </message>
+    <message>
+        <source>Angular momentum</source>
+        <translation>角动量</translation>
+    </message>
+    <message>
+        <source>Sleeps</source>
+        <translation>休眠中</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>拉力</translation>
+    </message>
+    <message>
+        <source>Distance of its ends</source>
+        <translation>两端距离</translation>
+    </message>
+    <message>
+        <source>Natural length</source>
+        <translation>自然长度</translation>
+    </message>
+    <message>
+        <source>Pushes with</source>
+        <translation>推力大小</translation>
+    </message>
+    <message>
+        <source>Pulls with</source>
+        <translation>拉力大小</translation>
+    </message>
+    <message>
+        <source>Elastic energy</source>
+        <translation>弹性势能</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>两端物体</translation>
+    </message>
+    <message>
+        <source>All bodies</source>
+        <translation>所有物体</translation>
+    </message>
+    <message>
+        <source>Energy together</source>
+        <translation>总能量</translation>
     </message>
 </context>
 <context>
@@ -1566,6 +1897,63 @@
     <message>
         <source>%1 is saved, but of the version before no backup could be made:</source>
         <translation>%1 已保存，但无法为之前的版本创建备份：</translation>
+    </message>
+</context>
+<context>
+    <name>FlightsPanel</name>
+    <message>
+        <source>wins after %1 s, with %2 s of thrust</source>
+        <translation>%1 s 后获胜，推进 %2 s</translation>
+    </message>
+    <message>
+        <source>is lost at %1</source>
+        <translation>在 %1 处失败</translation>
+    </message>
+    <message>
+        <source>goes astray and ends at %1</source>
+        <translation>偏离了原航线，结束于 %1 处</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>is being flown…</source>
+        <translation>正在飞行…</translation>
+    </message>
+</context>
+<context>
+    <name>Forces</name>
+    <message>
+        <source>Gravity</source>
+        <translation>重力</translation>
+    </message>
+    <message>
+        <source>Applied</source>
+        <translation>施加的力</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>连接件</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>力场</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触力</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>阻尼</translation>
+    </message>
+</context>
+<context>
+    <name>Grab</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
@@ -2094,6 +2482,54 @@
         <source>mixed</source>
         <translation>不一致</translation>
     </message>
+    <message>
+        <source>Ship</source>
+        <translation>飞船</translation>
+    </message>
+    <message>
+        <source>Tow rope</source>
+        <translation>牵引绳</translation>
+    </message>
+    <message>
+        <source>Bodies at rest sleep</source>
+        <translation>静止的物体休眠</translation>
+    </message>
+    <message>
+        <source>Thrust</source>
+        <translation>推力</translation>
+    </message>
+    <message>
+        <source>Force along the nose of the ship</source>
+        <translation>沿飞船机头方向的力</translation>
+    </message>
+    <message>
+        <source>Steering</source>
+        <translation>转向</translation>
+    </message>
+    <message>
+        <source>How fast the ship begins to turn while a direction is held</source>
+        <translation>按住方向时飞船开始转动的快慢</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s mass</source>
+        <translation>飞船的质量</translation>
+    </message>
+    <message>
+        <source>Of the ship alone</source>
+        <translation>仅飞船自身</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s restitution</source>
+        <translation>飞船的恢复系数</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s linear damping</source>
+        <translation>飞船的线性阻尼</translation>
+    </message>
+    <message>
+        <source>Ship&apos;s angular damping</source>
+        <translation>飞船的角阻尼</translation>
+    </message>
 </context>
 <context>
     <name>KeyFileTexts</name>
@@ -2291,6 +2727,133 @@
         <source>Start the level over</source>
         <translation>重新开始关卡</translation>
     </message>
+    <message>
+        <source>Let time run slower</source>
+        <translation>让时间减慢</translation>
+    </message>
+    <message>
+        <source>Let time run faster</source>
+        <translation>让时间加快</translation>
+    </message>
+    <message>
+        <source>While held: one update back</source>
+        <translation>暂停时：后退一个时间步</translation>
+    </message>
+    <message>
+        <source>While held: one update on</source>
+        <translation>暂停时：前进一个时间步</translation>
+    </message>
+    <message>
+        <source>Turn time back, as long as the key is held</source>
+        <translation>按住该键期间让时间倒流</translation>
+    </message>
+</context>
+<context>
+    <name>Legend</name>
+    <message>
+        <source>Bounding box</source>
+        <translation>包围盒</translation>
+    </message>
+    <message>
+        <source>Box of the broad phase, with room to move</source>
+        <translation>粗测阶段包围盒，留有移动余量</translation>
+    </message>
+    <message>
+        <source>Largest circle about the centroid</source>
+        <translation>以形心为圆心的最大圆</translation>
+    </message>
+    <message>
+        <source>Way of the next second</source>
+        <translation>下一秒的路径</translation>
+    </message>
+    <message>
+        <source>Up, 1 m</source>
+        <translation>上方，1 m</translation>
+    </message>
+    <message>
+        <source>Free side, 1 m</source>
+        <translation>自由侧，1 m</translation>
+    </message>
+    <message>
+        <source>Solid band behind the wall</source>
+        <translation>墙后的实心带</translation>
+    </message>
+    <message>
+        <source>Cell of what stands still</source>
+        <translation>静止物体的单元</translation>
+    </message>
+    <message>
+        <source>Cell of what moves</source>
+        <translation>运动物体的单元</translation>
+    </message>
+    <message>
+        <source>Point of contact</source>
+        <translation>接触点</translation>
+    </message>
+    <message>
+        <source>Near, not touching yet</source>
+        <translation>接近，尚未接触</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>Force; 1 m is the weight of the lighter one</source>
+        <translation>力；1 m 表示较轻物体的重量</translation>
+    </message>
+    <message>
+        <source>Pressed to half its length</source>
+        <translation>压缩到一半长度</translation>
+    </message>
+    <message>
+        <source>At its natural length</source>
+        <translation>自然长度</translation>
+    </message>
+    <message>
+        <source>Stretched by half its length</source>
+        <translation>拉伸到一倍半</translation>
+    </message>
+    <message>
+        <source>Way, older ones fainter</source>
+        <translation>路径，越早越淡</translation>
+    </message>
+    <message>
+        <source>Center of mass and axes</source>
+        <translation>质心和坐标轴</translation>
+    </message>
+    <message>
+        <source>Name of the object</source>
+        <translation>对象的名称</translation>
+    </message>
+    <message>
+        <source>Asleep</source>
+        <translation>休眠</translation>
+    </message>
+    <message>
+        <source>Deep enough for what comes</source>
+        <translation>厚度足以挡住来物</translation>
+    </message>
+    <message>
+        <source>Passed through in one iteration</source>
+        <translation>一次迭代即被穿透</translation>
+    </message>
+    <message>
+        <source>The selection collides with it</source>
+        <translation>所选对象会与之碰撞</translation>
+    </message>
+    <message>
+        <source>The selection passes through</source>
+        <translation>所选对象会穿过</translation>
+    </message>
+    <message>
+        <source>One color an island</source>
+        <translation>每个孤岛一种颜色</translation>
+    </message>
+    <message>
+        <source>The color of the first tag; a dot for each further one</source>
+        <translation>第一个标签的颜色；其余每个标签一个圆点</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -2355,11 +2918,11 @@
     <name>Panels</name>
     <message>
         <source>&amp;Inspector</source>
-        <translation>检查器(&amp;I)</translation>
+        <translation>检查器(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;Outliner</source>
-        <translation>大纲视图(&amp;O)</translation>
+        <translation>大纲视图(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Problems</source>
@@ -2367,11 +2930,11 @@
     </message>
     <message>
         <source>&amp;Nodes</source>
-        <translation>节点(&amp;N)</translation>
+        <translation>节点(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;History</source>
-        <translation>历史(&amp;S)</translation>
+        <translation>历史(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Minimap</source>
@@ -2379,7 +2942,7 @@
     </message>
     <message>
         <source>&amp;Level Properties</source>
-        <translation>关卡属性(&amp;L)</translation>
+        <translation>关卡属性(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Tag Matrix</source>
@@ -2392,6 +2955,235 @@
     <message>
         <source>Show or hide this panel</source>
         <translation>显示或隐藏此面板</translation>
+    </message>
+    <message>
+        <source>&amp;Flights</source>
+        <translation>飞行记录(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Run Changes</source>
+        <translation>运行中的更改(&amp;R)</translation>
+    </message>
+    <message>
+        <source>E&amp;xplain</source>
+        <translation>解释(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Plot&amp;s</source>
+        <translation>曲线图(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Pro&amp;file</source>
+        <translation>性能分析(&amp;F)</translation>
+    </message>
+</context>
+<context>
+    <name>Plots</name>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>velocity to the right</source>
+        <translation>向右的速度</translation>
+    </message>
+    <message>
+        <source>velocity upwards</source>
+        <translation>向上的速度</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速率</translation>
+    </message>
+    <message>
+        <source>angular velocity</source>
+        <translation>角速度</translation>
+    </message>
+    <message>
+        <source>force to the right</source>
+        <translation>向右的力</translation>
+    </message>
+    <message>
+        <source>force upwards</source>
+        <translation>向上的力</translation>
+    </message>
+    <message>
+        <source>force of contacts</source>
+        <translation>接触力</translation>
+    </message>
+    <message>
+        <source>kinetic energy</source>
+        <translation>动能</translation>
+    </message>
+    <message>
+        <source>potential energy</source>
+        <translation>势能</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>能量</translation>
+    </message>
+    <message>
+        <source>momentum to the right</source>
+        <translation>向右的动量</translation>
+    </message>
+    <message>
+        <source>momentum upwards</source>
+        <translation>向上的动量</translation>
+    </message>
+    <message>
+        <source>spin</source>
+        <translation>角动量</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>张力</translation>
+    </message>
+    <message>
+        <source>elastic energy</source>
+        <translation>弹性势能</translation>
+    </message>
+    <message>
+        <source>energy of everything</source>
+        <translation>系统总能量</translation>
+    </message>
+    <message>
+        <source>kinetic energy of everything</source>
+        <translation>系统动能</translation>
+    </message>
+    <message>
+        <source>potential energy of everything</source>
+        <translation>系统势能</translation>
+    </message>
+    <message>
+        <source>elastic energy of everything</source>
+        <translation>系统弹性势能</translation>
+    </message>
+    <message>
+        <source>drift of energy</source>
+        <translation>能量漂移</translation>
+    </message>
+    <message>
+        <source>momentum of everything to the right</source>
+        <translation>系统向右的动量</translation>
+    </message>
+    <message>
+        <source>momentum of everything upwards</source>
+        <translation>系统向上的动量</translation>
+    </message>
+    <message>
+        <source>drift of momentum</source>
+        <translation>动量漂移</translation>
+    </message>
+    <message>
+        <source>angular momentum of everything</source>
+        <translation>整体角动量</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>配对</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>求解器</translation>
+    </message>
+    <message>
+        <source>Time of impact</source>
+        <translation>碰撞时刻</translation>
+    </message>
+    <message>
+        <source>Crushing</source>
+        <translation>挤压</translation>
+    </message>
+    <message>
+        <source>Advance</source>
+        <translation>位置更新</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>触碰</translation>
+    </message>
+    <message>
+        <source>Sleep</source>
+        <translation>休眠</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>ProfilePanel</name>
+    <message>
+        <source>Static bodies</source>
+        <translation>静态物体</translation>
+    </message>
+    <message>
+        <source>Kinematic bodies</source>
+        <translation>运动学物体</translation>
+    </message>
+    <message>
+        <source>Dynamic bodies</source>
+        <translation>动态物体</translation>
+    </message>
+    <message>
+        <source>Awake</source>
+        <translation>活动中</translation>
+    </message>
+    <message>
+        <source>Asleep</source>
+        <translation>休眠</translation>
+    </message>
+    <message>
+        <source>Connectors</source>
+        <translation>连接件</translation>
+    </message>
+    <message>
+        <source>Pairs that may meet</source>
+        <translation>可能相遇的物体对</translation>
+    </message>
+    <message>
+        <source>Pairs that touch</source>
+        <translation>相互接触的物体对</translation>
+    </message>
+    <message>
+        <source>Islands</source>
+        <translation>岛</translation>
+    </message>
+    <message>
+        <source>Leaves of the quadtrees</source>
+        <translation>四叉树的叶节点</translation>
+    </message>
+</context>
+<context>
+    <name>Reach</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -4376,7 +5168,9 @@
     </message>
     <message numerus="yes">
         <source>%n times</source>
-        <translation><numerusform>%n 次</numerusform></translation>
+        <translation>
+            <numerusform>%n 次</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1, in line %2</source>
@@ -4393,6 +5187,146 @@
     <message>
         <source>The width of wide strokes was not taken over: they are walls without thickness (%4). “Stroke to Path” of Inkscape makes areas of them.</source>
         <translation>未采用宽描边的宽度：它们是没有厚度的墙（%4）。Inkscape 的“描边转路径”可将其变成区域。</translation>
+    </message>
+    <message>
+        <source>They touch: “%1” and “%2” are in contact.</source>
+        <translation>它们互相接触：“%1”与“%2”已接触。</translation>
+    </message>
+    <message>
+        <source>Both are the same body, which does not collide with itself.</source>
+        <translation>两者是同一个物体，不会与自身碰撞。</translation>
+    </message>
+    <message>
+        <source>“%1” is switched off, so it touches nothing.</source>
+        <translation>“%1”已关闭，因此不接触任何东西。</translation>
+    </message>
+    <message>
+        <source>Neither is moved by forces: “%1” and “%2” pass through each other unless one of them is dynamic.</source>
+        <translation>两者都不受力的作用：除非其中之一为动态，否则“%1”和“%2”会互相穿过。</translation>
+    </message>
+    <message>
+        <source>“%2” has no tags, and what has none is touched by nothing.</source>
+        <translation>“%2”没有标签，而没有标签的对象不会被任何东西接触。</translation>
+    </message>
+    <message>
+        <source>“%1” does not touch what “%2” is: %3.</source>
+        <translation>“%1”不接触“%2”所属的类别：%3。</translation>
+    </message>
+    <message>
+        <source>“%1” does not touch what “%2” is: %3. Nor does “%2” touch what “%1” is.</source>
+        <translation>“%1”不接触“%2”所属的类别：%3。“%2”也不接触“%1”所属的类别。</translation>
+    </message>
+    <message>
+        <source>“%3” connects “%1” and “%2”, and bodies that it connects do not collide.</source>
+        <translation>“%3”连接着“%1”和“%2”，而它所连接的物体不会碰撞。</translation>
+    </message>
+    <message>
+        <source>The tow rope connects “%1” and “%2”, which therefore do not collide.</source>
+        <translation>拖绳连接着“%1”和“%2”，因此它们不会碰撞。</translation>
+    </message>
+    <message>
+        <source>“%1” is intangible: it would be felt, but stops nothing.</source>
+        <translation>“%1”是无形的：能被感知，但挡不住任何东西。</translation>
+    </message>
+    <message>
+        <source>“%1” is intangible: “%2” touches it and is felt, but nothing stops it.</source>
+        <translation>“%1”是无形的：“%2”接触它并会被感知，但不会被挡住。</translation>
+    </message>
+    <message>
+        <source>Both are nothing but walls, and walls pass through each other.</source>
+        <translation>两者都只是墙，而墙会互相穿过。</translation>
+    </message>
+    <message>
+        <source>“%2” is behind a one-way wall of “%1”, from (%3, %4) to (%5, %6), which is open from there.</source>
+        <translation>“%2”位于“%1”的单向墙之后，从 (%3, %4) 到 (%5, %6)，从那一侧可以穿过。</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” may collide, but are %3 m apart.</source>
+        <translation>“%1”和“%2”可以碰撞，但相距 %3 m。</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” overlap, and collide as soon as the simulation goes on.</source>
+        <translation>“%1”和“%2”重叠，模拟一继续就会碰撞。</translation>
+    </message>
+    <message>
+        <source>Let “%1” touch “%2”</source>
+        <translation>让“%1”接触“%2”</translation>
+    </message>
+    <message>
+        <source>Give “%1” the tag “%2”</source>
+        <translation>给“%1”添加标签“%2”</translation>
+    </message>
+    <message>
+        <source>Make “%1” tangible</source>
+        <translation>使“%1”变为有形</translation>
+    </message>
+    <message>
+        <source>Let the bodies of “%1” collide</source>
+        <translation>让“%1”两端的物体碰撞</translation>
+    </message>
+    <message>
+        <source>Back to before the run</source>
+        <translation>回到运行之前</translation>
+    </message>
+    <message>
+        <source>Keep change of the level</source>
+        <translation>保留关卡的更改</translation>
+    </message>
+    <message>
+        <source>Keep new object</source>
+        <translation>保留新对象</translation>
+    </message>
+    <message>
+        <source>Keep deletion</source>
+        <translation>保留删除</translation>
+    </message>
+    <message>
+        <source>Keep move</source>
+        <translation>保留移动</translation>
+    </message>
+    <message>
+        <source>Keep tags</source>
+        <translation>保留标签</translation>
+    </message>
+    <message>
+        <source>Keep order</source>
+        <translation>保留次序</translation>
+    </message>
+    <message>
+        <source>Keep change</source>
+        <translation>保留更改</translation>
+    </message>
+    <message>
+        <source>There is no bug capsule in the text.</source>
+        <translation>文本中没有错误胶囊。</translation>
+    </message>
+    <message>
+        <source>The bug capsule is not whole: its last line is missing.</source>
+        <translation>错误胶囊不完整：缺少最后一行。</translation>
+    </message>
+    <message>
+        <source>The bug capsule has been changed or damaged on its way.</source>
+        <translation>错误胶囊在传递途中被更改或损坏。</translation>
+    </message>
+    <message>
+        <source>The bug capsule cannot be understood at “%1”.</source>
+        <translation>错误胶囊在“%1”处无法识别。</translation>
+    </message>
+    <message>
+        <source>The level in the bug capsule cannot be read.</source>
+        <translation>无法读取错误胶囊中的关卡。</translation>
+    </message>
+    <message>
+        <source>The bug capsule was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
+        <translation>错误胶囊由更新版本制作（%1；本程序最高支持 %2）。请更新程序。</translation>
+    </message>
+    <message>
+        <source>The run is longer than a bug capsule may be: %1 updates.</source>
+        <translation>这次运行超出了错误胶囊的长度限制：%1 个时间步。</translation>
+    </message>
+    <message>
+        <source>The run is larger than a bug capsule may be: %1 bytes.</source>
+        <translation>这次运行超出了错误胶囊的大小限制：%1 字节。</translation>
     </message>
 </context>
 <context>
@@ -4464,6 +5398,10 @@
     <message>
         <source>Drawing board</source>
         <translation>画布</translation>
+    </message>
+    <message>
+        <source>Drawing board, running</source>
+        <translation>画布，运行中</translation>
     </message>
 </context>
 <context>
@@ -4640,6 +5578,41 @@
     </message>
 </context>
 <context>
+    <name>spacetow::ExplainPanel</name>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Explanation of the selection</source>
+        <translation>所选对象的说明</translation>
+    </message>
+    <message>
+        <source>Everything. Select one object to see what moves it, or two to hear why they do not collide.</source>
+        <translation>全部。选择一个对象可查看是什么在推动它，选择两个可了解它们为何不碰撞。</translation>
+    </message>
+    <message>
+        <source>Why do these two not collide?</source>
+        <translation>这两个对象为何不碰撞？</translation>
+    </message>
+    <message>
+        <source>Select one object, or two.</source>
+        <translation>请选择一个或两个对象。</translation>
+    </message>
+    <message>
+        <source>“%1” is not part of the simulation.</source>
+        <translation>“%1”不属于模拟。</translation>
+    </message>
+    <message>
+        <source>At least one of them is no body in the simulation.</source>
+        <translation>其中至少有一个不是模拟中的物体。</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::ExportBar</name>
     <message>
         <source>Export picture</source>
@@ -4723,6 +5696,17 @@
     <message>
         <source>Nothing is called that.</source>
         <translation>没有符合此名称的内容。</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::FlightsPanel</name>
+    <message>
+        <source>No flight is stored beside this level. A flight of cave.json is a file cave.replay.json or cave.NAME.replay.json in the same folder.</source>
+        <translation>此关卡旁没有保存飞行记录。cave.json 的飞行记录是同一文件夹中的 cave.replay.json 或 cave.NAME.replay.json 文件。</translation>
+    </message>
+    <message>
+        <source>Flights</source>
+        <translation>飞行记录</translation>
     </message>
 </context>
 <context>
@@ -5127,6 +6111,29 @@
     </message>
 </context>
 <context>
+    <name>spacetow::Legend</name>
+    <message>
+        <source>Legend of the overlays</source>
+        <translation>叠加显示的图例</translation>
+    </message>
+    <message>
+        <source>Hide the legend</source>
+        <translation>隐藏图例</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>图例</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Choose another color</source>
+        <translation>选择其他颜色</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::LevelPanel</name>
     <message>
         <source>That would leave the range of the field, so nothing has changed.</source>
@@ -5232,14 +6239,6 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     <message>
         <source>Opened %1</source>
         <translation>已打开 %1</translation>
-    </message>
-    <message>
-        <source>Playing a recorded flight · keys count when it has ended · %1: back to the editor</source>
-        <translation>正在播放飞行记录 · 结束后按键才有效 · %1：返回编辑器</translation>
-    </message>
-    <message>
-        <source>Playing a copy of the level · %1: back to the editor · Esc: menu</source>
-        <translation>正在试玩关卡的副本 · %1：返回编辑器 · Esc：菜单</translation>
     </message>
     <message>
         <source>No level is open · arrows, Tab and Enter choose one</source>
@@ -5401,6 +6400,66 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
         <source>what was not saved of %1</source>
         <translation>%1 中未保存的内容</translation>
     </message>
+    <message>
+        <source>Write plots</source>
+        <translation>输出曲线</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save flight</source>
+        <translation>保存飞行记录</translation>
+    </message>
+    <message>
+        <source>Flights (*.replay.json)</source>
+        <translation>飞行记录 (*.replay.json)</translation>
+    </message>
+    <message>
+        <source>1/%1 ×</source>
+        <translation>1/%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>飞行记录已保存为 %1。把该文件拖放到窗口上即可重新观看。</translation>
+    </message>
+    <message>
+        <source>The plots are in “%1”.</source>
+        <translation>曲线数据已写入“%1”。</translation>
+    </message>
+    <message>
+        <source>Pulling · move: pull further · let the button go: throw</source>
+        <translation>正在拉动 · 移动：继续拉 · 松开按键：抛出</translation>
+    </message>
+    <message>
+        <source>Playing a recorded flight · who steers takes over · %1: back to the editor</source>
+        <translation>正在播放飞行记录 · 操控即可接管 · %1：返回编辑器</translation>
+    </message>
+    <message>
+        <source>%1: follow the ship again</source>
+        <translation>%1：重新跟随飞船</translation>
+    </message>
+    <message>
+        <source>Playing · drag a body: pull it · wheel, right drag: move the view · %1 held: back in time · %2: back to the editor · Esc: menu</source>
+        <translation>试玩中 · 拖动物体：拉动它 · 滚轮、右键拖动：移动视图 · 按住 %1：时间倒退 · %2：返回编辑器 · Esc：菜单</translation>
+    </message>
+    <message>
+        <source>Simulation held · click: select · drag: move · %1: go on from here · %2: next frame · %3: back to the editor</source>
+        <translation>模拟已暂停 · 单击：选择 · 拖动：移动 · %1：从此处继续 · %2：下一帧 · %3：返回编辑器</translation>
+    </message>
+    <message>
+        <source>Simulation running · click: select · drag: pull a body, move what stands still · %1: hold · %2: back to the editor</source>
+        <translation>模拟运行中 · 单击：选择 · 拖动：拉动物体，移动静止的对象 · %1：暂停 · %2：返回编辑器</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -5422,6 +6481,41 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     <message>
         <source>Click or drag: go there · wheel: zoom · arrows: move the view</source>
         <translation>单击或拖动：转到该处 · 滚轮：缩放 · 方向键：移动视图</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::MotionLine</name>
+    <message>
+        <source>Now, while it runs</source>
+        <translation>运行中的当前状态</translation>
+    </message>
+    <message>
+        <source>How the body moves now, while it runs; the fields say where it starts</source>
+        <translation>物体在运行中当前的运动状态；各字段表示其起始状态</translation>
+    </message>
+    <message>
+        <source>Now: x %1 · y %2 m · %3°</source>
+        <translation>当前：x %1 · y %2 m · %3°</translation>
+    </message>
+    <message>
+        <source>%1 m/s (x %2 · y %3) · %4°/s</source>
+        <translation>%1 m/s (x %2 · y %3) · %4°/s</translation>
+    </message>
+    <message>
+        <source>Now: %1 m long, %2 m at rest</source>
+        <translation>当前：长 %1 m，自然长度 %2 m</translation>
+    </message>
+    <message>
+        <source>pushes with %1 N</source>
+        <translation>推力 %1 N</translation>
+    </message>
+    <message>
+        <source>pulls with %1 N</source>
+        <translation>拉力 %1 N</translation>
+    </message>
+    <message>
+        <source>Now: not there any more</source>
+        <translation>当前：已不存在</translation>
     </message>
 </context>
 <context>
@@ -5716,10 +6810,77 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     </message>
 </context>
 <context>
-    <name>spacetow::PlayView</name>
+    <name>spacetow::PlotPanel</name>
     <message>
-        <source>Running game</source>
-        <translation>运行中的游戏</translation>
+        <source>Quantity of the selection</source>
+        <translation>所选对象的物理量</translation>
+    </message>
+    <message>
+        <source>What of the selected body or connector, or of everything, is to be plotted</source>
+        <translation>要绘制所选物体、连接件或整个系统的哪个物理量</translation>
+    </message>
+    <message>
+        <source>Add curve</source>
+        <translation>添加曲线</translation>
+    </message>
+    <message>
+        <source>x against y</source>
+        <translation>x 对 y</translation>
+    </message>
+    <message>
+        <source>The second curve against the first, in place of all over time</source>
+        <translation>以第一条曲线为横轴绘制第二条曲线，而不是全部随时间绘制</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Write what is plotted into a file that spreadsheets read</source>
+        <translation>把绘制的数据写入电子表格可读取的文件</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Remove all curves</source>
+        <translation>移除所有曲线</translation>
+    </message>
+    <message>
+        <source>Drift: how far energy has come from its first value, as a share of the most that was ever in motion or in springs; and momentum, as a share of the most that all bodies had</source>
+        <translation>漂移：能量偏离初始值的程度，以运动或弹簧中曾有的最大能量为基准的比例；动量则以所有物体曾有的最大动量为基准</translation>
+    </message>
+    <message>
+        <source>Select a body or a connector, choose a quantity and add its curve. It grows while the level is played or simulated.</source>
+        <translation>选择一个物体或连接件，选定物理量并添加其曲线。试玩或模拟关卡时曲线会不断延伸。</translation>
+    </message>
+    <message>
+        <source>Remove the curve “%1”</source>
+        <translation>移除曲线“%1”</translation>
+    </message>
+    <message>
+        <source>Nothing runs.</source>
+        <translation>没有正在运行的内容。</translation>
+    </message>
+    <message>
+        <source>Energy %1 J, drift %2 · momentum %3 kg m/s, drift %4</source>
+        <translation>能量 %1 J，漂移 %2 · 动量 %3 kg m/s，漂移 %4</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::PlotView</name>
+    <message>
+        <source>Plot</source>
+        <translation>曲线图</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom · drag: move · double-click: show everything</source>
+        <translation>滚轮：缩放 · 拖动：移动 · 双击：全部显示</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -5801,6 +6962,52 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     <message>
         <source>Nothing was found that would cure this by itself.</source>
         <translation>没有找到可以自动修复此问题的方法。</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ProfileChart</name>
+    <message>
+        <source>Times of the last updates</source>
+        <translation>最近时间步的耗时</translation>
+    </message>
+    <message>
+        <source>The last updates, newest at the right; the colours are those of the stages below</source>
+        <translation>最近的时间步，最新的在右侧；颜色与下方各阶段对应</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Times are taken while the level is played or simulated.</source>
+        <translation>试玩或模拟关卡时会测量耗时。</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::ProfilePanel</name>
+    <message>
+        <source>Stage, ms</source>
+        <translation>阶段，ms</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Times and counters</source>
+        <translation>耗时和计数</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>合计</translation>
     </message>
 </context>
 <context>
@@ -5903,6 +7110,54 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     <message>
         <source>Metres; drag a slanting guide out of the corner</source>
         <translation>米；可从角上拖出倾斜参考线</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RunChangesList</name>
+    <message>
+        <source>Is kept only together with:
+%1</source>
+        <translation>只能与以下更改一起保留：
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::RunChangesPanel</name>
+    <message>
+        <source>Keep &amp;All</source>
+        <translation>全部保留(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Keep &amp;Ticked</source>
+        <translation>保留勾选项(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard All</source>
+        <translation>全部放弃(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Changes made in this run</source>
+        <translation>此次运行中的更改</translation>
+    </message>
+    <message>
+        <source>Makes all of these changes in the level, each as one step that can be undone</source>
+        <translation>在关卡中执行所有这些更改，每项更改为一个可撤销的步骤</translation>
+    </message>
+    <message>
+        <source>Makes those that are ticked in the level, and forgets the others</source>
+        <translation>在关卡中执行勾选的更改，舍弃其余更改</translation>
+    </message>
+    <message>
+        <source>Leaves the level as it was before the run; Undo brings the changes back</source>
+        <translation>使关卡保持运行之前的样子；“撤销”可恢复这些更改</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n changes were made in this run. The level is as before; keep what you like.</source>
+        <translation><numerusform>此次运行中进行了 %n 项更改。关卡与之前相同；请保留您想要的更改。</numerusform></translation>
+    </message>
+    <message>
+        <source>Nothing waits to be kept. What is changed in a level while it runs is listed here when the run ends.</source>
+        <translation>没有等待保留的更改。关卡运行时所做的更改会在运行结束后列在这里。</translation>
     </message>
 </context>
 <context>
@@ -6099,6 +7354,64 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
             <numerusform>%n 个对象属于“%1”；双击选择它们，右击查看更多</numerusform>
         </translation>
     </message>
+    <message>
+        <source>They did touch in the last run.</source>
+        <translation>它们在上次运行中发生了接触。</translation>
+    </message>
+    <message>
+        <source>They met in the last run, and passed through each other.</source>
+        <translation>它们在上次运行中相遇，并互相穿过。</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TimelineBar</name>
+    <message>
+        <source>%1 / %2 s</source>
+        <translation>%1 / %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>spacetow::TimelineScale</name>
+    <message>
+        <source>Touch</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Payload taken in tow</source>
+        <translation>开始拖曳载荷</translation>
+    </message>
+    <message>
+        <source>Payload let go</source>
+        <translation>松开载荷</translation>
+    </message>
+    <message>
+        <source>Crash</source>
+        <translation>坠毁</translation>
+    </message>
+    <message>
+        <source>New attempt</source>
+        <translation>新的尝试</translation>
+    </message>
+    <message>
+        <source>Win</source>
+        <translation>胜利</translation>
+    </message>
+    <message>
+        <source>Edit of the level</source>
+        <translation>编辑关卡</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1，%2</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::TransformBar</name>
@@ -6184,6 +7497,10 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     <message>
         <source>Level</source>
         <translation>关卡</translation>
+    </message>
+    <message>
+        <source>Sandboxes: each shows one thing that the physics does, and says what to try</source>
+        <translation>沙盒：每个展示一种物理现象，并提示可以尝试什么</translation>
     </message>
 </context>
 <context>
