@@ -373,7 +373,7 @@
     </message>
     <message>
         <source>&amp;Keys…</source>
-        <translation>&amp;Tasten…</translation>
+        <translation>T&amp;asten…</translation>
     </message>
     <message>
         <source>Show what the keys do</source>
@@ -1129,7 +1129,7 @@
     </message>
     <message>
         <source>Keyboard &amp;Shortcuts…</source>
-        <translation>Tastatur&amp;kürzel…</translation>
+        <translation>&amp;Tastaturkürzel…</translation>
     </message>
     <message>
         <source>Give other keys to actions, or the keys of Tiled, Inkscape or Blender</source>
@@ -1502,6 +1502,29 @@
     <message>
         <source>Write what has been flown into a file that can be dropped on a window</source>
         <translation>Den bisherigen Flug in eine Datei schreiben, die sich auf ein Fenster ziehen lässt</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Bug Capsule</source>
+        <translation>Fehler&amp;kapsel kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the level and the run up to this moment as text, for a mail or an issue; pasted into a window, it opens at the same moment</source>
+        <translation>Level und Lauf bis zu diesem Moment als Text kopieren, für eine E-Mail oder eine Fehlermeldung; in ein Fenster eingefügt, öffnet er sich im selben Moment</translation>
+    </message>
+</context>
+<context>
+    <name>BugCapsule</name>
+    <message>
+        <source>Another bug capsule is still being worked on.</source>
+        <translation>An einer anderen Fehlerkapsel wird noch gearbeitet.</translation>
+    </message>
+    <message>
+        <source>A bug capsule of %1 is on the clipboard. Paste it into a mail or an issue, or into a window of this program.</source>
+        <translation>Eine Fehlerkapsel von %1 ist in der Zwischenablage. Fügen Sie sie in eine E-Mail, eine Fehlermeldung oder ein Fenster dieses Programms ein.</translation>
+    </message>
+    <message>
+        <source>The run comes out otherwise here than where the bug capsule was made, with %1 on %2.</source>
+        <translation>Der Lauf verläuft hier anders als dort, wo die Fehlerkapsel entstand, mit %1 auf %2.</translation>
     </message>
 </context>
 <context>
@@ -2511,24 +2534,8 @@
         <translation>Wie schnell das Schiff sich zu drehen beginnt, solange eine Richtung gehalten wird</translation>
     </message>
     <message>
-        <source>Ship&apos;s mass</source>
-        <translation>Masse des Schiffs</translation>
-    </message>
-    <message>
         <source>Of the ship alone</source>
         <translation>Nur des Schiffs, ohne Fracht</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s restitution</source>
-        <translation>Stoßzahl des Schiffs</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s linear damping</source>
-        <translation>Lineare Dämpfung des Schiffs</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s angular damping</source>
-        <translation>Drehdämpfung des Schiffs</translation>
     </message>
 </context>
 <context>
@@ -5363,6 +5370,10 @@
         <source>The run is larger than a bug capsule may be: %1 bytes.</source>
         <translation>Der Lauf ist größer, als eine Fehlerkapsel sein darf: %1 Byte.</translation>
     </message>
+    <message>
+        <source>The run has ended, and nothing of it is left.</source>
+        <translation>Der Lauf ist zu Ende, und nichts ist davon übrig.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
@@ -7196,7 +7207,10 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     </message>
     <message numerus="yes">
         <source>%n changes were made in this run. The level is as before; keep what you like.</source>
-        <translation><numerusform>In diesem Lauf wurde %n Änderung vorgenommen. Das Level ist wie zuvor; behalten Sie sie, wenn Sie möchten.</numerusform><numerusform>In diesem Lauf wurden %n Änderungen vorgenommen. Das Level ist wie zuvor; behalten Sie, was Sie möchten.</numerusform></translation>
+        <translation>
+            <numerusform>In diesem Lauf wurde %n Änderung vorgenommen. Das Level ist wie zuvor; behalten Sie sie, wenn Sie möchten.</numerusform>
+            <numerusform>In diesem Lauf wurden %n Änderungen vorgenommen. Das Level ist wie zuvor; behalten Sie, was Sie möchten.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nothing waits to be kept. What is changed in a level while it runs is listed here when the run ends.</source>

@@ -1503,6 +1503,29 @@
         <source>Write what has been flown into a file that can be dropped on a window</source>
         <translation>Guardar lo volado en un archivo que se puede soltar sobre una ventana</translation>
     </message>
+    <message>
+        <source>Copy &amp;Bug Capsule</source>
+        <translation>Copiar la cápsula de &amp;error</translation>
+    </message>
+    <message>
+        <source>Copy the level and the run up to this moment as text, for a mail or an issue; pasted into a window, it opens at the same moment</source>
+        <translation>Copiar el nivel y la ejecución hasta este momento como texto, para un correo o un informe de error; pegado en una ventana, se abre en el mismo momento</translation>
+    </message>
+</context>
+<context>
+    <name>BugCapsule</name>
+    <message>
+        <source>Another bug capsule is still being worked on.</source>
+        <translation>Todavía se está trabajando en otra cápsula de error.</translation>
+    </message>
+    <message>
+        <source>A bug capsule of %1 is on the clipboard. Paste it into a mail or an issue, or into a window of this program.</source>
+        <translation>Una cápsula de error de %1 está en el portapapeles. Péguela en un correo, en un informe de error o en una ventana de este programa.</translation>
+    </message>
+    <message>
+        <source>The run comes out otherwise here than where the bug capsule was made, with %1 on %2.</source>
+        <translation>La ejecución resulta aquí distinta de la de donde se creó la cápsula de error, con %1 en %2.</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -2511,24 +2534,8 @@
         <translation>Con qué rapidez empieza a girar la nave mientras se mantiene una dirección</translation>
     </message>
     <message>
-        <source>Ship&apos;s mass</source>
-        <translation>Masa de la nave</translation>
-    </message>
-    <message>
         <source>Of the ship alone</source>
         <translation>Solo de la nave</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s restitution</source>
-        <translation>Restitución de la nave</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s linear damping</source>
-        <translation>Amortiguación lineal de la nave</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s angular damping</source>
-        <translation>Amortiguación angular de la nave</translation>
     </message>
 </context>
 <context>
@@ -5363,6 +5370,10 @@
         <source>The run is larger than a bug capsule may be: %1 bytes.</source>
         <translation>La ejecución es mayor de lo que puede ser una cápsula de error: %1 bytes.</translation>
     </message>
+    <message>
+        <source>The run has ended, and nothing of it is left.</source>
+        <translation>La ejecución ha terminado y no queda nada de ella.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
@@ -7196,7 +7207,10 @@ La lista muestra primero lo que se dibuja encima.</translation>
     </message>
     <message numerus="yes">
         <source>%n changes were made in this run. The level is as before; keep what you like.</source>
-        <translation><numerusform>Se hizo %n cambio en esta ejecución. El nivel está como antes; consérvelo si quiere.</numerusform><numerusform>Se hicieron %n cambios en esta ejecución. El nivel está como antes; conserve lo que quiera.</numerusform></translation>
+        <translation>
+            <numerusform>Se hizo %n cambio en esta ejecución. El nivel está como antes; consérvelo si quiere.</numerusform>
+            <numerusform>Se hicieron %n cambios en esta ejecución. El nivel está como antes; conserve lo que quiera.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nothing waits to be kept. What is changed in a level while it runs is listed here when the run ends.</source>

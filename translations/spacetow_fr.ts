@@ -1353,7 +1353,7 @@
     </message>
     <message>
         <source>Show where the ship, and the payload on its rope, can be in the next seconds: from its start, or from where it is in a run that is paused</source>
-        <translation>Afficher où le vaisseau, et la charge au bout de sa corde, peuvent être dans les prochaines secondes : depuis le départ, ou depuis leur place dans une exécution en pause</translation>
+        <translation>Afficher où le vaisseau, et la charge au bout de sa corde, peuvent être dans les prochaines secondes&#xa0;: depuis le départ, ou depuis leur place dans une exécution en pause</translation>
     </message>
     <message>
         <source>Reach a Second Longer</source>
@@ -1397,7 +1397,7 @@
     </message>
     <message>
         <source>No overlay has a color of your own: click one in the legend.</source>
-        <translation>Aucune superposition n’a de couleur à vous : cliquez-en une dans la légende.</translation>
+        <translation>Aucune superposition n’a de couleur à vous&#xa0;: cliquez-en une dans la légende.</translation>
     </message>
     <message>
         <source>S&amp;imulate</source>
@@ -1473,7 +1473,7 @@
     </message>
     <message>
         <source>Let time run half as fast; [ does so on the canvas</source>
-        <translation>Ralentir le temps de moitié ; [ le fait dans la zone de dessin</translation>
+        <translation>Ralentir le temps de moitié&#xa0;; [ le fait dans la zone de dessin</translation>
     </message>
     <message>
         <source>F&amp;aster</source>
@@ -1481,7 +1481,7 @@
     </message>
     <message>
         <source>Let time run twice as fast; ] does so on the canvas</source>
-        <translation>Faire passer le temps deux fois plus vite ; ] le fait dans la zone de dessin</translation>
+        <translation>Faire passer le temps deux fois plus vite&#xa0;; ] le fait dans la zone de dessin</translation>
     </message>
     <message>
         <source>&amp;Follow the Ship</source>
@@ -1502,6 +1502,29 @@
     <message>
         <source>Write what has been flown into a file that can be dropped on a window</source>
         <translation>Enregistrer ce qui a été volé dans un fichier qui peut être déposé sur une fenêtre</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Bug Capsule</source>
+        <translation>Copier la capsule de &amp;bogue</translation>
+    </message>
+    <message>
+        <source>Copy the level and the run up to this moment as text, for a mail or an issue; pasted into a window, it opens at the same moment</source>
+        <translation>Copier le niveau et l’exécution jusqu’à ce moment sous forme de texte, pour un courriel ou un rapport de bogue ; collé dans une fenêtre, il s’ouvre au même moment</translation>
+    </message>
+</context>
+<context>
+    <name>BugCapsule</name>
+    <message>
+        <source>Another bug capsule is still being worked on.</source>
+        <translation>Une autre capsule de bogue est encore en cours de traitement.</translation>
+    </message>
+    <message>
+        <source>A bug capsule of %1 is on the clipboard. Paste it into a mail or an issue, or into a window of this program.</source>
+        <translation>Une capsule de bogue de %1 est dans le presse-papiers. Collez-la dans un courriel, un rapport de bogue ou une fenêtre de ce programme.</translation>
+    </message>
+    <message>
+        <source>The run comes out otherwise here than where the bug capsule was made, with %1 on %2.</source>
+        <translation>L’exécution se déroule ici autrement que là où la capsule de bogue a été créée, avec %1 sous %2.</translation>
     </message>
 </context>
 <context>
@@ -1655,7 +1678,7 @@
     </message>
     <message>
         <source>Guides: in another order</source>
-        <translation>Guides : dans un autre ordre</translation>
+        <translation>Guides&#xa0;: dans un autre ordre</translation>
     </message>
 </context>
 <context>
@@ -2511,24 +2534,8 @@
         <translation>À quelle vitesse le vaisseau se met à tourner tant qu’une direction est maintenue</translation>
     </message>
     <message>
-        <source>Ship&apos;s mass</source>
-        <translation>Masse du vaisseau</translation>
-    </message>
-    <message>
         <source>Of the ship alone</source>
         <translation>Du vaisseau seul</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s restitution</source>
-        <translation>Restitution du vaisseau</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s linear damping</source>
-        <translation>Amortissement linéaire du vaisseau</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s angular damping</source>
-        <translation>Amortissement angulaire du vaisseau</translation>
     </message>
 </context>
 <context>
@@ -2737,11 +2744,11 @@
     </message>
     <message>
         <source>While held: one update back</source>
-        <translation>En pause : un pas en arrière</translation>
+        <translation>En pause&#xa0;: un pas en arrière</translation>
     </message>
     <message>
         <source>While held: one update on</source>
-        <translation>En pause : un pas en avant</translation>
+        <translation>En pause&#xa0;: un pas en avant</translation>
     </message>
     <message>
         <source>Turn time back, as long as the key is held</source>
@@ -2800,7 +2807,7 @@
     </message>
     <message>
         <source>Force; 1 m is the weight of the lighter one</source>
-        <translation>Force ; 1 m vaut le poids du plus léger</translation>
+        <translation>Force&#xa0;; 1 m vaut le poids du plus léger</translation>
     </message>
     <message>
         <source>Pressed to half its length</source>
@@ -2852,7 +2859,7 @@
     </message>
     <message>
         <source>The color of the first tag; a dot for each further one</source>
-        <translation>La couleur de la première étiquette ; un point pour chaque autre</translation>
+        <translation>La couleur de la première étiquette&#xa0;; un point pour chaque autre</translation>
     </message>
 </context>
 <context>
@@ -3133,7 +3140,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -5225,7 +5232,7 @@
     </message>
     <message>
         <source>They touch: “%1” and “%2” are in contact.</source>
-        <translation>Ils se touchent : « %1 » et « %2 » sont en contact.</translation>
+        <translation>Ils se touchent&#xa0;: «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» sont en contact.</translation>
     </message>
     <message>
         <source>Both are the same body, which does not collide with itself.</source>
@@ -5233,39 +5240,39 @@
     </message>
     <message>
         <source>“%1” is switched off, so it touches nothing.</source>
-        <translation>« %1 » est désactivé et ne touche donc rien.</translation>
+        <translation>«&#xa0;%1&#xa0;» est désactivé et ne touche donc rien.</translation>
     </message>
     <message>
         <source>Neither is moved by forces: “%1” and “%2” pass through each other unless one of them is dynamic.</source>
-        <translation>Aucun des deux n’est mû par des forces : « %1 » et « %2 » se traversent, à moins que l’un d’eux ne soit dynamique.</translation>
+        <translation>Aucun des deux n’est mû par des forces&#xa0;: «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» se traversent, à moins que l’un d’eux ne soit dynamique.</translation>
     </message>
     <message>
         <source>“%2” has no tags, and what has none is touched by nothing.</source>
-        <translation>« %2 » n’a pas d’étiquette, et rien ne touche ce qui n’en a pas.</translation>
+        <translation>«&#xa0;%2&#xa0;» n’a pas d’étiquette, et rien ne touche ce qui n’en a pas.</translation>
     </message>
     <message>
         <source>“%1” does not touch what “%2” is: %3.</source>
-        <translation>« %1 » ne touche pas ce qu’est « %2 » : %3.</translation>
+        <translation>«&#xa0;%1&#xa0;» ne touche pas ce qu’est «&#xa0;%2&#xa0;»&#xa0;: %3.</translation>
     </message>
     <message>
         <source>“%1” does not touch what “%2” is: %3. Nor does “%2” touch what “%1” is.</source>
-        <translation>« %1 » ne touche pas ce qu’est « %2 » : %3. « %2 » ne touche pas non plus ce qu’est « %1 ».</translation>
+        <translation>«&#xa0;%1&#xa0;» ne touche pas ce qu’est «&#xa0;%2&#xa0;»&#xa0;: %3. «&#xa0;%2&#xa0;» ne touche pas non plus ce qu’est «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>“%3” connects “%1” and “%2”, and bodies that it connects do not collide.</source>
-        <translation>« %3 » relie « %1 » et « %2 », et les corps qu’il relie ne se heurtent pas.</translation>
+        <translation>«&#xa0;%3&#xa0;» relie «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;», et les corps qu’il relie ne se heurtent pas.</translation>
     </message>
     <message>
         <source>The tow rope connects “%1” and “%2”, which therefore do not collide.</source>
-        <translation>La corde de remorquage relie « %1 » et « %2 », qui ne se heurtent donc pas.</translation>
+        <translation>La corde de remorquage relie «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;», qui ne se heurtent donc pas.</translation>
     </message>
     <message>
         <source>“%1” is intangible: it would be felt, but stops nothing.</source>
-        <translation>« %1 » est intangible : on le sentirait, mais il n’arrête rien.</translation>
+        <translation>«&#xa0;%1&#xa0;» est intangible&#xa0;: on le sentirait, mais il n’arrête rien.</translation>
     </message>
     <message>
         <source>“%1” is intangible: “%2” touches it and is felt, but nothing stops it.</source>
-        <translation>« %1 » est intangible : « %2 » le touche et est senti, mais rien ne l’arrête.</translation>
+        <translation>«&#xa0;%1&#xa0;» est intangible&#xa0;: «&#xa0;%2&#xa0;» le touche et est senti, mais rien ne l’arrête.</translation>
     </message>
     <message>
         <source>Both are nothing but walls, and walls pass through each other.</source>
@@ -5273,31 +5280,31 @@
     </message>
     <message>
         <source>“%2” is behind a one-way wall of “%1”, from (%3, %4) to (%5, %6), which is open from there.</source>
-        <translation>« %2 » est derrière un mur à sens unique de « %1 », de (%3, %4) à (%5, %6), qui est ouvert de ce côté.</translation>
+        <translation>«&#xa0;%2&#xa0;» est derrière un mur à sens unique de «&#xa0;%1&#xa0;», de (%3, %4) à (%5, %6), qui est ouvert de ce côté.</translation>
     </message>
     <message>
         <source>“%1” and “%2” may collide, but are %3 m apart.</source>
-        <translation>« %1 » et « %2 » peuvent se heurter, mais sont à %3 m l’un de l’autre.</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» peuvent se heurter, mais sont à %3 m l’un de l’autre.</translation>
     </message>
     <message>
         <source>“%1” and “%2” overlap, and collide as soon as the simulation goes on.</source>
-        <translation>« %1 » et « %2 » se chevauchent et se heurteront dès que la simulation continuera.</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» se chevauchent et se heurteront dès que la simulation continuera.</translation>
     </message>
     <message>
         <source>Let “%1” touch “%2”</source>
-        <translation>Laisser « %1 » toucher « %2 »</translation>
+        <translation>Laisser «&#xa0;%1&#xa0;» toucher «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Give “%1” the tag “%2”</source>
-        <translation>Donner à « %1 » l’étiquette « %2 »</translation>
+        <translation>Donner à «&#xa0;%1&#xa0;» l’étiquette «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Make “%1” tangible</source>
-        <translation>Rendre « %1 » tangible</translation>
+        <translation>Rendre «&#xa0;%1&#xa0;» tangible</translation>
     </message>
     <message>
         <source>Let the bodies of “%1” collide</source>
-        <translation>Laisser les corps de « %1 » se heurter</translation>
+        <translation>Laisser les corps de «&#xa0;%1&#xa0;» se heurter</translation>
     </message>
     <message>
         <source>Back to before the run</source>
@@ -5337,7 +5344,7 @@
     </message>
     <message>
         <source>The bug capsule is not whole: its last line is missing.</source>
-        <translation>La capsule de bogue est incomplète : sa dernière ligne manque.</translation>
+        <translation>La capsule de bogue est incomplète&#xa0;: sa dernière ligne manque.</translation>
     </message>
     <message>
         <source>The bug capsule has been changed or damaged on its way.</source>
@@ -5345,7 +5352,7 @@
     </message>
     <message>
         <source>The bug capsule cannot be understood at “%1”.</source>
-        <translation>La capsule de bogue est incompréhensible à « %1 ».</translation>
+        <translation>La capsule de bogue est incompréhensible à «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>The level in the bug capsule cannot be read.</source>
@@ -5353,15 +5360,19 @@
     </message>
     <message>
         <source>The bug capsule was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
-        <translation>La capsule de bogue vient d’une version plus récente (%1 ; celle-ci lit jusqu’à %2). Mettez à jour le programme.</translation>
+        <translation>La capsule de bogue vient d’une version plus récente (%1&#xa0;; celle-ci lit jusqu’à %2). Mettez à jour le programme.</translation>
     </message>
     <message>
         <source>The run is longer than a bug capsule may be: %1 updates.</source>
-        <translation>L’exécution est plus longue que ne peut l’être une capsule de bogue : %1 pas.</translation>
+        <translation>L’exécution est plus longue que ne peut l’être une capsule de bogue&#xa0;: %1 pas.</translation>
     </message>
     <message>
         <source>The run is larger than a bug capsule may be: %1 bytes.</source>
-        <translation>L’exécution est plus grosse que ne peut l’être une capsule de bogue : %1 octets.</translation>
+        <translation>L’exécution est plus grosse que ne peut l’être une capsule de bogue&#xa0;: %1 octets.</translation>
+    </message>
+    <message>
+        <source>The run has ended, and nothing of it is left.</source>
+        <translation>L’exécution est terminée, et il n’en reste rien.</translation>
     </message>
 </context>
 <context>
@@ -5633,7 +5644,7 @@
     </message>
     <message>
         <source>Why do these two not collide?</source>
-        <translation>Pourquoi ces deux-là ne se heurtent-ils pas ?</translation>
+        <translation>Pourquoi ces deux-là ne se heurtent-ils pas&#xa0;?</translation>
     </message>
     <message>
         <source>Select one object, or two.</source>
@@ -5641,7 +5652,7 @@
     </message>
     <message>
         <source>“%1” is not part of the simulation.</source>
-        <translation>« %1 » ne fait pas partie de la simulation.</translation>
+        <translation>«&#xa0;%1&#xa0;» ne fait pas partie de la simulation.</translation>
     </message>
     <message>
         <source>At least one of them is no body in the simulation.</source>
@@ -6476,31 +6487,31 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>The plots are in “%1”.</source>
-        <translation>Les courbes sont dans « %1 ».</translation>
+        <translation>Les courbes sont dans «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>Pulling · move: pull further · let the button go: throw</source>
-        <translation>Traction · déplacer : tirer plus loin · relâcher le bouton : lancer</translation>
+        <translation>Traction · déplacer&#xa0;: tirer plus loin · relâcher le bouton&#xa0;: lancer</translation>
     </message>
     <message>
         <source>Playing a recorded flight · who steers takes over · %1: back to the editor</source>
-        <translation>Lecture d’un vol enregistré · piloter, c’est prendre la main · %1 : retour à l’éditeur</translation>
+        <translation>Lecture d’un vol enregistré · piloter, c’est prendre la main · %1&#xa0;: retour à l’éditeur</translation>
     </message>
     <message>
         <source>%1: follow the ship again</source>
-        <translation>%1 : suivre de nouveau le vaisseau</translation>
+        <translation>%1&#xa0;: suivre de nouveau le vaisseau</translation>
     </message>
     <message>
         <source>Playing · drag a body: pull it · wheel, right drag: move the view · %1 held: back in time · %2: back to the editor · Esc: menu</source>
-        <translation>Partie en cours · glisser un corps : le tirer · molette, glisser avec le bouton droit : déplacer la vue · %1 maintenue : remonter le temps · %2 : retour à l’éditeur · Échap : menu</translation>
+        <translation>Partie en cours · glisser un corps&#xa0;: le tirer · molette, glisser avec le bouton droit&#xa0;: déplacer la vue · %1 maintenue&#xa0;: remonter le temps · %2&#xa0;: retour à l’éditeur · Échap&#xa0;: menu</translation>
     </message>
     <message>
         <source>Simulation held · click: select · drag: move · %1: go on from here · %2: next frame · %3: back to the editor</source>
-        <translation>Simulation suspendue · clic : sélectionner · glisser : déplacer · %1 : continuer d’ici · %2 : image suivante · %3 : retour à l’éditeur</translation>
+        <translation>Simulation suspendue · clic&#xa0;: sélectionner · glisser&#xa0;: déplacer · %1&#xa0;: continuer d’ici · %2&#xa0;: image suivante · %3&#xa0;: retour à l’éditeur</translation>
     </message>
     <message>
         <source>Simulation running · click: select · drag: pull a body, move what stands still · %1: hold · %2: back to the editor</source>
-        <translation>Simulation en marche · clic : sélectionner · glisser : tirer un corps, déplacer ce qui est immobile · %1 : suspendre · %2 : retour à l’éditeur</translation>
+        <translation>Simulation en marche · clic&#xa0;: sélectionner · glisser&#xa0;: tirer un corps, déplacer ce qui est immobile · %1&#xa0;: suspendre · %2&#xa0;: retour à l’éditeur</translation>
     </message>
 </context>
 <context>
@@ -6533,11 +6544,11 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>How the body moves now, while it runs; the fields say where it starts</source>
-        <translation>Comment le corps se meut à présent, en marche ; les champs disent d’où il part</translation>
+        <translation>Comment le corps se meut à présent, en marche&#xa0;; les champs disent d’où il part</translation>
     </message>
     <message>
         <source>Now: x %1 · y %2 m · %3°</source>
-        <translation>À présent : x %1 · y %2 m · %3°</translation>
+        <translation>À présent&#xa0;: x %1 · y %2 m · %3°</translation>
     </message>
     <message>
         <source>%1 m/s (x %2 · y %3) · %4°/s</source>
@@ -6545,7 +6556,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Now: %1 m long, %2 m at rest</source>
-        <translation>À présent : %1 m de long, %2 m au repos</translation>
+        <translation>À présent&#xa0;: %1 m de long, %2 m au repos</translation>
     </message>
     <message>
         <source>pushes with %1 N</source>
@@ -6557,7 +6568,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>Now: not there any more</source>
-        <translation>À présent : n’existe plus</translation>
+        <translation>À présent&#xa0;: n’existe plus</translation>
     </message>
 </context>
 <context>
@@ -6891,7 +6902,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Drift: how far energy has come from its first value, as a share of the most that was ever in motion or in springs; and momentum, as a share of the most that all bodies had</source>
-        <translation>Dérive : de combien l’énergie s’est écartée de sa valeur initiale, en part du maximum jamais atteint en mouvement ou dans les ressorts ; et la quantité de mouvement, en part du maximum qu’ont eu tous les corps</translation>
+        <translation>Dérive&#xa0;: de combien l’énergie s’est écartée de sa valeur initiale, en part du maximum jamais atteint en mouvement ou dans les ressorts&#xa0;; et la quantité de mouvement, en part du maximum qu’ont eu tous les corps</translation>
     </message>
     <message>
         <source>Select a body or a connector, choose a quantity and add its curve. It grows while the level is played or simulated.</source>
@@ -6899,7 +6910,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Remove the curve “%1”</source>
-        <translation>Supprimer la courbe « %1 »</translation>
+        <translation>Supprimer la courbe «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Nothing runs.</source>
@@ -6918,7 +6929,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Wheel: zoom · drag: move · double-click: show everything</source>
-        <translation>Molette : zoomer · glisser : déplacer · double-clic : tout afficher</translation>
+        <translation>Molette&#xa0;: zoomer · glisser&#xa0;: déplacer · double-clic&#xa0;: tout afficher</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -7014,7 +7025,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>The last updates, newest at the right; the colours are those of the stages below</source>
-        <translation>Les derniers pas, le plus récent à droite ; les couleurs sont celles des étapes ci-dessous</translation>
+        <translation>Les derniers pas, le plus récent à droite&#xa0;; les couleurs sont celles des étapes ci-dessous</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -7160,7 +7171,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <message>
         <source>Is kept only together with:
 %1</source>
-        <translation>N’est gardé qu’avec :
+        <translation>N’est gardé qu’avec&#xa0;:
 %1</translation>
     </message>
 </context>
@@ -7192,11 +7203,14 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Leaves the level as it was before the run; Undo brings the changes back</source>
-        <translation>Laisser le niveau tel qu’avant l’exécution ; Annuler ramène les modifications</translation>
+        <translation>Laisser le niveau tel qu’avant l’exécution&#xa0;; Annuler ramène les modifications</translation>
     </message>
     <message numerus="yes">
         <source>%n changes were made in this run. The level is as before; keep what you like.</source>
-        <translation><numerusform>%n modification a été faite pendant cette exécution. Le niveau est comme avant ; gardez-la si vous voulez.</numerusform><numerusform>%n modifications ont été faites pendant cette exécution. Le niveau est comme avant ; gardez ce que vous voulez.</numerusform></translation>
+        <translation>
+            <numerusform>%n modification a été faite pendant cette exécution. Le niveau est comme avant&#xa0;; gardez-la si vous voulez.</numerusform>
+            <numerusform>%n modifications ont été faites pendant cette exécution. Le niveau est comme avant&#xa0;; gardez ce que vous voulez.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nothing waits to be kept. What is changed in a level while it runs is listed here when the run ends.</source>
@@ -7547,7 +7561,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Sandboxes: each shows one thing that the physics does, and says what to try</source>
-        <translation>Bacs à sable : chacun montre une chose que fait la physique, et dit quoi essayer</translation>
+        <translation>Bacs à sable&#xa0;: chacun montre une chose que fait la physique, et dit quoi essayer</translation>
     </message>
 </context>
 <context>

@@ -1503,6 +1503,29 @@
         <source>Write what has been flown into a file that can be dropped on a window</source>
         <translation>把已飞行的过程写入可拖放到窗口上的文件</translation>
     </message>
+    <message>
+        <source>Copy &amp;Bug Capsule</source>
+        <translation>复制错误胶囊(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Copy the level and the run up to this moment as text, for a mail or an issue; pasted into a window, it opens at the same moment</source>
+        <translation>将关卡和到此刻为止的运行复制为文本，可用于邮件或问题报告；粘贴到窗口中后会在同一时刻打开</translation>
+    </message>
+</context>
+<context>
+    <name>BugCapsule</name>
+    <message>
+        <source>Another bug capsule is still being worked on.</source>
+        <translation>另一个错误胶囊仍在处理中。</translation>
+    </message>
+    <message>
+        <source>A bug capsule of %1 is on the clipboard. Paste it into a mail or an issue, or into a window of this program.</source>
+        <translation>%1 的错误胶囊已在剪贴板中。请将其粘贴到邮件、问题报告或本程序的窗口中。</translation>
+    </message>
+    <message>
+        <source>The run comes out otherwise here than where the bug capsule was made, with %1 on %2.</source>
+        <translation>此处的运行结果与创建错误胶囊时（%2 上的 %1）不同。</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -2511,24 +2534,8 @@
         <translation>按住方向时飞船开始转动的快慢</translation>
     </message>
     <message>
-        <source>Ship&apos;s mass</source>
-        <translation>飞船的质量</translation>
-    </message>
-    <message>
         <source>Of the ship alone</source>
         <translation>仅飞船自身</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s restitution</source>
-        <translation>飞船的恢复系数</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s linear damping</source>
-        <translation>飞船的线性阻尼</translation>
-    </message>
-    <message>
-        <source>Ship&apos;s angular damping</source>
-        <translation>飞船的角阻尼</translation>
     </message>
 </context>
 <context>
@@ -5328,6 +5335,10 @@
         <source>The run is larger than a bug capsule may be: %1 bytes.</source>
         <translation>这次运行超出了错误胶囊的大小限制：%1 字节。</translation>
     </message>
+    <message>
+        <source>The run has ended, and nothing of it is left.</source>
+        <translation>运行已结束，没有留下任何内容。</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
@@ -7153,7 +7164,9 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     </message>
     <message numerus="yes">
         <source>%n changes were made in this run. The level is as before; keep what you like.</source>
-        <translation><numerusform>此次运行中进行了 %n 项更改。关卡与之前相同；请保留您想要的更改。</numerusform></translation>
+        <translation>
+            <numerusform>此次运行中进行了 %n 项更改。关卡与之前相同；请保留您想要的更改。</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nothing waits to be kept. What is changed in a level while it runs is listed here when the run ends.</source>

@@ -265,13 +265,21 @@ class CourseTest : public QObject {
         QVERIFY(comes([&] { return runner.frame()->timeline->shown == 5999; }));
         QVERIFY(comes([&] { return runner.frame()->timeline->last == 6000; }));
         QCOMPARE(runner.frame()->timeline->first, std::int64_t(0));
-        runner.seek(3000);
-        runner.setLevel(without(level, ballKey));
-        runner.stopSimulating();
-        QVERIFY(comes([&] {
-            const std::shared_ptr<const TimelineSummary> timeline = runner.frame()->timeline;
-            return timeline->shown == 3000 && timeline->goal == timeline->last && timeline->last < 6000;
-        }));
+        // On a busy machine a future may be done before it can be stopped; then another one.
+        const std::shared_ptr<const Level> both = std::make_shared<const Level>(level);
+        bool stopped = false;
+        for (int attempt = 0; attempt < 20 && !stopped; ++attempt) {
+            runner.seek(3000);
+            runner.setLevel(both);
+            runner.setLevel(without(level, ballKey));
+            runner.stopSimulating();
+            QVERIFY(comes([&] {
+                const std::shared_ptr<const TimelineSummary> timeline = runner.frame()->timeline;
+                return timeline->shown == 3000 && timeline->goal == timeline->last;
+            }));
+            stopped = runner.frame()->timeline->last < 6000;
+        }
+        QVERIFY(stopped);
         runner.resume();
         QVERIFY(comes([&] {
             const std::shared_ptr<const TimelineSummary> timeline = runner.frame()->timeline;
