@@ -2980,7 +2980,7 @@
         <translation>Dia&amp;gramme</translation>
     </message>
     <message>
-        <source>Pro&amp;file</source>
+        <source>Profil&amp;e</source>
         <translation>Pr&amp;ofil</translation>
     </message>
 </context>

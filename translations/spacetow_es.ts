@@ -2980,7 +2980,7 @@
         <translation>&amp;Gráficas</translation>
     </message>
     <message>
-        <source>Pro&amp;file</source>
+        <source>Profil&amp;e</source>
         <translation>Per&amp;fil</translation>
     </message>
 </context>

@@ -2980,7 +2980,7 @@
         <translation>Cour&amp;bes</translation>
     </message>
     <message>
-        <source>Pro&amp;file</source>
+        <source>Profil&amp;e</source>
         <translation>Pro&amp;fil</translation>
     </message>
 </context>

@@ -2980,7 +2980,7 @@
         <translation>曲线图(&amp;S)</translation>
     </message>
     <message>
-        <source>Pro&amp;file</source>
+        <source>Profil&amp;e</source>
         <translation>性能分析(&amp;F)</translation>
     </message>
 </context>

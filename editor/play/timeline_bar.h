@@ -47,7 +47,7 @@ class TimelineScale : public QWidget {
     std::optional<TimelineMark> markAt(double x) const;
 
     QSize sizeHint() const override { return {400, 30}; }
-    QSize minimumSizeHint() const override { return {80, 30}; }
+    QSize minimumSizeHint() const override { return {44, 30}; }
 
   signals:
     /// Somebody wants to see the moment after so many updates.
