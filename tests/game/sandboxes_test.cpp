@@ -289,7 +289,9 @@ class SandboxesTest : public QObject {
         const std::vector<BodyState> balls = run.all("ball");
         QCOMPARE(balls.size(), std::size_t(2000));
         const auto below = std::ranges::count_if(balls, [](const BodyState& b) { return b.massCenter.y() < 5.8; });
-        QVERIFY2(below > (isThinRun() ? 0 : isFullRun() ? 1000 : 50), qPrintable(QString::number(below)));
+        if (!isThinRun()) { // which is over before the first is through
+            QVERIFY2(below > (isFullRun() ? 1000 : 50), qPrintable(QString::number(below)));
+        }
     }
 
     void theGearsTurnTogether() {

@@ -40,7 +40,7 @@ std::set<QString> emittedCodes() {
         QRegularExpression(R"(counted<[^>]*>\(level, findings, "([a-z0-9-]+)\")"),
         QRegularExpression(R"(std::pair\([a-z]+\.count, "([a-z0-9-]+)\")"),
     };
-    const QString text = sourcesIn("core") + sourcesIn("editor/exchange");
+    const QString text = sourcesIn("core") + sourcesIn("editor/exchange") + sourcesIn("editor/window");
     std::set<QString> codes;
     for (const QRegularExpression& pattern : patterns) {
         auto found = pattern.globalMatch(text);
@@ -76,7 +76,7 @@ class MessagesTest : public QObject {
     }
 
     void everySentenceBelongsToACode() {
-        const QString text = sourcesIn("core") + sourcesIn("editor/exchange");
+        const QString text = sourcesIn("core") + sourcesIn("editor/exchange") + sourcesIn("editor/window");
         for (const MessageText& message : exchangeTexts()) {
             QVERIFY2(text.contains(QStringLiteral("\"%1\"").arg(message.code)), message.code);
         }
