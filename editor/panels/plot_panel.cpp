@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPixmap>
+#include <QResizeEvent>
 
 #include <algorithm>
 
@@ -111,6 +112,19 @@ void PlotPanel::layOut() {
                            "level is played or simulated."));
 }
 
+QSize PlotPanel::minimumSizeHint() const {
+    constexpr int least = 220;   // px
+    constexpr int highest = 280; // px, for which there is room in the smallest window
+    return {least, std::min(highest, m_column.minimumHeightForWidth(std::max(least, width())))};
+}
+
+void PlotPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width()) {
+        updateGeometry();
+    }
+}
+
 Key PlotPanel::selected() const {
     const std::vector<Key>& keys = m_document.selection().keys();
     return keys.size() == 1 ? keys.front() : 0;
@@ -180,7 +194,7 @@ void PlotPanel::showCurves() {
         button->setIcon(dotIcon(PlotView::curveColor(i, palette())));
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         const QString& name = all[static_cast<qsizetype>(i)];
-        button->setText(menuSafe(fontMetrics().elidedText(name, Qt::ElideMiddle, 160)) + QStringLiteral(" ×"));
+        button->setText(menuSafe(fontMetrics().elidedText(name, Qt::ElideMiddle, 190)) + QStringLiteral(" ×"));
         button->setAccessibleName(tr("Remove the curve “%1”").arg(name));
         button->setToolTip(plainToolTip(button->accessibleName()));
         button->setAutoRaise(true);

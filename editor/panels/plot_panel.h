@@ -43,7 +43,8 @@ class PlotPanel : public QWidget {
     std::vector<QToolButton*> curveButtons() const;
 
     QSize sizeHint() const override { return {360, 260}; }
-    QSize minimumSizeHint() const override { return {220, 160}; }
+    /// The curves keep their room, however many lines their names take.
+    QSize minimumSizeHint() const override;
 
   Q_SIGNALS:
     /// The user wants the table as a file.
@@ -52,6 +53,7 @@ class PlotPanel : public QWidget {
   protected:
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void layOut();
