@@ -47,7 +47,7 @@ Flight flown(const Level& level, const Replay& replay) {
 }
 
 void paintFlight(const Stage& stage, const Flight& flight, const OverlayFlags& overlays) {
-    paintSnapshot(stage, *flight.end, {});
+    paintSnapshot(stage, *flight.end);
     std::vector<DebugTrail> trails;
     for (const Ways* ways : {&flight.shipWays, &flight.payloadWays}) {
         for (const std::vector<Vec2>& way : *ways) {

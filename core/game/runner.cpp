@@ -197,7 +197,7 @@ void Runner::setLevel(std::shared_ptr<const Level> level) {
 }
 
 void Runner::showAgain() {
-    m_last = m_course.isShownAsIs() ? m_course.session().snapshot(m_quadtree) : m_course.shown().snapshot(m_quadtree);
+    m_last = m_course.isShownAsIs() ? m_course.session().snapshot() : m_course.shown().snapshot();
     post(m_last);
 }
 
@@ -341,7 +341,7 @@ bool Runner::update() {
     }
     keepPace();
     const std::shared_ptr<const Snapshot> before = m_last;
-    m_last = m_course.session().snapshot(m_quadtree);
+    m_last = m_course.session().snapshot();
     m_sounds.fetch_or(m_last->sounds);
     post(before);
     return true;

@@ -69,7 +69,6 @@ class Runner {
     /// is that of the runner.
     void follow(const Replay& recorded);
     void follow(std::vector<Replay::Run> recorded);
-    void wantQuadtree(bool wanted);
     /// Whether frames have a copy of the session. It costs what the copy does, once for what is due at a time.
     void wantSession(bool wanted);
     /// Whether updates are timed, and frames have the figures. It costs looks at the clock.
@@ -138,7 +137,6 @@ class Runner {
     Pacer m_pacer;
     bool m_paused = false;
     bool m_unattended = false;
-    bool m_quadtree = false;
     bool m_withSession = false;
     std::optional<StepWatch> m_watch; // while a profile is wanted
     bool m_more = false;              // updates are due at once

@@ -14,13 +14,6 @@ std::int64_t clockNanoseconds() {
 
 } // namespace
 
-void Runner::wantQuadtree(bool wanted) {
-    command([this, wanted] {
-        m_quadtree = wanted;
-        showAgain();
-    });
-}
-
 void Runner::wantSession(bool wanted) {
     command([this, wanted] {
         m_withSession = wanted;

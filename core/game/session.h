@@ -78,8 +78,8 @@ class Session {
     /// Of the last update.
     const std::optional<GrabForce>& grabForce() const { return m_grabForce; }
 
-    /// A picture of the state now, with the sounds of the last step; the cells of the quadtrees on request.
-    std::shared_ptr<const Snapshot> snapshot(bool withQuadtree = false) const;
+    /// A picture of the state now, with the sounds of the last step.
+    std::shared_ptr<const Snapshot> snapshot() const;
     /// Over everything that decides the future.
     std::uint64_t hash() const;
     /// Memory that a copy takes, about.

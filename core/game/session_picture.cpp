@@ -46,7 +46,7 @@ std::optional<ConnectorId> Session::rope() const {
     return m_rope && m_world.contains(m_rope) ? std::optional(m_rope) : std::nullopt;
 }
 
-std::shared_ptr<const Snapshot> Session::snapshot(bool withQuadtree) const {
+std::shared_ptr<const Snapshot> Session::snapshot() const {
     auto picture = std::make_shared<Snapshot>();
     picture->update = m_update;
     picture->phase = m_phase;
@@ -59,17 +59,13 @@ std::shared_ptr<const Snapshot> Session::snapshot(bool withQuadtree) const {
         for (const Actor& actor : m_actors) {
             if (actor.look->kind == kind && m_world.contains(actor.body)) {
                 const BodyState state = m_world.body(actor.body);
-                picture->bodies.push_back(
-                    {actor.look, state.pose, state.velocity, state.angularVelocity, m_world.bounds(actor.body)});
+                picture->bodies.push_back({actor.look, state.pose, state.velocity, state.angularVelocity});
             }
         }
     }
     for (const ConnectorId id : m_world.connectors()) {
         const ConnectorState state = m_world.connector(id);
         picture->connectors.push_back({state.anchorA, state.anchorB, state.length, state.tension});
-    }
-    if (withQuadtree) {
-        picture->quadtree = quadtreeCells(m_world);
     }
     return picture;
 }

@@ -4,7 +4,6 @@
 #include "core/game/controls.h"
 #include "core/geometry/shape.h"
 #include "core/level/level.h"
-#include "core/math/aabb.h"
 #include "core/math/transform.h"
 #include "core/physics/def/body.h"
 
@@ -42,7 +41,6 @@ struct BodyPicture {
     Transform pose;
     Vec2 velocity;
     double angularVelocity;
-    Aabb bounds; // of the broad phase
 };
 
 struct ConnectorPicture {
@@ -80,8 +78,7 @@ struct Snapshot {
     Controls controls;               // of the last update
     std::vector<BodyPicture> bodies; // statics, kinematics, dynamics, each in order of creation
     std::vector<ConnectorPicture> connectors;
-    std::vector<Aabb> quadtree; // leaf cells; filled only on request
-    std::uint32_t sounds = 0;   // Sound bits
+    std::uint32_t sounds = 0; // Sound bits
 };
 
 } // namespace spacetow

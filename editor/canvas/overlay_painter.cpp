@@ -1,6 +1,5 @@
 #include "editor/canvas/overlay_painter.h"
 
-#include "core/geometry/mass.h"
 #include "core/level/groups.h"
 #include "editor/canvas/painter_draw.h"
 
@@ -10,18 +9,13 @@ namespace spacetow {
 
 namespace {
 
-DebugView debugView(const Stage& stage, const OverlayFlags& overlays, const OverlayPalette& palette) {
+DebugView debugView(const Stage& stage, const OverlayRequest& request) {
+    constexpr double spare = 8; // px, for pens and marks
     DebugView view;
     view.view = stage.view.transform();
     view.shapes = false;
-    view.overlays = overlays;
-    view.colors = overlayColors(palette, stage.theme.shade);
-    return view;
-}
-
-DebugView debugView(const Stage& stage, const OverlayRequest& request) {
-    constexpr double spare = 8; // px, for pens and marks
-    DebugView view = debugView(stage, request.flags, request.palette);
+    view.overlays = request.flags;
+    view.colors = overlayColors(request.palette, stage.theme.shade);
     view.area = stage.view.visible().grown(spare * stage.view.pixel());
     view.trails = request.trails;
     if (const Level* level = request.level; level != nullptr) {
@@ -60,14 +54,6 @@ void draw(const Stage& stage, const World& world, const DebugView& view) {
     }
 }
 
-Vec2 massCenter(std::span<const Shape> shapes, const Transform& pose) {
-    std::vector<MassProperties> masses;
-    for (const Shape& shape : shapes) {
-        masses.push_back(massOf(shape, 1));
-    }
-    return pose.toWorld(sum(masses).center);
-}
-
 } // namespace
 
 void paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request) {
@@ -94,29 +80,6 @@ void paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const O
     view.shows = showsOf(worlds.touched);
     view.overlays = {.contacts = all.contacts, .tension = all.tension, .problems = false};
     draw(stage, worlds.touched, view);
-}
-
-void paintSnapshotOverlays(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays) {
-    const SavedPainter saved(stage.painter);
-    const DebugView view = debugView(stage, overlays, {});
-    PainterDraw batch(stage);
-    if (overlays.quadtree) {
-        for (const Aabb& cell : snapshot.quadtree) {
-            if (!cell.isEmpty()) {
-                batch.rectangle(view.view.toView(cell), view.colors.staticCell);
-            }
-        }
-    }
-    for (const BodyPicture& body : snapshot.bodies) {
-        const bool isFast = overlays.velocity && body.velocity.squaredNorm() > 0;
-        drawBody({.kind = body.look->kind,
-                  .shapes = body.look->shapes,
-                  .pose = body.pose,
-                  .massCenter = isFast ? massCenter(body.look->shapes, body.pose) : Vec2(0, 0),
-                  .velocity = body.velocity,
-                  .bounds = body.bounds},
-                 view, batch);
-    }
 }
 
 } // namespace spacetow

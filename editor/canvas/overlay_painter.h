@@ -1,7 +1,6 @@
 #pragma once
-// Paints the debug overlays over a level, a world or a snapshot, and what a tool shows while it is at work.
+// Paints the debug overlays over a level or a world, and what a tool shows while it is at work.
 
-#include "core/game/snapshot.h"
 #include "core/level/level.h"
 #include "core/physics/query/overlay_flags.h"
 #include "editor/canvas/label_painter.h"
@@ -27,8 +26,6 @@ struct OverlayRequest {
 void paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request);
 /// Over a level while nothing runs: what the physics makes of it at its start.
 void paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request);
-/// Called by paintSnapshot: those overlays that need no more than that.
-void paintSnapshotOverlays(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);
 
 /// Drafts, handles, rubber band, snap marks and measurements.
 void paintToolOverlay(const Stage& stage, const Overlay& overlay, LabelPainter& labels);

@@ -1,7 +1,6 @@
 #include "editor/canvas/scene_painter.h"
 
 #include "editor/canvas/body_painter.h"
-#include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/wall_painter.h"
 
 #include <cmath>
@@ -66,7 +65,7 @@ void paintStatics(const Stage& stage, const Snapshot& snapshot, const Ground& gr
     }
 }
 
-void paintMoving(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays) {
+void paintMoving(const Stage& stage, const Snapshot& snapshot) {
     const SavedPainter saved(stage.painter);
     for (const BodyPicture& body : snapshot.bodies) {
         if (body.look->kind != BodyKind::Static) {
@@ -76,14 +75,11 @@ void paintMoving(const Stage& stage, const Snapshot& snapshot, const OverlayFlag
     for (const ConnectorPicture& connector : snapshot.connectors) {
         paintConnector(stage, connector.a, connector.b, connector.length);
     }
-    if (overlays.any()) {
-        paintSnapshotOverlays(stage, snapshot, overlays);
-    }
 }
 
-void paintSnapshot(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays) {
+void paintSnapshot(const Stage& stage, const Snapshot& snapshot) {
     paintStatics(stage, snapshot, groundOf(snapshot));
-    paintMoving(stage, snapshot, overlays);
+    paintMoving(stage, snapshot);
 }
 
 } // namespace spacetow

@@ -4,7 +4,6 @@
 
 #include "core/game/snapshot.h"
 #include "core/level/level.h"
-#include "core/physics/query/overlay_flags.h"
 #include "editor/canvas/stage.h"
 #include "editor/canvas/wall_painter.h"
 #include "editor/editing/selection.h"
@@ -33,12 +32,12 @@ void paintHovered(const Stage& stage, const Level& level, Key hovered);
 /// Whether so much of that outline is in view that nobody may wait for it.
 bool isLongToHover(const Level& level, Key hovered, const Aabb& view);
 
-/// Statics, kinematics, dynamics, connectors, then the overlays that are switched on.
-void paintSnapshot(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);
+/// Statics, kinematics, dynamics, connectors.
+void paintSnapshot(const Stage& stage, const Snapshot& snapshot);
 
 /// The same in two parts, of which the first may be kept as long as nothing static changes.
 Ground groundOf(const Snapshot& snapshot);
 void paintStatics(const Stage& stage, const Snapshot& snapshot, const Ground& ground);
-void paintMoving(const Stage& stage, const Snapshot& snapshot, const OverlayFlags& overlays);
+void paintMoving(const Stage& stage, const Snapshot& snapshot);
 
 } // namespace spacetow

@@ -3,6 +3,7 @@
 #include "core/level/arrange.h"
 #include "core/level/bounds.h"
 #include "editor/canvas/icons.h"
+#include "editor/window/list_look.h"
 
 #include <QEvent>
 
@@ -55,27 +56,11 @@ QVariant DifferenceList::data(const QModelIndex& index, int role) const {
 DifferencePanel::DifferencePanel(Document& document, Canvas& canvas, QWidget* parent)
     : QWidget(parent), m_document(document), m_canvas(canvas), m_column(this), m_choose(tr("&Compare With…")),
       m_takeOver(tr("Ta&ke Over")), m_end(tr("&End")) {
-    m_column.setContentsMargins(0, 0, 0, 6);
-    m_column.setSpacing(4);
-    m_column.addWidget(&m_title);
-    m_column.addWidget(&m_view, 1);
-    m_column.addLayout(&m_buttons);
-    m_title.setWordWrap(true);
-    m_title.setTextFormat(Qt::PlainText);
-    m_title.setContentsMargins(8, 6, 8, 2);
+    layOutListPanel({m_column, m_title, m_view, m_buttons});
     m_view.setModel(&m_list);
-    m_view.setFrameShape(QFrame::NoFrame);
-    m_view.setWordWrap(true);
-    m_view.setTextElideMode(Qt::ElideNone);
-    m_view.setIconSize(QSize(16, 16));
-    m_view.setSpacing(1);
     m_view.setLayoutMode(QListView::Batched);
-    m_view.setResizeMode(QListView::Adjust);
     m_view.setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_view.setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_view.setAccessibleName(tr("Differences"));
-    m_buttons.setContentsMargins(8, 0, 8, 0);
     m_buttons.addWidget(&m_choose);
     m_buttons.addStretch(1);
     m_buttons.addWidget(&m_takeOver);

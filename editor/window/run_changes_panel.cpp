@@ -3,6 +3,7 @@
 #include "core/level/bounds.h"
 #include "editor/canvas/icons.h"
 #include "editor/panels/list_keys.h"
+#include "editor/window/list_look.h"
 #include "editor/window/messages_compare.h"
 
 #include <QEvent>
@@ -93,25 +94,9 @@ bool RunChangesView::event(QEvent* event) {
 RunChangesPanel::RunChangesPanel(RunChanges& changes, Document& document, Canvas& canvas, QWidget* parent)
     : QWidget(parent), m_changes(changes), m_document(document), m_canvas(canvas), m_column(this), m_list(changes),
       m_keepAll(tr("Keep &All")), m_keepTicked(tr("Keep &Ticked")), m_discard(tr("&Discard All")) {
-    m_column.setContentsMargins(0, 0, 0, 6);
-    m_column.setSpacing(4);
-    m_column.addWidget(&m_title);
-    m_column.addWidget(&m_view, 1);
-    m_column.addLayout(&m_buttons);
-    m_title.setWordWrap(true);
-    m_title.setTextFormat(Qt::PlainText);
-    m_title.setContentsMargins(8, 6, 8, 2);
+    layOutListPanel({m_column, m_title, m_view, m_buttons});
     m_view.setModel(&m_list);
-    m_view.setFrameShape(QFrame::NoFrame);
-    m_view.setWordWrap(true);
-    m_view.setTextElideMode(Qt::ElideNone);
-    m_view.setIconSize(QSize(16, 16));
-    m_view.setSpacing(1);
-    m_view.setResizeMode(QListView::Adjust);
-    m_view.setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_view.setAccessibleName(tr("Changes made in this run"));
-    m_buttons.setContentsMargins(8, 0, 8, 0);
     m_buttons.addWidget(&m_keepAll);
     m_buttons.addWidget(&m_keepTicked);
     m_buttons.addStretch(1);

@@ -1,6 +1,7 @@
 // Runs that are turned back, edited and gone on with; what a runner shows of them.
 
 #include "core/game/runner.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/live_level.h"
 #include "tests/support/test_main.h"
 
@@ -10,18 +11,6 @@ using namespace spacetow;
 using namespace spacetow::test;
 
 namespace {
-
-template <class Condition>
-bool comes(Condition condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > deadline) {
-            return false;
-        }
-        std::this_thread::yield();
-    }
-    return true;
-}
 
 /// After these inputs, each held for so many updates.
 Session freshRun(const Level& level, std::initializer_list<std::pair<StepInput, int>> inputs) {
@@ -257,13 +246,13 @@ class CourseTest : public QObject {
         Runner runner(level);
         runner.wantSession(true);
         runner.open(recording);
-        QVERIFY(comes([&] { return runner.frame()->timeline->last > 200; }));
+        QVERIFY(comesTrue([&] { return runner.frame()->timeline->last > 200; }));
         runner.seek(150);
-        QVERIFY(comes([&] { return runner.frame()->timeline->shown == 150; }));
+        QVERIFY(comesTrue([&] { return runner.frame()->timeline->shown == 150; }));
         QCOMPARE(runner.frame()->session->hash(), freshRun(level, {{keys(idle), 150}}).hash());
         runner.seek(5999);
-        QVERIFY(comes([&] { return runner.frame()->timeline->shown == 5999; }));
-        QVERIFY(comes([&] { return runner.frame()->timeline->last == 6000; }));
+        QVERIFY(comesTrue([&] { return runner.frame()->timeline->shown == 5999; }));
+        QVERIFY(comesTrue([&] { return runner.frame()->timeline->last == 6000; }));
         QCOMPARE(runner.frame()->timeline->first, std::int64_t(0));
         Level slow = level; // so that its future is not done before it can be stopped
         slow.iterations = 1000;
@@ -271,12 +260,12 @@ class CourseTest : public QObject {
         runner.seek(3000);
         runner.setLevel(std::make_shared<const Level>(slow));
         runner.stopSimulating();
-        QVERIFY(comes([&] {
+        QVERIFY(comesTrue([&] {
             const std::shared_ptr<const TimelineSummary> timeline = runner.frame()->timeline;
             return timeline->shown == 3000 && timeline->goal == timeline->last && timeline->last < 6000;
         }));
         runner.resume();
-        QVERIFY(comes([&] {
+        QVERIFY(comesTrue([&] {
             const std::shared_ptr<const TimelineSummary> timeline = runner.frame()->timeline;
             return timeline->shown > 3002 && timeline->shown == timeline->last;
         }));

@@ -1,6 +1,7 @@
 // A runner whose level is edited, and whose bodies are held, while it runs.
 
 #include "core/game/runner.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/live_level.h"
 #include "tests/support/test_main.h"
 
@@ -8,22 +9,6 @@
 
 using namespace spacetow;
 using namespace spacetow::test;
-
-namespace {
-
-template <class Condition>
-bool happens(Condition condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > deadline) {
-            return false;
-        }
-        std::this_thread::yield();
-    }
-    return true;
-}
-
-} // namespace
 
 class LiveRunnerTest : public QObject {
     Q_OBJECT
@@ -117,14 +102,14 @@ class LiveRunnerTest : public QObject {
         runner.wantSession(true);
         runner.setSpeed(8);
         runner.setGrab(Grab{boxKey, Vec2(0, 0), Vec2(0, 6)});
-        QVERIFY(happens([&] {
+        QVERIFY(comesTrue([&] {
             const std::shared_ptr<const Session> session = runner.frame()->session;
             return session && stateOf(*session, boxKey).pose.position.y() > 5;
         }));
         runner.setLevel(without(yard(), ballKey));
-        QVERIFY(happens([&] { return !runner.frame()->session->bodyOf(ballKey); }));
+        QVERIFY(comesTrue([&] { return !runner.frame()->session->bodyOf(ballKey); }));
         runner.pause();
-        QVERIFY(happens([&] { return runner.frame()->paused; }));
+        QVERIFY(comesTrue([&] { return runner.frame()->paused; }));
         QCOMPARE(runner.frame()->session->updates(), runner.frame()->now->update);
     }
 };

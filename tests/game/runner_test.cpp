@@ -1,4 +1,5 @@
 #include "core/game/runner.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/full_run.h"
 #include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
@@ -16,19 +17,6 @@ using namespace spacetow;
 using namespace spacetow::test;
 
 namespace {
-
-/// Lets the runner work until the condition holds; false after ten seconds.
-template <class Condition>
-bool comesTrue(Condition condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > deadline) {
-            return false;
-        }
-        std::this_thread::yield();
-    }
-    return true;
-}
 
 Level ballsAtOnePoint(int count) {
     Level level;
@@ -236,7 +224,7 @@ class RunnerTest : public QObject {
                     runner.hold(controlsFromBits(static_cast<std::uint8_t>((i + t) % 16)));
                     if (i % 50 == 0) {
                         t == 0 ? runner.pause() : runner.resume();
-                        runner.wantQuadtree(i % 100 == 0);
+                        runner.wantSession(i % 100 == 0);
                     }
                     runner.takeSounds();
                     std::this_thread::yield();

@@ -2,6 +2,7 @@
 
 #include "core/level/edits.h"
 #include "core/level/file.h"
+#include "tests/support/pixels.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
@@ -55,22 +56,6 @@ struct ComparedWindow : TestWindow {
         QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualRect(index).center());
     }
 };
-
-/// Pixels of a colour near enough to it.
-int pixelsOf(const QImage& image, const QColor& color) {
-    int count = 0;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            const QColor at = image.pixelColor(x, y);
-            count += std::abs(at.red() - color.red()) + std::abs(at.green() - color.green()) +
-                                 std::abs(at.blue() - color.blue()) <
-                             24
-                         ? 1
-                         : 0;
-        }
-    }
-    return count;
-}
 
 } // namespace
 
@@ -139,7 +124,7 @@ class DifferencePanelTest : public QObject {
         QVERIFY(!shown.panel().isComparing());
         const QImage without = grabbed();
         for (const QColor& color : {marks.good, marks.error, marks.warning}) {
-            QVERIFY2(pixelsOf(with, color) > pixelsOf(without, color) + 60, qPrintable(color.name()));
+            QVERIFY2(pixelsLike(with, color, 24) > pixelsLike(without, color, 24) + 60, qPrintable(color.name()));
         }
         QVERIFY(shown.texts().isEmpty());
     }

@@ -2,6 +2,7 @@
 
 #include "editor/panels/plot_names.h"
 #include "editor/panels/profile_panel.h"
+#include "tests/support/pixels.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
@@ -52,22 +53,6 @@ struct PlotFixture {
     Session session;
 };
 
-/// How many pixels have about this colour.
-int pixelsLike(const QImage& image, const QColor& color) {
-    int count = 0;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            const QColor at = image.pixelColor(x, y);
-            count += std::abs(at.red() - color.red()) + std::abs(at.green() - color.green()) +
-                                 std::abs(at.blue() - color.blue()) <
-                             40
-                         ? 1
-                         : 0;
-        }
-    }
-    return count;
-}
-
 } // namespace
 
 class PlotPanelTest : public QObject {
@@ -103,7 +88,7 @@ class PlotPanelTest : public QObject {
         const QImage image = test.panel.view().grab().toImage();
         for (std::size_t i = 0; i < 3; ++i) {
             const QColor color = PlotView::curveColor(i, test.panel.view().palette());
-            QVERIFY2(pixelsLike(image, color) > 60, qPrintable(color.name()));
+            QVERIFY2(pixelsLike(image, color, 40) > 60, qPrintable(color.name()));
         }
     }
 
@@ -153,7 +138,7 @@ class PlotPanelTest : public QObject {
         const QPointF last = test.panel.view().pointAt(0, 39);
         QVERIFY(last.x() > first.x() && last.y() > first.y()); // to the right, and down
         QVERIFY(test.panel.view().rowAt(last) == std::size_t(39));
-        QVERIFY(pixelsLike(test.panel.view().grab().toImage(), PlotView::curveColor(0, test.panel.palette())) > 60);
+        QVERIFY(pixelsLike(test.panel.view().grab().toImage(), PlotView::curveColor(0, test.panel.palette()), 40) > 60);
     }
 
     void theTableIsExportedWithItsUnits() {
@@ -210,7 +195,7 @@ class PlotPanelTest : public QObject {
         QCOMPARE(panel.rows().topLevelItem(stepStageCount + 3)->text(1), QString("2")); // dynamic bodies
         QVERIFY(std::abs(panel.chart().top() - 0.005) < 1e-9);
         const QImage image = panel.chart().grab().toImage();
-        QVERIFY(pixelsLike(image, ProfileChart::stageColor(StepStage::Solver, panel.palette())) > 50);
+        QVERIFY(pixelsLike(image, ProfileChart::stageColor(StepStage::Solver, panel.palette()), 40) > 50);
     }
 };
 
