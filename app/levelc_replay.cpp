@@ -17,7 +17,29 @@ bool dumpEnd(const QString& file, const Level& level, const Replay& replay) {
     return writeDump(file, level, session.world(), session.updates());
 }
 
-/// One line a flight. Whether it is won.
+const char* nameOf(FlightEnd end) {
+    return end == FlightEnd::Won ? "won" : end == FlightEnd::Lost ? "lost" : "running";
+}
+
+QString nameOf(FlightNews news) {
+    switch (news) {
+    case FlightNews::New:
+        return QStringLiteral("new");
+    case FlightNews::Same:
+        return QStringLiteral("same");
+    case FlightNews::Elsewhere:
+        return QStringLiteral("elsewhere");
+    case FlightNews::Better:
+        return QStringLiteral("better");
+    case FlightNews::Worse:
+        return QStringLiteral("worse");
+    case FlightNews::Other:
+        break;
+    }
+    return QStringLiteral("other");
+}
+
+/// One line a flight. Whether it ends as it did; of one of which that is not known, whether it is won.
 bool printFlight(const Level& level, const StoredFlight& flight) {
     const QString name = harmless(QString::fromStdString(flight.path.string()));
     if (!flight.replay) {
@@ -25,14 +47,19 @@ bool printFlight(const Level& level, const StoredFlight& flight) {
         return false;
     }
     const FlightResult result = flightResult(level, *flight.replay);
-    const char* end = result.end == FlightEnd::Won ? "won" : result.end == FlightEnd::Lost ? "lost" : "running";
-    printLine(QStringLiteral("%1: outcome=%2 time=%3 fuel=%4 update=%5 place=(%6, %7)")
-                  .arg(name, QLatin1String(end), QString::fromStdString(spelledNumber(result.time)),
-                       QString::fromStdString(spelledNumber(result.fuel)))
-                  .arg(result.update)
-                  .arg(QString::fromStdString(spelledNumber(result.place.x())),
-                       QString::fromStdString(spelledNumber(result.place.y()))));
-    return result.end == FlightEnd::Won;
+    const std::optional<FlightResult>& before = flight.replay->ended;
+    const auto number = [](double value) { return QString::fromStdString(spelledNumber(value)); };
+    QString line = QStringLiteral("%1: outcome=%2 before=%3 news=%4 time=%5 fuel=%6 update=%7 seconds=%8")
+                       .arg(name, QLatin1String(nameOf(result.end)),
+                            before ? QLatin1String(nameOf(before->end)) : QLatin1String("unknown"),
+                            nameOf(newsOf(before, result)), number(result.time), number(result.fuel))
+                       .arg(result.update)
+                       .arg(number(result.seconds));
+    if (result.place) {
+        line += QStringLiteral(" place=(%1, %2)").arg(number(result.place->x()), number(result.place->y()));
+    }
+    printLine(line);
+    return result.end == (before ? before->end : FlightEnd::Won);
 }
 
 } // namespace
@@ -84,8 +111,9 @@ int flightsCommand(const QStringList& arguments) {
     CommandLine line(
         QStringLiteral("flights"),
         QStringLiteral("Flies all flights that are stored beside levels: of cave.json cave.replay.json and "
-                       "cave.NAME.replay.json. Exit status: 0 when all are won, 1 when not, 2 when a level "
-                       "cannot be read."));
+                       "cave.NAME.replay.json, and tells how each ended when it was recorded. Exit status: 0 when all "
+                       "end as they did (those of which that is not known: when they are won), 1 when not, 2 when a "
+                       "level cannot be read."));
     line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level files."), QStringLiteral("FILE…"));
     if (!line.read(arguments, 1, -1)) {
         return exit_status::unusable;

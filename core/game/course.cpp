@@ -143,12 +143,20 @@ void Course::setLevel(std::shared_ptr<const Level> level) {
     }
 }
 
-void Course::open(const Replay& recorded) {
+void Course::open(const Replay& recorded, const std::shared_ptr<const Level>& then) {
     restart();
     InputRuns inputs = inputsOf(recorded, m_start.level());
     const double seconds = static_cast<double>(inputs.updates()) * m_session.updateSeconds();
     m_timeline.setSeconds(std::max(secondsBack, seconds));
     m_record = inputs;
+    if (then) {
+        m_levelGiven = true;
+        m_level = then;
+        for (const InputRun& run : inputs.runs()) {
+            m_level = run.input.level && *run.input.level == *then ? run.input.level : m_level; // taken over already
+        }
+        m_level = *m_start.sharedLevel() == *then ? m_start.sharedLevel() : m_level;
+    }
     if (inputs.updates() > 0) {
         m_future.emplace(m_session, std::move(inputs));
     }
@@ -174,10 +182,13 @@ void Course::stopSimulating() {
     m_record.cutAt(m_timeline.last());
 }
 
-Replay Course::recording() const {
+Replay Course::recording() {
     Replay replay;
     replay.seed = m_seed;
     setInputs(replay, m_record, m_start.level());
+    if (!m_future && m_record.updates() == m_timeline.last()) {
+        replay.ended = isAtEnd() ? m_session.flight() : m_timeline.at(m_timeline.last())->flight();
+    }
     return replay;
 }
 

@@ -58,8 +58,9 @@ class Course {
     void stepIteration(const StepInput& input);
     /// As it has been edited. At the end of the run the next update takes it over.
     void setLevel(std::shared_ptr<const Level> level);
-    /// A recorded run, from the beginning; it is to be simulated.
-    void open(const Replay& recorded);
+    /// A recorded run, from the beginning; it is to be simulated. `then` is how its level has been edited at its end:
+    /// what goes on from there, or begins anew, has that; null: it was played, not edited.
+    void open(const Replay& recorded, const std::shared_ptr<const Level>& then = nullptr);
 
     bool isSimulating() const { return m_future.has_value(); }
     /// So many updates of the future.
@@ -72,8 +73,8 @@ class Course {
     /// A part of what going back will need; true when nothing is left.
     bool prepareBack(int updates) { return m_timeline.prepareBackFrom(m_session.updates(), updates); }
 
-    /// All of the run, its future included.
-    Replay recording() const;
+    /// All of the run, its future included; with its end, where that has been simulated.
+    Replay recording();
     std::shared_ptr<const Level> startLevel() const { return m_start.sharedLevel(); }
     const Timeline& timeline() const { return m_timeline; }
     std::shared_ptr<const TimelineSummary> summary(bool withPaths);

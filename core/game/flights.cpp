@@ -4,7 +4,6 @@
 #include "core/game/session.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace spacetow {
 
@@ -16,50 +15,10 @@ bool isOfLevel(const std::string& name, const std::string& stem) {
     return name.ends_with(ending) && name.starts_with(stem + '.') && name.size() >= stem.size() + ending.size();
 }
 
-bool isLost(Phase phase) {
-    return phase == Phase::Crashed || phase == Phase::GameOver;
+bool isSamePlace(const std::optional<Vec2>& a, const std::optional<Vec2>& b) {
+    constexpr double near = 1e-3; // m; less is nothing to speak of
+    return a.has_value() == b.has_value() && (!a || (*a - *b).norm() <= near);
 }
-
-/// Watches a session for the moment that its result is about.
-class Flight {
-  public:
-    Flight(const Level& level, std::uint64_t seed) : m_session(level, seed) { note(); }
-
-    void step(const StepInput& input) {
-        m_session.step(input);
-        if (m_session.phase() == Phase::Won || !m_lost) {
-            note();
-        }
-        m_lost = m_lost || isLost(m_session.phase());
-        m_won = m_won || m_session.phase() == Phase::Won;
-    }
-
-    FlightResult result() const {
-        FlightResult result = m_last;
-        const bool won = m_session.phase() == Phase::Won;
-        result.end = won ? FlightEnd::Won : m_lost ? FlightEnd::Lost : FlightEnd::Astray;
-        result.time = m_session.time();
-        result.fuel = m_session.fuel();
-        return result;
-    }
-
-  private:
-    /// Until it is won, or lost for the first time.
-    void note() {
-        if (m_won) {
-            return;
-        }
-        if (const std::optional<BodyState> ship = m_session.ship()) {
-            m_last.place = ship->massCenter;
-        }
-        m_last.update = m_session.updates();
-    }
-
-    Session m_session;
-    FlightResult m_last;
-    bool m_lost = false;
-    bool m_won = false;
-};
 
 } // namespace
 
@@ -80,14 +39,27 @@ std::vector<StoredFlight> flightsBeside(const std::filesystem::path& level) {
 }
 
 FlightResult flightResult(const Level& level, const Replay& replay, const std::stop_token& stop) {
-    Flight flight(level, replay.seed);
+    Session session(level, replay.seed);
     for (InputReader inputs(inputsOf(replay, level)); !inputs.isAtEnd();) {
         if (stop.stop_requested()) {
             return {.end = FlightEnd::Stopped};
         }
-        flight.step(inputs.next());
+        session.step(inputs.next());
     }
-    return flight.result();
+    return session.flight();
+}
+
+FlightNews newsOf(const std::optional<FlightResult>& before, const FlightResult& now) {
+    if (!before) {
+        return FlightNews::New;
+    }
+    if (before->end == now.end) {
+        const bool same = before->update == now.update && isSamePlace(before->place, now.place);
+        return same ? FlightNews::Same : FlightNews::Elsewhere;
+    }
+    return now.end == FlightEnd::Won       ? FlightNews::Better
+           : before->end == FlightEnd::Won ? FlightNews::Worse
+                                           : FlightNews::Other;
 }
 
 } // namespace spacetow

@@ -5,6 +5,8 @@
 #include "core/game/replay.h"
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -21,26 +23,19 @@ struct StoredFlight {
 /// Sorted by their names. Reads the files.
 std::vector<StoredFlight> flightsBeside(const std::filesystem::path& level);
 
-enum class FlightEnd : std::uint8_t {
-    Won,
-    Lost,    // and not won in a later attempt
-    Astray,  // still under way when the recording ends
-    Unread,  // the file cannot be read
-    Stopped, // by the stop token
-};
-
-struct FlightResult {
-    FlightEnd end = FlightEnd::Unread;
-    double time = 0; // s, of the last attempt
-    double fuel = 0; // s of thrust
-    /// Where the ship was when it won, was lost first, or the recording ended, and in which update.
-    Vec2 place{0, 0};
-    std::int64_t update = 0;
-
-    bool operator==(const FlightResult&) const = default;
-};
-
 /// Flies the whole recording, as `replayed` does.
 FlightResult flightResult(const Level& level, const Replay& replay, const std::stop_token& stop = {});
+
+enum class FlightNews : std::uint8_t {
+    New,       // nobody knows how it ended before
+    Same,      // as before, in the same update and place
+    Elsewhere, // in the same way, but not there or not then
+    Better,    // it is won now
+    Worse,     // it was won before
+    Other,     // neither, but in another way
+};
+
+/// Between flights that have been flown to an end.
+FlightNews newsOf(const std::optional<FlightResult>& before, const FlightResult& now);
 
 } // namespace spacetow

@@ -65,6 +65,7 @@ void setInputs(Replay& replay, const InputRuns& inputs, const Level& level) {
     replay.runs.clear();
     replay.holds.clear();
     replay.edits.clear();
+    replay.ended.reset();
     std::optional<Grab> grab;
     const Level* now = &level;
     std::int64_t update = 0;
@@ -104,8 +105,18 @@ Replay basedOn(Replay replay, const Level& was, const Level& now) {
             begun.append(input, run.count);
         }
     }
+    const std::optional<FlightResult> ended = replay.ended;
     setInputs(replay, begun, now);
+    replay.ended = ended;
     return replay;
+}
+
+Level levelAfter(const Replay& replay, const Level& level) {
+    Level now = level;
+    for (const Replay::Edit& edit : replay.edits) {
+        now = withDelta(now, edit.delta);
+    }
+    return now;
 }
 
 Outcome replayed(const Level& level, const Replay& replay) {

@@ -7,10 +7,14 @@
 // been edited since. What was done to the level by hand meanwhile makes it a file of version 2, which has
 //    "holds": [[update, key, anchor x, anchor y, target x, target y], [update], …]
 //    "edits": [[update, level, [keys removed], [keys in their order]], …]
-// beside: what the mouse held, or that it let go, and the level file of what was changed; see LevelDelta.
+// beside: what the mouse held, or that it let go, and the level file of what was changed; see LevelDelta. How the
+// flight ended in the level that it was flown in makes it a file of version 3, which has
+//    "end": {"outcome": "won", "time": 31.2, "fuel": 9.8, "update": 1571, "seconds": 31.42, "place": [11, 8.9]}
+// beside: the outcome is won, lost or running; see FlightResult. `place` is missing where there is no ship.
 
 #include "core/base/whole_file.h"
 #include "core/game/controls.h"
+#include "core/game/flight_end.h"
 #include "core/game/input_runs.h"
 #include "core/game/snapshot.h"
 #include "core/level/level_delta.h"
@@ -24,7 +28,7 @@
 
 namespace spacetow {
 
-constexpr int replayVersion = 2;
+constexpr int replayVersion = 3;
 constexpr std::size_t maxReplayBytes = 8u << 20;
 constexpr std::int64_t maxReplayUpdates = 1'000'000; // five and a half hours
 
@@ -55,8 +59,9 @@ struct Replay {
     std::optional<std::uint64_t> levelHash;
     std::uint64_t seed = 1;
     std::vector<Run> runs;
-    std::vector<Hold> holds; // in order, each later than the one before
-    std::vector<Edit> edits; // likewise
+    std::vector<Hold> holds;           // in order, each later than the one before
+    std::vector<Edit> edits;           // likewise
+    std::optional<FlightResult> ended; // Won, Lost or UnderWay, when it was recorded; none where that is not known
 
     /// One more update.
     void append(const Controls& controls);
@@ -82,10 +87,13 @@ struct Outcome {
 
 /// What comes from outside in each update of the recording, in this level.
 InputRuns inputsOf(const Replay& replay, const Level& level);
-/// Makes the recording one of these inputs in a session that begins with the level.
+/// Makes the recording one of these inputs in a session that begins with the level, which may end in another way.
 void setInputs(Replay& replay, const InputRuns& inputs, const Level& level);
 /// The same flight for those who have another level now: it begins with becoming the one that it was.
 Replay basedOn(Replay replay, const Level& was, const Level& now);
+
+/// As it has been edited when the recording ends. An edit after the last update is one that the next will take over.
+Level levelAfter(const Replay& replay, const Level& level);
 
 /// Flies the whole recording.
 Outcome replayed(const Level& level, const Replay& replay);

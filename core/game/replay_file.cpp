@@ -1,5 +1,6 @@
 // The spelling of recorded flights.
 
+#include "core/base/contract.h"
 #include "core/game/replay.h"
 #include "core/level/file.h"
 #include "core/level/key_text.h"
@@ -10,13 +11,14 @@
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <utility>
 
 namespace spacetow {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest = 4; // a replay is an object of arrays of arrays, of arrays at most
+constexpr int deepest = 4; // a replay is an object of arrays of arrays, of arrays at most; its end is an object
 
 struct BadField {
     std::string pointer;
@@ -27,17 +29,18 @@ struct WrongField {
     std::string name;
 };
 
-/// The members of a replay, each once and none else: what is not understood here would be dropped by the next save, and
-/// of two seeds nobody knows which was flown.
+/// The members of a replay, or of its end, each once and none else: what is not understood here would be dropped by the
+/// next save, and of two seeds nobody knows which was flown.
 class FieldsSeen {
   public:
+    explicit FieldsSeen(std::vector<std::string_view> known) : m_known(std::move(known)) {}
+
     void see(const std::string& name) {
-        constexpr std::array known{"replay", "level", "levelHash", "seed", "updates", "holds", "edits"};
         if (std::ranges::find(m_seen, name) != m_seen.end()) {
             throw WrongField{"replay-duplicate-field", name};
         }
         m_seen.push_back(name);
-        m_hasUnknown = m_hasUnknown || std::ranges::find(known, name) == known.end();
+        m_hasUnknown = m_hasUnknown || std::ranges::find(m_known, name) == m_known.end();
         m_unknown = m_hasUnknown && m_unknown.empty() ? name : m_unknown;
     }
     void finish() const {
@@ -47,15 +50,16 @@ class FieldsSeen {
     }
 
   private:
+    std::vector<std::string_view> m_known;
     std::vector<std::string> m_seen;
     bool m_hasUnknown = false;
     std::string m_unknown;
 };
 
-const Json& member(const Json& object, const char* name) {
+const Json& member(const Json& object, const char* name, const std::string& pointer = {}) {
     const auto found = object.find(name);
     if (found == object.end()) {
-        throw BadField{std::string("/") + name};
+        throw BadField{pointer + '/' + name};
     }
     return *found;
 }
@@ -173,6 +177,42 @@ Replay::Edit editFrom(std::int64_t update, const Json& entry, const std::string&
     return {update, {keysFrom(entry[2], pointer + "/2"), *std::move(file.level), keysFrom(entry[3], pointer + "/3")}};
 }
 
+constexpr std::array<std::pair<FlightEnd, std::string_view>, 3> outcomes{
+    {{FlightEnd::Won, "won"}, {FlightEnd::Lost, "lost"}, {FlightEnd::UnderWay, "running"}}};
+
+FlightEnd outcomeFrom(const Json& value) {
+    for (const auto& [end, name] : outcomes) {
+        if (value == name) {
+            return end;
+        }
+    }
+    throw BadField{"/end/outcome"};
+}
+
+FlightResult endFrom(const Json& json) {
+    if (!json.is_object()) {
+        throw BadField{"/end"};
+    }
+    const auto seconds = [&json](const char* name) {
+        const Json& value = member(json, name, "/end");
+        return value.is_number() && value.get<double>() >= 0 ? value.get<double>()
+                                                             : throw BadField{std::string("/end/") + name};
+    };
+    FlightResult result;
+    result.end = outcomeFrom(member(json, "outcome", "/end"));
+    result.time = seconds("time");
+    result.fuel = seconds("fuel");
+    result.update = integer(member(json, "update", "/end"), 0, maxReplayUpdates, "/end/update");
+    result.seconds = seconds("seconds");
+    if (const auto place = json.find("place"); place != json.end()) {
+        if (!place->is_array() || place->size() != 2 || !(*place)[0].is_number() || !(*place)[1].is_number()) {
+            throw BadField{"/end/place"};
+        }
+        result.place = Vec2((*place)[0].get<double>(), (*place)[1].get<double>());
+    }
+    return result;
+}
+
 bool tooLong(const std::vector<Replay::Run>& runs) {
     std::int64_t sum = 0;
     for (const Replay::Run& run : runs) {
@@ -209,6 +249,9 @@ Result<Replay> replayFrom(const Json& json) {
     if (version == 1 && (json.contains("holds") || json.contains("edits"))) {
         return Error{"replay-unknown-field", {json.contains("holds") ? "holds" : "edits"}};
     }
+    if (version < 3 && json.contains("end")) {
+        return Error{"replay-unknown-field", {"end"}};
+    }
     replay.runs = runsFrom(member(json, "updates"));
     readUpdates(json, "holds", [&replay](std::int64_t update, const Json& entry, const std::string& pointer) {
         replay.holds.push_back(holdFrom(update, entry, pointer));
@@ -216,6 +259,9 @@ Result<Replay> replayFrom(const Json& json) {
     readUpdates(json, "edits", [&replay](std::int64_t update, const Json& entry, const std::string& pointer) {
         replay.edits.push_back(editFrom(update, entry, pointer));
     });
+    if (const auto end = json.find("end"); end != json.end()) {
+        replay.ended = endFrom(*end);
+    }
     if (tooLong(replay.runs)) {
         return Error{"replay-too-long", {std::to_string(maxReplayUpdates)}};
     }
@@ -252,6 +298,23 @@ std::string editText(const Replay::Edit& edit) {
            listText(edit.delta.removed) + ',' + listText(edit.delta.order) + ']';
 }
 
+std::string endText(const FlightResult& ended) {
+    const auto* const outcome = std::ranges::find(outcomes, ended.end, &std::pair<FlightEnd, std::string_view>::first);
+    EXPECTS(outcome != outcomes.end());
+    std::string text = "{\"outcome\": \"" + std::string(outcome->second) + "\", \"time\": " + Json(ended.time).dump() +
+                       ", \"fuel\": " + Json(ended.fuel).dump() + ", \"update\": " + std::to_string(ended.update) +
+                       ", \"seconds\": " + Json(ended.seconds).dump();
+    if (ended.place && isFinite(*ended.place)) {
+        text += ", \"place\": [" + Json(ended.place->x()).dump() + ", " + Json(ended.place->y()).dump() + ']';
+    }
+    return text + '}';
+}
+
+/// The oldest that will do.
+int versionFor(const Replay& replay) {
+    return replay.ended ? 3 : replay.holds.empty() && replay.edits.empty() ? 1 : 2;
+}
+
 /// One entry a line; nothing for none.
 template <class Entry>
 std::string entriesText(const char* name, const std::vector<Entry>& entries, std::string (*spell)(const Entry&)) {
@@ -266,10 +329,13 @@ std::string entriesText(const char* name, const std::vector<Entry>& entries, std
 
 Result<Replay> parseReplay(std::string_view text) {
     try {
-        FieldsSeen fields;
-        const auto bounded = [&fields](int depth, Json::parse_event_t event, Json& value) {
+        FieldsSeen fields({"replay", "level", "levelHash", "seed", "updates", "holds", "edits", "end"});
+        FieldsSeen endFields({"outcome", "time", "fuel", "update", "seconds", "place"});
+        const auto bounded = [&fields, &endFields](int depth, Json::parse_event_t event, Json& value) {
             if (event == Json::parse_event_t::key && depth == 1) {
                 fields.see(value.get<std::string>());
+            } else if (event == Json::parse_event_t::key && depth == 2) {
+                endFields.see(value.get<std::string>());
             }
             return depth <= deepest ? true : throw TooDeep{};
         };
@@ -277,6 +343,7 @@ Result<Replay> parseReplay(std::string_view text) {
         Result<Replay> replay = replayFrom(json);
         if (replay) {
             fields.finish();
+            endFields.finish();
         }
         return replay;
     } catch (const WrongField& wrong) {
@@ -296,8 +363,7 @@ Result<Replay> parseReplay(std::string_view text) {
 
 std::string replayText(const Replay& replay) {
     const std::string name = spelledText(replay.level);
-    const int version = replay.holds.empty() && replay.edits.empty() ? 1 : replayVersion; // the oldest that will do
-    std::string text = "{\n\"replay\": " + std::to_string(version) + ",\n\"level\": " + name + ",\n";
+    std::string text = "{\n\"replay\": " + std::to_string(versionFor(replay)) + ",\n\"level\": " + name + ",\n";
     if (replay.levelHash) {
         text += "\"levelHash\": \"" + hex(*replay.levelHash) + "\",\n";
     }
@@ -316,7 +382,7 @@ std::string replayText(const Replay& replay) {
     }
     text += replay.runs.empty() ? "]" : "\n]";
     text += entriesText("holds", replay.holds, holdText) + entriesText("edits", replay.edits, editText);
-    return text + "\n}\n";
+    return text + (replay.ended ? ",\n\"end\": " + endText(*replay.ended) : std::string()) + "\n}\n";
 }
 
 Result<Replay> readReplay(const std::filesystem::path& path, Sources sources) {

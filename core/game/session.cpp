@@ -156,6 +156,7 @@ void Session::stepWith(const StepInput& input, const StepManner& manner) {
     }
     ageDebris();
     moveCamera();
+    noteFlight();
 }
 
 void Session::obey(const Controls& fresh) {
@@ -354,6 +355,26 @@ void Session::moveCamera() {
     }
     const bool payloadMoved = m_payloadState != PayloadState::Absent && m_payloadState != PayloadState::Waiting;
     m_camera.follow(m_ship || !payloadMoved ? m_shipSeen : m_payloadSeen, updateSeconds());
+}
+
+/// Until it is won, or lost for the first time.
+void Session::noteFlight() {
+    const bool lost = m_phase == Phase::Crashed || m_phase == Phase::GameOver;
+    const bool won = m_phase == Phase::Won;
+    if (m_note.won || (m_note.lost && !won)) {
+        return;
+    }
+    m_note.won = won;
+    m_note.lost = m_note.lost || lost;
+    m_note.update = m_update;
+    if (m_phase != Phase::Sandbox) {
+        m_note.place = lost && m_ship ? m_payloadSeen : m_shipSeen;
+    }
+}
+
+FlightResult Session::flight() const {
+    const FlightEnd end = m_phase == Phase::Won ? FlightEnd::Won : m_note.lost ? FlightEnd::Lost : FlightEnd::UnderWay;
+    return {end, time(), fuel(), m_note.place, m_note.update, static_cast<double>(m_note.update) * updateSeconds()};
 }
 
 } // namespace spacetow

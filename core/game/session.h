@@ -10,6 +10,7 @@
 #include "core/game/camera.h"
 #include "core/game/controls.h"
 #include "core/game/debris.h"
+#include "core/game/flight_end.h"
 #include "core/game/payload.h"
 #include "core/game/snapshot.h"
 #include "core/game/start_bodies.h"
@@ -48,6 +49,8 @@ class Session {
     void adopt(const std::shared_ptr<const Level>& level);
 
     Phase phase() const { return m_phase; }
+    /// How it would have ended if this were its end.
+    FlightResult flight() const;
     Hud hud() const;
     /// s since the first press of this attempt; stands still when it is over.
     double time() const { return static_cast<double>(m_flown) * updateSeconds(); }
@@ -129,6 +132,7 @@ class Session {
     void addDebris(FlyingDebris& debris);
     void ageDebris();
     void moveCamera();
+    void noteFlight();
 
     BodyId addActor(const BodyDef& def, BodyRole role, Key key);
     BodyId addActor(const std::optional<StartBody>& start, BodyRole role);
@@ -161,6 +165,12 @@ class Session {
     std::int64_t m_thrusted = 0; // updates of this attempt
     double m_flippedFor = -1;    // s
     std::int64_t m_update = 0;
+    struct FlightNote {
+        bool won = false, lost = false; // ever
+        std::optional<Vec2> place{};
+        std::int64_t update = 0;
+    };
+    FlightNote m_note;
     std::uint32_t m_sounds = 0;
     bool m_explains = false;
     TagTouches m_touches;

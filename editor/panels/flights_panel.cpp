@@ -14,17 +14,75 @@ struct FlightWords {
     Q_DECLARE_TR_FUNCTIONS(FlightsPanel)
 };
 
-QString wordsOf(const FlightResult& result) {
-    const QString where =
-        QStringLiteral("(%1, %2)").arg(shortNumberText(result.place.x()), shortNumberText(result.place.y()));
-    switch (result.end) {
+QString placeOf(const FlightResult& result) {
+    return result.place
+               ? QStringLiteral("(%1, %2)").arg(shortNumberText(result.place->x()), shortNumberText(result.place->y()))
+               : QString();
+}
+
+QString wonWords(const FlightResult& now, const std::optional<FlightResult>& before) {
+    const QString time = shortNumberText(now.time);
+    switch (newsOf(before, now)) {
+    case FlightNews::Same:
+        return FlightWords::tr("still wins, after %1 s").arg(time);
+    case FlightNews::Elsewhere:
+        return FlightWords::tr("still wins, now after %1 s; before after %2 s")
+            .arg(time, shortNumberText(before->time));
+    case FlightNews::Better:
+        return before->end == FlightEnd::Lost ? FlightWords::tr("crashed before, wins now after %1 s").arg(time)
+                                              : FlightWords::tr("was not won before, wins now after %1 s").arg(time);
+    default:
+        return FlightWords::tr("wins after %1 s, with %2 s of thrust").arg(time, shortNumberText(now.fuel));
+    }
+}
+
+QString lostWords(const FlightResult& now, const std::optional<FlightResult>& before) {
+    const QString place = placeOf(now);
+    const QString seconds = shortNumberText(now.seconds);
+    switch (newsOf(before, now)) {
+    case FlightNews::Same:
+        return FlightWords::tr("still crashes at %1, after %2 s").arg(place, seconds);
+    case FlightNews::Elsewhere:
+        return FlightWords::tr("still crashes, now at %1, after %2 s; before after %3 s")
+            .arg(place, seconds, shortNumberText(before->seconds));
+    case FlightNews::Worse:
+        return FlightWords::tr("won before, crashes now at %1, after %2 s").arg(place, seconds);
+    case FlightNews::Other:
+        return FlightWords::tr("crashes now, at %1, after %2 s").arg(place, seconds);
+    default:
+        return FlightWords::tr("crashes at %1, after %2 s").arg(place, seconds);
+    }
+}
+
+QString underWayWords(const FlightResult& now, const std::optional<FlightResult>& before) {
+    const QString place = placeOf(now);
+    const FlightNews news = newsOf(before, now);
+    if (!now.place) {
+        return news == FlightNews::Worse ? FlightWords::tr("won before, now there is no ship")
+                                         : FlightWords::tr("runs to its end");
+    }
+    switch (news) {
+    case FlightNews::Same:
+        return FlightWords::tr("is still under way at its end, at %1").arg(place);
+    case FlightNews::Elsewhere:
+        return FlightWords::tr("is still under way at its end, now at %1").arg(place);
+    case FlightNews::Worse:
+        return FlightWords::tr("won before, now is under way at its end, at %1").arg(place);
+    case FlightNews::Other:
+        return FlightWords::tr("crashed before, now is under way at its end, at %1").arg(place);
+    default:
+        return FlightWords::tr("is under way at its end, at %1").arg(place);
+    }
+}
+
+QString wordsOf(const FlightResult& now, const std::optional<FlightResult>& before) {
+    switch (now.end) {
     case FlightEnd::Won:
-        return FlightWords::tr("wins after %1 s, with %2 s of thrust")
-            .arg(shortNumberText(result.time), shortNumberText(result.fuel));
+        return wonWords(now, before);
     case FlightEnd::Lost:
-        return FlightWords::tr("is lost at %1").arg(where);
-    case FlightEnd::Astray:
-        return FlightWords::tr("goes astray and ends at %1").arg(where);
+        return lostWords(now, before);
+    case FlightEnd::UnderWay:
+        return underWayWords(now, before);
     case FlightEnd::Unread:
         return FlightWords::tr("cannot be read");
     case FlightEnd::Stopped:
@@ -33,19 +91,18 @@ QString wordsOf(const FlightResult& result) {
     return FlightWords::tr("is being flown…");
 }
 
-QString iconOf(FlightEnd end) {
-    switch (end) {
-    case FlightEnd::Won:
-        return QStringLiteral("ok");
-    case FlightEnd::Lost:
-    case FlightEnd::Unread:
-        return QStringLiteral("error");
-    case FlightEnd::Astray:
-        return QStringLiteral("warning");
-    case FlightEnd::Stopped:
-        break;
+/// What ends as it did is good, however that is.
+QString iconOf(const FlightResult& now, const std::optional<FlightResult>& before) {
+    if (now.end == FlightEnd::Stopped) {
+        return QStringLiteral("restart");
     }
-    return QStringLiteral("restart");
+    const FlightNews news = newsOf(before, now);
+    const bool isBad = news == FlightNews::Worse || (news == FlightNews::New && now.end == FlightEnd::Lost);
+    if (now.end == FlightEnd::Unread || isBad) {
+        return QStringLiteral("error");
+    }
+    const bool isGood = now.end == FlightEnd::Won || news == FlightNews::Same;
+    return isGood ? QStringLiteral("ok") : QStringLiteral("warning");
 }
 
 QString nameOf(const StoredFlight& flight) {
@@ -70,16 +127,15 @@ FlightsPanel::FlightsPanel(Document& document, QWidget* parent)
         }
     });
     connect(&m_list, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (row >= 0 && m_results[static_cast<std::size_t>(row)].end != FlightEnd::Unread &&
-            m_results[static_cast<std::size_t>(row)].end != FlightEnd::Stopped) {
-            const Vec2& place = m_results[static_cast<std::size_t>(row)].place;
-            Q_EMIT placeWanted(place.x(), place.y());
+        const FlightResult result = row >= 0 ? m_results[static_cast<std::size_t>(row)] : FlightResult();
+        if (result.place) {
+            Q_EMIT placeWanted(result.place->x(), result.place->y());
         }
     });
     connect(&m_list, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
-        const auto& flight = (*m_flights)[static_cast<std::size_t>(m_list.row(item))];
-        if (flight.replay) {
-            Q_EMIT playWanted(*flight.replay);
+        const auto row = static_cast<std::size_t>(m_list.row(item));
+        if (const auto& replay = (*m_flights)[row].replay) {
+            Q_EMIT flightWanted(*replay, m_results[row].update);
         }
     });
     fill();
@@ -148,9 +204,11 @@ void FlightsPanel::fill() {
     const QSignalBlocker quiet(m_list);
     m_list.clear();
     for (std::size_t i = 0; i < m_flights->size(); ++i) {
+        const std::shared_ptr<const Replay>& replay = (*m_flights)[i].replay;
+        const std::optional<FlightResult> before = replay ? replay->ended : std::nullopt;
         auto* const item = new QListWidgetItem( // owned by the list
-            icon(iconOf(m_results[i].end), palette()),
-            QStringLiteral("%1: %2").arg(nameOf((*m_flights)[i]), wordsOf(m_results[i])), &m_list);
+            icon(iconOf(m_results[i], before), palette()),
+            QStringLiteral("%1: %2").arg(nameOf((*m_flights)[i]), wordsOf(m_results[i], before)), &m_list);
         item->setToolTip(item->text());
     }
     m_list.setCurrentRow(row);

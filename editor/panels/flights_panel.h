@@ -1,6 +1,6 @@
 #pragma once
-// What becomes of the flights that are stored beside the level: which still win, and where the others end. They are
-// flown again after every edit, by a thread beside the window, which the next edit stops.
+// What becomes of the flights that are stored beside the level: which still win, and which end otherwise than when
+// they were recorded. They are flown again after every edit, by a thread beside the window, which the next edit stops.
 
 #include "core/game/flights.h"
 #include "editor/canvas/background_task.h"
@@ -39,7 +39,8 @@ class FlightsPanel : public QWidget {
   signals:
     /// A flight ends here in the level as it is.
     void placeWanted(double x, double y); // m
-    void playWanted(const spacetow::Replay& replay);
+    /// The flight, at the moment that its result is about.
+    void flightWanted(const spacetow::Replay& replay, qint64 update);
 
   protected:
     void showEvent(QShowEvent* event) override;

@@ -50,7 +50,10 @@ void MainWindow::listen() {
 
 void MainWindow::listenToPanels() {
     m_flights.setFile(m_files.path());
-    connect(&m_flights, &FlightsPanel::playWanted, this, &MainWindow::playReplay);
+    connect(&m_flights, &FlightsPanel::flightWanted, this, [this](const Replay& replay, qint64 update) {
+        playReplay(replay);
+        m_run.seek(update);
+    });
     connect(&m_flights, &FlightsPanel::placeWanted, this, [this](double x, double y) {
         const Vec2 place(x, y);
         m_canvas.showPlace({&place, 1});

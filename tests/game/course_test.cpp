@@ -1,7 +1,9 @@
 // Runs that are turned back, edited and gone on with; what a runner shows of them.
 
+#include "core/game/flights.h"
 #include "core/game/runner.h"
 #include "tests/support/comes_true.h"
+#include "tests/support/game_levels.h"
 #include "tests/support/live_level.h"
 #include "tests/support/test_main.h"
 
@@ -44,6 +46,23 @@ class CourseTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void aRecordingKnowsHowItEndsWhereverSomebodyLooks() {
+        Course course(std::make_shared<const Level>(spaceWithCeiling()), 1);
+        for (int i = 0; i < 150; ++i) {
+            course.goOn(keys(i < 90 ? thrust : idle));
+        }
+        const Replay recorded = course.recording();
+        QVERIFY(recorded.ended == flightResult(spaceWithCeiling(), recorded));
+        QCOMPARE(recorded.ended->end, FlightEnd::Lost);
+        course.seek(20);
+        QVERIFY(course.recording().ended == recorded.ended);
+        course.goOn(keys(idle)); // another future
+        QCOMPARE(course.recording().ended->end, FlightEnd::UnderWay);
+        course.open(recorded);
+        QVERIFY(!course.recording().ended); // which is still to be simulated
+        course.simulate(1000);
+        QVERIFY(course.recording() == recorded);
+    }
     void aMomentThatIsSoughtIsShownAndTheGamePauses() {
         Flown flown;
         QCOMPARE(flown.timeline()->last, std::int64_t(100));

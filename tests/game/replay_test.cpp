@@ -1,9 +1,12 @@
 #include "core/base/random.h"
 #include "core/game/replay.h"
+#include "tests/support/folders.h"
+#include "tests/support/game_levels.h"
 #include "tests/support/live_level.h"
 #include "tests/support/random_level.h"
 #include "tests/support/test_main.h"
 
+#include <QFile>
 #include <QTemporaryDir>
 
 #include <filesystem>
@@ -78,6 +81,38 @@ class ReplayTest : public QObject {
             QCOMPARE(replayText(read.value()), text);
         }
         QVERIFY(replayText(randomReplay(3)).starts_with("{\n\"replay\": 1,")); // older programs know that
+    }
+    void howItEndedIsWrittenAndReadBack() {
+        for (const FlightEnd end : {FlightEnd::Won, FlightEnd::Lost, FlightEnd::UnderWay}) {
+            for (const std::uint64_t seed : {3, 4}) {
+                Replay replay = seed == 3 ? randomReplay(seed) : randomPlay(seed);
+                replay.ended = {end, 12.34, 0.1 + 0.2, Vec2(-1e-7, 8.9), 617, 12.34};
+                replay.ended->place = end == FlightEnd::UnderWay ? std::nullopt : replay.ended->place;
+                const std::string text = replayText(replay);
+                QVERIFY(text.starts_with("{\n\"replay\": 3,"));
+                QVERIFY(parseReplay(text).value() == replay);
+            }
+        }
+    }
+    void filesOfEveryVersionAreReadAndWrittenAsTheyAre() {
+        const QString folder = test::sourceFolder() + "/tests/replays/format/";
+        for (int version = 1; version <= replayVersion; ++version) {
+            QFile file(folder + QStringLiteral("version_%1.replay.json").arg(version));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const std::string text = file.readAll().toStdString();
+            const Result<Replay> read = parseReplay(text);
+            QVERIFY2(read, qPrintable(file.fileName()));
+            QCOMPARE(QString::fromStdString(replayText(read.value())), QString::fromStdString(text));
+            QCOMPARE(read.value().ended.has_value(), version == 3);
+        }
+    }
+    void otherInputsMayEndOtherwise() {
+        Replay replay = randomReplay(2);
+        replay.ended = {FlightEnd::Won, 1, 1, Vec2(1, 2), 3, 0.06};
+        const Replay based = basedOn(replay, openSpace(), yard());
+        QVERIFY(based.edits.size() == 1 && based.ended == replay.ended); // it is the same flight
+        setInputs(replay, InputRuns(), openSpace());
+        QVERIFY(!replay.ended);
     }
     void inputsAreToldToTheRecordingAndComeFromItAgain() {
         const Level level = yard();
@@ -186,7 +221,7 @@ class ReplayTest : public QObject {
         row("no version", "{}", "replay-bad-field", "/replay");
         row("version as text", "{\"replay\":\"1\"}", "replay-bad-field", "/replay");
         row("version 0", "{\"replay\":0}", "replay-bad-field", "/replay");
-        row("newer", "{\"replay\":3}", "replay-newer", "3");
+        row("newer", "{\"replay\":4}", "replay-newer", "4");
         const auto quoted = [](QByteArray text) { return text.replace('\'', '"'); };
         row("hands in the first version", quoted("{'replay':1,'level':'','seed':1,'updates':[],'holds':[]}"),
             "replay-unknown-field", "holds");
@@ -199,6 +234,18 @@ class ReplayTest : public QObject {
         row("an edit too short", two + quoted("'edits':[[1,'{}']]}"), "replay-bad-field", "/edits/0");
         row("an edit of no level", two + quoted("'edits':[[1,']',[],[]]]}"), "replay-bad-field", "/edits/0/1");
         row("an edit of an empty text", two + quoted("'edits':[[1,'{}',[],[7]]]}"), "replay-bad-field", "/edits/0/1");
+        const QByteArray three = quoted("{'replay':3,'level':'','seed':1,'updates':[[0,9]],'end':");
+        row("an end in the second version", two + quoted("'end':{}}"), "replay-unknown-field", "end");
+        row("an end that is no object", three + "[]}", "replay-bad-field", "/end");
+        row("an end without an outcome", three + "{}}", "replay-bad-field", "/end/outcome");
+        row("an outcome that is none", three + quoted("{'outcome':'stopped'}}"), "replay-bad-field", "/end/outcome");
+        const QByteArray end = three + quoted("{'outcome':'won','fuel':1,'seconds':3,");
+        row("a negative time", end + quoted("'update':2,'time':-1}}"), "replay-bad-field", "/end/time");
+        row("an update too late", end + quoted("'update':1000001,'time':1}}"), "replay-bad-field", "/end/update");
+        row("a place of one number", end + quoted("'update':2,'time':1,'place':[1]}}"), "replay-bad-field",
+            "/end/place");
+        row("an end with more", end + quoted("'update':2,'time':1,'x':1}}"), "replay-unknown-field", "x");
+        row("an end told twice", end + quoted("'update':2,'time':1,'time':1}}"), "replay-duplicate-field", "time");
         row("no level", "{\"replay\":1}", "replay-bad-field", "/level");
         row("level as number", "{\"replay\":1,\"level\":7}", "replay-bad-field", "/level");
         const QByteArray head = "{\"replay\":1,\"level\":\"a\",";
@@ -255,7 +302,7 @@ class ReplayTest : public QObject {
         QVERIFY((parseReplay(good + R"(, "seed": 2})").error() == Error{"replay-duplicate-field", {"seed"}}));
         QVERIFY((parseReplay(good + R"(, "se\u0065d": 2})").error() == Error{"replay-duplicate-field", {"seed"}}));
         // What a newer version has added is its own business.
-        QCOMPARE(parseReplay(R"({"replay": 3, "level": "", "speed": 2})").error().code, std::string("replay-newer"));
+        QCOMPARE(parseReplay(R"({"replay": 4, "level": "", "speed": 2})").error().code, std::string("replay-newer"));
     }
     void filesAreWrittenWholeOrNotAtAll() {
         const QTemporaryDir dir;

@@ -48,7 +48,8 @@ class StoredFlightsTest : public QObject {
         const Outcome outcome = replayed(storedHaul(), haulFlight());
         QCOMPARE(result.time, outcome.time);
         QCOMPARE(result.fuel, outcome.fuel);
-        QVERIFY((result.place - Vec2(11, 8.9)).norm() < 2); // at the finish
+        QVERIFY((*result.place - Vec2(11, 8.9)).norm() < 2); // at the finish
+        QVERIFY(std::abs(result.seconds - static_cast<double>(result.update) * 0.02) < 1e-9);
         QVERIFY(result.update > 500 && result.update < outcome.updates);
     }
 
@@ -74,10 +75,40 @@ class StoredFlightsTest : public QObject {
         }
         const FlightResult result = flightResult(spaceWithCeiling(), flight);
         QCOMPARE(result.end, FlightEnd::Lost);
-        QVERIFY(result.place.y() > 0.5 && result.place.y() < 1);
+        QVERIFY(result.place->y() > 0.5 && result.place->y() < 1);
         QVERIFY(result.update > 10 && result.update < 200);
         flight.runs.front().count = 10;
-        QCOMPARE(flightResult(spaceWithCeiling(), flight).end, FlightEnd::Astray);
+        QCOMPARE(flightResult(spaceWithCeiling(), flight).end, FlightEnd::UnderWay);
+    }
+
+    void aSandboxHasNoPlaceAndNoLoss() {
+        Replay run;
+        run.append({});
+        const FlightResult result = flightResult(Level(), run);
+        QVERIFY(result.end == FlightEnd::UnderWay && !result.place);
+        QCOMPARE(result.update, std::int64_t(1));
+    }
+
+    void whatEndsAsBeforeIsNoNews() {
+        const FlightResult won{FlightEnd::Won, 10, 3, Vec2(1, 2), 500, 10};
+        FlightResult later = won;
+        later.update = 501;
+        FlightResult elsewhere = won;
+        elsewhere.place = Vec2(1, 2.01);
+        FlightResult lost = won;
+        lost.end = FlightEnd::Lost;
+        FlightResult underWay = won;
+        underWay.end = FlightEnd::UnderWay;
+        QCOMPARE(newsOf({}, won), FlightNews::New);
+        QCOMPARE(newsOf(won, won), FlightNews::Same);
+        QCOMPARE(newsOf(won, later), FlightNews::Elsewhere);
+        QCOMPARE(newsOf(won, elsewhere), FlightNews::Elsewhere);
+        QCOMPARE(newsOf(won, lost), FlightNews::Worse);
+        QCOMPARE(newsOf(won, underWay), FlightNews::Worse);
+        QCOMPARE(newsOf(lost, won), FlightNews::Better);
+        QCOMPARE(newsOf(underWay, won), FlightNews::Better);
+        QCOMPARE(newsOf(lost, underWay), FlightNews::Other);
+        QCOMPARE(newsOf(underWay, lost), FlightNews::Other);
     }
 
     void aStopEndsIt() {

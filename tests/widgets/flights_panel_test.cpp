@@ -1,8 +1,10 @@
 #include "editor/panels/flights_panel.h"
 
+#include "core/base/contract.h"
 #include "core/level/edits.h"
 #include "core/level/file.h"
 #include "tests/support/folders.h"
+#include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
@@ -27,6 +29,18 @@ FlightsPanel& flightsShown(TestWindow& test) {
     return panel;
 }
 
+/// What the list says of the only flight beside the level.
+QString store(TestWindow& test, const Replay& flight) {
+    const QString level = test.file("cave.json");
+    EXPECTS(!writeReplay(test.file("cave.replay.json").toStdU16String(), flight));
+    FlightsPanel panel(test.document());
+    panel.setFile(level);
+    panel.show();
+    panel.finish();
+    EXPECTS(panel.list().count() == 1);
+    return panel.list().item(0)->text();
+}
+
 } // namespace
 
 class FlightsPanelTest : public QObject {
@@ -38,7 +52,7 @@ class FlightsPanelTest : public QObject {
         FlightsPanel& panel = flightsShown(test);
         QCOMPARE(panel.list().count(), 1);
         QCOMPARE(panel.results().front().end, FlightEnd::Won);
-        QVERIFY(panel.list().item(0)->text().startsWith("haul.fast.replay.json: wins after"));
+        QVERIFY(panel.list().item(0)->text().startsWith("haul.fast.replay.json: wins after")); // an old recording
         const std::vector<Key> payload{firstOf<PayloadObject>(test.level())->key};
         const Level blocked = moved(test.level(), payload, Vec2(3, 3));
         test.document().commit({"move", 1}, {std::make_shared<const Level>(blocked), Selection(payload)});
@@ -56,9 +70,44 @@ class FlightsPanelTest : public QObject {
         away.center = Vec2(500, 500);
         test.canvas().setView(away);
         panel.list().setCurrentRow(0);
-        QVERIFY(test.canvas().view().visible().contains(panel.results().front().place));
+        QVERIFY(test.canvas().view().visible().contains(*panel.results().front().place));
         Q_EMIT panel.list().itemActivated(panel.list().item(0));
         QVERIFY(test.window->isPlaying());
+        QTRY_COMPARE(test.window->liveRun().updates(), panel.results().front().update); // at the moment that is told
+        QCOMPARE(test.window->liveRun().phase(), Phase::Won);
+        QVERIFY(test.window->liveRun().isPaused());
+    }
+
+    void whatEndsOtherwiseThanBeforeIsTold() {
+        TestWindow test;
+        test.document().reset(spaceWithCeiling());
+        const auto isNow = [&](const FlightResult& before, const Replay& flight) {
+            Replay stored = flight;
+            stored.ended = before;
+            return store(test, stored);
+        };
+        Replay crash;
+        for (int i = 0; i < 200; ++i) {
+            crash.append({.thrust = true});
+        }
+        const FlightResult lost = flightResult(spaceWithCeiling(), crash);
+        FlightResult won = lost;
+        won.end = FlightEnd::Won;
+        FlightResult later = lost;
+        later.seconds = 77;
+        ++later.update;
+        Replay start = crash;
+        start.runs.front().count = 10;
+        const FlightResult underWay = flightResult(spaceWithCeiling(), start);
+        const auto row = [](const QString& all) { return all.section(QStringLiteral(".json: "), 1); };
+        QVERIFY2(row(isNow(lost, crash)).startsWith("still crashes at ("), qPrintable(isNow(lost, crash)));
+        QVERIFY(row(isNow(later, crash)).contains("before after 77 s"));
+        QVERIFY(row(isNow(won, crash)).startsWith("won before, crashes now at ("));
+        QVERIFY(row(isNow(underWay, crash)).startsWith("crashes now, at ("));
+        QVERIFY(row(isNow(underWay, start)).startsWith("is still under way at its end, at ("));
+        QVERIFY(row(isNow(won, start)).startsWith("won before, now is under way"));
+        QVERIFY(row(isNow(lost, start)).startsWith("crashed before, now is under way"));
+        QVERIFY(row(store(test, crash)).startsWith("crashes at ("));
     }
 
     void aLevelWithoutAFileHasNone() {

@@ -4,7 +4,7 @@
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
-#include "core/game/replay.h"
+#include "core/game/flights.h"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -230,6 +230,7 @@ class TransportTest : public QObject {
         QVERIFY(bool(replay));
         QCOMPARE(replay.value().updates(), flown);
         QVERIFY(replay.value().levelHash == levelHash(openSpace()));
+        QVERIFY(replay.value().ended == flightResult(openSpace(), replay.value()));
         test.window->playReplay(replay.value());
         LiveRun& run = test.window->liveRun();
         QVERIFY(run.isWatching());
