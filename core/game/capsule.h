@@ -23,7 +23,7 @@ struct Capsule {
     std::string program;                // with its version
     std::string platform;               // for people
     std::shared_ptr<const Level> level; // at the start
-    Replay run;                         // up to the moment; without a hash of the level
+    Replay run;                         // up to the moment, with an edit then; without a hash of the level
     std::uint64_t hash = 0;             // of the session then
 
     bool operator==(const Capsule& other) const;

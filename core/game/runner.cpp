@@ -122,10 +122,10 @@ void Runner::stepIteration() {
     });
 }
 
-void Runner::open(const Replay& recorded) {
-    command([this, recorded] {
+void Runner::open(const Replay& recorded, const std::shared_ptr<const Level>& then) {
+    command([this, recorded, then] {
         m_followed = InputReader({});
-        m_course.open(recorded);
+        m_course.open(recorded, then);
         leap();
         simulate();
     });

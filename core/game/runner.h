@@ -60,7 +60,8 @@ class Runner {
     /// Goes on along the run as it was, and pauses at its end.
     void watch();
     /// Begins anew with a recorded run, and pauses: all of it is simulated at once, and can be looked at.
-    void open(const Replay& recorded);
+    /// `then`: see Course::open.
+    void open(const Replay& recorded, const std::shared_ptr<const Level>& then = nullptr);
     /// What is being simulated ends where it has come to.
     void stopSimulating();
     /// Back to the first update with the same seed; the recording starts again as well.

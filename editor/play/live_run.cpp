@@ -31,10 +31,10 @@ void LiveRun::start(const Level& level, Kind wanted) {
     begin(level, {.wanted = wanted});
 }
 
-void LiveRun::start(const Level& level, const Replay& recorded) {
+void LiveRun::start(const Level& level, const Replay& recorded, const std::shared_ptr<const Level>& then) {
     begin(level, {.seed = recorded.seed});
     if (m_runner) {
-        m_runner->open(recorded);
+        m_runner->open(recorded, then);
         m_runner->watch();
         m_watching = true;
     }

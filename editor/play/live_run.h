@@ -31,7 +31,8 @@ class LiveRun : public QObject {
     /// Runs the level from its beginning; what was running before is stopped. A level without a ship is no game.
     void start(const Level& level, Kind wanted = Kind::Game);
     /// The same as it was flown once: all of it can be looked at. Who steers takes over, and another future begins.
-    void start(const Level& level, const Replay& recorded);
+    /// `then`: see Course::open.
+    void start(const Level& level, const Replay& recorded, const std::shared_ptr<const Level>& then = nullptr);
     /// Of a level that is too much an update takes seconds; nobody waits for the one that is running.
     void stop();
     bool isRunning() const { return m_runner != nullptr; }

@@ -37,16 +37,22 @@ Result<Capsule> capsuleOf(MainWindow& window) {
         InputRuns inputs = inputsOf(capsule.run, *capsule.level);
         inputs.cutAt(shown);
         setInputs(capsule.run, inputs, *capsule.level);
+        const Level before = levelAfter(capsule.run, *capsule.level);
+        if (const std::shared_ptr<const Level> now = window.levelToRun(); *now != before) {
+            capsule.run.edits.push_back({shown, deltaBetween(before, *now)}); // the next update takes it over
+        }
     }
     capsule.run.level = window.files().name().toStdString();
     return capsule;
 }
 
-/// Of the run at this moment, if a copy of it is shown.
-std::optional<std::uint64_t> shownHash(MainWindow& window, std::int64_t update) {
+/// Of the run at this moment, if a copy of it is shown as it is.
+std::optional<std::uint64_t> shownHash(MainWindow& window, const Replay& run) {
     const std::shared_ptr<const Frame> frame = window.liveRun().frame();
-    const bool isThere = frame && frame->session && frame->session->updates() == update;
-    return isThere ? std::optional(frame->session->hash()) : std::nullopt;
+    const bool isEditedSince = !run.edits.empty() && run.edits.back().update == run.updates();
+    const bool isThere =
+        frame && frame->session && frame->session->updates() == run.updates() && frame->timeline->iteration == 0;
+    return isThere && !isEditedSince ? std::optional(frame->session->hash()) : std::nullopt;
 }
 
 } // namespace
@@ -70,7 +76,7 @@ void BugCapsule::copy() {
         return;
     }
     Capsule capsule = std::move(made).value();
-    const std::optional<std::uint64_t> hash = shownHash(m_window, capsule.run.updates());
+    const std::optional<std::uint64_t> hash = shownHash(m_window, capsule.run);
     m_task.start([this, capsule, hash](const std::stop_token& stop) -> BackgroundTask::Then {
         Capsule whole = capsule;
         whole.hash = hash ? *hash : sessionOf(whole, stop).hash();
@@ -103,8 +109,9 @@ void BugCapsule::open(std::string text) {
             return [this, error] { m_window.messageBar().say(MessageBar::Tone::Error, sentence(error)); };
         }
         const auto capsule = std::make_shared<const Capsule>(std::move(read).value());
-        const bool isSame = sessionOf(*capsule, stop).hash() == capsule->hash;
-        return [this, capsule, isSame] { opened(capsule, isSame); };
+        const Opening opening{std::make_shared<const Level>(levelAfter(capsule->run, *capsule->level)),
+                              sessionOf(*capsule, stop).hash() == capsule->hash};
+        return [this, capsule, opening] { opened(capsule, opening); };
     });
 }
 
@@ -120,15 +127,15 @@ MainWindow* BugCapsule::windowFor(const Capsule& capsule) {
     return free ? &room : nullptr;
 }
 
-void BugCapsule::opened(const std::shared_ptr<const Capsule>& capsule, bool isSame) {
+void BugCapsule::opened(const std::shared_ptr<const Capsule>& capsule, const Opening& opening) {
     MainWindow* const place = windowFor(*capsule);
     if (place == nullptr) {
         return;
     }
     place->comeForward();
-    place->playReplay(capsule->run);
+    place->reopenRun(capsule->run, opening.edited);
     place->liveRun().seek(capsule->run.updates());
-    if (isSame) {
+    if (opening.isSame) {
         place->messageBar().dismiss();
         return;
     }

@@ -13,6 +13,7 @@ namespace spacetow {
 
 class MainWindow;
 struct Capsule;
+struct Level;
 
 class BugCapsule {
   public:
@@ -27,8 +28,12 @@ class BugCapsule {
     void finish() { m_task.finish(); }
 
   private:
+    struct Opening {
+        std::shared_ptr<const Level> edited; // as the level was at the moment
+        bool isSame = false;                 // the run comes out as it did
+    };
     void copied(const QString& text);
-    void opened(const std::shared_ptr<const Capsule>& capsule, bool isSame);
+    void opened(const std::shared_ptr<const Capsule>& capsule, const Opening& opening);
     /// The window that shows the level; null when the user would rather keep what is open.
     MainWindow* windowFor(const Capsule& capsule);
     bool isBusy();

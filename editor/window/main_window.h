@@ -92,12 +92,16 @@ class MainWindow : public QMainWindow {
     /// A game in which the ship starts at the pointer.
     void playFromPointer();
     /// The flight as it was recorded.
-    void playReplay(const Replay& recorded);
+    void playReplay(const Replay& recorded) { enterReplay(recorded, nullptr); }
+    /// A run that was edited, and the level as it was at its end, which is edited on.
+    void reopenRun(const Replay& run, std::shared_ptr<const Level> edited);
     void stopPlaying();
     /// What has been flown, into a file that the user chooses.
     void saveFlight();
     /// Where to, after a suggestion; empty: nowhere. Asks with a dialog, unless a test answers.
     std::function<QString(const QString& suggestion)> whereToSaveFlight;
+    /// The level as it is edited, but for what was said about this run.
+    std::shared_ptr<const Level> levelToRun() const;
     /// A game or a simulation runs in place of the drawing board.
     bool isPlaying() const { return m_live.isShown(); }
     /// What runs is a game: it has the keyboard, and the panels are out of the way until they are called.
@@ -238,7 +242,12 @@ class MainWindow : public QMainWindow {
     /// A stroke that is nobody's key may be one by its place.
     bool actByPlace(const QKeyEvent& stroke);
 
-    void enterRun(LiveRun::Kind wanted, const Replay* recorded);
+    void enterReplay(const Replay& recorded, const std::shared_ptr<const Level>& then);
+    struct Recorded {
+        const Replay& replay;
+        std::shared_ptr<const Level> then; // see Course::open
+    };
+    void enterRun(LiveRun::Kind wanted, const Recorded* recorded);
     void listenToRun();
     void placePanels();
     QString runHint() const;
@@ -248,7 +257,6 @@ class MainWindow : public QMainWindow {
     void updatePace();
     void updateExplanations();
     void writePlots(const QByteArray& csv);
-    std::shared_ptr<const Level> levelToRun() const;
     void tellErrors();
     void showBoard();
     QString playedPhase() const;

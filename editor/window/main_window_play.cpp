@@ -41,7 +41,6 @@ void MainWindow::playFromPointer() {
     }
 }
 
-/// The level as it is edited, but for what was said about this run.
 std::shared_ptr<const Level> MainWindow::levelToRun() const {
     const std::shared_ptr<const Level>& level = m_document.current().level;
     const Object* const object = m_shipAt ? firstOf<ShipObject>(*level) : nullptr;
@@ -55,13 +54,24 @@ std::shared_ptr<const Level> MainWindow::levelToRun() const {
     return moved;
 }
 
-void MainWindow::playReplay(const Replay& recorded) {
+void MainWindow::enterReplay(const Replay& recorded, const std::shared_ptr<const Level>& then) {
     stopPlaying();
     m_shipAt.reset();
-    enterRun(LiveRun::Kind::Game, &recorded);
+    const Recorded whole{recorded, then};
+    enterRun(LiveRun::Kind::Game, &whole);
 }
 
-void MainWindow::enterRun(LiveRun::Kind wanted, const Replay* recorded) {
+/// The run knows its edits already; the document is told of them, so that they are changes of the run.
+void MainWindow::reopenRun(const Replay& run, std::shared_ptr<const Level> edited) {
+    enterReplay(run, edited);
+    if (*edited != m_document.level()) {
+        m_told = edited;
+        m_document.commit({"run-edits", 1}, {edited, m_document.selection()});
+        m_live.knowLevel(*edited);
+    }
+}
+
+void MainWindow::enterRun(LiveRun::Kind wanted, const Recorded* recorded) {
     const bool anew = isWelcoming();
     leaveWelcome();
     enterTyping();
@@ -81,7 +91,7 @@ void MainWindow::enterRun(LiveRun::Kind wanted, const Replay* recorded) {
     const std::shared_ptr<const Level> level = levelToRun();
     m_run.wantSession(this, true);
     if (m_recorded) {
-        m_run.start(*level, *recorded);
+        m_run.start(*level, recorded->replay, recorded->then);
     } else {
         m_run.start(*level, wanted);
     }

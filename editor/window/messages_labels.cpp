@@ -92,6 +92,7 @@ constexpr LabelText labels[] = {
     {"reverse", QT_TRANSLATE_NOOP("messages", "Reverse object"), QT_TRANSLATE_N_NOOP("messages", "Reverse %n objects")},
     {"take-over", QT_TRANSLATE_NOOP("messages", "Take over object"),
      QT_TRANSLATE_N_NOOP("messages", "Take over %n objects")},
+    {"run-edits", QT_TRANSLATE_NOOP("messages", "Edits of the run"), QT_TRANSLATE_NOOP("messages", "Edits of the run")},
     {"end-run", QT_TRANSLATE_NOOP("messages", "Back to before the run"),
      QT_TRANSLATE_NOOP("messages", "Back to before the run")},
     {"keep-level", QT_TRANSLATE_NOOP("messages", "Keep change of the level"),

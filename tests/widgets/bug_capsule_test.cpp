@@ -47,6 +47,13 @@ struct ReportedRun : TestWindow {
     }
 };
 
+bool leftTheSame(const TestWindow& a, const TestWindow& b) {
+    const RunChanges& one = a.window->openLevel()->runChanges;
+    const RunChanges& other = b.window->openLevel()->runChanges;
+    return one.areWaiting() && other.areWaiting() && one.changes().size() == other.changes().size() &&
+           one.before() == other.before() && one.after() == other.after();
+}
+
 bool sameBodies(const Snapshot& a, const Snapshot& b) {
     return std::ranges::equal(a.bodies, b.bodies, [](const BodyPicture& one, const BodyPicture& other) {
         return one.pose.position == other.pose.position && one.velocity == other.velocity;
@@ -81,7 +88,63 @@ class BugCapsuleTest : public QObject {
         QVERIFY(to.window->liveRun().isPaused());
         QVERIFY(sameBodies(*to.window->liveRun().frame()->now, *moment));
         to.trigger(Act::Stop);
-        QVERIFY(!to.window->openLevel()->runChanges.areWaiting()); // nothing has been done there
+        from.trigger(Act::Stop);
+        QVERIFY(leftTheSame(from, to)); // what was moved there
+    }
+
+    void whatWasEditedInTheRunIsThereToBeKept() {
+        ReportedRun from;
+        const Level start = from.level();
+        from.moveBall();
+        QTRY_VERIFY(from.shown() > 5);
+        from.trigger(Act::Pause);
+        QTRY_VERIFY(from.window->liveRun().frame()->paused);
+        Level pending = from.level(); // which no update has taken over
+        pending.gravity = Vec2(0, 2);
+        from.document().commit({"change", 1}, {std::make_shared<const Level>(pending), {}});
+        const QString text = from.copied();
+
+        TestWindow to;
+        paste(to, text);
+        QVERIFY2(to.window->messageBar().text().isEmpty(), qPrintable(to.window->messageBar().text()));
+        QTRY_COMPARE(to.window->liveRun().updates(), from.shown());
+        QVERIFY(to.level() == pending);
+        const std::int64_t next = from.shown() + 1;
+        from.trigger(Act::Step);
+        to.trigger(Act::Step);
+        QTRY_COMPARE(from.shown(), next);
+        QTRY_COMPARE(to.window->liveRun().updates(), next);
+        QVERIFY(sameBodies(*to.window->liveRun().frame()->now, *from.window->liveRun().frame()->now));
+        for (TestWindow* const test : {static_cast<TestWindow*>(&from), &to}) {
+            test->trigger(Act::Stop);
+            QVERIFY(test->level() == start);
+        }
+        QVERIFY(leftTheSame(from, to));
+        QCOMPARE(to.window->openLevel()->runChanges.changes().size(), std::size_t(2));
+        to.window->openLevel()->runChanges.keepAll();
+        QVERIFY(to.level() == pending);
+    }
+
+    void beganAnewARunThatWasPastedHasItsEdits() {
+        ReportedRun from;
+        from.moveBall();
+        QTRY_VERIFY(from.shown() > 5);
+        const Level edited = from.level();
+        TestWindow to;
+        paste(to, from.copied());
+        to.trigger(Act::Restart);
+        QTRY_VERIFY(to.window->liveRun().runner()->startLevel() != nullptr &&
+                    *to.window->liveRun().runner()->startLevel() == edited);
+    }
+
+    void whatWasNotEditedHasNothingToKeep() {
+        ReportedRun from;
+        QTRY_VERIFY(from.shown() > 2);
+        const QString text = from.copied();
+        TestWindow to;
+        paste(to, text);
+        to.trigger(Act::Stop);
+        QVERIFY(!to.window->openLevel()->runChanges.areWaiting());
     }
 
     void withoutARunItIsTheLevel() {
