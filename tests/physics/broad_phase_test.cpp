@@ -282,7 +282,7 @@ class BroadPhaseTest : public QObject {
         }
         for (int i = 0; i < 3; ++i) {
             world.update();
-            const std::size_t pairs = world.data().table.size();
+            const std::size_t pairs = world.data().contacts.table.size();
             QVERIFY2(pairs > 100 * count && pairs < 400000, qPrintable(QString::number(pairs)));
             QVERIFY(world.data().scratch.search.overlapping.capacity() < 1000000);
         }
@@ -291,7 +291,7 @@ class BroadPhaseTest : public QObject {
         }
         world.update();
         world.update();
-        QVERIFY(world.data().table.size() > 2 * count);
+        QVERIFY(world.data().contacts.table.size() > 2 * count);
         QVERIFY(!world.data().flags.crowded);
     }
 };

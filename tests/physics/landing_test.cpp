@@ -95,7 +95,7 @@ void verifyKeepsMomentum(World& world, int updates) {
 /// Of the bodies of an island, in which all have the same mass: twice their kinetic energy for each kilogram.
 double liveliness(const WorldData& data, const std::vector<BodyVelocity>& velocities, Slot root) {
     double sum = 0;
-    for (const Slot slot : data.moving) {
+    for (const Slot slot : data.bodies.moving) {
         const BodyVelocity& v = velocities[slot];
         sum += data.islands.roots[slot] == root ? v.x * v.x + v.y * v.y : 0;
     }
@@ -195,18 +195,18 @@ class LandingTest : public QObject {
         const SolverScratch& last = silo.world.data().scratch.solver;
         const Slot here = some.islands.roots[silo.balls.front().index];
         const Slot there = some.islands.roots[silo.balls.back().index];
-        QVERIFY(here != there && some.circleContacts.size() > 50);
-        some.scratch.solver.unconverged.assign(some.motions.size(), 0);
+        QVERIFY(here != there && some.constraints.circleContacts.size() > 50);
+        some.scratch.solver.unconverged.assign(some.bodies.motions.size(), 0);
         some.scratch.solver.unconverged[here] = 1;
-        all.scratch.solver.unconverged.assign(all.motions.size(), 1);
+        all.scratch.solver.unconverged.assign(all.bodies.motions.size(), 1);
         reserveForUnconverged(some);
         // The velocities of the last iteration, with impulses that are to be found anew.
         for (WorldData* data : {&some, &all}) {
             data->scratch.solver.velocities = last.plannedVelocities;
             data->scratch.solver.velocities.emplace_back();
-            for (const CircleContact& c : data->circleContacts) {
-                data->batches.circles[c.lane.batch].normalImpulse[c.lane.lane] = 0;
-                data->batches.circles[c.lane.batch].tangentImpulse[c.lane.lane] = 0;
+            for (const CircleContact& c : data->constraints.circleContacts) {
+                data->constraints.batches.circles[c.lane.batch].normalImpulse[c.lane.lane] = 0;
+                data->constraints.batches.circles[c.lane.batch].tangentImpulse[c.lane.lane] = 0;
             }
         }
         solveUnconverged(some, 3);

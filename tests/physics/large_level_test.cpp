@@ -111,7 +111,7 @@ class LargeLevelTest : public QObject {
             }
             add(world, def);
             world.update();
-            leaves.push_back(static_cast<double>(world.data().statics->tree.cells().size()));
+            leaves.push_back(static_cast<double>(world.data().broadPhase.statics->tree.cells().size()));
         }
         QVERIFY2(leaves[1] < 10 * leaves[0], qPrintable(QString("%1 and %2").arg(leaves[0]).arg(leaves[1])));
     }
@@ -119,7 +119,7 @@ class LargeLevelTest : public QObject {
     void anEditMakesNothingAnewButWhatItTouches() {
         Terrain level = terrain(largeLevel, noBack);
         run(level.world, 0.1);
-        const std::shared_ptr<const StaticGeometry> all = level.world.data().statics;
+        const std::shared_ptr<const StaticGeometry> all = level.world.data().broadPhase.statics;
         const auto middle = static_cast<std::size_t>(largeLevel / 2);
         const std::pair<const char*, std::function<void()>> edits[] = {
             {"move",
@@ -142,8 +142,8 @@ class LargeLevelTest : public QObject {
                 change();
                 level.world.update();
             });
-            QVERIFY2(level.world.data().statics == all, name);
-            QVERIFY(level.world.data().staticChanges->geometry.colliders.size() < 30);
+            QVERIFY2(level.world.data().broadPhase.statics == all, name);
+            QVERIFY(level.world.data().broadPhase.staticChanges->geometry.colliders.size() < 30);
             QVERIFY2(!bytes || *bytes < 2 * aPassOverAll,
                      qPrintable(QString("%1: %2").arg(name).arg(bytes.value_or(0))));
         }

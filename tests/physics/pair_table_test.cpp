@@ -56,16 +56,17 @@ World randomHeap(Random& random) {
 }
 
 bool partsMeet(const WorldData& data, Slot a, std::uint32_t partA, Slot b, std::uint32_t partB) {
-    return overlaps((*data.records[a].parts)[partA], data.pose(a), (*data.records[b].parts)[partB], data.pose(b));
+    return overlaps((*data.bodies.records[a].parts)[partA], data.bodies.pose(a), (*data.bodies.records[b].parts)[partB],
+                    data.bodies.pose(b));
 }
 
 /// Whether all parts that meet are in the table of pairs.
 bool holdsAllThatMeet(const WorldData& data) {
-    const std::vector<Pair>& pairs = data.table.pairs;
-    for (const Slot a : data.moving) {
-        for (const Slot b : data.moving) {
-            for (std::uint32_t i = 0; a < b && i < data.records[a].parts->size(); ++i) {
-                for (std::uint32_t k = 0; k < data.records[b].parts->size(); ++k) {
+    const std::vector<Pair>& pairs = data.contacts.table.pairs;
+    for (const Slot a : data.bodies.moving) {
+        for (const Slot b : data.bodies.moving) {
+            for (std::uint32_t i = 0; a < b && i < data.bodies.records[a].parts->size(); ++i) {
+                for (std::uint32_t k = 0; k < data.bodies.records[b].parts->size(); ++k) {
                     Pair pair;
                     pair.bodyA = a;
                     pair.bodyB = b;
@@ -92,21 +93,24 @@ bool isSortedAndUnique(const std::vector<Pair>& pairs) {
 
 /// Whether what lies beside each pair is its own: its gate, and the contact that is listed for it.
 bool belongTogether(const WorldData& data) {
-    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
-        const Pair& pair = data.table.pairs[i];
-        if (data.table.bounds[i].moverA != moverOf(pair.bodyA) || data.table.bounds[i].moverB != moverOf(pair.bodyB)) {
+    for (std::uint32_t i = 0; i < data.contacts.table.size(); ++i) {
+        const Pair& pair = data.contacts.table.pairs[i];
+        if (data.contacts.table.bounds[i].moverA != moverOf(pair.bodyA) ||
+            data.contacts.table.bounds[i].moverB != moverOf(pair.bodyB)) {
             return false;
         }
-        if (!data.flags.constraintsValid || !data.table.flags[i].inSolver) {
+        if (!data.flags.constraintsValid || !data.contacts.table.flags[i].inSolver) {
             continue;
         }
-        const std::uint32_t place = data.contacts[pair.contact].constraintIndex;
+        const std::uint32_t place = data.contacts.pool[pair.contact].constraintIndex;
         const bool general = pair.kind == PairKind::General;
-        if ((general ? pairOf(data.generalContacts[place]) : pairOf(data.circleContacts[place])) != i) {
+        if ((general ? pairOf(data.constraints.generalContacts[place])
+                     : pairOf(data.constraints.circleContacts[place])) != i) {
             return false;
         }
     }
-    return data.table.bounds.size() == data.table.size() && data.table.flags.size() == data.table.size();
+    return data.contacts.table.bounds.size() == data.contacts.table.size() &&
+           data.contacts.table.flags.size() == data.contacts.table.size();
 }
 
 bool islandsAreThoseOfThePairs(const WorldData& data) {
@@ -165,7 +169,7 @@ class PairTableTest : public QObject {
             for (int i = 0; i < 120; ++i) {
                 world.update();
                 const WorldData& data = world.data();
-                QVERIFY2(isSortedAndUnique(data.table.pairs), seedText(seed));
+                QVERIFY2(isSortedAndUnique(data.contacts.table.pairs), seedText(seed));
                 QVERIFY2(belongTogether(data), seedText(seed));
                 QVERIFY2(holdsAllThatMeet(data), seedText(seed));
                 QVERIFY2(islandsAreThoseOfThePairs(data), seedText(seed));

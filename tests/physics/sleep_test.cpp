@@ -119,8 +119,8 @@ class SleepTest : public QObject {
             const std::uint64_t before = allocationCount();
             world.update();
             QCOMPARE(allocationCount() - before, std::uint64_t{0});
-            QCOMPARE(world.data().table.size(), std::size_t{0});
-            QVERIFY(world.data().moving.empty());
+            QCOMPARE(world.data().contacts.table.size(), std::size_t{0});
+            QVERIFY(world.data().bodies.moving.empty());
             QVERIFY(world.events().began.empty() && world.events().ended.empty());
         }
         QCOMPARE(world.hash(), hash);

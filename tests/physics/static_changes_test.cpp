@@ -110,8 +110,8 @@ struct Twins {
 
     void update() {
         auto& data = const_cast<WorldData&>(anew.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast)
-        if (data.flags.staticsChanged || !data.pending.empty()) {
-            data.statics = nullptr;
+        if (data.flags.staticsChanged || !data.bodies.pending.empty()) {
+            data.broadPhase.statics = nullptr;
         }
         patched.update();
         anew.update();
@@ -147,9 +147,9 @@ bool isSameConvex(const Part& a, const Part& b) {
 bool haveSameParts(const Twins& twins) {
     const WorldData& patched = twins.patched.data();
     const WorldData& anew = twins.anew.data();
-    for (const StaticGeometry::Collider& expected : anew.statics->colliders) {
+    for (const StaticGeometry::Collider& expected : anew.broadPhase.statics->colliders) {
         const StaticGeometry::Collider& got =
-            patched.staticCollider(staticIndex(patched, expected.body, expected.part));
+            patched.broadPhase.staticCollider(staticIndex(patched, expected.body, expected.part));
         if (got.body != expected.body || got.part != expected.part || got.bounds != expected.bounds ||
             !isSameWall(got.shape, expected.shape) || !isSameConvex(got.shape, expected.shape)) {
             return false;
@@ -160,10 +160,11 @@ bool haveSameParts(const Twins& twins) {
 
 std::vector<std::pair<Slot, std::uint32_t>> solidIn(const World& world, const Aabb& box) {
     std::vector<std::uint32_t> found;
-    findStatics(world.data(), box, found);
+    findStatics(world.data().broadPhase, box, found);
     std::vector<std::pair<Slot, std::uint32_t>> parts;
     for (const std::uint32_t i : found) {
-        parts.emplace_back(world.data().staticCollider(i).body, world.data().staticCollider(i).part);
+        parts.emplace_back(world.data().broadPhase.staticCollider(i).body,
+                           world.data().broadPhase.staticCollider(i).part);
     }
     std::sort(parts.begin(), parts.end());
     return parts;
@@ -200,11 +201,11 @@ class StaticChangesTest : public QObject {
                 for (std::uint32_t k = twins.random.below(4); k > 0; --k) {
                     twins.change();
                 }
-                const auto before = twins.patched.data().statics;
+                const auto before = twins.patched.data().broadPhase.statics;
                 twins.update();
                 const WorldData& data = twins.patched.data();
-                patches += data.statics == before && data.staticChanges ? 1 : 0;
-                rebuilt += before && data.statics != before ? 1 : 0;
+                patches += data.broadPhase.statics == before && data.broadPhase.staticChanges ? 1 : 0;
+                rebuilt += before && data.broadPhase.statics != before ? 1 : 0;
                 const QByteArray where = QByteArray::number(seed) + ", update " + QByteArray::number(i);
                 QVERIFY2(haveSameParts(twins), where);
                 QVERIFY2(answerAlike(twins), where);
@@ -239,8 +240,8 @@ class StaticChangesTest : public QObject {
             for (int i = 0; i < 100; ++i) {
                 const Vec2 from = randomGridPoint(twins.random) + Vec2(0.1, 0.2);
                 const Aabb box{from, from + Vec2(twins.random.uniform(0, 2), 1)};
-                findStaticShapes(twins.patched.data(), box, found);
-                findStaticShapes(made.data(), box, expected);
+                findStaticShapes(twins.patched.data().broadPhase, box, found);
+                findStaticShapes(made.data().broadPhase, box, expected);
                 QCOMPARE(found.size(), expected.size());
             }
         }

@@ -46,18 +46,19 @@ Aabb fatBox(const BodyStep& s, const BodyMotion& m, const Part& part) {
     return box.grown(linearSlop);
 }
 
-void listProxiesOf(WorldData& data, Slot slot) {
-    data.firstProxies[slot] = static_cast<std::uint32_t>(data.proxies.size());
-    const std::vector<Part>& parts = *data.records[slot].parts;
+void listProxiesOf(const Bodies& bodies, BroadPhase& broadPhase, Slot slot) {
+    broadPhase.firstProxies[slot] = static_cast<std::uint32_t>(broadPhase.proxies.size());
+    const std::vector<Part>& parts = *bodies.records[slot].parts;
     for (std::uint32_t i = 0; i < parts.size(); ++i) {
-        data.proxies.push_back({slot, i, isSlender(parts[i])});
+        broadPhase.proxies.push_back({slot, i, isSlender(parts[i])});
     }
 }
 
 /// Visits the indices of a body's parts among the proxies, without reading its record.
 template <class Visit>
-void forProxiesOf(const WorldData& data, Slot slot, const Visit& visit) {
-    for (std::uint32_t i = data.firstProxies[slot]; i < data.proxies.size() && data.proxies[i].body == slot; ++i) {
+void forProxiesOf(const BroadPhase& broadPhase, Slot slot, const Visit& visit) {
+    for (std::uint32_t i = broadPhase.firstProxies[slot];
+         i < broadPhase.proxies.size() && broadPhase.proxies[i].body == slot; ++i) {
         visit(i);
     }
 }
@@ -70,46 +71,47 @@ void add(WorldData& data, const MovingProxy& a, const MovingProxy& b) {
 }
 
 /// Whether the box of another stays clear of a long part.
-bool staysClear(const WorldData& data, const MovingProxy& of, const Aabb& box) {
-    return of.slender && isInFrontOfFace(box, std::get<ConvexPart>((*data.records[of.body].parts)[of.part]),
-                                         data.motions[of.body].rotation, data.steps[of.body].fat);
+bool staysClear(const Bodies& bodies, const MovingProxy& of, const Aabb& box) {
+    return of.slender && isInFrontOfFace(box, std::get<ConvexPart>((*bodies.records[of.body].parts)[of.part]),
+                                         bodies.motions[of.body].rotation, bodies.steps[of.body].fat);
 }
 
 /// Whether no more are to be found.
-bool isCrowded(WorldData& data) {
-    const bool many = data.scratch.search.foundPairs.size() >= data.scratch.search.mostFound;
-    data.flags.crowded |= many;
+bool isCrowded(StepFlags& flags, const PairSearch& search) {
+    const bool many = search.foundPairs.size() >= search.mostFound;
+    flags.crowded |= many;
     return many;
 }
 
 void consider(WorldData& data, std::uint32_t index, std::uint32_t other) {
-    const MovingProxy& a = data.proxies[index];
-    const MovingProxy& b = data.proxies[other];
-    if (a.body != b.body && !isCrowded(data) && !staysClear(data, a, data.boxes[other]) &&
-        !staysClear(data, b, data.boxes[index])) {
+    const MovingProxy& a = data.broadPhase.proxies[index];
+    const MovingProxy& b = data.broadPhase.proxies[other];
+    if (a.body != b.body && !isCrowded(data.flags, data.scratch.search) &&
+        !staysClear(data.bodies, a, data.broadPhase.boxes[other]) &&
+        !staysClear(data.bodies, b, data.broadPhase.boxes[index])) {
         add(data, a, b);
     }
 }
 
 /// Of two moved proxies the later one finds the other.
-bool isFoundBy(const WorldData& data, std::uint32_t index, std::uint32_t other) {
-    return other < index || !data.proxies[other].movedProxy;
+bool isFoundBy(const BroadPhase& broadPhase, std::uint32_t index, std::uint32_t other) {
+    return other < index || !broadPhase.proxies[other].movedProxy;
 }
 
 void findMovingOf(WorldData& data, std::uint32_t index) {
-    if (isCrowded(data)) {
+    if (isCrowded(data.flags, data.scratch.search)) {
         return;
     }
-    const Aabb& box = data.boxes[index];
+    const Aabb& box = data.broadPhase.boxes[index];
     data.scratch.search.found.clear();
-    data.tree.query(box, data.scratch.search.found);
+    data.broadPhase.tree.query(box, data.scratch.search.found);
     for (const std::uint32_t other : data.scratch.search.found) {
-        if (!data.proxies[other].isStaleInTree && isFoundBy(data, index, other)) {
+        if (!data.broadPhase.proxies[other].isStaleInTree && isFoundBy(data.broadPhase, index, other)) {
             consider(data, index, other);
         }
     }
-    for (const std::uint32_t other : data.staleProxies) {
-        if (data.boxes[other].overlaps(box) && isFoundBy(data, index, other)) {
+    for (const std::uint32_t other : data.broadPhase.staleProxies) {
+        if (data.broadPhase.boxes[other].overlaps(box) && isFoundBy(data.broadPhase, index, other)) {
             consider(data, index, other);
         }
     }
@@ -118,49 +120,49 @@ void findMovingOf(WorldData& data, std::uint32_t index) {
 /// The tree has all where they are.
 void findAllMoving(WorldData& data) {
     data.scratch.search.overlapping.clear();
-    data.tree.queryAll(data.scratch.search.overlapping, data.scratch.search.mostFound);
+    data.broadPhase.tree.queryAll(data.scratch.search.overlapping, data.scratch.search.mostFound);
     for (const auto& [a, b] : data.scratch.search.overlapping) {
-        if (data.proxies[a].movedProxy || data.proxies[b].movedProxy) {
+        if (data.broadPhase.proxies[a].movedProxy || data.broadPhase.proxies[b].movedProxy) {
             consider(data, a, b);
         }
     }
 }
 
-void findStaticsOf(WorldData& data, std::uint32_t index) {
-    findStatics(data, data.boxes[index], data.scratch.search.found);
-    const MovingProxy& collider = data.proxies[index];
-    for (const std::uint32_t other : data.scratch.search.found) {
-        const StaticGeometry::Collider& wall = data.staticCollider(other);
-        data.scratch.search.foundPairs.emplace_back(collider.body, wall.body, collider.part, wall.part);
+void findStaticsOf(const BroadPhase& broadPhase, PairSearch& search, std::uint32_t index) {
+    findStatics(broadPhase, broadPhase.boxes[index], search.found);
+    const MovingProxy& collider = broadPhase.proxies[index];
+    for (const std::uint32_t other : search.found) {
+        const StaticGeometry::Collider& wall = broadPhase.staticCollider(other);
+        search.foundPairs.emplace_back(collider.body, wall.body, collider.part, wall.part);
     }
 }
 
-void markMovedProxies(WorldData& data, bool movedProxy) {
-    for (const Slot slot : data.scratch.search.movedBodies) {
-        forProxiesOf(data, slot, [&](std::uint32_t i) { data.proxies[i].movedProxy = movedProxy; });
+void markMovedProxies(BroadPhase& broadPhase, const PairSearch& search, bool movedProxy) {
+    for (const Slot slot : search.movedBodies) {
+        forProxiesOf(broadPhase, slot, [&](std::uint32_t i) { broadPhase.proxies[i].movedProxy = movedProxy; });
     }
 }
 
 /// Proxies whose boxes are no longer what the tree has are searched one by one while they are few.
-void refreshTree(WorldData& data) {
-    const std::size_t count = data.boxes.size();
-    for (const Slot slot : data.scratch.search.movedBodies) {
-        forProxiesOf(data, slot, [&](std::uint32_t i) {
-            if (!data.proxies[i].isStaleInTree) {
-                data.proxies[i].isStaleInTree = true;
-                data.staleProxies.push_back(i);
+void refreshTree(BroadPhase& broadPhase, const StepFlags& flags, const PairSearch& search) {
+    const std::size_t count = broadPhase.boxes.size();
+    for (const Slot slot : search.movedBodies) {
+        forProxiesOf(broadPhase, slot, [&](std::uint32_t i) {
+            if (!broadPhase.proxies[i].isStaleInTree) {
+                broadPhase.proxies[i].isStaleInTree = true;
+                broadPhase.staleProxies.push_back(i);
             }
         });
     }
-    if (!data.flags.pairsStale && data.staleProxies.size() * data.scratch.search.movedBodies.size() <= 8 * count &&
-        8 * data.staleProxies.size() <= count) {
+    if (!flags.pairsStale && broadPhase.staleProxies.size() * search.movedBodies.size() <= 8 * count &&
+        8 * broadPhase.staleProxies.size() <= count) {
         return;
     }
-    data.tree.fill(data.boxes);
-    for (const std::uint32_t i : data.staleProxies) {
-        data.proxies[i].isStaleInTree = false;
+    broadPhase.tree.fill(broadPhase.boxes);
+    for (const std::uint32_t i : broadPhase.staleProxies) {
+        broadPhase.proxies[i].isStaleInTree = false;
     }
-    data.staleProxies.clear();
+    broadPhase.staleProxies.clear();
 }
 
 void sortNearlySorted(std::span<FoundPair> pairs) {
@@ -181,95 +183,97 @@ void sortNearlySorted(std::span<FoundPair> pairs) {
 }
 
 /// By their first bodies in linear time, then the few of each body, which come nearly sorted.
-void sortFound(WorldData& data) {
-    if (4 * data.scratch.search.foundPairs.size() < data.records.size()) {
-        std::sort(data.scratch.search.foundPairs.begin(), data.scratch.search.foundPairs.end());
+void sortFound(const Bodies& bodies, PairSearch& search) {
+    if (4 * search.foundPairs.size() < bodies.records.size()) {
+        std::sort(search.foundPairs.begin(), search.foundPairs.end());
         return;
     }
-    std::vector<std::uint32_t>& ends = data.scratch.search.pairEnds;
-    ends.assign(data.records.size() + 1, 0);
-    for (const FoundPair& pair : data.scratch.search.foundPairs) {
+    std::vector<std::uint32_t>& ends = search.pairEnds;
+    ends.assign(bodies.records.size() + 1, 0);
+    for (const FoundPair& pair : search.foundPairs) {
         ++ends[pair.bodyA + 1];
     }
     for (std::size_t i = 1; i < ends.size(); ++i) {
         ends[i] += ends[i - 1];
     }
-    data.scratch.search.sortedPairs.resize(data.scratch.search.foundPairs.size());
-    for (const FoundPair& pair : data.scratch.search.foundPairs) {
-        data.scratch.search.sortedPairs[ends[pair.bodyA]++] = pair;
+    search.sortedPairs.resize(search.foundPairs.size());
+    for (const FoundPair& pair : search.foundPairs) {
+        search.sortedPairs[ends[pair.bodyA]++] = pair;
     }
     for (std::size_t i = 0, first = 0; i + 1 < ends.size(); first = ends[i++]) {
-        sortNearlySorted(std::span(data.scratch.search.sortedPairs).subspan(first, ends[i] - first));
+        sortNearlySorted(std::span(search.sortedPairs).subspan(first, ends[i] - first));
     }
-    data.scratch.search.foundPairs.swap(data.scratch.search.sortedPairs);
+    search.foundPairs.swap(search.sortedPairs);
 }
 
 } // namespace
 
-void listProxies(WorldData& data) {
-    data.proxies.clear();
-    data.firstProxies.resize(data.records.size());
-    data.scratch.search.movedBodies = data.moving;
-    for (const Slot slot : data.moving) {
-        listProxiesOf(data, slot);
+void listProxies(const Bodies& bodies, BroadPhase& broadPhase, const Sleep& sleep, PairSearch& search) {
+    broadPhase.proxies.clear();
+    broadPhase.firstProxies.resize(bodies.records.size());
+    search.movedBodies = bodies.moving;
+    for (const Slot slot : bodies.moving) {
+        listProxiesOf(bodies, broadPhase, slot);
     }
-    for (const Slot slot : data.sleep.sleepers) {
-        listProxiesOf(data, slot);
+    for (const Slot slot : sleep.sleepers) {
+        listProxiesOf(bodies, broadPhase, slot);
     }
-    data.boxes.assign(data.proxies.size(), Aabb{});
-    for (const Slot slot : data.sleep.sleepers) {
-        std::uint32_t i = data.firstProxies[slot];
-        for (const Part& part : *data.records[slot].parts) {
-            data.boxes[i++] = fatBox(data.steps[slot], data.motions[slot], part);
+    broadPhase.boxes.assign(broadPhase.proxies.size(), Aabb{});
+    for (const Slot slot : sleep.sleepers) {
+        std::uint32_t i = broadPhase.firstProxies[slot];
+        for (const Part& part : *bodies.records[slot].parts) {
+            broadPhase.boxes[i++] = fatBox(bodies.steps[slot], bodies.motions[slot], part);
         }
     }
-    data.staleProxies.clear();
+    broadPhase.staleProxies.clear();
 }
 
-void enlargeAabbs(WorldData& data, double seconds) {
+void enlargeAabbs(Bodies& bodies, BroadPhase& broadPhase, const PairSearch& search, double seconds) {
     constexpr std::size_t ahead = 4;
-    for (std::size_t k = 0; k < data.scratch.search.movedBodies.size(); ++k) {
-        if (k + ahead < data.scratch.search.movedBodies.size()) {
-            prefetch(data.records[data.scratch.search.movedBodies[k + ahead]].parts);
-            prefetch(data.records[data.scratch.search.movedBodies[k + ahead]].bounds);
+    for (std::size_t k = 0; k < search.movedBodies.size(); ++k) {
+        if (k + ahead < search.movedBodies.size()) {
+            prefetch(bodies.records[search.movedBodies[k + ahead]].parts);
+            prefetch(bodies.records[search.movedBodies[k + ahead]].bounds);
         }
-        const Slot slot = data.scratch.search.movedBodies[k];
-        BodyStep& s = data.steps[slot];
-        BodyRecord& record = data.records[slot];
-        s.fat = fatAabbAround(data.motions[slot], s, seconds);
+        const Slot slot = search.movedBodies[k];
+        BodyStep& s = bodies.steps[slot];
+        BodyRecord& record = bodies.records[slot];
+        s.fat = fatAabbAround(bodies.motions[slot], s, seconds);
         record.bounds = Aabb{};
-        std::uint32_t i = data.firstProxies[slot];
+        std::uint32_t i = broadPhase.firstProxies[slot];
         for (const Part& part : *record.parts) {
-            data.boxes[i] = fatBox(s, data.motions[slot], part);
-            record.bounds.include(data.boxes[i++]);
+            broadPhase.boxes[i] = fatBox(s, bodies.motions[slot], part);
+            record.bounds.include(broadPhase.boxes[i++]);
         }
     }
 }
 
-std::size_t mostPairs(const WorldData& data) {
-    return (std::size_t{1} << 18) + 64 * data.proxies.size();
+std::size_t mostPairs(const BroadPhase& broadPhase) {
+    return (std::size_t{1} << 18) + 64 * broadPhase.proxies.size();
 }
 
 void collectPairs(WorldData& data) {
     data.scratch.search.mostFound =
-        mostPairs(data) - (data.flags.pairsStale ? 0 : std::min(data.table.size(), mostPairs(data)) / 2);
-    refreshTree(data);
-    markMovedProxies(data, true);
+        mostPairs(data.broadPhase) -
+        (data.flags.pairsStale ? 0 : std::min(data.contacts.table.size(), mostPairs(data.broadPhase)) / 2);
+    refreshTree(data.broadPhase, data.flags, data.scratch.search);
+    markMovedProxies(data.broadPhase, data.scratch.search, true);
     data.scratch.search.foundPairs.clear();
-    const bool most = data.staleProxies.empty() && 2 * data.scratch.search.movedBodies.size() > data.moving.size();
+    const bool most =
+        data.broadPhase.staleProxies.empty() && 2 * data.scratch.search.movedBodies.size() > data.bodies.moving.size();
     if (most) {
         findAllMoving(data);
     }
     for (const Slot slot : data.scratch.search.movedBodies) {
-        forProxiesOf(data, slot, [&](std::uint32_t i) {
+        forProxiesOf(data.broadPhase, slot, [&](std::uint32_t i) {
             if (!most) {
                 findMovingOf(data, i);
             }
-            findStaticsOf(data, i);
+            findStaticsOf(data.broadPhase, data.scratch.search, i);
         });
     }
-    markMovedProxies(data, false);
-    sortFound(data);
+    markMovedProxies(data.broadPhase, data.scratch.search, false);
+    sortFound(data.bodies, data.scratch.search);
 }
 
 } // namespace spacetow

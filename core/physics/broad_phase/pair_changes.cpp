@@ -8,22 +8,22 @@ namespace spacetow {
 
 namespace {
 
-bool connectedApart(const WorldData& data, Slot a, Slot b) {
-    return !data.notColliding.empty() &&
-           std::binary_search(data.notColliding.begin(), data.notColliding.end(), SlotPair(std::minmax(a, b)));
+bool connectedApart(const Forces& forces, Slot a, Slot b) {
+    return !forces.notColliding.empty() &&
+           std::binary_search(forces.notColliding.begin(), forces.notColliding.end(), SlotPair(std::minmax(a, b)));
 }
 
-bool shouldCollide(const WorldData& data, Slot a, Slot b) {
-    const BodyRecord& ra = data.records[a];
-    const BodyRecord& rb = data.records[b];
+bool shouldCollide(const Bodies& bodies, const Forces& forces, Slot a, Slot b) {
+    const BodyRecord& ra = bodies.records[a];
+    const BodyRecord& rb = bodies.records[b];
     const bool oneMoves = ra.kind == BodyKind::Dynamic || rb.kind == BodyKind::Dynamic;
     const bool oneIsSensor = !ra.tangible || !rb.tangible;
-    return a != b && (oneMoves || oneIsSensor) && mayTouch(ra.filter, rb.filter) && !connectedApart(data, a, b);
+    return a != b && (oneMoves || oneIsSensor) && mayTouch(ra.filter, rb.filter) && !connectedApart(forces, a, b);
 }
 
-PairKind kindOf(const WorldData& data, const Pair& pair) {
-    const bool tangible = data.records[pair.bodyA].tangible && data.records[pair.bodyB].tangible;
-    if (!tangible || (!data.motions[pair.bodyA].isMovable() && !data.motions[pair.bodyB].isMovable())) {
+PairKind kindOf(const Bodies& bodies, const Pair& pair) {
+    const bool tangible = bodies.records[pair.bodyA].tangible && bodies.records[pair.bodyB].tangible;
+    if (!tangible || (!bodies.motions[pair.bodyA].isMovable() && !bodies.motions[pair.bodyB].isMovable())) {
         return PairKind::Sensor;
     }
     if (isRound(*pair.shapeA)) {
@@ -37,8 +37,8 @@ PairKind kindOf(const WorldData& data, const Pair& pair) {
 }
 
 Pair makePair(const WorldData& data, const FoundPair& found) {
-    const BodyRecord& ra = data.records[found.bodyA];
-    const BodyRecord& rb = data.records[found.bodyB];
+    const BodyRecord& ra = data.bodies.records[found.bodyA];
+    const BodyRecord& rb = data.bodies.records[found.bodyB];
     Pair pair;
     pair.staticB = rb.kind == BodyKind::Static;
     pair.bodyA = found.bodyA;
@@ -48,46 +48,46 @@ Pair makePair(const WorldData& data, const FoundPair& found) {
     pair.shapeA = &(*ra.parts)[pair.partA];
     if (pair.staticB) {
         pair.collider = staticIndex(data, pair.bodyB, pair.partB);
-        pair.shapeB = &data.staticCollider(pair.collider).shape;
+        pair.shapeB = &data.broadPhase.staticCollider(pair.collider).shape;
     } else {
         pair.shapeB = &(*rb.parts)[pair.partB];
     }
-    pair.kind = kindOf(data, pair);
+    pair.kind = kindOf(data.bodies, pair);
     pair.unmergeable = !pair.staticB && ra.parts->size() == 1 && rb.parts->size() == 1;
     return pair;
 }
 
 /// Whether the speculative margin may cover but a part of an iteration.
-bool limitsFraction(const WorldData& data, const Pair& pair) {
+bool limitsFraction(const Bodies& bodies, const Pair& pair) {
     const bool driven =
-        !pair.staticB && !(data.motions[pair.bodyA].isMovable() && data.motions[pair.bodyB].isMovable());
+        !pair.staticB && !(bodies.motions[pair.bodyA].isMovable() && bodies.motions[pair.bodyB].isMovable());
     return pair.kind == PairKind::General || (driven && pair.kind != PairKind::Sensor);
 }
 
-void noteDropped(WorldData& data, std::size_t index) {
-    data.scratch.changes.dropped.push_back(static_cast<std::uint32_t>(index));
-    if (data.table.flags[index].reported) {
-        data.scratch.changes.droppedTouches.push_back(data.table.pairs[index].bodies());
+void noteDropped(const Contacts& contacts, PairChanges& changes, std::size_t index) {
+    changes.dropped.push_back(static_cast<std::uint32_t>(index));
+    if (contacts.table.flags[index].reported) {
+        changes.droppedTouches.push_back(contacts.table.pairs[index].bodies());
     }
 }
 
 /// All pairs have been found: they make a new table. What is known of their contacts remains.
 void fillNewTable(WorldData& data) {
-    const PairTable& old = data.table;
+    const PairTable& old = data.contacts.table;
     PairTable& renewed = data.scratch.changes.newTable;
     renewed.clear();
     data.scratch.changes.dropped.clear();
     data.scratch.changes.runs.clear();
     std::size_t i = 0;
     for (const FoundPair& found : data.scratch.search.foundPairs) {
-        if (!shouldCollide(data, found.bodyA, found.bodyB)) {
+        if (!shouldCollide(data.bodies, data.forces, found.bodyA, found.bodyB)) {
             continue;
         }
         for (; i < old.size() && FoundPair(old.pairs[i]) < found; ++i) {
-            noteDropped(data, i);
+            noteDropped(data.contacts, data.scratch.changes, i);
         }
         renewed.add(makePair(data, found));
-        const bool covered = limitsFraction(data, renewed.pairs.back());
+        const bool covered = limitsFraction(data.bodies, renewed.pairs.back());
         renewed.flags.back().limitsFraction = covered;
         if (i == old.size() || found < FoundPair(old.pairs[i])) {
             continue;
@@ -102,35 +102,34 @@ void fillNewTable(WorldData& data) {
         renewed.flags.back().passed = false; // it may have become solid since
     }
     for (; i < old.size(); ++i) {
-        noteDropped(data, i);
+        noteDropped(data.contacts, data.scratch.changes, i);
     }
 }
 
 /// The pairs of moved proxies.
-void listMovedPairs(WorldData& data) {
-    for (const Slot slot : data.scratch.search.movedBodies) {
-        data.scratch.changes.isMovedProxy[slot] = 1;
+void listMovedPairs(const Contacts& contacts, const PairSearch& search, PairChanges& changes) {
+    for (const Slot slot : search.movedBodies) {
+        changes.isMovedProxy[slot] = 1;
     }
-    if (data.scratch.changes.movedPairs.capacity() < data.table.size()) {
-        data.scratch.changes.movedPairs.reserve(
-            data.table.capacity()); // resizing would add no more than what is needed now
+    if (changes.movedPairs.capacity() < contacts.table.size()) {
+        changes.movedPairs.reserve(contacts.table.capacity()); // resizing would add no more than what is needed now
     }
-    data.scratch.changes.movedPairs.resize(data.table.size());
+    changes.movedPairs.resize(contacts.table.size());
     std::size_t count = 0;
-    for (std::size_t i = 0; i < data.table.size(); ++i) {
-        const PairBound& bound = data.table.bounds[i];
-        data.scratch.changes.movedPairs[count] = static_cast<std::uint32_t>(i);
-        count += data.scratch.changes.isMovedProxy[bound.moverA] | data.scratch.changes.isMovedProxy[bound.moverB];
+    for (std::size_t i = 0; i < contacts.table.size(); ++i) {
+        const PairBound& bound = contacts.table.bounds[i];
+        changes.movedPairs[count] = static_cast<std::uint32_t>(i);
+        count += changes.isMovedProxy[bound.moverA] | changes.isMovedProxy[bound.moverB];
     }
-    data.scratch.changes.movedPairs.resize(count);
-    for (const Slot slot : data.scratch.search.movedBodies) {
-        data.scratch.changes.isMovedProxy[slot] = 0;
+    changes.movedPairs.resize(count);
+    for (const Slot slot : search.movedBodies) {
+        changes.isMovedProxy[slot] = 0;
     }
 }
 
 /// What is to change in the table: `dropped` by index, and new pairs with the indices before which they belong.
 void diffPairs(WorldData& data) {
-    const std::vector<Pair>& pairs = data.table.pairs;
+    const std::vector<Pair>& pairs = data.contacts.table.pairs;
     data.scratch.changes.dropped.clear();
     data.scratch.changes.newPairs.clear();
     data.scratch.changes.newPlaces.clear();
@@ -140,13 +139,13 @@ void diffPairs(WorldData& data) {
         for (;
              i < data.scratch.changes.movedPairs.size() && FoundPair(pairs[data.scratch.changes.movedPairs[i]]) < found;
              first = data.scratch.changes.movedPairs[i++] + 1) {
-            noteDropped(data, data.scratch.changes.movedPairs[i]);
+            noteDropped(data.contacts, data.scratch.changes, data.scratch.changes.movedPairs[i]);
         }
         const std::size_t end =
             i < data.scratch.changes.movedPairs.size() ? data.scratch.changes.movedPairs[i] : pairs.size();
         if (end < pairs.size() && !(found < FoundPair(pairs[end]))) {
             first = data.scratch.changes.movedPairs[i++] + 1;
-        } else if (shouldCollide(data, found.bodyA, found.bodyB)) {
+        } else if (shouldCollide(data.bodies, data.forces, found.bodyA, found.bodyB)) {
             const auto begin = pairs.begin();
             const auto place =
                 std::lower_bound(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end),
@@ -157,29 +156,28 @@ void diffPairs(WorldData& data) {
         }
     }
     for (; i < data.scratch.changes.movedPairs.size(); ++i) {
-        noteDropped(data, data.scratch.changes.movedPairs[i]);
+        noteDropped(data.contacts, data.scratch.changes, data.scratch.changes.movedPairs[i]);
     }
 }
 
 /// Between what is dropped and what is new the table stays as it is. The places of new pairs become those in the table
 /// as it will be.
-void listRuns(WorldData& data) {
-    std::vector<std::uint32_t>& places = data.scratch.changes.newPlaces;
-    const auto size = static_cast<std::uint32_t>(data.table.size());
-    data.scratch.changes.runs.clear();
+void listRuns(const Contacts& contacts, PairChanges& changes) {
+    std::vector<std::uint32_t>& places = changes.newPlaces;
+    const auto size = static_cast<std::uint32_t>(contacts.table.size());
+    changes.runs.clear();
     std::uint32_t begin = 0;
     std::uint32_t added = 0;
     std::uint32_t removed = 0;
     while (begin < size || added < places.size()) {
-        const std::uint32_t nextDropped =
-            removed < data.scratch.changes.dropped.size() ? data.scratch.changes.dropped[removed] : size;
+        const std::uint32_t nextDropped = removed < changes.dropped.size() ? changes.dropped[removed] : size;
         const std::uint32_t end = added < places.size() ? std::min(places[added], nextDropped) : nextDropped;
-        data.scratch.changes.runs.push_back({begin, end, begin + added - removed});
+        changes.runs.push_back({begin, end, begin + added - removed});
         begin = end;
         for (; added < places.size() && places[added] == end; ++added) {
             places[added] = end + added - removed;
         }
-        if (removed < data.scratch.changes.dropped.size() && nextDropped == end) {
+        if (removed < changes.dropped.size() && nextDropped == end) {
             ++removed;
             ++begin;
         }
@@ -206,18 +204,17 @@ void rearrange(std::vector<T>& list, const std::vector<Run>& runs, std::size_t n
     list.resize(newSize);
 }
 
-void rearrangeTable(WorldData& data) {
-    PairTable& table = data.table;
-    const std::size_t newSize =
-        table.size() + data.scratch.changes.newPairs.size() - data.scratch.changes.dropped.size();
-    rearrange(table.bounds, data.scratch.changes.runs, newSize);
-    rearrange(table.flags, data.scratch.changes.runs, newSize);
-    rearrange(table.pairs, data.scratch.changes.runs, newSize);
-    for (std::size_t i = 0; i < data.scratch.changes.newPairs.size(); ++i) {
-        const Pair& pair = data.scratch.changes.newPairs[i];
-        const std::uint32_t place = data.scratch.changes.newPlaces[i];
+void rearrangeTable(const Bodies& bodies, Contacts& contacts, const PairChanges& changes) {
+    PairTable& table = contacts.table;
+    const std::size_t newSize = table.size() + changes.newPairs.size() - changes.dropped.size();
+    rearrange(table.bounds, changes.runs, newSize);
+    rearrange(table.flags, changes.runs, newSize);
+    rearrange(table.pairs, changes.runs, newSize);
+    for (std::size_t i = 0; i < changes.newPairs.size(); ++i) {
+        const Pair& pair = changes.newPairs[i];
+        const std::uint32_t place = changes.newPlaces[i];
         table.bounds[place] = unknownBound(pair);
-        table.flags[place] = {.limitsFraction = limitsFraction(data, pair)};
+        table.flags[place] = {.limitsFraction = limitsFraction(bodies, pair)};
         table.pairs[place] = pair;
     }
 }
@@ -229,21 +226,21 @@ bool comparePairs(WorldData& data) {
         fillNewTable(data);
         return true;
     }
-    data.scratch.changes.isMovedProxy.resize(data.records.size());
-    listMovedPairs(data);
+    data.scratch.changes.isMovedProxy.resize(data.bodies.records.size());
+    listMovedPairs(data.contacts, data.scratch.search, data.scratch.changes);
     diffPairs(data);
     if (data.scratch.changes.dropped.empty() && data.scratch.changes.newPairs.empty()) {
         return false;
     }
-    listRuns(data);
+    listRuns(data.contacts, data.scratch.changes);
     return true;
 }
 
-void changeTable(WorldData& data) {
-    if (data.flags.pairsStale) {
-        std::swap(data.table, data.scratch.changes.newTable);
+void changeTable(const Bodies& bodies, Contacts& contacts, const StepFlags& flags, PairChanges& changes) {
+    if (flags.pairsStale) {
+        std::swap(contacts.table, changes.newTable);
     } else {
-        rearrangeTable(data);
+        rearrangeTable(bodies, contacts, changes);
     }
 }
 

@@ -10,6 +10,6 @@ namespace spacetow {
 bool comparePairs(WorldData& data);
 
 /// Makes the change, after what is known of the contacts of `dropped` pairs has been forgotten.
-void changeTable(WorldData& data);
+void changeTable(const Bodies& bodies, Contacts& contacts, const StepFlags& flags, PairChanges& changes);
 
 } // namespace spacetow

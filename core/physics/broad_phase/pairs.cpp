@@ -58,46 +58,46 @@ void put(std::vector<Slot>& list, Slot slot, bool in) {
     }
 }
 
-void relist(WorldData& data, Slot slot) {
-    const BodyRecord& record = data.records[slot];
-    put(data.nonStatic, slot, isNonStatic(record));
-    put(data.reporters, slot, record.used && record.reportsTouches);
+void relist(Bodies& bodies, Slot slot) {
+    const BodyRecord& record = bodies.records[slot];
+    put(bodies.nonStatic, slot, isNonStatic(record));
+    put(bodies.reporters, slot, record.used && record.reportsTouches);
 }
 
-void listBodies(WorldData& data) {
-    data.nonStatic.clear();
-    data.reporters.clear();
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        const BodyRecord& record = data.records[slot];
+void listBodies(Bodies& bodies) {
+    bodies.nonStatic.clear();
+    bodies.reporters.clear();
+    for (Slot slot = 0; slot < bodies.records.size(); ++slot) {
+        const BodyRecord& record = bodies.records[slot];
         if (isNonStatic(record)) {
-            data.nonStatic.push_back(slot);
+            bodies.nonStatic.push_back(slot);
         }
         if (record.used && record.reportsTouches) {
-            data.reporters.push_back(slot);
+            bodies.reporters.push_back(slot);
         }
     }
 }
 
 } // namespace
 
-void listSensors(WorldData& data) {
-    data.sensors.clear();
-    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
-        if (isSensor(data.table.pairs[i])) {
-            data.sensors.push_back(i);
+void listSensors(Contacts& contacts, StepFlags& flags) {
+    contacts.sensors.clear();
+    for (std::uint32_t i = 0; i < contacts.table.size(); ++i) {
+        if (isSensor(contacts.table.pairs[i])) {
+            contacts.sensors.push_back(i);
         }
     }
-    data.flags.islandsStale = true;
+    flags.islandsStale = true;
 }
 
 void listMoving(WorldData& data) {
-    clearBySlot(data.scratch, data.moving);
-    data.moving.clear();
+    clearBySlot(data.scratch, data.bodies.moving);
+    data.bodies.moving.clear();
     for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
-        for (const Slot slot : data.nonStatic) {
-            const BodyRecord& record = data.records[slot];
+        for (const Slot slot : data.bodies.nonStatic) {
+            const BodyRecord& record = data.bodies.records[slot];
             if (record.active && !record.asleep && record.kind == kind) {
-                data.moving.push_back(slot);
+                data.bodies.moving.push_back(slot);
             }
         }
     }
@@ -106,77 +106,79 @@ void listMoving(WorldData& data) {
 void prepareStructure(WorldData& data) {
     refreshStatics(data);
     data.flags.pairsStale |= std::exchange(data.flags.crowded, false);
-    const std::size_t bodies = data.records.size();
-    data.motionBounds.resize(bodies);
-    data.mayNeedToi.resize(bodies);
-    data.plannedMotions.resize(bodies);
-    data.extents.resize(bodies);
-    data.touchedTags.resize(bodies);
+    const std::size_t count = data.bodies.records.size();
+    data.bodies.motionBounds.resize(count);
+    data.bodies.mayNeedToi.resize(count);
+    data.bodies.plannedMotions.resize(count);
+    data.bodies.extents.resize(count);
+    data.bodies.touchedTags.resize(count);
     if (data.sleep.allowed) {
-        data.scratch.sleep.parents.resize(bodies);
-        data.scratch.sleep.marked.resize(bodies);
+        data.scratch.sleep.parents.resize(count);
+        data.scratch.sleep.marked.resize(count);
     }
-    if (data.changedBodies.empty()) {
+    if (data.bodies.changedBodies.empty()) {
         return;
     }
-    if (data.changedBodies.size() <= fewBodies) {
-        std::for_each(data.changedBodies.begin(), data.changedBodies.end(), [&](Slot slot) { relist(data, slot); });
+    if (data.bodies.changedBodies.size() <= fewBodies) {
+        std::for_each(data.bodies.changedBodies.begin(), data.bodies.changedBodies.end(),
+                      [&](Slot slot) { relist(data.bodies, slot); });
     } else {
-        listBodies(data);
+        listBodies(data.bodies);
     }
     listMoving(data);
-    for (const Slot slot : data.changedBodies) {
-        data.motionBounds[slot] = data.records[slot].asleep ? data.steps[slot].motionBound : 0;
-        data.mayNeedToi[slot] = 0;
-        data.touchedTags[slot] = TagMask{};
+    for (const Slot slot : data.bodies.changedBodies) {
+        data.bodies.motionBounds[slot] = data.bodies.records[slot].asleep ? data.bodies.steps[slot].motionBound : 0;
+        data.bodies.mayNeedToi[slot] = 0;
+        data.bodies.touchedTags[slot] = TagMask{};
     }
-    data.renewed.insert(data.renewed.end(), data.changedBodies.begin(), data.changedBodies.end());
-    data.changedBodies.clear();
+    data.bodies.renewed.insert(data.bodies.renewed.end(), data.bodies.changedBodies.begin(),
+                               data.bodies.changedBodies.end());
+    data.bodies.changedBodies.clear();
     data.flags.pairsStale = true;
 }
 
-void measureMotion(WorldData& data, double ahead) {
-    data.flags.anyMovedProxy = data.flags.pairsStale;
-    data.flags.anyFault = data.flags.anyFast = false;
-    data.scratch.search.movedBodies.clear();
-    for (const Slot slot : data.moving) {
-        BodyStep& s = data.steps[slot];
-        const BodyMotion& m = data.motions[slot];
+void measureMotion(Bodies& bodies, StepFlags& flags, PairSearch& search, double ahead) {
+    flags.anyMovedProxy = flags.pairsStale;
+    flags.anyFault = flags.anyFast = false;
+    search.movedBodies.clear();
+    for (const Slot slot : bodies.moving) {
+        BodyStep& s = bodies.steps[slot];
+        const BodyMotion& m = bodies.motions[slot];
         const double reach = s.maxMotion();
-        data.flags.anyFault |= !isSound(m, s);
-        data.motionBounds[slot] = s.motionBound + reach;
-        data.notePlannedMotion(slot);
+        flags.anyFault |= !isSound(m, s);
+        bodies.motionBounds[slot] = s.motionBound + reach;
+        bodies.notePlannedMotion(slot);
         const bool far = exceedsMargin(s, reach);
-        data.flags.anyFast |= far;
-        data.mayNeedToi[slot] = far || s.bouncing || s.deflected ? 1 : 0;
+        flags.anyFast |= far;
+        bodies.mayNeedToi[slot] = far || s.bouncing || s.deflected ? 1 : 0;
         s.movedProxy = !s.fat.centers.contains(m.center) ||
                        !s.fat.centers.contains(Vec2(m.center + s.deltaPosition + ahead * m.velocity)) ||
                        std::abs(s.deltaAngle + ahead * m.angularVelocity) > s.fat.angleLeft;
         if (s.movedProxy) {
-            data.scratch.search.movedBodies.push_back(slot);
+            search.movedBodies.push_back(slot);
         }
     }
-    data.flags.anyMovedProxy |= !data.scratch.search.movedBodies.empty();
+    flags.anyMovedProxy |= !search.movedBodies.empty();
 }
 
 bool findPairs(WorldData& data, const IterationStep& step) {
     if (data.flags.pairsStale) {
-        listProxies(data);
+        listProxies(data.bodies, data.broadPhase, data.sleep, data.scratch.search);
     }
-    enlargeAabbs(data, step.remaining);
+    enlargeAabbs(data.bodies, data.broadPhase, data.scratch.search, step.remaining);
     collectPairs(data);
     data.flags.anyMovedProxy = false;
     return comparePairs(data);
 }
 
-void changePairs(WorldData& data) {
-    changeTable(data);
-    data.flags.islandsStale = true;
-    if (data.flags.pairsStale || !data.sensors.empty() ||
-        std::any_of(data.scratch.changes.newPairs.begin(), data.scratch.changes.newPairs.end(), isSensor)) {
-        listSensors(data);
+void changePairs(const Bodies& bodies, Contacts& contacts, StepFlags& flags, PairChanges& changes) {
+    changeTable(bodies, contacts, flags, changes);
+    flags.islandsStale = true;
+    if (flags.pairsStale || !contacts.sensors.empty() ||
+        std::any_of(changes.newPairs.begin(), changes.newPairs.end(), isSensor)) {
+        listSensors(contacts, flags);
     }
-    data.flags.pairsStale = false;
+    flags.pairsStale = false;
 }
 
 } // namespace spacetow

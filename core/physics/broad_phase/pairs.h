@@ -11,11 +11,11 @@ void prepareStructure(WorldData& data);
 
 /// Lists the active bodies that are awake, and the pairs of sensors. For stages that change these themselves.
 void listMoving(WorldData& data);
-void listSensors(WorldData& data);
+void listSensors(Contacts& contacts, StepFlags& flags);
 
 /// How far each moving body would go in this iteration: notes which bodies are fast, and which would leave their fat
 /// AABBs now or, as it is going, within `ahead` seconds more.
-void measureMotion(WorldData& data, double ahead);
+void measureMotion(Bodies& bodies, StepFlags& flags, PairSearch& search, double ahead);
 
 /// Finds the pairs of the bodies that have left their fat AABBs, or all pairs when they are stale. Whether the table
 /// has to change. It does not yet: `dropped` has the pairs whose contacts are to be forgotten before.
@@ -23,6 +23,6 @@ bool findPairs(WorldData& data, const IterationStep& step);
 
 /// Changes the table, which stays sorted and unique; pairs that remain keep what is known of their contacts. Those
 /// in `runs` have other indices from now on.
-void changePairs(WorldData& data);
+void changePairs(const Bodies& bodies, Contacts& contacts, StepFlags& flags, PairChanges& changes);
 
 } // namespace spacetow

@@ -66,13 +66,13 @@ void findJoined(const StaticGeometry& all, const Part& part, Indices& out) {
     });
 }
 
-std::vector<Slot> changedBodies(const WorldData& data) {
-    std::vector<Slot> bodies = data.changedStatics;
-    if (data.staticChanges) {
-        bodies.insert(bodies.end(), data.staticChanges->bodies.begin(), data.staticChanges->bodies.end());
+std::vector<Slot> changedBodies(const BroadPhase& broadPhase) {
+    std::vector<Slot> slots = broadPhase.changedStatics;
+    if (broadPhase.staticChanges) {
+        slots.insert(slots.end(), broadPhase.staticChanges->bodies.begin(), broadPhase.staticChanges->bodies.end());
     }
-    sortUnique(bodies);
-    return bodies;
+    sortUnique(slots);
+    return slots;
 }
 
 bool isThereStatic(const BodyRecord& record) {
@@ -80,9 +80,9 @@ bool isThereStatic(const BodyRecord& record) {
 }
 
 /// What all has of these bodies.
-Indices collidersOf(const StaticGeometry& all, const std::vector<Slot>& bodies) {
+Indices collidersOf(const StaticGeometry& all, const std::vector<Slot>& slots) {
     Indices indices;
-    for (const Slot body : bodies) {
+    for (const Slot body : slots) {
         const auto first =
             std::lower_bound(all.colliders.begin(), all.colliders.end(), body,
                              [](const StaticGeometry::Collider& collider, Slot slot) { return collider.body < slot; });
@@ -101,23 +101,23 @@ Indices without(Indices found, const Indices& some, const Indices& others) {
 }
 
 /// The parts of these bodies as they are now, with their places in the world.
-std::vector<StaticGeometry::Collider> partsOfBodies(const WorldData& data, const std::vector<Slot>& bodies) {
+std::vector<StaticGeometry::Collider> partsOfBodies(const Bodies& bodies, const std::vector<Slot>& slots) {
     std::vector<StaticGeometry::Collider> colliders;
-    for (const Slot body : bodies) {
-        const BodyRecord& record = data.records[body];
+    for (const Slot body : slots) {
+        const BodyRecord& record = bodies.records[body];
         for (std::uint32_t i = 0; isThereStatic(record) && i < record.parts->size(); ++i) {
-            colliders.push_back(staticColliderOf(data, body, i));
+            colliders.push_back(staticColliderOf(bodies, body, i));
         }
     }
     return colliders;
 }
 
 /// All that is needed for joints that are those of all made anew: what changes, and what that is joined to.
-StaticGeometry joinedGeometry(const WorldData& data, std::vector<PartOf> parts) {
+StaticGeometry joinedGeometry(const Bodies& bodies, std::vector<PartOf> parts) {
     std::sort(parts.begin(), parts.end());
     StaticGeometry geometry;
     for (const PartOf& part : parts) {
-        geometry.colliders.push_back(staticColliderOf(data, part.body, part.part));
+        geometry.colliders.push_back(staticColliderOf(bodies, part.body, part.part));
     }
     joinStatics(geometry);
     std::size_t kept = 0;
@@ -131,10 +131,10 @@ StaticGeometry joinedGeometry(const WorldData& data, std::vector<PartOf> parts) 
     return geometry;
 }
 
-std::size_t partsIn(const WorldData& data, const std::vector<Slot>& bodies) {
+std::size_t partsIn(const Bodies& bodies, const std::vector<Slot>& slots) {
     std::size_t count = 0;
-    for (const Slot body : bodies) {
-        count += isThereStatic(data.records[body]) ? data.records[body].parts->size() : 0;
+    for (const Slot body : slots) {
+        count += isThereStatic(bodies.records[body]) ? bodies.records[body].parts->size() : 0;
     }
     return count;
 }
@@ -149,8 +149,8 @@ struct Patch {
 };
 
 /// With what else is joined to what changes, which has a say in that.
-StaticGeometry geometryOf(const WorldData& data, const Patch& patch) {
-    const StaticGeometry& all = *data.statics;
+StaticGeometry geometryOf(const Bodies& bodies, const BroadPhase& broadPhase, const Patch& patch) {
+    const StaticGeometry& all = *broadPhase.statics;
     std::vector<PartOf> parts;
     for (const StaticGeometry::Collider& collider : patch.own) {
         parts.push_back({collider.body, collider.part, true});
@@ -165,34 +165,34 @@ StaticGeometry geometryOf(const WorldData& data, const Patch& patch) {
     for (const std::uint32_t i : without(std::move(others), patch.former, patch.joined)) {
         parts.push_back({all.colliders[i].body, all.colliders[i].part, false});
     }
-    return joinedGeometry(data, std::move(parts));
+    return joinedGeometry(bodies, std::move(parts));
 }
 
-void noteWhereTheyAre(WorldData& data, const std::vector<Slot>& bodies, const Patch& patch) {
-    for (const Slot body : bodies) {
-        if (data.records[body].kind == BodyKind::Static) {
-            data.records[body].bounds = data.records[body].solid = Aabb{};
+void noteWhereTheyAre(Bodies& bodies, const std::vector<Slot>& slots, const Patch& patch) {
+    for (const Slot body : slots) {
+        if (bodies.records[body].kind == BodyKind::Static) {
+            bodies.records[body].bounds = bodies.records[body].solid = Aabb{};
         }
     }
-    noteStaticBounds(data, patch.own);
+    noteStaticBounds(bodies, patch.own);
 }
 
 } // namespace
 
-bool patchStatics(WorldData& data) {
-    const StaticGeometry& all = *data.statics;
+bool patchStatics(Bodies& bodies, BroadPhase& broadPhase) {
+    const StaticGeometry& all = *broadPhase.statics;
     const std::size_t most = mostChanged(all);
-    if (data.changedStatics.empty() || data.changedStatics.size() > most) {
+    if (broadPhase.changedStatics.empty() || broadPhase.changedStatics.size() > most) {
         return false;
     }
     auto changes = std::make_shared<StaticChanges>();
-    changes->bodies = changedBodies(data);
+    changes->bodies = changedBodies(broadPhase);
     Patch patch;
     patch.former = collidersOf(all, changes->bodies);
-    if (patch.former.size() + partsIn(data, changes->bodies) > most) {
+    if (patch.former.size() + partsIn(bodies, changes->bodies) > most) {
         return false;
     }
-    patch.own = partsOfBodies(data, changes->bodies);
+    patch.own = partsOfBodies(bodies, changes->bodies);
     Indices found;
     for (const StaticGeometry::Collider& collider : patch.own) {
         findJoined(all, collider.shape, found);
@@ -204,12 +204,12 @@ bool patchStatics(WorldData& data) {
     if (patch.size() > most) {
         return false;
     }
-    changes->geometry = geometryOf(data, patch);
+    changes->geometry = geometryOf(bodies, broadPhase, patch);
     changes->gone = patch.former;
     changes->gone.insert(changes->gone.end(), patch.joined.begin(), patch.joined.end());
     std::sort(changes->gone.begin(), changes->gone.end());
-    noteWhereTheyAre(data, changes->bodies, patch);
-    data.staticChanges = std::move(changes);
+    noteWhereTheyAre(bodies, changes->bodies, patch);
+    broadPhase.staticChanges = std::move(changes);
     return true;
 }
 

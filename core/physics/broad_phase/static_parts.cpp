@@ -23,10 +23,10 @@ Aabb segmentBox(const WallPart& wall) {
 
 } // namespace
 
-StaticGeometry::Collider staticColliderOf(const WorldData& data, Slot body, std::uint32_t part) {
-    const Transform pose = data.pose(body);
+StaticGeometry::Collider staticColliderOf(const Bodies& bodies, Slot body, std::uint32_t part) {
+    const Transform pose = bodies.pose(body);
     const Part inWorld =
-        std::visit([&pose](const auto& p) -> Part { return moved(p, pose); }, (*data.records[body].parts)[part]);
+        std::visit([&pose](const auto& p) -> Part { return moved(p, pose); }, (*bodies.records[body].parts)[part]);
     return {body, part, inWorld, boundsOf(inWorld, Transform{}), {}};
 }
 
@@ -66,9 +66,9 @@ void buildStaticTrees(StaticGeometry& geometry) {
     geometry.backs = WallBackTree(std::move(backs));
 }
 
-void noteStaticBounds(WorldData& data, std::span<const StaticGeometry::Collider> colliders) {
+void noteStaticBounds(Bodies& bodies, std::span<const StaticGeometry::Collider> colliders) {
     for (const StaticGeometry::Collider& collider : colliders) {
-        BodyRecord& record = data.records[collider.body];
+        BodyRecord& record = bodies.records[collider.body];
         const bool wall = std::holds_alternative<WallPart>(collider.shape);
         record.bounds.include(wall ? enlargedEdgeBounds(collider.bounds) : collider.bounds);
         record.solid.include(collider.bounds);

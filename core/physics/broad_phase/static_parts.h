@@ -8,7 +8,7 @@
 namespace spacetow {
 
 /// The part of a static body in world coordinates, joined to nothing but other parts of its body.
-StaticGeometry::Collider staticColliderOf(const WorldData& data, Slot body, std::uint32_t part);
+StaticGeometry::Collider staticColliderOf(const Bodies& bodies, Slot body, std::uint32_t part);
 
 /// Static bodies that continue one another are as smooth as one body.
 void joinStatics(StaticGeometry& geometry);
@@ -17,9 +17,9 @@ void joinStatics(StaticGeometry& geometry);
 void buildStaticTrees(StaticGeometry& geometry);
 
 /// Notes where a static body is, from its colliders.
-void noteStaticBounds(WorldData& data, std::span<const StaticGeometry::Collider> colliders);
+void noteStaticBounds(Bodies& bodies, std::span<const StaticGeometry::Collider> colliders);
 
 /// Takes a few changes up; false when there are so many that making all anew costs less.
-bool patchStatics(WorldData& data);
+bool patchStatics(Bodies& bodies, BroadPhase& broadPhase);
 
 } // namespace spacetow

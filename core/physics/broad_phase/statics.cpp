@@ -15,35 +15,35 @@ void renewSleepingPairs(WorldData& data) {
     for (Pair& pair : data.sleep.table.pairs) {
         if (pair.staticB) {
             pair.collider = staticIndex(data, pair.bodyB, pair.partB);
-            pair.shapeB = &data.staticCollider(pair.collider).shape;
+            pair.shapeB = &data.broadPhase.staticCollider(pair.collider).shape;
         }
     }
 }
 
-void makeAllAnew(WorldData& data) {
+void makeAllAnew(Bodies& bodies, BroadPhase& broadPhase) {
     auto geometry = std::make_shared<StaticGeometry>();
     std::size_t count = 0;
-    for (const BodyRecord& record : data.records) {
+    for (const BodyRecord& record : bodies.records) {
         count += record.used && record.kind == BodyKind::Static ? record.parts->size() : 0;
     }
     geometry->colliders.reserve(count);
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        BodyRecord& record = data.records[slot];
+    for (Slot slot = 0; slot < bodies.records.size(); ++slot) {
+        BodyRecord& record = bodies.records[slot];
         if (record.kind == BodyKind::Static) {
             record.bounds = record.solid = Aabb{};
         }
         if (record.used && record.kind == BodyKind::Static && record.active) {
             record.firstStatic = static_cast<std::uint32_t>(geometry->colliders.size());
             for (std::uint32_t i = 0; i < record.parts->size(); ++i) {
-                geometry->colliders.push_back(staticColliderOf(data, slot, i));
+                geometry->colliders.push_back(staticColliderOf(bodies, slot, i));
             }
         }
     }
     joinStatics(*geometry);
-    noteStaticBounds(data, geometry->colliders);
+    noteStaticBounds(bodies, geometry->colliders);
     buildStaticTrees(*geometry);
-    data.statics = std::move(geometry);
-    data.staticChanges = nullptr;
+    broadPhase.statics = std::move(geometry);
+    broadPhase.staticChanges = nullptr;
 }
 
 /// Behind walls without a back, and far behind others.
@@ -62,60 +62,60 @@ void findBehind(const StaticGeometry& geometry, const Aabb& box, std::vector<std
 
 /// Calls `find(geometry, out)` for all and for what has changed since, and makes the indices those of both.
 template <class Find>
-void findInBoth(const WorldData& data, std::vector<std::uint32_t>& out, const Find& find) {
+void findInBoth(const BroadPhase& broadPhase, std::vector<std::uint32_t>& out, const Find& find) {
     out.clear();
-    find(*data.statics, out);
-    if (!data.staticChanges) {
+    find(*broadPhase.statics, out);
+    if (!broadPhase.staticChanges) {
         return;
     }
-    const std::vector<std::uint32_t>& gone = data.staticChanges->gone;
+    const std::vector<std::uint32_t>& gone = broadPhase.staticChanges->gone;
     std::erase_if(out, [&](std::uint32_t i) { return std::binary_search(gone.begin(), gone.end(), i); });
     const std::size_t first = out.size();
-    find(data.staticChanges->geometry, out);
+    find(broadPhase.staticChanges->geometry, out);
     for (std::size_t i = first; i < out.size(); ++i) {
-        out[i] += static_cast<std::uint32_t>(data.statics->colliders.size());
+        out[i] += static_cast<std::uint32_t>(broadPhase.statics->colliders.size());
     }
 }
 
 } // namespace
 
 void refreshStatics(WorldData& data) {
-    if (!data.flags.staticsChanged && data.statics) {
+    if (!data.flags.staticsChanged && data.broadPhase.statics) {
         return;
     }
-    if (!data.statics || !patchStatics(data)) {
-        makeAllAnew(data);
+    if (!data.broadPhase.statics || !patchStatics(data.bodies, data.broadPhase)) {
+        makeAllAnew(data.bodies, data.broadPhase);
     }
-    data.changedStatics.clear();
+    data.broadPhase.changedStatics.clear();
     data.flags.staticsChanged = false;
     renewSleepingPairs(data);
     data.flags.pairsStale = true;
 }
 
 std::uint32_t staticIndex(const WorldData& data, Slot body, std::uint32_t part) {
-    if (data.staticChanges) {
-        const std::vector<StaticGeometry::Collider>& changed = data.staticChanges->geometry.colliders;
+    if (data.broadPhase.staticChanges) {
+        const std::vector<StaticGeometry::Collider>& changed = data.broadPhase.staticChanges->geometry.colliders;
         const std::pair key(body, part);
         const auto at = std::lower_bound(changed.begin(), changed.end(), key, [](const auto& collider, const auto& k) {
             return std::pair(collider.body, collider.part) < k;
         });
         if (at != changed.end() && std::pair(at->body, at->part) == key) {
-            return static_cast<std::uint32_t>(data.statics->colliders.size() +
+            return static_cast<std::uint32_t>(data.broadPhase.statics->colliders.size() +
                                               static_cast<std::size_t>(at - changed.begin()));
         }
     }
-    return data.records[body].firstStatic + part;
+    return data.bodies.records[body].firstStatic + part;
 }
 
-void findStatics(const WorldData& data, const Aabb& box, std::vector<std::uint32_t>& out) {
-    findInBoth(data, out, [&](const StaticGeometry& geometry, std::vector<std::uint32_t>& found) {
+void findStatics(const BroadPhase& broadPhase, const Aabb& box, std::vector<std::uint32_t>& out) {
+    findInBoth(broadPhase, out, [&](const StaticGeometry& geometry, std::vector<std::uint32_t>& found) {
         geometry.tree.query(box, found);
         findBehind(geometry, box, found);
     });
 }
 
-void findStaticShapes(const WorldData& data, const Aabb& box, std::vector<std::uint32_t>& out) {
-    findInBoth(data, out, [&](const StaticGeometry& geometry, std::vector<std::uint32_t>& found) {
+void findStaticShapes(const BroadPhase& broadPhase, const Aabb& box, std::vector<std::uint32_t>& out) {
+    findInBoth(broadPhase, out, [&](const StaticGeometry& geometry, std::vector<std::uint32_t>& found) {
         geometry.tree.query(box, found);
     });
 }

@@ -15,9 +15,9 @@ void refreshStatics(WorldData& data);
 std::uint32_t staticIndex(const WorldData& data, Slot body, std::uint32_t part);
 
 /// The indices of the parts that reach into the box with what is solid, each once and always in the same order.
-void findStatics(const WorldData& data, const Aabb& box, std::vector<std::uint32_t>& out);
+void findStatics(const BroadPhase& broadPhase, const Aabb& box, std::vector<std::uint32_t>& out);
 
 /// Likewise of shapes themselves; walls are segments.
-void findStaticShapes(const WorldData& data, const Aabb& box, std::vector<std::uint32_t>& out);
+void findStaticShapes(const BroadPhase& broadPhase, const Aabb& box, std::vector<std::uint32_t>& out);
 
 } // namespace spacetow

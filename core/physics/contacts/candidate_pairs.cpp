@@ -8,17 +8,16 @@ namespace spacetow {
 
 namespace {
 
-void listByBounds(WorldData& data) {
-    const auto count = static_cast<std::uint32_t>(data.table.size());
-    if (data.scratch.narrow.candidates.capacity() < count) {
-        data.scratch.narrow.candidates.reserve(
-            data.table.capacity()); // resizing would add no more than what is needed now
+void listByBounds(const Bodies& bodies, const Contacts& contacts, NarrowPhase& narrow) {
+    const auto count = static_cast<std::uint32_t>(contacts.table.size());
+    if (narrow.candidates.capacity() < count) {
+        narrow.candidates.reserve(contacts.table.capacity()); // resizing would add no more than what is needed now
     }
-    data.scratch.narrow.candidates.resize(count);
+    narrow.candidates.resize(count);
     std::size_t size = 0;
-    const auto isCandidate = [&](std::uint32_t i) { return data.mayTouchNow(i) ? 1U : 0U; };
+    const auto isCandidate = [&](std::uint32_t i) { return contacts.mayTouchNow(bodies, i) ? 1U : 0U; };
     const auto note = [&](std::uint32_t i) { // without a branch that could not be foretold
-        data.scratch.narrow.candidates[size] = i;
+        narrow.candidates[size] = i;
         size += isCandidate(i);
     };
     std::uint32_t i = 0;
@@ -32,7 +31,7 @@ void listByBounds(WorldData& data) {
     for (; i < count; ++i) {
         note(i);
     }
-    data.scratch.narrow.candidates.resize(size);
+    narrow.candidates.resize(size);
 }
 
 /// Whether the discs around the bodies are all that there is to go by.
@@ -41,31 +40,31 @@ bool isUnknown(const Pair& pair) {
 }
 
 /// Half of the open pairs end here, one as likely as the next: no branch could be foretold.
-void boundByDiscs(WorldData& data) {
+void boundByDiscs(const Bodies& bodies, Contacts& contacts, NarrowPhase& narrow) {
     constexpr std::size_t ahead = 16;
     std::size_t left = 0;
-    for (std::size_t k = 0; k < data.scratch.narrow.candidates.size(); ++k) {
-        if (k + ahead < data.scratch.narrow.candidates.size()) {
-            __builtin_prefetch(&data.table.pairs[data.scratch.narrow.candidates[k + ahead]]);
+    for (std::size_t k = 0; k < narrow.candidates.size(); ++k) {
+        if (k + ahead < narrow.candidates.size()) {
+            __builtin_prefetch(&contacts.table.pairs[narrow.candidates[k + ahead]]);
         }
-        const std::uint32_t i = data.scratch.narrow.candidates[k];
-        PairBound& bound = data.table.bounds[i];
-        const Discs discs = discsOf(data, bound);
-        const bool apart = isUnknown(data.table.pairs[i]) & discs.areApart();
-        const double until = data.motionOf(bound) + discs.gap();
+        const std::uint32_t i = narrow.candidates[k];
+        PairBound& bound = contacts.table.bounds[i];
+        const Discs discs = discsOf(bodies, bound);
+        const bool apart = isUnknown(contacts.table.pairs[i]) & discs.areApart();
+        const double until = bodies.motionOf(bound) + discs.gap();
         bound.separationBound = apart ? until : bound.separationBound;
-        data.table.flags[i].touching &= !apart;
-        data.scratch.narrow.candidates[left] = i;
+        contacts.table.flags[i].touching &= !apart;
+        narrow.candidates[left] = i;
         left += apart ? 0 : 1;
     }
-    data.scratch.narrow.candidates.resize(left);
+    narrow.candidates.resize(left);
 }
 
 } // namespace
 
-void listCandidates(WorldData& data) {
-    listByBounds(data);
-    boundByDiscs(data);
+void listCandidates(const Bodies& bodies, Contacts& contacts, NarrowPhase& narrow) {
+    listByBounds(bodies, contacts, narrow);
+    boundByDiscs(bodies, contacts, narrow);
 }
 
 } // namespace spacetow

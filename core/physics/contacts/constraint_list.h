@@ -32,34 +32,34 @@ void addManifoldConstraint(WorldData& data, const Constraint& constraint, double
 void rewriteConstraint(WorldData& data, const Constraint& constraint, double perSecond);
 
 /// Where the point that acts for both points of singular contacts may have changed.
-void updateSingular(WorldData& data);
+void updateSingular(Constraints& constraints);
 
 /// Closes the lane of the pair's contact, impulses included. The pair has no separation bound until it gets another
 /// one.
-void removeConstraint(WorldData& data, std::uint32_t pair);
+void removeConstraint(Contacts& contacts, Constraints& constraints, std::uint32_t pair);
 
 /// Copies impulses from the lanes to where they are kept.
-void saveImpulses(WorldData& data, const CircleContact& contact);
-void saveImpulses(WorldData& data, const GeneralContact& contact);
-void saveImpulses(WorldData& data);
+void saveImpulses(Contacts& contacts, const Constraints& constraints, const CircleContact& contact);
+void saveImpulses(Contacts& contacts, const Constraints& constraints, const GeneralContact& contact);
+void saveAllImpulses(Contacts& contacts, const Constraints& constraints, const StepFlags& flags);
 
 /// A contact of other features than before begins without impulses. True when it does.
 bool matchFeature(Contact& contact, std::uint32_t feature);
 
 /// Notes which general contacts may come to lie in one plane: of all, in the order of their pairs, or of the last one.
-void findMergeCandidates(WorldData& data);
-void findMergeCandidatesOfLast(WorldData& data);
+void findMergeCandidates(const Bodies& bodies, Constraints& constraints);
+void findMergeCandidatesOfLast(const Bodies& bodies, Constraints& constraints);
 /// Whether any of them do.
-bool anyInOnePlane(const WorldData& data);
+bool anyInOnePlane(const Contacts& contacts, const Constraints& constraints);
 
 /// Contacts keep their lanes when `runs` of pairs have moved in the table.
 void remapPairs(WorldData& data);
 
 /// Saves all impulses and gives up all lanes; the next iteration rebuilds the constraints. To be called before pairs
 /// change in another way than by removal.
-void releaseConstraints(WorldData& data);
+void releaseConstraints(Contacts& contacts, Constraints& constraints, StepFlags& flags);
 
 /// Begins anew without constraints.
-void resetConstraints(WorldData& data);
+void resetConstraints(const Bodies& bodies, Constraints& constraints, StepFlags& flags, NarrowPhase& narrow);
 
 } // namespace spacetow

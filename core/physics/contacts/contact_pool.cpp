@@ -6,75 +6,75 @@ namespace spacetow {
 
 namespace {
 
-std::uint32_t newManifold(WorldData& data) {
-    if (data.freeManifolds.empty()) {
-        data.manifolds.emplace_back();
-        return static_cast<std::uint32_t>(data.manifolds.size() - 1);
+std::uint32_t newManifold(Contacts& contacts) {
+    if (contacts.freeManifolds.empty()) {
+        contacts.manifolds.emplace_back();
+        return static_cast<std::uint32_t>(contacts.manifolds.size() - 1);
     }
-    const std::uint32_t index = data.freeManifolds.back();
-    data.freeManifolds.pop_back();
-    data.manifolds[index] = KeptManifold{};
+    const std::uint32_t index = contacts.freeManifolds.back();
+    contacts.freeManifolds.pop_back();
+    contacts.manifolds[index] = KeptManifold{};
     return index;
 }
 
 } // namespace
 
-Contact& contactOf(WorldData& data, Pair& pair) {
+Contact& contactOf(const Bodies& bodies, Contacts& contacts, Pair& pair) {
     if (pair.contact != Pair::none) {
-        return data.contacts[pair.contact];
+        return contacts.pool[pair.contact];
     }
-    if (data.freeContacts.empty()) {
-        pair.contact = static_cast<std::uint32_t>(data.contacts.size());
-        data.contacts.emplace_back();
+    if (contacts.freeInPool.empty()) {
+        pair.contact = static_cast<std::uint32_t>(contacts.pool.size());
+        contacts.pool.emplace_back();
     } else {
-        pair.contact = data.freeContacts.back();
-        data.freeContacts.pop_back();
+        pair.contact = contacts.freeInPool.back();
+        contacts.freeInPool.pop_back();
     }
-    const BodyRecord& a = data.records[pair.bodyA];
-    const BodyRecord& b = data.records[pair.bodyB];
-    Contact& contact = data.contacts[pair.contact];
+    const BodyRecord& a = bodies.records[pair.bodyA];
+    const BodyRecord& b = bodies.records[pair.bodyB];
+    Contact& contact = contacts.pool[pair.contact];
     contact = Contact{};
     if (pair.kind == PairKind::General) {
-        contact.manifold = newManifold(data);
+        contact.manifold = newManifold(contacts);
     }
     contact.friction = std::sqrt(a.friction * b.friction);
     contact.restitution = std::clamp(0.5 * (a.restitution + b.restitution), 0.0, 1.0);
     return contact;
 }
 
-void freeContact(WorldData& data, Pair& pair) {
+void freeContact(Contacts& contacts, NarrowPhase& narrow, Pair& pair) {
     if (pair.contact != Pair::none) {
-        const std::uint32_t manifold = data.contacts[pair.contact].manifold;
+        const std::uint32_t manifold = contacts.pool[pair.contact].manifold;
         if (manifold != Pair::none) {
-            data.freeManifolds.push_back(manifold);
+            contacts.freeManifolds.push_back(manifold);
         }
-        if (pair.contact < data.scratch.narrow.wholeImpulses.size()) {
-            data.scratch.narrow.wholeImpulses[pair.contact] = {};
+        if (pair.contact < narrow.wholeImpulses.size()) {
+            narrow.wholeImpulses[pair.contact] = {};
         }
-        data.freeContacts.push_back(pair.contact);
+        contacts.freeInPool.push_back(pair.contact);
         pair.contact = Pair::none;
     }
 }
 
 void freeContactsOfDropped(WorldData& data) {
     for (const std::uint32_t i : data.scratch.changes.dropped) {
-        if (data.flags.constraintsValid && data.table.flags[i].inSolver) {
-            removeConstraint(data, i);
+        if (data.flags.constraintsValid && data.contacts.table.flags[i].inSolver) {
+            removeConstraint(data.contacts, data.constraints, i);
         }
-        freeContact(data, data.table.pairs[i]);
+        freeContact(data.contacts, data.scratch.narrow, data.contacts.table.pairs[i]);
     }
 }
 
-void resetManifolds(WorldData& data) {
-    for (KeptManifold& manifold : data.manifolds) {
+void resetManifolds(Contacts& contacts) {
+    for (KeptManifold& manifold : contacts.manifolds) {
         manifold.tolerance = -1;
     }
 }
 
 void beginPart(WorldData& data, double share) {
-    releaseConstraints(data);
+    releaseConstraints(data.contacts, data.constraints, data.flags);
     data.scratch.narrow.wholeImpulses.clear();
-    for (Contact& contact : data.contacts) {
+    for (Contact& contact : data.contacts.pool) {
         data.scratch.narrow.wholeImpulses.push_back(
             {contact.tangentImpulse, contact.points[0].normalImpulse, contact.points[1].normalImpulse});
         contact.tangentImpulse *= share;
@@ -84,9 +84,9 @@ void beginPart(WorldData& data, double share) {
 }
 
 void endPart(WorldData& data, double share) {
-    releaseConstraints(data);
+    releaseConstraints(data.contacts, data.constraints, data.flags);
     for (std::size_t i = 0; i < data.scratch.narrow.wholeImpulses.size(); ++i) {
-        Contact& contact = data.contacts[i];
+        Contact& contact = data.contacts.pool[i];
         const auto& whole = data.scratch.narrow.wholeImpulses[i];
         contact.tangentImpulse += (1 - share) * whole[0];
         contact.points[0].normalImpulse += (1 - share) * whole[1];

@@ -6,15 +6,15 @@
 namespace spacetow {
 
 /// The pair's contact; a new one without points if it has none.
-Contact& contactOf(WorldData& data, Pair& pair);
+Contact& contactOf(const Bodies& bodies, Contacts& contacts, Pair& pair);
 
-void freeContact(WorldData& data, Pair& pair);
+void freeContact(Contacts& contacts, NarrowPhase& narrow, Pair& pair);
 
 /// Of the pairs that are `dropped` from the table.
 void freeContactsOfDropped(WorldData& data);
 
 /// All manifolds are to be made anew.
-void resetManifolds(WorldData& data);
+void resetManifolds(Contacts& contacts);
 
 /// An iteration that is made in parts has the impulses of each part, this share of it, added up for the next iteration;
 /// until then the last iteration's stand for the parts to come.

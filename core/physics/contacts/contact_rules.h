@@ -47,10 +47,10 @@ struct Discs {
 };
 
 /// Of two bodies that move.
-inline Discs discsOf(const WorldData& data, const PairBound& bound) {
-    const PlannedMotion& a = data.plannedMotions[bound.moverA];
-    const PlannedMotion& b = data.plannedMotions[bound.moverB];
-    const double radii = data.extents[bound.moverA].outerRadius + data.extents[bound.moverB].outerRadius;
+inline Discs discsOf(const Bodies& bodies, const PairBound& bound) {
+    const PlannedMotion& a = bodies.plannedMotions[bound.moverA];
+    const PlannedMotion& b = bodies.plannedMotions[bound.moverB];
+    const double radii = bodies.extents[bound.moverA].outerRadius + bodies.extents[bound.moverB].outerRadius;
     return {radii, radii + speculativeMargin(a, b), (b.center - a.center).squaredNorm()};
 }
 

@@ -12,22 +12,22 @@ struct Levers {
 };
 
 /// What moves no more than this under an impulse does not yield to it, 1/kg; see massOf.
-inline double leastInverseMass(const WorldData& data, Slot slotA, Slot slotB) {
-    const double radiusA = data.extents[slotA].outerRadius;
-    const double radiusB = data.extents[slotB].outerRadius;
-    return 1e-4 * (data.motions[slotA].inverseInertia * radiusA * radiusA +
-                   data.motions[slotB].inverseInertia * radiusB * radiusB);
+inline double leastInverseMass(const Bodies& bodies, Slot slotA, Slot slotB) {
+    const double radiusA = bodies.extents[slotA].outerRadius;
+    const double radiusB = bodies.extents[slotB].outerRadius;
+    return 1e-4 * (bodies.motions[slotA].inverseInertia * radiusA * radiusA +
+                   bodies.motions[slotB].inverseInertia * radiusB * radiusB);
 }
 
 /// What resists an impulse with these levers, kg; 0 when nothing can move. A body that may only turn cannot yield to a
 /// push through its centre, nor to one that goes past it by less than a hundredth of its radius: that would make it
 /// spin beyond all measure.
-inline double massOf(const WorldData& data, Slot slotA, Slot slotB, const Levers& levers) {
-    const BodyMotion& a = data.motions[slotA];
-    const BodyMotion& b = data.motions[slotB];
+inline double massOf(const Bodies& bodies, Slot slotA, Slot slotB, const Levers& levers) {
+    const BodyMotion& a = bodies.motions[slotA];
+    const BodyMotion& b = bodies.motions[slotB];
     const double turning = a.inverseInertia * levers.a * levers.a + b.inverseInertia * levers.b * levers.b;
     const double inverse = a.inverseMass + b.inverseMass + turning;
-    return inverse > leastInverseMass(data, slotA, slotB) ? 1 / inverse : 0;
+    return inverse > leastInverseMass(bodies, slotA, slotB) ? 1 / inverse : 0;
 }
 
 /// Inverse ones, see contact_formulas.h.
@@ -44,24 +44,24 @@ inline double couplingOf(const BodyMotion& a, const BodyMotion& b, const Levers&
 }
 
 /// From the point's arm.
-inline void setLevers(const WorldData& data, const Constraint& c, ConstraintPoint& p) {
-    const Vec2 armB = p.armA + data.motions[c.a].center - data.motions[c.b].center;
+inline void setLevers(const Bodies& bodies, const Constraint& c, ConstraintPoint& p) {
+    const Vec2 armB = p.armA + bodies.motions[c.a].center - bodies.motions[c.b].center;
     const Vec2 tangent = leftOf(c.normal);
     p.leverA = cross(p.armA, c.normal);
     p.leverB = cross(armB, c.normal);
     p.tangentLeverA = cross(p.armA, tangent);
     p.tangentLeverB = cross(armB, tangent);
-    p.normalMass = massOf(data, c.a, c.b, {p.leverA, p.leverB});
+    p.normalMass = massOf(bodies, c.a, c.b, {p.leverA, p.leverB});
 }
 
 /// What the points have to do with each other, from their levers. Friction acts half way between them.
-inline void couple(const WorldData& data, Constraint& c) {
+inline void couple(const Bodies& bodies, Constraint& c) {
     const ConstraintPoint& p = c.points[0];
     const ConstraintPoint& q = c.points[c.count == 2 ? 1 : 0];
-    c.coupling = couplingOf(data.motions[c.a], data.motions[c.b], {p.leverA, p.leverB}, {q.leverA, q.leverB});
+    c.coupling = couplingOf(bodies.motions[c.a], bodies.motions[c.b], {p.leverA, p.leverB}, {q.leverA, q.leverB});
     c.tangentLeverA = 0.5 * (p.tangentLeverA + q.tangentLeverA);
     c.tangentLeverB = 0.5 * (p.tangentLeverB + q.tangentLeverB);
-    c.tangentMass = massOf(data, c.a, c.b, {c.tangentLeverA, c.tangentLeverB});
+    c.tangentMass = massOf(bodies, c.a, c.b, {c.tangentLeverA, c.tangentLeverB});
 }
 
 } // namespace spacetow

@@ -20,9 +20,9 @@ constexpr double coincident = 1e-9;
 // Points this far above each other are in one plane, m: walls that meet within the tolerance are one surface.
 constexpr double onePlane = 2 * jointTolerance;
 
-bool samePlane(const WorldData& data, const Constraint& c, const Constraint& d) {
+bool samePlane(const Bodies& bodies, const Constraint& c, const Constraint& d) {
     const bool sameBodies =
-        c.b == d.b || (data.records[c.b].kind == BodyKind::Static && data.records[d.b].kind == BodyKind::Static);
+        c.b == d.b || (bodies.records[c.b].kind == BodyKind::Static && bodies.records[d.b].kind == BodyKind::Static);
     if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution ||
         !areParallelNormals(c.normal, d.normal)) {
         return false;
@@ -54,34 +54,34 @@ bool isFlat(const Constraint& c, const Constraint& d) {
     });
 }
 
-void prepareAgain(const WorldData& data, Constraint& c) {
+void prepareAgain(const Bodies& bodies, Constraint& c) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-        setLevers(data, c, c.points[i]);
+        setLevers(bodies, c, c.points[i]);
     }
-    couple(data, c);
+    couple(bodies, c);
 }
 
-ContactPoint& keptPoint(WorldData& data, const ConstraintPoint& p) {
-    return data.contacts[p.contact].points[p.index];
+ContactPoint& keptPoint(Contacts& contacts, const ConstraintPoint& p) {
+    return contacts.pool[p.contact].points[p.index];
 }
 
-double toleranceOf(const WorldData& data, const Constraint& c) {
-    return c.merged ? c.tolerance : toleranceLeftOf(data, data.table.pairs[c.points[0].pair]);
+double toleranceOf(const Bodies& bodies, const Contacts& contacts, const Constraint& c) {
+    return c.merged ? c.tolerance : toleranceLeftOf(bodies, contacts, contacts.table.pairs[c.points[0].pair]);
 }
 
 /// The pair is not updated while the merged contact has a lane.
-void shut(WorldData& data, std::uint32_t pair) {
-    data.mergedPairs.push_back(pair);
-    data.table.bounds[pair].exclude();
+void shut(Contacts& contacts, Constraints& constraints, std::uint32_t pair) {
+    constraints.mergedPairs.push_back(pair);
+    contacts.table.bounds[pair].exclude();
 }
 
 /// Both stand for one from now on.
 void noteMerge(WorldData& data, Constraint& c, const Constraint& d) {
-    c.tolerance = std::min(toleranceOf(data, c), toleranceOf(data, d));
+    c.tolerance = std::min(toleranceOf(data.bodies, data.contacts, c), toleranceOf(data.bodies, data.contacts, d));
     if (!c.merged) {
-        shut(data, c.points[0].pair);
+        shut(data.contacts, data.constraints, c.points[0].pair);
     }
-    shut(data, d.points[0].pair);
+    shut(data.contacts, data.constraints, d.points[0].pair);
     c.merged = true;
 }
 
@@ -105,9 +105,9 @@ void mergeInto(WorldData& data, Constraint& c, Constraint& d) {
     std::size_t most = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const ConstraintPoint& p = all[i];
-        data.table.flags[p.pair].touching |= p.separation <= linearSlop;
-        keptPoint(data, p).normalImpulse = 0;
-        data.contacts[p.contact].tangentImpulse = 0;
+        data.contacts.table.flags[p.pair].touching |= p.separation <= linearSlop;
+        keptPoint(data.contacts, p).normalImpulse = 0;
+        data.contacts.pool[p.contact].tangentImpulse = 0;
         least = places[i] < places[least] - coincident ? i : least;
         most = places[i] > places[most] + coincident ? i : most;
     }
@@ -136,15 +136,15 @@ void mergeContacts(WorldData& data) {
     for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
         for (end = first + 1; end < all.size() && all[end].a == all[first].a; ++end) {
             for (std::size_t i = first; i < end && !all[end].unmergeable; ++i) {
-                if (all[i].count > 0 && samePlane(data, all[i], all[end]) && isFlat(all[i], all[end])) {
+                if (all[i].count > 0 && samePlane(data.bodies, all[i], all[end]) && isFlat(all[i], all[end])) {
                     mergeInto(data, all[i], all[end]);
-                    prepareAgain(data, all[i]);
+                    prepareAgain(data.bodies, all[i]);
                     break;
                 }
             }
         }
     }
-    if (!data.mergedPairs.empty()) {
+    if (!data.constraints.mergedPairs.empty()) {
         std::erase_if(all, [](const Constraint& c) { return c.count == 0; });
     }
 }

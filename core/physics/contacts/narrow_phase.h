@@ -11,6 +11,6 @@ namespace spacetow {
 void findContacts(WorldData& data, const IterationStep& step);
 
 /// Marks the pairs that touch without force at the end of the iteration: intangible bodies, and such as nothing moves.
-void findOverlaps(WorldData& data);
+void findOverlaps(const Bodies& bodies, Contacts& contacts);
 
 } // namespace spacetow

@@ -7,8 +7,8 @@ namespace spacetow {
 
 namespace {
 
-bool isAtStatic(const WorldData& data, const Constraint& c) {
-    return !c.unmergeable && data.records[c.b].kind == BodyKind::Static;
+bool isAtStatic(const Bodies& bodies, const Constraint& c) {
+    return !c.unmergeable && bodies.records[c.b].kind == BodyKind::Static;
 }
 
 double leastSeparation(const Constraint& c) {
@@ -16,10 +16,10 @@ double leastSeparation(const Constraint& c) {
 }
 
 /// Moves the last of some contacts of a body up to its place among those with static bodies, of which it is one.
-void insertLast(WorldData& data, std::size_t first, std::size_t last) {
-    std::vector<Constraint>& all = data.scratch.narrow.constraints;
+void insertLast(const Bodies& bodies, NarrowPhase& narrow, std::size_t first, std::size_t last) {
+    std::vector<Constraint>& all = narrow.constraints;
     for (std::size_t i = last; i-- > first;) {
-        if (!isAtStatic(data, all[i])) {
+        if (!isAtStatic(bodies, all[i])) {
             continue;
         }
         if (leastSeparation(all[i]) >= leastSeparation(all[last])) {
@@ -32,14 +32,14 @@ void insertLast(WorldData& data, std::size_t first, std::size_t last) {
 
 } // namespace
 
-void orderConstraints(WorldData& data) {
-    const std::vector<Constraint>& all = data.scratch.narrow.constraints;
+void orderConstraints(const Bodies& bodies, NarrowPhase& narrow) {
+    const std::vector<Constraint>& all = narrow.constraints;
     std::size_t first = 0; // of the same body
     for (std::size_t i = 1; i < all.size(); ++i) {
         if (all[i].a != all[first].a) {
             first = i;
-        } else if (isAtStatic(data, all[i])) {
-            insertLast(data, first, i);
+        } else if (isAtStatic(bodies, all[i])) {
+            insertLast(bodies, narrow, first, i);
         }
     }
 }

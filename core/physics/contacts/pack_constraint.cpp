@@ -52,8 +52,8 @@ bool packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, dou
     return singular;
 }
 
-const KeptManifold& manifoldOf(const WorldData& data, const ConstraintPoint& point) {
-    return data.manifolds[data.contacts[point.contact].manifold];
+const KeptManifold& manifoldOf(const Contacts& contacts, const ConstraintPoint& point) {
+    return contacts.manifolds[contacts.pool[point.contact].manifold];
 }
 
 /// What of kept manifolds is the same for all points.
@@ -64,16 +64,16 @@ struct Frame {
 };
 
 /// The points of a merged contact have manifolds of their own; where the bodies are now, all of these hold.
-Frame mergedFrame(const WorldData& data, const Constraint& c, bool still, bool normalOnA) {
-    const Transform poseA = data.pose(c.a);
-    const Transform poseB = still ? Transform{} : data.pose(c.b);
+Frame mergedFrame(const Bodies& bodies, const Constraint& c, bool still, bool normalOnA) {
+    const Transform poseA = bodies.pose(c.a);
+    const Transform poseB = still ? Transform{} : bodies.pose(c.b);
     return {(normalOnA ? poseA : poseB).rotation.inverse() * c.normal, relative(poseA, poseB), c.tolerance};
 }
 
 void packAnchors(const WorldData& data, const Constraint& c, ContactAnchors& anchors, std::uint32_t i) {
-    const bool still = data.table.pairs[c.points[0].pair].staticB;
-    const KeptManifold& kept = manifoldOf(data, c.points[0]);
-    const Frame frame = c.merged ? mergedFrame(data, c, still, kept.normalOnA) //
+    const bool still = data.contacts.table.pairs[c.points[0].pair].staticB;
+    const KeptManifold& kept = manifoldOf(data.contacts, c.points[0]);
+    const Frame frame = c.merged ? mergedFrame(data.bodies, c, still, kept.normalOnA) //
                                  : Frame{kept.normal, kept.relative, kept.tolerance};
     setLane(anchors.staticB, i, still);
     setLane(anchors.normalOnA, i, kept.normalOnA);
@@ -89,7 +89,7 @@ void packAnchors(const WorldData& data, const Constraint& c, ContactAnchors& anc
     anchors.onB1X[i] = p.onB.x();
     anchors.onB1Y[i] = p.onB.y();
     const ConstraintPoint& last = c.points[c.count == 2 ? 1 : 0];
-    const KeptManifold::Point& q = manifoldOf(data, last).points[last.index];
+    const KeptManifold::Point& q = manifoldOf(data.contacts, last).points[last.index];
     anchors.onA2X[i] = q.onA.x();
     anchors.onA2Y[i] = q.onA.y();
     anchors.onB2X[i] = q.onB.x();
@@ -99,8 +99,8 @@ void packAnchors(const WorldData& data, const Constraint& c, ContactAnchors& anc
     anchors.cosine[i] = frame.relative.rotation.c;
     anchors.sine[i] = frame.relative.rotation.s;
     anchors.tolerance[i] = frame.tolerance;
-    anchors.radiusA[i] = data.steps[c.a].isCircle ? 0 : data.steps[c.a].outerRadius;
-    anchors.leastInverseMass[i] = leastInverseMass(data, c.a, c.b);
+    anchors.radiusA[i] = data.bodies.steps[c.a].isCircle ? 0 : data.bodies.steps[c.a].outerRadius;
+    anchors.leastInverseMass[i] = leastInverseMass(data.bodies, c.a, c.b);
 }
 
 } // namespace
@@ -115,7 +115,7 @@ void keepDeeperPoint(ConstraintBatch& batch, std::uint32_t i) {
 
 void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double perSecond) {
     const std::uint32_t i = contact.lane.lane;
-    ConstraintBatch& batch = data.batches.general[contact.lane.batch];
+    ConstraintBatch& batch = data.constraints.batches.general[contact.lane.batch];
     batch.normalX[i] = c.normal.x();
     batch.normalY[i] = c.normal.y();
     batch.tangentLeverA[i] = c.tangentLeverA;
@@ -128,8 +128,8 @@ void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double 
         keepDeeperPoint(batch, i);
         data.flags.anySingular = true;
     }
-    setLane(data.batches.general.anchors(contact.lane.batch).singular, i, contact.singular);
-    packAnchors(data, c, data.batches.general.anchors(contact.lane.batch), i);
+    setLane(data.constraints.batches.general.anchors(contact.lane.batch).singular, i, contact.singular);
+    packAnchors(data, c, data.constraints.batches.general.anchors(contact.lane.batch), i);
     contact.merged = c.merged;
     contact.count = static_cast<std::uint32_t>(c.count);
     contact.bounces = false;

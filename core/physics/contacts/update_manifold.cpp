@@ -43,12 +43,12 @@ struct Poses {
     Transform relative;
 };
 
-Poses posesOf(const WorldData& data, const Pair& pair) {
-    const Transform a = data.plannedMotions[pair.bodyA].pose();
+Poses posesOf(const Bodies& bodies, const Pair& pair) {
+    const Transform a = bodies.plannedMotions[pair.bodyA].pose();
     if (pair.staticB) {
         return {a, {}, a};
     }
-    const Transform b = data.plannedMotions[pair.bodyB].pose();
+    const Transform b = bodies.plannedMotions[pair.bodyB].pose();
     return {a, b, relative(a, b)};
 }
 
@@ -78,11 +78,11 @@ void keep(const Poses& poses, const Manifold& manifold, KeptManifold& kept) {
 
 /// A new manifold; without a point in it the parts are let go until they may have met.
 void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, double margin) {
-    const Pair& pair = data.table.pairs[index];
-    Contact& contact = data.contacts[pair.contact];
-    KeptManifold& kept = data.manifolds[contact.manifold];
-    const PlannedMotion& a = data.plannedMotions[pair.bodyA];
-    const PlannedMotion& b = data.plannedMotions[pair.bodyB];
+    const Pair& pair = data.contacts.table.pairs[index];
+    Contact& contact = data.contacts.pool[pair.contact];
+    KeptManifold& kept = data.contacts.manifolds[contact.manifold];
+    const PlannedMotion& a = data.bodies.plannedMotions[pair.bodyA];
+    const PlannedMotion& b = data.bodies.plannedMotions[pair.bodyB];
     kept.tolerance =
         margin + (pair.staticB ? toleranceShareAtWalls * a.innerRadius
                                : std::max(toleranceShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
@@ -102,19 +102,19 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
 }
 
 /// A pair without a contact need not be updated until its bodies have used up the tolerance that is left.
-void boundSeparation(WorldData& data, std::uint32_t index, double left) {
-    const Pair& pair = data.table.pairs[index];
-    if (data.contacts[pair.contact].count == 0) {
-        PairBound& bound = data.table.bounds[index];
-        bound.separationBound = data.motionOf(bound) + left;
+void boundSeparation(const Bodies& bodies, Contacts& contacts, std::uint32_t index, double left) {
+    const Pair& pair = contacts.table.pairs[index];
+    if (contacts.pool[pair.contact].count == 0) {
+        PairBound& bound = contacts.table.bounds[index];
+        bound.separationBound = bodies.motionOf(bound) + left;
     }
 }
 
-Approach approach(const WorldData& data, const Constraint& c, const ConstraintPoint& p) {
-    const BodyStep& sa = data.steps[c.a];
-    const BodyStep& sb = data.steps[c.b];
-    const BodyMotion& ma = data.motions[c.a];
-    const BodyMotion& mb = data.motions[c.b];
+Approach approach(const Bodies& bodies, const Constraint& c, const ConstraintPoint& p) {
+    const BodyStep& sa = bodies.steps[c.a];
+    const BodyStep& sb = bodies.steps[c.b];
+    const BodyMotion& ma = bodies.motions[c.a];
+    const BodyMotion& mb = bodies.motions[c.b];
     const double before = (sb.startVelocity - sa.startVelocity).dot(c.normal) + sb.startAngularVelocity * p.leverB -
                           sa.startAngularVelocity * p.leverA;
     const double after =
@@ -127,11 +127,11 @@ bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double 
     p.bounces = false;
     p.target = formulas::targetVelocity(p.separation, perSecond);
     if (c.restitution > 0) {
-        const Target target = targetOf(approach(data, c, p), p.separation, c.restitution, perSecond);
+        const Target target = targetOf(approach(data.bodies, c, p), p.separation, c.restitution, perSecond);
         if (target.meeting == Meeting::WillBounce) {
-            data.table.pairs[p.pair].sweep = true;
+            data.contacts.table.pairs[p.pair].sweep = true;
             data.flags.anySweep = true;
-            data.steps[c.a].bouncing = data.steps[c.b].bouncing = true;
+            data.bodies.steps[c.a].bouncing = data.bodies.steps[c.b].bouncing = true;
             return false;
         }
         p.target = target.velocity;
@@ -142,11 +142,11 @@ bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double 
 
 /// False when there is none, as all of its points will bounce.
 bool prepareConstraint(WorldData& data, std::uint32_t index, double perSecond) {
-    Pair& pair = data.table.pairs[index];
-    const Transform poseA = data.plannedMotions[pair.bodyA].pose();
-    const Transform poseB = pair.staticB ? Transform{} : data.plannedMotions[pair.bodyB].pose();
-    const Contact& contact = data.contacts[pair.contact];
-    const KeptManifold& kept = data.manifolds[contact.manifold];
+    Pair& pair = data.contacts.table.pairs[index];
+    const Transform poseA = data.bodies.plannedMotions[pair.bodyA].pose();
+    const Transform poseB = pair.staticB ? Transform{} : data.bodies.plannedMotions[pair.bodyB].pose();
+    const Contact& contact = data.contacts.pool[pair.contact];
+    const KeptManifold& kept = data.contacts.manifolds[contact.manifold];
     Constraint& c = data.scratch.narrow.constraints.emplace_back();
     c.a = pair.bodyA;
     c.b = pair.bodyB;
@@ -162,7 +162,7 @@ bool prepareConstraint(WorldData& data, std::uint32_t index, double perSecond) {
         ConstraintPoint& p = c.points[static_cast<std::size_t>(c.count)];
         p.separation = (onB - onA).dot(c.normal);
         p.armA = 0.5 * (onA + onB) - poseA.position;
-        setLevers(data, c, p);
+        setLevers(data.bodies, c, p);
         p.normalImpulse = contact.points[i].normalImpulse;
         p.pair = index;
         p.contact = pair.contact;
@@ -173,56 +173,56 @@ bool prepareConstraint(WorldData& data, std::uint32_t index, double perSecond) {
         data.scratch.narrow.constraints.pop_back();
         return false;
     }
-    couple(data, c);
+    couple(data.bodies, c);
     return true;
 }
 
-double marginOf(const WorldData& data, const Pair& pair) {
-    const PlannedMotion& a = data.plannedMotions[pair.bodyA];
-    return pair.staticB ? speculativeMargin(a) : speculativeMargin(a, data.plannedMotions[pair.bodyB]);
+double marginOf(const Bodies& bodies, const Pair& pair) {
+    const PlannedMotion& a = bodies.plannedMotions[pair.bodyA];
+    return pair.staticB ? speculativeMargin(a) : speculativeMargin(a, bodies.plannedMotions[pair.bodyB]);
 }
 
 /// Makes the manifold anew unless the one that is kept still holds.
 void updateKeptManifold(WorldData& data, std::uint32_t index) {
-    const Pair& pair = data.table.pairs[index];
-    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
-    const double margin = marginOf(data, pair);
-    const Poses poses = posesOf(data, pair);
-    double left = toleranceLeft(kept, poses.relative, data.extents[pair.bodyA].outerRadius);
+    const Pair& pair = data.contacts.table.pairs[index];
+    const KeptManifold& kept = data.contacts.manifolds[data.contacts.pool[pair.contact].manifold];
+    const double margin = marginOf(data.bodies, pair);
+    const Poses poses = posesOf(data.bodies, pair);
+    double left = toleranceLeft(kept, poses.relative, data.bodies.extents[pair.bodyA].outerRadius);
     if (left < margin) {
         makeManifold(data, index, poses, margin);
         left = kept.tolerance;
     }
-    boundSeparation(data, index, left);
+    boundSeparation(data.bodies, data.contacts, index, left);
 }
 
 } // namespace
 
-double toleranceLeftOf(const WorldData& data, const Pair& pair) {
-    const KeptManifold& kept = data.manifolds[data.contacts[pair.contact].manifold];
-    return toleranceLeft(kept, posesOf(data, pair).relative, data.extents[pair.bodyA].outerRadius);
+double toleranceLeftOf(const Bodies& bodies, const Contacts& contacts, const Pair& pair) {
+    const KeptManifold& kept = contacts.manifolds[contacts.pool[pair.contact].manifold];
+    return toleranceLeft(kept, posesOf(bodies, pair).relative, bodies.extents[pair.bodyA].outerRadius);
 }
 
-double separationBoundOf(const WorldData& data, const Pair& pair) {
-    if (pair.kind != PairKind::General || pair.contact == Pair::none || data.contacts[pair.contact].count > 0) {
+double separationBoundOf(const Bodies& bodies, const Contacts& contacts, const Pair& pair) {
+    if (pair.kind != PairKind::General || pair.contact == Pair::none || contacts.pool[pair.contact].count > 0) {
         return 0;
     }
-    return std::max(toleranceLeftOf(data, pair), 0.0);
+    return std::max(toleranceLeftOf(bodies, contacts, pair), 0.0);
 }
 
 void updateManifold(WorldData& data, std::uint32_t index, double perSecond) {
-    Pair& pair = data.table.pairs[index];
-    const bool unknown = pair.contact == Pair::none || data.contacts[pair.contact].count == 0;
+    Pair& pair = data.contacts.table.pairs[index];
+    const bool unknown = pair.contact == Pair::none || data.contacts.pool[pair.contact].count == 0;
     if (unknown && !pair.staticB) {
-        PairBound& bound = data.table.bounds[index];
-        const Discs discs = discsOf(data, bound);
+        PairBound& bound = data.contacts.table.bounds[index];
+        const Discs discs = discsOf(data.bodies, bound);
         if (discs.areApart()) {
-            freeContact(data, pair);
-            bound.separationBound = data.motionOf(bound) + discs.gap();
+            freeContact(data.contacts, data.scratch.narrow, pair);
+            bound.separationBound = data.bodies.motionOf(bound) + discs.gap();
             return;
         }
     }
-    const Contact& contact = contactOf(data, pair);
+    const Contact& contact = contactOf(data.bodies, data.contacts, pair);
     updateKeptManifold(data, index);
     if (contact.count > 0) {
         prepareConstraint(data, index, perSecond);
@@ -230,17 +230,17 @@ void updateManifold(WorldData& data, std::uint32_t index, double perSecond) {
 }
 
 void remakeManifold(WorldData& data, std::uint32_t index, double perSecond) {
-    Pair& pair = data.table.pairs[index];
-    const Contact& contact = data.contacts[pair.contact];
+    Pair& pair = data.contacts.table.pairs[index];
+    const Contact& contact = data.contacts.pool[pair.contact];
     pair.sweep = false;
-    saveImpulses(data, data.generalContacts[contact.constraintIndex]);
-    makeManifold(data, index, posesOf(data, pair), marginOf(data, pair));
+    saveImpulses(data.contacts, data.constraints, data.constraints.generalContacts[contact.constraintIndex]);
+    makeManifold(data, index, posesOf(data.bodies, pair), marginOf(data.bodies, pair));
     if (contact.count > 0 && prepareConstraint(data, index, perSecond)) {
         rewriteConstraint(data, data.scratch.narrow.constraints.back(), perSecond);
         data.scratch.narrow.constraints.pop_back();
     } else {
-        removeConstraint(data, index);
-        boundSeparation(data, index, data.manifolds[contact.manifold].tolerance);
+        removeConstraint(data.contacts, data.constraints, index);
+        boundSeparation(data.bodies, data.contacts, index, data.contacts.manifolds[contact.manifold].tolerance);
     }
 }
 

@@ -13,9 +13,9 @@ void updateManifold(WorldData& data, std::uint32_t index, double perSecond);
 void remakeManifold(WorldData& data, std::uint32_t index, double perSecond);
 
 /// How much nearer the parts of a pair may come before their kept manifold is out of date, m.
-double toleranceLeftOf(const WorldData& data, const Pair& pair);
+double toleranceLeftOf(const Bodies& bodies, const Contacts& contacts, const Pair& pair);
 
 /// How much nearer the parts of a pair without a contact may come before they can have one, m; 0 when that is unknown.
-double separationBoundOf(const WorldData& data, const Pair& pair);
+double separationBoundOf(const Bodies& bodies, const Contacts& contacts, const Pair& pair);
 
 } // namespace spacetow

@@ -13,11 +13,11 @@ namespace {
 constexpr double farthest = 1000;
 
 /// From the manifold that the solver keeps, carried along with both bodies.
-void readKept(const WorldData& data, const Pair& pair, ContactManifold& reading) {
-    const Contact& contact = data.contacts[pair.contact];
-    const KeptManifold& kept = data.manifolds[contact.manifold];
-    const Transform a = data.pose(pair.bodyA);
-    const Transform b = data.poseOfB(pair);
+void readKept(const Bodies& bodies, const Contacts& contacts, const Pair& pair, ContactManifold& reading) {
+    const Contact& contact = contacts.pool[pair.contact];
+    const KeptManifold& kept = contacts.manifolds[contact.manifold];
+    const Transform a = bodies.pose(pair.bodyA);
+    const Transform b = bodies.poseOfB(pair);
     reading.normal = (kept.normalOnA ? a : b).rotation * kept.normal;
     reading.count = contact.count;
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
@@ -27,9 +27,10 @@ void readKept(const WorldData& data, const Pair& pair, ContactManifold& reading)
 }
 
 /// Of circles no manifold is kept: they are cheaply compared anew.
-void readAnew(const WorldData& data, const Pair& pair, ContactManifold& reading) {
-    const Contact& contact = data.contacts[pair.contact];
-    const Manifold manifold = collide(*pair.shapeA, data.pose(pair.bodyA), *pair.shapeB, data.poseOfB(pair), farthest);
+void readAnew(const Bodies& bodies, const Contacts& contacts, const Pair& pair, ContactManifold& reading) {
+    const Contact& contact = contacts.pool[pair.contact];
+    const Manifold manifold =
+        collide(*pair.shapeA, bodies.pose(pair.bodyA), *pair.shapeB, bodies.poseOfB(pair), farthest);
     reading.normal = manifold.normal;
     reading.count = std::min(contact.count, manifold.count);
     for (std::size_t i = 0; i < static_cast<std::size_t>(reading.count); ++i) {
@@ -46,17 +47,19 @@ void readTable(const WorldData& data, const PairTable& table, const std::optiona
                std::vector<ContactManifold>& readings) {
     for (std::size_t i = 0; i < table.size(); ++i) {
         const Pair& pair = table.pairs[i];
-        if (pair.kind == PairKind::Sensor || pair.contact == Pair::none || data.contacts[pair.contact].count == 0) {
+        if (pair.kind == PairKind::Sensor || pair.contact == Pair::none ||
+            data.contacts.pool[pair.contact].count == 0) {
             continue;
         }
-        const Contact& contact = data.contacts[pair.contact];
+        const Contact& contact = data.contacts.pool[pair.contact];
         ContactManifold reading;
-        reading.a = data.idOf(pair.bodyA);
-        reading.b = data.idOf(pair.bodyB);
+        reading.a = data.bodies.idOf(pair.bodyA);
+        reading.b = data.bodies.idOf(pair.bodyB);
         reading.touching = table.flags[i].touching;
         reading.tangentImpulse = contact.tangentImpulse;
-        const bool isKept = contact.manifold != Pair::none && data.manifolds[contact.manifold].tolerance >= 0;
-        isKept ? readKept(data, pair, reading) : readAnew(data, pair, reading);
+        const bool isKept = contact.manifold != Pair::none && data.contacts.manifolds[contact.manifold].tolerance >= 0;
+        isKept ? readKept(data.bodies, data.contacts, pair, reading)
+               : readAnew(data.bodies, data.contacts, pair, reading);
         const auto pushes = [](const ContactManifold::Point& point) { return point.normalImpulse > 0; };
         reading.touching = reading.touching || std::ranges::any_of(reading.points, pushes);
         if (reading.count > 0 && isIn(area, reading)) {
@@ -70,7 +73,7 @@ void readTable(const WorldData& data, const PairTable& table, const std::optiona
 std::vector<ContactManifold> contactManifolds(const World& world, const std::optional<Aabb>& area) {
     const WorldData& data = world.data();
     std::vector<ContactManifold> readings;
-    readTable(data, data.table, area, readings);
+    readTable(data, data.contacts.table, area, readings);
     readTable(data, data.sleep.table, area, readings);
     return readings;
 }

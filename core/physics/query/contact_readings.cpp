@@ -24,9 +24,9 @@ double secondsOf(const WorldData& data) {
 }
 
 /// Where the parts are nearest to each other, or how they overlap.
-void locate(const WorldData& data, const Pair& pair, ContactReading& contact) {
-    const Transform a = data.pose(pair.bodyA);
-    const Transform b = data.poseOfB(pair);
+void locate(const Bodies& bodies, const Pair& pair, ContactReading& contact) {
+    const Transform a = bodies.pose(pair.bodyA);
+    const Transform b = bodies.poseOfB(pair);
     const Manifold manifold = collide(*pair.shapeA, a, *pair.shapeB, b, linearSlop);
     if (manifold.count > 0) {
         contact.normal = manifold.normal;
@@ -38,7 +38,7 @@ void locate(const WorldData& data, const Pair& pair, ContactReading& contact) {
     }
     const ClosestPoints closest = closestPoints(*pair.shapeA, a, *pair.shapeB, b);
     contact.normal = closest.normal;
-    contact.point = closest.distance > 0 ? Vec2(0.5 * (closest.onA + closest.onB)) : data.motions[pair.bodyA].center;
+    contact.point = closest.distance > 0 ? Vec2(0.5 * (closest.onA + closest.onB)) : bodies.motions[pair.bodyA].center;
 }
 
 /// The impulses that the contact kept, spread over an update: those of its last iteration in each.
@@ -46,15 +46,15 @@ void addKept(const WorldData& data, const Pair& pair, ContactReading& contact) {
     if (pair.contact == Pair::none || pair.sweep) {
         return;
     }
-    const Contact& kept = data.contacts[pair.contact];
+    const Contact& kept = data.contacts.pool[pair.contact];
     const double times = data.parameters.iterations * secondsOf(data) / data.parameters.seconds;
     for (std::size_t i = 0; i < static_cast<std::size_t>(kept.count); ++i) {
         contact.normalImpulse += times * kept.points[i].normalImpulse;
     }
     contact.friction = times * kept.tangentImpulse;
     contact.impulse = contact.normalImpulse * contact.normal + contact.friction * leftOf(contact.normal);
-    contact.turnA = -cross(contact.point - data.motions[pair.bodyA].center, contact.impulse);
-    contact.turnB = cross(contact.point - data.motions[pair.bodyB].center, contact.impulse);
+    contact.turnA = -cross(contact.point - data.bodies.motions[pair.bodyA].center, contact.impulse);
+    contact.turnB = cross(contact.point - data.bodies.motions[pair.bodyB].center, contact.impulse);
 }
 
 /// All that is touching, by the tables, which have their pairs in order.
@@ -68,9 +68,9 @@ void listTouching(const WorldData& data, const PairTable& table, Slot body, std:
         PairReading reading{pair.bodyA, pair.bodyB, {}};
         reading.contact.solid = pair.kind != PairKind::Sensor;
         reading.contact.touching = flags.touching;
-        locate(data, pair, reading.contact);
+        locate(data.bodies, pair, reading.contact);
         // What has fallen asleep bears what it bore.
-        if (!data.impulses.on || (data.records[pair.bodyA].asleep && &table == &data.sleep.table)) {
+        if (!data.impulses.on || (data.bodies.records[pair.bodyA].asleep && &table == &data.sleep.table)) {
             addKept(data, pair, reading.contact);
         }
         out.push_back(reading);
@@ -115,11 +115,11 @@ void placeLogged(const LoggedImpulse& logged, std::vector<PairReading>& out) {
 }
 
 /// The body that was added first comes first.
-ContactReading inOrder(const WorldData& data, const PairReading& reading) {
+ContactReading inOrder(const Bodies& bodies, const PairReading& reading) {
     ContactReading contact = reading.contact;
-    contact.a = data.idOf(reading.a);
-    contact.b = data.idOf(reading.b);
-    if (data.records[reading.b].serial < data.records[reading.a].serial) {
+    contact.a = bodies.idOf(reading.a);
+    contact.b = bodies.idOf(reading.b);
+    if (bodies.records[reading.b].serial < bodies.records[reading.a].serial) {
         std::swap(contact.a, contact.b);
         std::swap(contact.turnA, contact.turnB);
         contact.normal = -contact.normal;
@@ -138,18 +138,18 @@ std::vector<ContactReading> contactsOf(const World& world, BodyId body) {
     EXPECTS(world.contains(body));
     const WorldData& data = world.data();
     std::vector<PairReading> found;
-    listTouching(data, data.table, body.index, found);
+    listTouching(data, data.contacts.table, body.index, found);
     listTouching(data, data.sleep.table, body.index, found);
     for (const LoggedImpulse& logged : data.impulses.impulses) {
         const bool isItsOwn = logged.a == body.index || logged.b == body.index;
-        if (isItsOwn && data.records[logged.a].used && data.records[logged.b].used) {
+        if (isItsOwn && data.bodies.records[logged.a].used && data.bodies.records[logged.b].used) {
             placeLogged(logged, found);
         }
     }
     std::vector<ContactReading> contacts;
     contacts.reserve(found.size());
     for (const PairReading& one : found) {
-        contacts.push_back(inOrder(data, one));
+        contacts.push_back(inOrder(data.bodies, one));
     }
     return contacts;
 }

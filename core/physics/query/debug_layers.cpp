@@ -111,9 +111,9 @@ bool mayMeet(const BodyState& a, const BodyState& b) {
            !(a.kind == BodyKind::Static && b.kind == BodyKind::Static);
 }
 
-bool keepsApart(const WorldData& data, BodyId a, BodyId b) {
+bool keepsApart(const Forces& forces, BodyId a, BodyId b) {
     const SlotPair pair = std::minmax(a.index, b.index);
-    return std::ranges::binary_search(data.notColliding, pair);
+    return std::ranges::binary_search(forces.notColliding, pair);
 }
 
 void drawContact(const World& world, const ContactManifold& contact, const DebugView& view, DebugDraw& draw) {
@@ -192,7 +192,7 @@ void drawTags(const World& world, BodyId body, const DebugView& view, DebugDraw&
 void drawCollisions(const World& world, const DebugView& view, DebugDraw& draw) {
     std::vector<BodyId> selected;
     for (const BodyId id : world.bodies()) {
-        if (view.isSelected && view.isSelected(world.data().records[id.index].user)) {
+        if (view.isSelected && view.isSelected(world.data().bodies.records[id.index].user)) {
             selected.push_back(id);
         }
     }
@@ -206,7 +206,7 @@ void drawCollisions(const World& world, const DebugView& view, DebugDraw& draw) 
         }
         const BodyState state = world.body(id);
         const bool meets = std::ranges::any_of(selected, [&](BodyId other) {
-            return other != id && mayMeet(state, world.body(other)) && !keepsApart(world.data(), id, other);
+            return other != id && mayMeet(state, world.body(other)) && !keepsApart(world.data().forces, id, other);
         });
         drawOutline(world, id, {meets ? view.colors.meets : view.colors.passes, false}, view, draw);
     }

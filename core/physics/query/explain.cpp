@@ -22,22 +22,23 @@ void addForce(ForceReading& sum, const ForceReading& more) {
 
 /// What the owner of the world applied is what the last update accelerated by beyond gravity.
 ForceReading appliedTo(const WorldData& data, Slot slot) {
-    const BodyRecord& record = data.records[slot];
-    const bool moved = std::find(data.moving.begin(), data.moving.end(), slot) != data.moving.end();
-    const bool fresh =
-        std::find(data.changedBodies.begin(), data.changedBodies.end(), slot) != data.changedBodies.end();
+    const BodyRecord& record = data.bodies.records[slot];
+    const bool moved =
+        std::find(data.bodies.moving.begin(), data.bodies.moving.end(), slot) != data.bodies.moving.end();
+    const bool fresh = std::find(data.bodies.changedBodies.begin(), data.bodies.changedBodies.end(), slot) !=
+                       data.bodies.changedBodies.end();
     if (!moved || fresh || record.positionFrozen) {
         return {};
     }
-    const BodyStep& s = data.steps[slot];
+    const BodyStep& s = data.bodies.steps[slot];
     const Vec2 falls = record.kind == BodyKind::Dynamic ? data.parameters.gravity : Vec2(0, 0);
     return {record.mass * (s.acceleration - falls), record.inertia * s.angularAcceleration};
 }
 
-ForceReading fieldsOn(const WorldData& data, Slot slot) {
-    const BodyRecord& record = data.records[slot];
-    const BodyMotion& m = data.motions[slot];
-    const FieldSample sample{.body = data.idOf(slot),
+ForceReading fieldsOn(const Bodies& bodies, const Forces& forces, Slot slot) {
+    const BodyRecord& record = bodies.records[slot];
+    const BodyMotion& m = bodies.motions[slot];
+    const FieldSample sample{.body = bodies.idOf(slot),
                              .pose = {m.center - m.rotation * record.localCenter, m.rotation},
                              .massCenter = m.center,
                              .velocity = m.velocity,
@@ -45,8 +46,8 @@ ForceReading fieldsOn(const WorldData& data, Slot slot) {
                              .mass = record.mass,
                              .inertia = record.inertia};
     ForceReading sum;
-    for (const FieldRecord& field : data.fields) {
-        if (actsOn(data, field, slot)) {
+    for (const FieldRecord& field : forces.fields) {
+        if (actsOn(bodies, field, slot)) {
             const FieldForce f = field.def->force(sample);
             if (isFinite(f.force) && std::isfinite(f.torque)) {
                 addForce(sum, {f.force, f.torque});
@@ -62,8 +63,8 @@ struct Stretch {
     double distance;
 };
 
-Stretch stretchOf(const WorldData& data, const ConnectorRecord& c) {
-    Stretch stretch{data.pose(c.a).toWorld(c.anchorA), data.pose(c.b).toWorld(c.anchorB), {0, 1}, 0};
+Stretch stretchOf(const Bodies& bodies, const ConnectorRecord& c) {
+    Stretch stretch{bodies.pose(c.a).toWorld(c.anchorA), bodies.pose(c.b).toWorld(c.anchorB), {0, 1}, 0};
     const Vec2 span = stretch.b - stretch.a;
     stretch.distance = span.norm();
     if (stretch.distance > 0) {
@@ -72,16 +73,16 @@ Stretch stretchOf(const WorldData& data, const ConnectorRecord& c) {
     return stretch;
 }
 
-ForceReading connectorsOn(const WorldData& data, Slot slot) {
+ForceReading connectorsOn(const Bodies& bodies, const Forces& forces, Slot slot) {
     ForceReading sum;
-    for (const ConnectorRecord& c : data.connectors) {
+    for (const ConnectorRecord& c : forces.connectors) {
         if (!c.used || c.tension == 0 || (c.a != slot && c.b != slot)) {
             continue;
         }
-        const Stretch stretch = stretchOf(data, c);
+        const Stretch stretch = stretchOf(bodies, c);
         const bool first = c.a == slot;
         const Vec2 force = (first ? c.tension : -c.tension) * stretch.along;
-        addForce(sum, {force, cross((first ? stretch.a : stretch.b) - data.motions[slot].center, force)});
+        addForce(sum, {force, cross((first ? stretch.a : stretch.b) - bodies.motions[slot].center, force)});
     }
     return sum;
 }
@@ -98,8 +99,8 @@ ForceReading contactsOn(const World& world, BodyId body) {
 
 BodyForces forcesOn(const World& world, BodyId body) {
     const WorldData& data = world.data();
-    const BodyRecord& record = data.records[body.index];
-    const BodyMotion& m = data.motions[body.index];
+    const BodyRecord& record = data.bodies.records[body.index];
+    const BodyMotion& m = data.bodies.motions[body.index];
     BodyForces forces;
     if (!isFree(record)) {
         return forces;
@@ -108,8 +109,8 @@ BodyForces forcesOn(const World& world, BodyId body) {
         forces.gravity.force = record.mass * data.parameters.gravity;
     }
     forces.applied = appliedTo(data, body.index);
-    forces.connectors = connectorsOn(data, body.index);
-    forces.fields = fieldsOn(data, body.index);
+    forces.connectors = connectorsOn(data.bodies, data.forces, body.index);
+    forces.fields = fieldsOn(data.bodies, data.forces, body.index);
     forces.contacts = contactsOn(world, body);
     forces.damping = {-record.linearDamping * record.mass * m.velocity,
                       -record.angularDamping * record.inertia * m.angularVelocity};
@@ -117,8 +118,8 @@ BodyForces forcesOn(const World& world, BodyId body) {
 }
 
 BodyEnergy energyOf(const WorldData& data, Slot slot) {
-    const BodyRecord& r = data.records[slot];
-    const BodyMotion& m = data.motions[slot];
+    const BodyRecord& r = data.bodies.records[slot];
+    const BodyMotion& m = data.bodies.motions[slot];
     return {0.5 * r.mass * m.velocity.squaredNorm() + 0.5 * r.inertia * m.angularVelocity * m.angularVelocity,
             -r.mass * data.parameters.gravity.dot(m.center)};
 }
@@ -167,8 +168,8 @@ ForceReading BodyForces::sum() const {
 BodyReading explained(const World& world, BodyId body) {
     EXPECTS(world.contains(body));
     const WorldData& data = world.data();
-    const BodyRecord& record = data.records[body.index];
-    const BodyMotion& m = data.motions[body.index];
+    const BodyRecord& record = data.bodies.records[body.index];
+    const BodyMotion& m = data.bodies.motions[body.index];
     BodyReading reading;
     reading.forces = forcesOn(world, body);
     reading.touchedTags = world.body(body).touchedTags;
@@ -183,20 +184,20 @@ BodyReading explained(const World& world, BodyId body) {
 
 ConnectorReading explained(const World& world, ConnectorId connector) {
     EXPECTS(world.contains(connector));
-    const ConnectorRecord& c = world.data().connectors[connector.index];
-    const double distance = stretchOf(world.data(), c).distance;
+    const ConnectorRecord& c = world.data().forces.connectors[connector.index];
+    const double distance = stretchOf(world.data().bodies, c).distance;
     return {distance, c.length, c.tension, elasticEnergy(c, distance)};
 }
 
 WorldReading totals(const World& world) {
     const WorldData& data = world.data();
     WorldReading sum;
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        const BodyRecord& record = data.records[slot];
+    for (Slot slot = 0; slot < data.bodies.records.size(); ++slot) {
+        const BodyRecord& record = data.bodies.records[slot];
         if (!isFree(record)) {
             continue;
         }
-        const BodyMotion& m = data.motions[slot];
+        const BodyMotion& m = data.bodies.motions[slot];
         const BodyEnergy energy = energyOf(data, slot);
         sum.kinetic += energy.kinetic;
         sum.potential += energy.potential;
@@ -204,8 +205,8 @@ WorldReading totals(const World& world) {
         sum.motion += record.mass * m.velocity.norm();
         sum.angularMomentum += record.inertia * m.angularVelocity + record.mass * cross(m.center, m.velocity);
     }
-    for (const ConnectorRecord& c : data.connectors) {
-        sum.elastic += c.used ? elasticEnergy(c, stretchOf(data, c).distance) : 0;
+    for (const ConnectorRecord& c : data.forces.connectors) {
+        sum.elastic += c.used ? elasticEnergy(c, stretchOf(data.bodies, c).distance) : 0;
     }
     return sum;
 }
@@ -213,22 +214,22 @@ WorldReading totals(const World& world) {
 WorldCounters counters(const World& world) {
     const WorldData& data = world.data();
     WorldCounters count;
-    for (const BodyRecord& record : data.records) {
+    for (const BodyRecord& record : data.bodies.records) {
         if (record.used) {
             countBody(record, count);
         }
     }
-    count.pairs = static_cast<int>(data.table.size() + data.sleep.table.size());
-    count.contacts = touchingIn(data.table) + touchingIn(data.sleep.table);
-    count.treeCells = cellsOf(data.tree);
-    if (data.statics) {
-        count.treeCells += cellsOf(data.statics->tree);
+    count.pairs = static_cast<int>(data.contacts.table.size() + data.sleep.table.size());
+    count.contacts = touchingIn(data.contacts.table) + touchingIn(data.sleep.table);
+    count.treeCells = cellsOf(data.broadPhase.tree);
+    if (data.broadPhase.statics) {
+        count.treeCells += cellsOf(data.broadPhase.statics->tree);
     }
-    if (data.staticChanges) {
-        count.treeCells += cellsOf(data.staticChanges->geometry.tree);
+    if (data.broadPhase.staticChanges) {
+        count.treeCells += cellsOf(data.broadPhase.staticChanges->geometry.tree);
     }
-    count.islands = static_cast<int>(data.moving.empty() ? 0 : data.islands.islandRoots.size());
-    count.connectors = static_cast<int>(data.connectors.size() - data.freeConnectors.size());
+    count.islands = static_cast<int>(data.bodies.moving.empty() ? 0 : data.islands.islandRoots.size());
+    count.connectors = static_cast<int>(data.forces.connectors.size() - data.forces.freeConnectors.size());
     return count;
 }
 

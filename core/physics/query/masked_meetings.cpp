@@ -15,9 +15,9 @@ namespace {
 using Meetings = std::vector<std::pair<BodyId, BodyId>>;
 
 /// Those that there are, each once.
-std::vector<Filter> filtersOf(const WorldData& data) {
+std::vector<Filter> filtersOf(const Bodies& bodies) {
     std::vector<Filter> filters;
-    for (const BodyRecord& record : data.records) {
+    for (const BodyRecord& record : bodies.records) {
         const bool known =
             std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) { return filter == record.filter; });
         if (record.used && record.active && !known) {
@@ -32,17 +32,17 @@ bool isPicky(const std::vector<Filter>& filters, const Filter& own) {
     return std::any_of(filters.begin(), filters.end(), [&](const Filter& other) { return !mayTouch(own, other); });
 }
 
-bool areConnected(const WorldData& data, Slot a, Slot b) {
-    return std::binary_search(data.notColliding.begin(), data.notColliding.end(), SlotPair(std::minmax(a, b)));
+bool areConnected(const Forces& forces, Slot a, Slot b) {
+    return std::binary_search(forces.notColliding.begin(), forces.notColliding.end(), SlotPair(std::minmax(a, b)));
 }
 
 /// Whether nothing but their masks is between them.
-bool isMaskedOnly(const WorldData& data, Slot a, Slot b) {
-    const BodyRecord& ra = data.records[a];
-    const BodyRecord& rb = data.records[b];
+bool isMaskedOnly(const Bodies& bodies, const Forces& forces, Slot a, Slot b) {
+    const BodyRecord& ra = bodies.records[a];
+    const BodyRecord& rb = bodies.records[b];
     const bool moves = ra.kind == BodyKind::Dynamic || rb.kind == BodyKind::Dynamic;
     return a != b && (moves || !ra.tangible || !rb.tangible) && !mayTouch(ra.filter, rb.filter) &&
-           !areConnected(data, a, b);
+           !areConnected(forces, a, b);
 }
 
 /// Two parts where they are.
@@ -56,17 +56,17 @@ bool meets(const Placed& a, const Placed& b, bool solid) {
                  : overlaps(a.part, a.pose, b.part, b.pose);
 }
 
-bool isSolid(const WorldData& data, Slot a, Slot b) {
-    return data.records[a].tangible && data.records[b].tangible;
+bool isSolid(const Bodies& bodies, Slot a, Slot b) {
+    return bodies.records[a].tangible && bodies.records[b].tangible;
 }
 
-bool bodiesMeet(const WorldData& data, Slot a, Slot b) {
-    const bool solid = isSolid(data, a, b);
-    for (const Part& partA : *data.records[a].parts) {
-        const Placed one{partA, data.pose(a)};
+bool bodiesMeet(const Bodies& bodies, Slot a, Slot b) {
+    const bool solid = isSolid(bodies, a, b);
+    for (const Part& partA : *bodies.records[a].parts) {
+        const Placed one{partA, bodies.pose(a)};
         const Aabb box = boundsOf(partA, one.pose).grown(linearSlop);
-        for (const Part& partB : *data.records[b].parts) {
-            const Placed other{partB, data.pose(b)};
+        for (const Part& partB : *bodies.records[b].parts) {
+            const Placed other{partB, bodies.pose(b)};
             if (boundsOf(partB, other.pose).overlaps(box) && meets(one, other, solid)) {
                 return true;
             }
@@ -75,9 +75,9 @@ bool bodiesMeet(const WorldData& data, Slot a, Slot b) {
     return false;
 }
 
-void note(const WorldData& data, Slot a, Slot b, Meetings& out) {
-    const bool ordered = data.records[a].serial < data.records[b].serial;
-    out.emplace_back(data.idOf(ordered ? a : b), data.idOf(ordered ? b : a));
+void note(const Bodies& bodies, Slot a, Slot b, Meetings& out) {
+    const bool ordered = bodies.records[a].serial < bodies.records[b].serial;
+    out.emplace_back(bodies.idOf(ordered ? a : b), bodies.idOf(ordered ? b : a));
 }
 
 /// A body that moves, with its box and whether it is picky.
@@ -87,14 +87,14 @@ struct Standing {
     bool picky;
 };
 
-std::vector<Standing> movingBodies(const WorldData& data, const std::vector<Filter>& filters) {
+std::vector<Standing> movingBodies(const Bodies& bodies, const std::vector<Filter>& filters) {
     std::vector<Standing> all;
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        const BodyRecord& record = data.records[slot];
+    for (Slot slot = 0; slot < bodies.records.size(); ++slot) {
+        const BodyRecord& record = bodies.records[slot];
         if (record.used && record.active && record.kind != BodyKind::Static) {
             Standing one{slot, {}, isPicky(filters, record.filter)};
             for (const Part& part : *record.parts) {
-                one.box.include(boundsOf(part, data.pose(slot)));
+                one.box.include(boundsOf(part, bodies.pose(slot)));
             }
             one.box = one.box.grown(linearSlop);
             all.push_back(one);
@@ -106,14 +106,14 @@ std::vector<Standing> movingBodies(const WorldData& data, const std::vector<Filt
 }
 
 /// By what comes next to the right.
-void findMoving(const WorldData& data, const std::vector<Standing>& all, Meetings& out) {
+void findMoving(const Bodies& bodies, const Forces& forces, const std::vector<Standing>& all, Meetings& out) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         for (std::size_t k = i + 1; k < all.size() && all[k].box.min.x() <= all[i].box.max.x(); ++k) {
             const Slot a = all[i].slot;
             const Slot b = all[k].slot;
-            if (all[i].picky && all[k].picky && all[i].box.overlaps(all[k].box) && isMaskedOnly(data, a, b) &&
-                bodiesMeet(data, a, b)) {
-                note(data, a, b, out);
+            if (all[i].picky && all[k].picky && all[i].box.overlaps(all[k].box) && isMaskedOnly(bodies, forces, a, b) &&
+                bodiesMeet(bodies, a, b)) {
+                note(bodies, a, b, out);
             }
         }
     }
@@ -121,18 +121,19 @@ void findMoving(const WorldData& data, const std::vector<Standing>& all, Meeting
 
 void findStaticsOf(const WorldData& data, const Standing& body, Meetings& out) {
     std::vector<std::uint32_t> found;
-    findStatics(data, body.box, found);
+    findStatics(data.broadPhase, body.box, found);
     std::vector<Slot> met;
     for (const std::uint32_t i : found) {
-        const StaticGeometry::Collider& wall = data.staticCollider(i);
-        if (!isMaskedOnly(data, body.slot, wall.body) || std::find(met.begin(), met.end(), wall.body) != met.end()) {
+        const StaticGeometry::Collider& wall = data.broadPhase.staticCollider(i);
+        if (!isMaskedOnly(data.bodies, data.forces, body.slot, wall.body) ||
+            std::find(met.begin(), met.end(), wall.body) != met.end()) {
             continue;
         }
-        const bool solid = isSolid(data, body.slot, wall.body);
-        for (const Part& part : *data.records[body.slot].parts) {
-            if (meets({part, data.pose(body.slot)}, {wall.shape, {}}, solid)) {
+        const bool solid = isSolid(data.bodies, body.slot, wall.body);
+        for (const Part& part : *data.bodies.records[body.slot].parts) {
+            if (meets({part, data.bodies.pose(body.slot)}, {wall.shape, {}}, solid)) {
                 met.push_back(wall.body);
-                note(data, body.slot, wall.body, out);
+                note(data.bodies, body.slot, wall.body, out);
                 break;
             }
         }
@@ -143,14 +144,14 @@ void findStaticsOf(const WorldData& data, const Standing& body, Meetings& out) {
 
 std::vector<std::pair<BodyId, BodyId>> maskedMeetings(const World& world) {
     const WorldData& data = world.data();
-    const std::vector<Filter> filters = filtersOf(data);
+    const std::vector<Filter> filters = filtersOf(data.bodies);
     Meetings meetings;
     if (std::none_of(filters.begin(), filters.end(), [&](const Filter& own) { return isPicky(filters, own); })) {
         return meetings;
     }
-    const std::vector<Standing> all = movingBodies(data, filters);
-    findMoving(data, all, meetings);
-    if (data.statics != nullptr && !data.flags.staticsChanged) {
+    const std::vector<Standing> all = movingBodies(data.bodies, filters);
+    findMoving(data.bodies, data.forces, all, meetings);
+    if (data.broadPhase.statics != nullptr && !data.flags.staticsChanged) {
         for (const Standing& body : all) {
             if (body.picky) {
                 findStaticsOf(data, body, meetings);

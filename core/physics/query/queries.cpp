@@ -17,8 +17,8 @@ namespace {
 constexpr double rounding = 1e-6; // m: so much further candidates are looked for
 
 /// Whether the static tree shows the static bodies as they are.
-bool isTreeFresh(const WorldData& data) {
-    return data.statics != nullptr && !data.flags.staticsChanged;
+bool isTreeFresh(const BroadPhase& broadPhase, const StepFlags& flags) {
+    return broadPhase.statics != nullptr && !flags.staticsChanged;
 }
 
 /// A part and what decides between equal answers: the first part of the first body.
@@ -31,69 +31,69 @@ struct Candidate {
 };
 
 template <class Visit>
-void visitPart(const WorldData& data, Slot slot, std::uint32_t part, const Visit& visit) {
-    const BodyRecord& record = data.records[slot];
-    visit(Candidate{slot, part, (*record.parts)[part], data.pose(slot), record.serial});
+void visitPart(const Bodies& bodies, Slot slot, std::uint32_t part, const Visit& visit) {
+    const BodyRecord& record = bodies.records[slot];
+    visit(Candidate{slot, part, (*record.parts)[part], bodies.pose(slot), record.serial});
 }
 
 /// Calls `visit(candidate)` for the parts of active bodies that may reach into the area, in no order that matters.
 template <class Visit>
 void forEachPartNear(const WorldData& data, const Aabb& area, const Visit& visit) {
-    const bool fresh = isTreeFresh(data);
+    const bool fresh = isTreeFresh(data.broadPhase, data.flags);
     if (fresh) {
         std::vector<std::uint32_t> found;
-        findStaticShapes(data, area, found);
+        findStaticShapes(data.broadPhase, area, found);
         for (const std::uint32_t i : found) {
-            const StaticGeometry::Collider& collider = data.staticCollider(i);
-            visitPart(data, collider.body, collider.part, visit);
+            const StaticGeometry::Collider& collider = data.broadPhase.staticCollider(i);
+            visitPart(data.bodies, collider.body, collider.part, visit);
         }
     }
-    const bool listed = fresh && data.changedBodies.empty(); // else there is nothing to go by but all bodies
-    const std::size_t count = listed ? data.nonStatic.size() : data.records.size();
+    const bool listed = fresh && data.bodies.changedBodies.empty(); // else there is nothing to go by but all bodies
+    const std::size_t count = listed ? data.bodies.nonStatic.size() : data.bodies.records.size();
     for (std::size_t i = 0; i < count; ++i) {
-        const Slot slot = listed ? data.nonStatic[i] : static_cast<Slot>(i);
-        const BodyRecord& record = data.records[slot];
+        const Slot slot = listed ? data.bodies.nonStatic[i] : static_cast<Slot>(i);
+        const BodyRecord& record = data.bodies.records[slot];
         const bool inTree = fresh && record.kind == BodyKind::Static;
         if (!record.used || !record.active || inTree ||
-            !area.grown(record.outerRadius).contains(data.motions[slot].center)) {
+            !area.grown(record.outerRadius).contains(data.bodies.motions[slot].center)) {
             continue;
         }
         for (std::uint32_t part = 0; part < record.parts->size(); ++part) {
-            visitPart(data, slot, part, visit);
+            visitPart(data.bodies, slot, part, visit);
         }
     }
 }
 
 /// In the order in which they were added, each once.
-std::vector<BodyId> inOrder(const WorldData& data, std::vector<Slot>& slots) {
+std::vector<BodyId> inOrder(const Bodies& bodies, std::vector<Slot>& slots) {
     std::sort(slots.begin(), slots.end(),
-              [&](Slot a, Slot b) { return data.records[a].serial < data.records[b].serial; });
+              [&](Slot a, Slot b) { return bodies.records[a].serial < bodies.records[b].serial; });
     slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
     std::vector<BodyId> ids;
     ids.reserve(slots.size());
     for (const Slot slot : slots) {
-        ids.push_back(data.idOf(slot));
+        ids.push_back(bodies.idOf(slot));
     }
     return ids;
 }
 
-Aabb exactBounds(const WorldData& data, Slot slot) {
+Aabb exactBounds(const Bodies& bodies, Slot slot) {
     Aabb box;
-    for (const Part& part : *data.records[slot].parts) {
-        box.include(boundsOf(part, data.pose(slot)));
+    for (const Part& part : *bodies.records[slot].parts) {
+        box.include(boundsOf(part, bodies.pose(slot)));
     }
     return box;
 }
 
 template <class Visit>
-void forEachTree(const WorldData& data, const Visit& visit) {
-    if (data.statics) {
-        visit(data.statics->tree);
+void forEachTree(const BroadPhase& broadPhase, const Visit& visit) {
+    if (broadPhase.statics) {
+        visit(broadPhase.statics->tree);
     }
-    if (data.staticChanges) {
-        visit(data.staticChanges->geometry.tree);
+    if (broadPhase.staticChanges) {
+        visit(broadPhase.staticChanges->geometry.tree);
     }
-    visit(data.tree);
+    visit(broadPhase.tree);
 }
 
 /// Nearest among what reaches into the square of `reach` metres around the point.
@@ -102,14 +102,14 @@ std::optional<NearestPoint> closestWithin(const WorldData& data, const Vec2& poi
     std::uint64_t serial = 0;
     const Aabb area = Aabb{point, point}.grown(reach + rounding);
     forEachPartNear(data, area, [&](const Candidate& candidate) {
-        if (!data.records[candidate.body].filter.tags.intersects(mask)) {
+        if (!data.bodies.records[candidate.body].filter.tags.intersects(mask)) {
             return;
         }
         const Vec2 on = closestPoint(candidate.shape, candidate.pose, point);
         const double distance = (on - point).norm();
         const bool nearer = !best || std::tie(distance, candidate.serial) < std::tie(best->distance, serial);
         if (distance <= reach && nearer) {
-            best = NearestPoint{data.idOf(candidate.body), on, distance};
+            best = NearestPoint{data.bodies.idOf(candidate.body), on, distance};
             serial = candidate.serial;
         }
     });
@@ -125,13 +125,14 @@ std::optional<RayHit> rayCast(const World& world, const Vec2& from, const Vec2& 
     Aabb area{from, from};
     area.include(to);
     forEachPartNear(data, area.grown(rounding), [&](const Candidate& candidate) {
-        if (!data.records[candidate.body].filter.tags.intersects(mask)) {
+        if (!data.bodies.records[candidate.body].filter.tags.intersects(mask)) {
             return;
         }
         const auto hit = rayCast(candidate.shape, candidate.pose, from, to);
         const std::pair part(candidate.serial, candidate.part);
         if (hit && (!best || std::tie(hit->fraction, part) < std::tie(best->fraction, bestPart))) {
-            best = RayHit{data.idOf(candidate.body), from + hit->fraction * (to - from), hit->normal, hit->fraction};
+            best = RayHit{data.bodies.idOf(candidate.body), from + hit->fraction * (to - from), hit->normal,
+                          hit->fraction};
             bestPart = part;
         }
     });
@@ -146,21 +147,21 @@ std::vector<BodyId> bodiesAt(const World& world, const Vec2& point) {
             slots.push_back(candidate.body);
         }
     });
-    return inOrder(data, slots);
+    return inOrder(data.bodies, slots);
 }
 
 std::vector<BodyId> bodiesIn(const World& world, const Aabb& box) {
     const WorldData& data = world.data();
-    const bool fresh = isTreeFresh(data);
+    const bool fresh = isTreeFresh(data.broadPhase, data.flags);
     std::vector<Slot> slots;
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        const BodyRecord& record = data.records[slot];
+    for (Slot slot = 0; slot < data.bodies.records.size(); ++slot) {
+        const BodyRecord& record = data.bodies.records[slot];
         const bool inTree = fresh && record.kind == BodyKind::Static;
-        if (record.used && record.active && (inTree ? record.solid : exactBounds(data, slot)).overlaps(box)) {
+        if (record.used && record.active && (inTree ? record.solid : exactBounds(data.bodies, slot)).overlaps(box)) {
             slots.push_back(slot);
         }
     }
-    return inOrder(data, slots);
+    return inOrder(data.bodies, slots);
 }
 
 std::optional<NearestPoint> closestBody(const World& world, const Vec2& point, const SearchLimits& limits) {
@@ -179,7 +180,7 @@ std::optional<NearestPoint> closestBody(const World& world, const Vec2& point, c
 
 std::vector<Aabb> quadtreeCells(const World& world) {
     std::vector<Aabb> cells;
-    forEachTree(world.data(), [&](const auto& tree) {
+    forEachTree(world.data().broadPhase, [&](const auto& tree) {
         const std::vector<Aabb> own = tree.cells();
         cells.insert(cells.end(), own.begin(), own.end());
     });
@@ -189,7 +190,7 @@ std::vector<Aabb> quadtreeCells(const World& world) {
 std::vector<QuadtreeCell> occupiedCells(const World& world, const std::optional<Aabb>& area) {
     std::vector<QuadtreeCell> cells;
     std::vector<std::uint32_t> found;
-    forEachTree(world.data(), [&](const auto& tree) {
+    forEachTree(world.data().broadPhase, [&](const auto& tree) {
         for (const Aabb& cell : tree.cells()) {
             if (area && !cell.overlaps(*area)) {
                 continue;
@@ -205,12 +206,12 @@ std::vector<QuadtreeCell> occupiedCells(const World& world, const std::optional<
 
 std::optional<std::uint32_t> islandOf(const World& world, BodyId body) {
     const WorldData& data = world.data();
-    const BodyRecord& record = data.records[body.index];
+    const BodyRecord& record = data.bodies.records[body.index];
     if (record.asleep) {
         return record.island;
     }
     const std::vector<Slot>& roots = data.islands.roots;
-    const bool isKnown = body.index < roots.size() && data.motions[body.index].isMovable() && record.active;
+    const bool isKnown = body.index < roots.size() && data.bodies.motions[body.index].isMovable() && record.active;
     return isKnown ? std::optional(roots[body.index]) : std::nullopt;
 }
 

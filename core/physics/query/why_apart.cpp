@@ -32,11 +32,11 @@ void lookUp(const PairTable& table, Slot a, Slot b, Touching& touching) {
 
 Touching touchingOf(const WorldData& data, Slot a, Slot b) {
     Touching touching;
-    for (const PairTable* table : {&data.table, &data.sleep.table}) {
+    for (const PairTable* table : {&data.contacts.table, &data.sleep.table}) {
         lookUp(*table, a, b, touching);
         lookUp(*table, b, a, touching);
     }
-    touching.solid = touching.any && data.records[a].tangible && data.records[b].tangible;
+    touching.solid = touching.any && data.bodies.records[a].tangible && data.bodies.records[b].tangible;
     return touching;
 }
 
@@ -45,10 +45,10 @@ bool hasOnlyWalls(const BodyRecord& record) {
                        [](const Part& part) { return std::holds_alternative<WallPart>(part); });
 }
 
-std::vector<ConnectorId> connectorsBetween(const WorldData& data, Slot a, Slot b) {
+std::vector<ConnectorId> connectorsBetween(const Forces& forces, Slot a, Slot b) {
     std::vector<ConnectorId> found;
-    for (std::uint32_t i = 0; i < data.connectors.size(); ++i) {
-        const ConnectorRecord& c = data.connectors[i];
+    for (std::uint32_t i = 0; i < forces.connectors.size(); ++i) {
+        const ConnectorRecord& c = forces.connectors[i];
         if (c.used && !c.bodiesCollide && std::minmax(c.a, c.b) == std::minmax(a, b)) {
             found.push_back({i, c.generation});
         }
@@ -57,9 +57,9 @@ std::vector<ConnectorId> connectorsBetween(const WorldData& data, Slot a, Slot b
 }
 
 /// What decides before where they are.
-std::optional<CollisionAnswer> answerByRules(const WorldData& data, BodyId a, BodyId b) {
-    const BodyRecord& ra = data.records[a.index];
-    const BodyRecord& rb = data.records[b.index];
+std::optional<CollisionAnswer> answerByRules(const Bodies& bodies, const Forces& forces, BodyId a, BodyId b) {
+    const BodyRecord& ra = bodies.records[a.index];
+    const BodyRecord& rb = bodies.records[b.index];
     const bool sensed = !ra.tangible || !rb.tangible;
     CollisionAnswer answer;
     if (!ra.active || !rb.active) {
@@ -73,7 +73,7 @@ std::optional<CollisionAnswer> answerByRules(const WorldData& data, BodyId a, Bo
         answer.body = first ? a : b;
         answer.missing = first ? rb.filter.tags : ra.filter.tags;
         answer.bothMasks = first && !rb.filter.touches.intersects(ra.filter.tags);
-    } else if (auto between = connectorsBetween(data, a.index, b.index); !between.empty()) {
+    } else if (auto between = connectorsBetween(forces, a.index, b.index); !between.empty()) {
         answer.why = WhyApart::Connected;
         answer.connectors = std::move(between);
     } else {
@@ -86,8 +86,8 @@ std::optional<CollisionAnswer> answerByRules(const WorldData& data, BodyId a, Bo
 class Distance {
   public:
     Distance(const WorldData& data, BodyId a, BodyId b)
-        : m_a(a), m_b(b), m_partsA(*data.records[a.index].parts), m_partsB(*data.records[b.index].parts),
-          m_poseA(data.pose(a.index)), m_poseB(data.pose(b.index)) {}
+        : m_a(a), m_b(b), m_partsA(*data.bodies.records[a.index].parts), m_partsB(*data.bodies.records[b.index].parts),
+          m_poseA(data.bodies.pose(a.index)), m_poseB(data.bodies.pose(b.index)) {}
 
     CollisionAnswer answer() {
         std::vector<Aabb> boxes;
@@ -186,11 +186,11 @@ CollisionAnswer whyNotColliding(const World& world, BodyId a, BodyId b) {
     if (touching.solid) {
         return answer;
     }
-    if (auto ruled = answerByRules(data, a, b)) {
+    if (auto ruled = answerByRules(data.bodies, data.forces, a, b)) {
         return *std::move(ruled);
     }
-    const BodyRecord& ra = data.records[a.index];
-    const BodyRecord& rb = data.records[b.index];
+    const BodyRecord& ra = data.bodies.records[a.index];
+    const BodyRecord& rb = data.bodies.records[b.index];
     if (!ra.tangible || !rb.tangible) {
         answer.why = WhyApart::Intangible;
         answer.body = ra.tangible ? b : a;

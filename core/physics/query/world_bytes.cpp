@@ -25,18 +25,19 @@ std::size_t copyBytes(const World& world) {
     const WorldData& data = world.data();
     constexpr std::size_t kept = sizeof(PlannedMotion) + sizeof(BodyExtent) + sizeof(double) + sizeof(BodyVelocity);
     constexpr std::size_t lists = 12 * sizeof(Slot); // in which a body may be
-    const std::size_t bodies =
-        bytesOf(data.motions) + bytesOf(data.steps) + bytesOf(data.records) + data.records.size() * (kept + lists);
+    const std::size_t bodies = bytesOf(data.bodies.motions) + bytesOf(data.bodies.steps) +
+                               bytesOf(data.bodies.records) + data.bodies.records.size() * (kept + lists);
     constexpr std::size_t places = sizeof(Aabb) + 4 * sizeof(std::uint32_t); // in the tree
-    const std::size_t proxies = bytesOf(data.proxies) + bytesOf(data.boxes) + data.proxies.size() * places;
-    const std::size_t contacts = bytesOf(data.contacts) + bytesOf(data.manifolds) + bytesOf(data.circleContacts) +
-                                 bytesOf(data.generalContacts) + bytesOf(data.batches.circles) +
-                                 bytesOf(data.batches.general);
+    const std::size_t proxies =
+        bytesOf(data.broadPhase.proxies) + bytesOf(data.broadPhase.boxes) + data.broadPhase.proxies.size() * places;
+    const std::size_t contacts = bytesOf(data.contacts.pool) + bytesOf(data.contacts.manifolds) +
+                                 bytesOf(data.constraints.circleContacts) + bytesOf(data.constraints.generalContacts) +
+                                 bytesOf(data.constraints.batches.circles) + bytesOf(data.constraints.batches.general);
     const std::size_t events = bytesOf(data.events.began) + bytesOf(data.events.ended) +
                                bytesOf(data.events.tagsTouched) + bytesOf(data.impulses.impulses) +
                                bytesOf(data.impulses.places) + bytesOf(data.impulses.placed);
-    return sizeof(WorldData) + bodies + proxies + bytesOf(data.table) + bytesOf(data.sleep.table) + contacts + events +
-           bytesOf(data.connectors) + bytesOf(data.notColliding);
+    return sizeof(WorldData) + bodies + proxies + bytesOf(data.contacts.table) + bytesOf(data.sleep.table) + contacts +
+           events + bytesOf(data.forces.connectors) + bytesOf(data.forces.notColliding);
 }
 
 } // namespace spacetow

@@ -18,25 +18,25 @@ constexpr double sleepSpeed = 0.01;
 constexpr double sleepDelay = 0.5;
 
 /// Bodies that no contact can move join nothing and are not woken by contacts.
-bool isAnchor(const WorldData& data, Slot slot) {
-    return data.motions[slot].inverseMass == 0 && data.motions[slot].inverseInertia == 0;
+bool isAnchor(const Bodies& bodies, Slot slot) {
+    return bodies.motions[slot].inverseMass == 0 && bodies.motions[slot].inverseInertia == 0;
 }
 
 /// Anchors move as they are told, however slowly.
-bool isStill(const WorldData& data, Slot slot) {
-    const BodyMotion& m = data.motions[slot];
+bool isStill(const Bodies& bodies, Slot slot) {
+    const BodyMotion& m = bodies.motions[slot];
     const double speed =
-        std::sqrt(m.velocity.squaredNorm()) + std::abs(m.angularVelocity) * data.steps[slot].outerRadius;
-    return isAnchor(data, slot) ? speed == 0 : speed < sleepSpeed;
+        std::sqrt(m.velocity.squaredNorm()) + std::abs(m.angularVelocity) * bodies.steps[slot].outerRadius;
+    return isAnchor(bodies, slot) ? speed == 0 : speed < sleepSpeed;
 }
 
-bool maySleep(const WorldData& data, Slot slot) {
-    const BodyRecord& record = data.records[slot];
+bool maySleep(const Bodies& bodies, Slot slot) {
+    const BodyRecord& record = bodies.records[slot];
     return record.kind == BodyKind::Static || record.asleep || record.stillTime >= sleepDelay;
 }
 
-bool sleeps(const WorldData& data, const Pair& pair) {
-    return data.records[pair.bodyA].asleep && (pair.staticB || data.records[pair.bodyB].asleep);
+bool sleeps(const Bodies& bodies, const Pair& pair) {
+    return bodies.records[pair.bodyA].asleep && (pair.staticB || bodies.records[pair.bodyB].asleep);
 }
 
 /// Pairs nobody of which moves on one side, the others on the other.
@@ -44,43 +44,43 @@ void partitionPairs(WorldData& data) {
     Sleep& sleep = data.sleep;
     data.scratch.changes.newTable.clear();
     data.scratch.sleep.newTable.clear();
-    for (std::size_t i = 0, j = 0; i < data.table.size() || j < sleep.table.size();) {
-        const bool first =
-            j == sleep.table.size() || (i < data.table.size() && data.table.pairs[i] < sleep.table.pairs[j]);
-        const PairTable& from = first ? data.table : sleep.table;
+    for (std::size_t i = 0, j = 0; i < data.contacts.table.size() || j < sleep.table.size();) {
+        const bool first = j == sleep.table.size() ||
+                           (i < data.contacts.table.size() && data.contacts.table.pairs[i] < sleep.table.pairs[j]);
+        const PairTable& from = first ? data.contacts.table : sleep.table;
         const std::size_t index = first ? i++ : j++;
-        (sleeps(data, from.pairs[index]) ? data.scratch.sleep.newTable : data.scratch.changes.newTable)
+        (sleeps(data.bodies, from.pairs[index]) ? data.scratch.sleep.newTable : data.scratch.changes.newTable)
             .addFrom(from, index);
     }
-    std::swap(data.table, data.scratch.changes.newTable);
+    std::swap(data.contacts.table, data.scratch.changes.newTable);
     std::swap(sleep.table, data.scratch.sleep.newTable);
 }
 
 /// All lists that depend on who sleeps.
 void rebuildLists(WorldData& data) {
-    releaseConstraints(data);
+    releaseConstraints(data.contacts, data.constraints, data.flags);
     Sleep& sleep = data.sleep;
     sleep.sleepers.clear();
-    for (const Slot slot : data.nonStatic) {
-        if (data.records[slot].asleep) {
+    for (const Slot slot : data.bodies.nonStatic) {
+        if (data.bodies.records[slot].asleep) {
             sleep.sleepers.push_back(slot);
         }
     }
     partitionPairs(data);
     listMoving(data);
-    listSensors(data);
-    relistTouchedTags(data);
+    listSensors(data.contacts, data.flags);
+    relistTouchedTags(data.bodies, data.sleep);
 }
 
 void wake(WorldData& data, Slot slot, int iteration) {
-    BodyRecord& record = data.records[slot];
-    BodyStep& s = data.steps[slot];
+    BodyRecord& record = data.bodies.records[slot];
+    BodyStep& s = data.bodies.steps[slot];
     record.asleep = false;
     record.stillTime = 0;
     const bool falls = record.kind == BodyKind::Dynamic && !record.positionFrozen;
     s.acceleration = falls ? data.sleep.gravity : Vec2(0, 0);
     s.angularAcceleration = 0;
-    data.events.wokeUp.push_back({iteration, data.idOf(slot)});
+    data.events.wokeUp.push_back({iteration, data.bodies.idOf(slot)});
 }
 
 /// Everybody whose island is marked.
@@ -88,7 +88,7 @@ void wakeMarked(WorldData& data, int iteration) {
     const std::vector<std::uint8_t>& marked = data.scratch.sleep.marked;
     bool any = false;
     for (const Slot slot : data.sleep.sleepers) {
-        if (marked[data.records[slot].island] != 0) {
+        if (marked[data.bodies.records[slot].island] != 0) {
             wake(data, slot, iteration);
             any = true;
         }
@@ -98,28 +98,28 @@ void wakeMarked(WorldData& data, int iteration) {
     }
 }
 
-void clearMarks(WorldData& data) {
-    std::vector<std::uint8_t>& marked = data.scratch.sleep.marked;
-    marked.resize(data.records.size());
-    for (const Slot slot : data.sleep.sleepers) {
-        marked[data.records[slot].island] = 0;
+void clearMarks(const Bodies& bodies, const Sleep& sleep, SleepSearch& sleepSearch) {
+    std::vector<std::uint8_t>& marked = sleepSearch.marked;
+    marked.resize(bodies.records.size());
+    for (const Slot slot : sleep.sleepers) {
+        marked[bodies.records[slot].island] = 0;
     }
 }
 
-void markIsland(WorldData& data, Slot slot) {
-    if (data.records[slot].asleep) {
-        data.scratch.sleep.marked[data.records[slot].island] = 1;
+void markIsland(const Bodies& bodies, SleepSearch& sleepSearch, Slot slot) {
+    if (bodies.records[slot].asleep) {
+        sleepSearch.marked[bodies.records[slot].island] = 1;
     }
 }
 
-void markNear(WorldData& data, Slot anchor) {
+void markNear(const Bodies& bodies, const Sleep& sleep, SleepSearch& sleepSearch, Slot anchor) {
     Aabb box;
-    for (const Part& part : *data.records[anchor].parts) {
-        box.include(boundsOf(part, data.pose(anchor)));
+    for (const Part& part : *bodies.records[anchor].parts) {
+        box.include(boundsOf(part, bodies.pose(anchor)));
     }
-    for (const Slot slot : data.sleep.sleepers) {
-        if (data.records[slot].bounds.overlaps(box)) {
-            markIsland(data, slot);
+    for (const Slot slot : sleep.sleepers) {
+        if (bodies.records[slot].bounds.overlaps(box)) {
+            markIsland(bodies, sleepSearch, slot);
         }
     }
 }
@@ -127,54 +127,54 @@ void markNear(WorldData& data, Slot anchor) {
 /// The islands of those that are in a pair with a disturbed anchor.
 void markPartners(WorldData& data, const std::vector<Slot>& disturbed) {
     const auto isDisturbed = [&](Slot slot) {
-        return isAnchor(data, slot) && std::binary_search(disturbed.begin(), disturbed.end(), slot);
+        return isAnchor(data.bodies, slot) && std::binary_search(disturbed.begin(), disturbed.end(), slot);
     };
     for (const Pair& pair : data.sleep.table.pairs) {
         if (isDisturbed(pair.bodyA)) {
-            markIsland(data, pair.bodyB);
+            markIsland(data.bodies, data.scratch.sleep, pair.bodyB);
         }
         if (isDisturbed(pair.bodyB)) {
-            markIsland(data, pair.bodyA);
+            markIsland(data.bodies, data.scratch.sleep, pair.bodyA);
         }
     }
-    for (const ConnectorRecord& c : data.connectors) {
+    for (const ConnectorRecord& c : data.forces.connectors) {
         if (c.used && (std::binary_search(disturbed.begin(), disturbed.end(), c.a) ||
                        std::binary_search(disturbed.begin(), disturbed.end(), c.b))) {
-            markIsland(data, c.a);
-            markIsland(data, c.b);
+            markIsland(data.bodies, data.scratch.sleep, c.a);
+            markIsland(data.bodies, data.scratch.sleep, c.b);
         }
     }
 }
 
 /// Joins two bodies, or lets an anchor that is not at rest keep the other awake.
-void join(WorldData& data, Slot a, Slot b) {
-    std::vector<Slot>& parents = data.scratch.sleep.parents;
-    const bool anchorA = isAnchor(data, a);
-    const bool anchorB = isAnchor(data, b);
+void join(const Bodies& bodies, SleepSearch& sleepSearch, Slot a, Slot b) {
+    std::vector<Slot>& parents = sleepSearch.parents;
+    const bool anchorA = isAnchor(bodies, a);
+    const bool anchorB = isAnchor(bodies, b);
     if (!anchorA && !anchorB) {
         joinSets(parents, a, b);
-    } else if (!anchorA && !maySleep(data, b)) {
-        data.scratch.sleep.marked[a] = 1;
-    } else if (!anchorB && !maySleep(data, a)) {
-        data.scratch.sleep.marked[b] = 1;
+    } else if (!anchorA && !maySleep(bodies, b)) {
+        sleepSearch.marked[a] = 1;
+    } else if (!anchorB && !maySleep(bodies, a)) {
+        sleepSearch.marked[b] = 1;
     }
 }
 
 /// Each body that may be joined to others by itself, and not marked.
-void beginSets(WorldData& data) {
-    SleepSearch& sleep = data.scratch.sleep;
-    sleep.parents.resize(data.records.size());
-    sleep.marked.resize(data.records.size());
+void beginSets(const Bodies& bodies, const Forces& forces, const Contacts& contacts, SleepSearch& sleepSearch) {
+    SleepSearch& sleep = sleepSearch;
+    sleep.parents.resize(bodies.records.size());
+    sleep.marked.resize(bodies.records.size());
     const auto begin = [&](Slot slot) {
         sleep.parents[slot] = slot;
         sleep.marked[slot] = 0;
     };
-    std::for_each(data.moving.begin(), data.moving.end(), begin);
-    for (const Pair& pair : data.table.pairs) {
+    std::for_each(bodies.moving.begin(), bodies.moving.end(), begin);
+    for (const Pair& pair : contacts.table.pairs) {
         begin(pair.bodyA);
         begin(pair.bodyB);
     }
-    for (const ConnectorRecord& c : data.connectors) {
+    for (const ConnectorRecord& c : forces.connectors) {
         if (c.used) {
             begin(c.a);
             begin(c.b);
@@ -182,24 +182,24 @@ void beginSets(WorldData& data) {
     }
 }
 
-void joinIslands(WorldData& data) {
-    for (const Pair& pair : data.table.pairs) {
-        const bool touches = pair.contact != Pair::none && data.contacts[pair.contact].count > 0;
+void joinIslands(const Bodies& bodies, const Forces& forces, const Contacts& contacts, SleepSearch& sleepSearch) {
+    for (const Pair& pair : contacts.table.pairs) {
+        const bool touches = pair.contact != Pair::none && contacts.pool[pair.contact].count > 0;
         if (pair.kind != PairKind::Sensor && touches) {
-            join(data, pair.bodyA, pair.bodyB);
+            join(bodies, sleepSearch, pair.bodyA, pair.bodyB);
         }
     }
-    for (const ConnectorRecord& c : data.connectors) {
-        if (c.used && data.records[c.a].active && data.records[c.b].active) {
-            join(data, c.a, c.b);
+    for (const ConnectorRecord& c : forces.connectors) {
+        if (c.used && bodies.records[c.a].active && bodies.records[c.b].active) {
+            join(bodies, sleepSearch, c.a, c.b);
         }
     }
 }
 
 void putToSleep(WorldData& data, Slot slot, Slot island, int iteration) {
-    BodyRecord& record = data.records[slot];
-    BodyMotion& m = data.motions[slot];
-    BodyStep& s = data.steps[slot];
+    BodyRecord& record = data.bodies.records[slot];
+    BodyMotion& m = data.bodies.motions[slot];
+    BodyStep& s = data.bodies.steps[slot];
     record.asleep = true;
     record.island = island;
     m.velocity.setZero();
@@ -212,19 +212,19 @@ void putToSleep(WorldData& data, Slot slot, Slot island, int iteration) {
     s.angleCorrection = 0;
     s.fraction = 1;
     s.movedProxy = s.pushed = s.bounced = false;
-    data.motionBounds[slot] = s.motionBound;
-    data.notePlannedMotion(slot);
-    data.events.fellAsleep.push_back({iteration, data.idOf(slot)});
+    data.bodies.motionBounds[slot] = s.motionBound;
+    data.bodies.notePlannedMotion(slot);
+    data.events.fellAsleep.push_back({iteration, data.bodies.idOf(slot)});
 }
 
 } // namespace
 
-void disturb(WorldData& data, Slot slot) {
-    BodyRecord& record = data.records[slot];
+void disturb(Bodies& bodies, Sleep& sleep, Slot slot) {
+    BodyRecord& record = bodies.records[slot];
     record.stillTime = 0;
     const bool moves = record.active && !record.asleep && record.kind != BodyKind::Static;
-    if (!data.sleep.sleepers.empty() && !moves) {
-        data.sleep.disturbed.push_back(slot);
+    if (!sleep.sleepers.empty() && !moves) {
+        sleep.disturbed.push_back(slot);
     }
 }
 
@@ -235,11 +235,11 @@ void wakeDisturbed(WorldData& data, int iteration) {
     }
     std::sort(disturbed.begin(), disturbed.end());
     disturbed.erase(std::unique(disturbed.begin(), disturbed.end()), disturbed.end());
-    clearMarks(data);
+    clearMarks(data.bodies, data.sleep, data.scratch.sleep);
     for (const Slot slot : disturbed) {
-        markIsland(data, slot);
-        if (data.records[slot].used && data.records[slot].kind == BodyKind::Static) {
-            markNear(data, slot);
+        markIsland(data.bodies, data.scratch.sleep, slot);
+        if (data.bodies.records[slot].used && data.bodies.records[slot].kind == BodyKind::Static) {
+            markNear(data.bodies, data.sleep, data.scratch.sleep, slot);
         }
     }
     markPartners(data, disturbed);
@@ -252,7 +252,7 @@ void beginSleep(WorldData& data, const Vec2& gravity) {
     const bool all = !sleep.sleepers.empty() && (!sleep.allowed || gravity != sleep.gravity);
     sleep.gravity = sleep.allowed ? gravity : Vec2(0, 0);
     if (all) {
-        data.scratch.sleep.marked.assign(data.records.size(), 1);
+        data.scratch.sleep.marked.assign(data.bodies.records.size(), 1);
         wakeMarked(data, -1);
         sleep.disturbed.clear();
     }
@@ -265,26 +265,26 @@ bool wakeTouched(WorldData& data, const IterationStep& step) {
     }
     bool any = false;
     const auto touch = [&](Slot slot) {
-        if (data.records[slot].asleep && !isAnchor(data, slot)) {
+        if (data.bodies.records[slot].asleep && !isAnchor(data.bodies, slot)) {
             if (!any) {
-                clearMarks(data);
+                clearMarks(data.bodies, data.sleep, data.scratch.sleep);
             }
-            markIsland(data, slot);
+            markIsland(data.bodies, data.scratch.sleep, slot);
             any = true;
         }
     };
-    for (const CircleContact& c : data.circleContacts) {
+    for (const CircleContact& c : data.constraints.circleContacts) {
         touch(c.a);
         touch(c.b);
     }
-    for (const GeneralContact& c : data.generalContacts) {
+    for (const GeneralContact& c : data.constraints.generalContacts) {
         touch(c.a);
         touch(c.b);
     }
     if (any) {
-        restoreVelocities(data);
+        restoreVelocities(data.bodies);
         wakeMarked(data, step.index);
-        prepareSteps(data, step);
+        prepareSteps(data.bodies, step);
     }
     return any;
 }
@@ -294,25 +294,25 @@ void fallAsleep(WorldData& data, double seconds, int iteration) {
         return;
     }
     bool anyReady = false;
-    for (const Slot slot : data.moving) {
-        double& stillTime = data.records[slot].stillTime;
-        stillTime = isStill(data, slot) ? stillTime + seconds : 0;
+    for (const Slot slot : data.bodies.moving) {
+        double& stillTime = data.bodies.records[slot].stillTime;
+        stillTime = isStill(data.bodies, slot) ? stillTime + seconds : 0;
         anyReady |= stillTime >= sleepDelay;
     }
     if (!anyReady) {
         return;
     }
-    beginSets(data); // and mark who stays awake
-    joinIslands(data);
+    beginSets(data.bodies, data.forces, data.contacts, data.scratch.sleep); // and mark who stays awake
+    joinIslands(data.bodies, data.forces, data.contacts, data.scratch.sleep);
     std::vector<Slot>& parents = data.scratch.sleep.parents;
     std::vector<std::uint8_t>& marked = data.scratch.sleep.marked;
-    for (const Slot slot : data.moving) {
-        if (marked[slot] != 0 || !maySleep(data, slot)) {
+    for (const Slot slot : data.bodies.moving) {
+        if (marked[slot] != 0 || !maySleep(data.bodies, slot)) {
             marked[rootOf(parents, slot)] = 1;
         }
     }
     bool any = false;
-    for (const Slot slot : data.moving) {
+    for (const Slot slot : data.bodies.moving) {
         const Slot island = rootOf(parents, slot);
         if (marked[island] == 0) {
             putToSleep(data, slot, island, iteration);

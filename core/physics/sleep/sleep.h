@@ -9,7 +9,7 @@ namespace spacetow {
 
 /// The body, or something about it, is about to change: with the next wakeDisturbed() its island wakes, and, when it is
 /// an anchor, all that is near it; near its new place, too, when it is static. Costs nothing while nobody sleeps.
-void disturb(WorldData& data, Slot slot);
+void disturb(Bodies& bodies, Sleep& sleep, Slot slot);
 
 /// `iteration` dates the events, here and below.
 void wakeDisturbed(WorldData& data, int iteration);

@@ -9,13 +9,13 @@ namespace spacetow {
 
 namespace {
 
-TouchEvent touchEvent(const WorldData& data, std::uint64_t bodies, int iteration) {
-    auto a = static_cast<Slot>(bodies >> 32);
-    auto b = static_cast<Slot>(bodies & 0xffffffffu);
-    if (data.records[b].serial < data.records[a].serial) {
+TouchEvent touchEvent(const Bodies& bodies, std::uint64_t bodyPair, int iteration) {
+    auto a = static_cast<Slot>(bodyPair >> 32);
+    auto b = static_cast<Slot>(bodyPair & 0xffffffffu);
+    if (bodies.records[b].serial < bodies.records[a].serial) {
         std::swap(a, b);
     }
-    return {iteration, data.idOf(a), data.idOf(b), data.records[a].tangible && data.records[b].tangible};
+    return {iteration, bodies.idOf(a), bodies.idOf(b), bodies.records[a].tangible && bodies.records[b].tangible};
 }
 
 /// All pairs of the same two bodies.
@@ -24,8 +24,8 @@ struct Group {
     std::size_t first = 0, end = 0;
 };
 
-Group groupAround(const WorldData& data, std::size_t index) {
-    const std::vector<Pair>& pairs = data.table.pairs;
+Group groupAround(const Contacts& contacts, std::size_t index) {
+    const std::vector<Pair>& pairs = contacts.table.pairs;
     const std::uint64_t bodies = pairs[index].bodies();
     Group group{bodies, index, index + 1};
     while (group.first > 0 && pairs[group.first - 1].bodies() == bodies) {
@@ -43,17 +43,17 @@ void report(WorldData& data, const Group& group, int iteration) {
     bool passed = false;
     bool before = false;
     for (std::size_t i = group.first; i < group.end; ++i) {
-        PairFlags& flags = data.table.flags[i];
+        PairFlags& flags = data.contacts.table.flags[i];
         now |= flags.touching;
         passed |= flags.passed;
         before |= flags.reported;
         flags.reported = flags.touching;
     }
     if (!before && (now || passed)) {
-        data.events.began.push_back(touchEvent(data, group.bodies, iteration));
+        data.events.began.push_back(touchEvent(data.bodies, group.bodies, iteration));
     }
     if (!now && (before || passed)) {
-        data.events.ended.push_back(touchEvent(data, group.bodies, iteration));
+        data.events.ended.push_back(touchEvent(data.bodies, group.bodies, iteration));
     }
 }
 
@@ -63,23 +63,25 @@ void reportDropped(WorldData& data, int iteration) {
     std::vector<std::uint64_t>& dropped = data.scratch.changes.droppedTouches;
     std::sort(dropped.begin(), dropped.end());
     dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
-    for (const std::uint64_t bodies : dropped) {
-        const auto found = std::lower_bound(data.table.pairs.begin(), data.table.pairs.end(), bodies,
-                                            [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });
-        if (found != data.table.pairs.end() && found->bodies() == bodies) {
-            data.table.flags[static_cast<std::size_t>(found - data.table.pairs.begin())].reported = true;
+    for (const std::uint64_t bodyPair : dropped) {
+        const auto found =
+            std::lower_bound(data.contacts.table.pairs.begin(), data.contacts.table.pairs.end(), bodyPair,
+                             [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });
+        if (found != data.contacts.table.pairs.end() && found->bodies() == bodyPair) {
+            data.contacts.table.flags[static_cast<std::size_t>(found - data.contacts.table.pairs.begin())].reported =
+                true;
         } else {
-            data.events.ended.push_back(touchEvent(data, bodies, iteration));
+            data.events.ended.push_back(touchEvent(data.bodies, bodyPair, iteration));
         }
     }
     dropped.clear();
 }
 
 void reportChanged(WorldData& data, int iteration) {
-    for (std::size_t i = 0; i < data.table.size(); ++i) {
-        const PairFlags& flags = data.table.flags[i];
+    for (std::size_t i = 0; i < data.contacts.table.size(); ++i) {
+        const PairFlags& flags = data.contacts.table.flags[i];
         if (flags.touching != flags.reported || flags.passed) {
-            const Group group = groupAround(data, i);
+            const Group group = groupAround(data.contacts, i);
             report(data, group, iteration);
             i = group.end - 1;
         }
@@ -87,32 +89,32 @@ void reportChanged(WorldData& data, int iteration) {
 }
 
 /// Of pairs of sleepers.
-TagMask tagsOfSleepers(const WorldData& data, Slot slot) {
-    const std::vector<TouchedTags>& all = data.sleep.touchedTags;
+TagMask tagsOfSleepers(const Sleep& sleep, Slot slot) {
+    const std::vector<TouchedTags>& all = sleep.touchedTags;
     const auto at = std::lower_bound(all.begin(), all.end(), slot,
                                      [](const TouchedTags& touched, Slot body) { return touched.body < body; });
     return at != all.end() && at->body == slot ? at->tags : TagMask{};
 }
 
 /// But for those of sleepers.
-void forgetTouchedTags(WorldData& data) {
-    for (const Slot slot : data.moving) {
-        data.touchedTags[slot] = TagMask{};
+void forgetTouchedTags(Bodies& bodies, const Sleep& sleep) {
+    for (const Slot slot : bodies.moving) {
+        bodies.touchedTags[slot] = TagMask{};
     }
-    for (const Slot slot : data.tagged) {
-        data.touchedTags[slot] = tagsOfSleepers(data, slot);
+    for (const Slot slot : bodies.tagged) {
+        bodies.touchedTags[slot] = tagsOfSleepers(sleep, slot);
     }
-    data.tagged.clear();
+    bodies.tagged.clear();
 }
 
 /// Calls `visit(body, tags)` for both bodies of the pairs of the table that touch.
 template <class Visit>
-void forTouching(const WorldData& data, const PairTable& table, const Visit& visit) {
+void forTouching(const Bodies& bodies, const PairTable& table, const Visit& visit) {
     for (std::size_t i = 0; i < table.size(); ++i) {
         if (table.flags[i].touching || table.flags[i].passed) {
             const Pair& pair = table.pairs[i];
-            visit(pair.bodyA, data.records[pair.bodyB].filter.tags);
-            visit(pair.bodyB, data.records[pair.bodyA].filter.tags);
+            visit(pair.bodyA, bodies.records[pair.bodyB].filter.tags);
+            visit(pair.bodyB, bodies.records[pair.bodyA].filter.tags);
         }
     }
 }
@@ -122,19 +124,19 @@ void forTouching(const WorldData& data, const PairTable& table, const Visit& vis
 void reportTouches(WorldData& data, int iteration) {
     reportDropped(data, iteration);
     reportChanged(data, iteration);
-    if (data.reporters.empty()) {
+    if (data.bodies.reporters.empty()) {
         return;
     }
-    collectTouchedTags(data);
-    for (const Slot slot : data.reporters) {
-        if (data.touchedTags[slot].bits != 0) {
-            data.events.tagsTouched.push_back({iteration, data.idOf(slot), data.touchedTags[slot]});
+    collectTouchedTags(data.bodies, data.contacts, data.sleep);
+    for (const Slot slot : data.bodies.reporters) {
+        if (data.bodies.touchedTags[slot].bits != 0) {
+            data.events.tagsTouched.push_back({iteration, data.bodies.idOf(slot), data.bodies.touchedTags[slot]});
         }
     }
 }
 
-void joinTagReports(WorldData& data, std::size_t first) {
-    std::vector<TagsTouchedEvent>& reports = data.events.tagsTouched;
+void joinTagReports(Events& events, std::size_t first) {
+    std::vector<TagsTouchedEvent>& reports = events.tagsTouched;
     const auto begin = reports.begin() + static_cast<std::ptrdiff_t>(first);
     std::stable_sort(begin, reports.end(), [](const auto& a, const auto& b) { return a.body.index < b.body.index; });
     auto last = begin;
@@ -148,30 +150,30 @@ void joinTagReports(WorldData& data, std::size_t first) {
     reports.erase(last == reports.end() ? last : last + 1, reports.end());
 }
 
-void collectTouchedTags(WorldData& data) {
-    forgetTouchedTags(data);
-    if (data.tagged.capacity() < 2 * data.table.size()) {
-        data.tagged.reserve(2 * data.table.capacity());
+void collectTouchedTags(Bodies& bodies, const Contacts& contacts, const Sleep& sleep) {
+    forgetTouchedTags(bodies, sleep);
+    if (bodies.tagged.capacity() < 2 * contacts.table.size()) {
+        bodies.tagged.reserve(2 * contacts.table.capacity());
     }
-    forTouching(data, data.table, [&](Slot slot, TagMask tags) {
-        data.touchedTags[slot] = data.touchedTags[slot] | tags;
-        const BodyRecord& record = data.records[slot];
+    forTouching(bodies, contacts.table, [&](Slot slot, TagMask tags) {
+        bodies.touchedTags[slot] = bodies.touchedTags[slot] | tags;
+        const BodyRecord& record = bodies.records[slot];
         if (record.kind == BodyKind::Static || record.asleep) {
-            data.tagged.push_back(slot);
+            bodies.tagged.push_back(slot);
         }
     });
 }
 
-void relistTouchedTags(WorldData& data) {
-    std::vector<TouchedTags>& all = data.sleep.touchedTags;
+void relistTouchedTags(Bodies& bodies, Sleep& sleep) {
+    std::vector<TouchedTags>& all = sleep.touchedTags;
     const auto note = [&] {
         for (const TouchedTags& touched : all) {
-            data.tagged.push_back(touched.body);
+            bodies.tagged.push_back(touched.body);
         }
     };
     note();
     all.clear();
-    forTouching(data, data.sleep.table, [&](Slot slot, TagMask tags) { all.push_back({slot, tags}); });
+    forTouching(bodies, sleep.table, [&](Slot slot, TagMask tags) { all.push_back({slot, tags}); });
     std::stable_sort(all.begin(), all.end(),
                      [](const TouchedTags& a, const TouchedTags& b) { return a.body < b.body; });
     std::size_t count = 0;
@@ -184,20 +186,20 @@ void relistTouchedTags(WorldData& data) {
     }
     all.resize(count);
     note();
-    data.tagged.insert(data.tagged.end(), data.nonStatic.begin(), data.nonStatic.end());
+    bodies.tagged.insert(bodies.tagged.end(), bodies.nonStatic.begin(), bodies.nonStatic.end());
 }
 
 void endTouches(WorldData& data, Slot slot, int iteration) {
-    releaseConstraints(data);
-    for (std::size_t i = 0; i < data.table.size(); ++i) {
-        const Pair& pair = data.table.pairs[i];
+    releaseConstraints(data.contacts, data.constraints, data.flags);
+    for (std::size_t i = 0; i < data.contacts.table.size(); ++i) {
+        const Pair& pair = data.contacts.table.pairs[i];
         if (pair.bodyA == slot || pair.bodyB == slot) {
-            for (const Group group = groupAround(data, i); i < group.end; ++i) {
-                data.table.flags[i].touching = data.table.flags[i].passed = false;
-                freeContact(data, data.table.pairs[i]);
+            for (const Group group = groupAround(data.contacts, i); i < group.end; ++i) {
+                data.contacts.table.flags[i].touching = data.contacts.table.flags[i].passed = false;
+                freeContact(data.contacts, data.scratch.narrow, data.contacts.table.pairs[i]);
             }
             --i;
-            report(data, groupAround(data, i), iteration);
+            report(data, groupAround(data.contacts, i), iteration);
         }
     }
 }

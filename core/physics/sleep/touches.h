@@ -10,13 +10,13 @@ namespace spacetow {
 void reportTouches(WorldData& data, int iteration);
 
 /// Makes the tag reports from this index on, all of one iteration, one report of each body.
-void joinTagReports(WorldData& data, std::size_t first);
+void joinTagReports(Events& events, std::size_t first);
 
 /// The tags that every body touched in the last iteration.
-void collectTouchedTags(WorldData& data);
+void collectTouchedTags(Bodies& bodies, const Contacts& contacts, const Sleep& sleep);
 
 /// Those of the pairs of sleepers, when these or who sleeps have changed.
-void relistTouchedTags(WorldData& data);
+void relistTouchedTags(Bodies& bodies, Sleep& sleep);
 
 /// Ends all touches of a body that is about to leave or to be switched off.
 void endTouches(WorldData& data, Slot slot, int iteration);

@@ -9,6 +9,6 @@ namespace spacetow {
 void findCarriers(WorldData& data);
 
 /// What was stopped by a kinematic body stays where it is on it while that goes on.
-void carryStopped(WorldData& data);
+void carryStopped(Bodies& bodies);
 
 } // namespace spacetow

@@ -43,9 +43,9 @@ double pull(ConnectorRecord& c, const Run& s, double h, Kick kick) {
 }
 
 /// Neither end moves, and the tension is that of before.
-bool sleeps(const WorldData& data, const ConnectorRecord& c) {
-    const BodyRecord& a = data.records[c.a];
-    const BodyRecord& b = data.records[c.b];
+bool sleeps(const Bodies& bodies, const ConnectorRecord& c) {
+    const BodyRecord& a = bodies.records[c.a];
+    const BodyRecord& b = bodies.records[c.b];
     return (a.asleep || b.asleep) && (a.asleep || a.kind == BodyKind::Static) &&
            (b.asleep || b.kind == BodyKind::Static);
 }
@@ -57,13 +57,12 @@ struct Pull {
     Run stretch{};
 };
 
-std::optional<Pull> pullOf(const WorldData& data, const ConnectorRecord& c) {
-    const BodyMotion& a = data.motions[c.a];
-    const BodyMotion& b = data.motions[c.b];
-    const Vec2 armA = data.scratch.substeps.trial[c.a].rotation * c.anchorA;
-    const Vec2 armB = data.scratch.substeps.trial[c.b].rotation * c.anchorB;
-    const Vec2 span =
-        data.scratch.substeps.trial[c.b].position + armB - data.scratch.substeps.trial[c.a].position - armA;
+std::optional<Pull> pullOf(const Bodies& bodies, const Substeps& substeps, const ConnectorRecord& c) {
+    const BodyMotion& a = bodies.motions[c.a];
+    const BodyMotion& b = bodies.motions[c.b];
+    const Vec2 armA = substeps.trial[c.a].rotation * c.anchorA;
+    const Vec2 armB = substeps.trial[c.b].rotation * c.anchorB;
+    const Vec2 span = substeps.trial[c.b].position + armB - substeps.trial[c.a].position - armA;
     const double distance = std::sqrt(span.squaredNorm());
     if (distance == 0 || (c.slack && distance <= c.length)) {
         return std::nullopt;
@@ -85,29 +84,30 @@ std::optional<Pull> pullOf(const WorldData& data, const ConnectorRecord& c) {
 }
 
 /// Without a look at where its bodies are.
-bool mayBeStiff(const WorldData& data, const ConnectorRecord& c, double h) {
-    const BodyMotion& a = data.motions[c.a];
-    const BodyMotion& b = data.motions[c.b];
+bool mayBeStiff(const Bodies& bodies, const ConnectorRecord& c, double h) {
+    const BodyMotion& a = bodies.motions[c.a];
+    const BodyMotion& b = bodies.motions[c.b];
     const double most = a.inverseMass + b.inverseMass + a.inverseInertia * c.anchorA.squaredNorm() +
                         b.inverseInertia * c.anchorB.squaredNorm();
     return c.truncation.rule == TruncationRule::Custom || c.stiffness * h * h * most > explicitLimit;
 }
 
 /// Whether it is there and not asleep.
-bool acts(const WorldData& data, const ConnectorRecord& c) {
-    return c.used && !sleeps(data, c) && data.records[c.a].active && data.records[c.b].active;
+bool acts(const Bodies& bodies, const ConnectorRecord& c) {
+    return c.used && !sleeps(bodies, c) && bodies.records[c.a].active && bodies.records[c.b].active;
 }
 
 } // namespace
 
-void findAnticipated(WorldData& data, double h) {
-    std::vector<std::uint8_t>& anticipated = data.scratch.substeps.anticipated;
-    anticipated.resize(data.motions.size());
-    for (const Slot slot : data.substepped) {
+void findAnticipated(const Bodies& bodies, const Forces& forces, Substeps& substeps, double h) {
+    std::vector<std::uint8_t>& anticipated = substeps.anticipated;
+    anticipated.resize(bodies.motions.size());
+    for (const Slot slot : forces.substepped) {
         anticipated[slot] = 0;
     }
-    for (const ConnectorRecord& c : data.connectors) {
-        const std::optional<Pull> p = acts(data, c) && mayBeStiff(data, c, h) ? pullOf(data, c) : std::nullopt;
+    for (const ConnectorRecord& c : forces.connectors) {
+        const std::optional<Pull> p =
+            acts(bodies, c) && mayBeStiff(bodies, c, h) ? pullOf(bodies, substeps, c) : std::nullopt;
         if (p && isStiff(springOf(c, p->stretch.length), p->stretch.inverseMass, h)) {
             anticipated[c.a] = anticipated[c.b] = 1;
         }
@@ -115,18 +115,19 @@ void findAnticipated(WorldData& data, double h) {
 }
 
 void applyConnectorForces(WorldData& data, double h, Kick kick) {
-    for (ConnectorRecord& c : data.connectors) {
-        if (!c.used || sleeps(data, c)) {
+    for (ConnectorRecord& c : data.forces.connectors) {
+        if (!c.used || sleeps(data.bodies, c)) {
             continue;
         }
         c.tension = 0;
-        const std::optional<Pull> p = acts(data, c) ? pullOf(data, c) : std::nullopt;
+        const std::optional<Pull> p =
+            acts(data.bodies, c) ? pullOf(data.bodies, data.scratch.substeps, c) : std::nullopt;
         if (!p) {
             continue;
         }
         const double impulse = pull(c, p->stretch, h, kick);
-        BodyMotion& a = data.motions[c.a];
-        BodyMotion& b = data.motions[c.b];
+        BodyMotion& a = data.bodies.motions[c.a];
+        BodyMotion& b = data.bodies.motions[c.b];
         a.velocity += impulse * a.inverseMass * p->u;
         a.angularVelocity += impulse * a.inverseInertia * p->leverA;
         b.velocity -= impulse * b.inverseMass * p->u;

@@ -20,7 +20,7 @@ inline double kickTime(double h, Kick kick, bool anticipated) {
 }
 
 /// Notes which bodies have a connector that is too stiff for sub-steps of `h` seconds.
-void findAnticipated(WorldData& data, double h);
+void findAnticipated(const Bodies& bodies, const Forces& forces, Substeps& substeps, double h);
 
 /// The impulses for sub-steps of `h` seconds at the trial poses; changes velocities only. Damping, and the spring
 /// itself where it is too stiff for the sub-step, are taken implicitly, so that the result stays finite and gains no

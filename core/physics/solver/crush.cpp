@@ -29,56 +29,56 @@ struct Sight {
 };
 
 template <class Visit>
-void seeBoth(const WorldData& data, const Sight& ofA, double leverB, const Visit& visit) {
-    if (data.motions[ofA.body].isMovable()) {
+void seeBoth(const Bodies& bodies, const Sight& ofA, double leverB, const Visit& visit) {
+    if (bodies.motions[ofA.body].isMovable()) {
         visit(ofA);
     }
-    if (data.motions[ofA.other].isMovable()) {
+    if (bodies.motions[ofA.other].isMovable()) {
         visit(Sight{ofA.other, ofA.body, -ofA.towards, -leverB, ofA.separation});
     }
 }
 
 /// Visits all points of contact of driven bodies.
 template <class Visit>
-void forSights(const WorldData& data, const Visit& visit) {
-    const std::vector<std::uint8_t>& driven = data.scratch.solver.driven;
+void forSights(const Bodies& bodies, const Constraints& constraints, const SolverScratch& solver, const Visit& visit) {
+    const std::vector<std::uint8_t>& driven = solver.driven;
     const auto isDriven = [&](const auto& c) { return (driven[c.a] | driven[c.b]) != 0; };
-    for (const CircleContact& c : data.circleContacts) {
+    for (const CircleContact& c : constraints.circleContacts) {
         if (isDriven(c)) {
-            const CircleBatch& batch = data.batches.circles[c.lane.batch];
+            const CircleBatch& batch = constraints.batches.circles[c.lane.batch];
             const std::uint32_t i = c.lane.lane;
-            seeBoth(data, {c.a, c.b, {batch.normalX[i], batch.normalY[i]}, 0, batch.separation[i]}, 0, visit);
+            seeBoth(bodies, {c.a, c.b, {batch.normalX[i], batch.normalY[i]}, 0, batch.separation[i]}, 0, visit);
         }
     }
-    for (const GeneralContact& c : data.generalContacts) {
+    for (const GeneralContact& c : constraints.generalContacts) {
         if (isDriven(c)) {
-            const ConstraintBatch& batch = data.batches.general[c.lane.batch];
+            const ConstraintBatch& batch = constraints.batches.general[c.lane.batch];
             const std::uint32_t i = c.lane.lane;
             const Vec2 normal(batch.normalX[i], batch.normalY[i]);
-            seeBoth(data, {c.a, c.b, normal, batch.leverA1[i], batch.separation1[i]}, batch.leverB1[i], visit);
-            seeBoth(data, {c.a, c.b, normal, batch.leverA2[i], batch.separation2[i]}, batch.leverB2[i], visit);
+            seeBoth(bodies, {c.a, c.b, normal, batch.leverA1[i], batch.separation1[i]}, batch.leverB1[i], visit);
+            seeBoth(bodies, {c.a, c.b, normal, batch.leverA2[i], batch.separation2[i]}, batch.leverB2[i], visit);
         }
     }
 }
 
-bool stands(const WorldData& data, Slot slot) {
-    return !data.motions[slot].isMovable() && !data.motions[slot].isMoving();
+bool stands(const Bodies& bodies, Slot slot) {
+    return !bodies.motions[slot].isMovable() && !bodies.motions[slot].isMoving();
 }
 
 /// How far the body comes to the other in this iteration, m.
-double approach(const WorldData& data, const Sight& at) {
-    const BodyStep& s = data.steps[at.body];
+double approach(const Bodies& bodies, const Sight& at) {
+    const BodyStep& s = bodies.steps[at.body];
     return at.towards.dot(s.fraction * s.deltaPosition + s.correction) +
            at.lever * (s.fraction * s.deltaAngle + s.angleCorrection);
 }
 
 /// How much further the body would go into what stands still than it may, m.
-double excess(const WorldData& data, const Sight& at) {
-    return approach(data, at) - std::max(at.separation + linearSlop, 0.0);
+double excess(const Bodies& bodies, const Sight& at) {
+    return approach(bodies, at) - std::max(at.separation + linearSlop, 0.0);
 }
 
-void stopClosing(WorldData& data, const Sight& at) {
-    BodyMotion& m = data.motions[at.body];
+void stopClosing(Bodies& bodies, const Sight& at) {
+    BodyMotion& m = bodies.motions[at.body];
     const double speed = at.towards.dot(m.velocity) + at.lever * m.angularVelocity;
     if (speed > 0) {
         m.velocity -= speed * at.towards;
@@ -86,17 +86,17 @@ void stopClosing(WorldData& data, const Sight& at) {
 }
 
 /// True when the way of a body had to be changed; these are listed.
-bool keepOutOnce(WorldData& data, std::vector<Slot>& kept) {
+bool keepOutOnce(Bodies& bodies, const Constraints& constraints, const SolverScratch& solver, std::vector<Slot>& kept) {
     bool changed = false;
-    forSights(data, [&](const Sight& at) {
-        const double tooFar = stands(data, at.other) ? excess(data, at) : 0;
+    forSights(bodies, constraints, solver, [&](const Sight& at) {
+        const double tooFar = stands(bodies, at.other) ? excess(bodies, at) : 0;
         if (tooFar > 0) {
-            BodyStep& s = data.steps[at.body];
+            BodyStep& s = bodies.steps[at.body];
             if (tooFar > linearSlop) {
                 s.deltaAngle = s.angleCorrection = 0;
             }
-            s.correction -= std::max(excess(data, at), 0.0) * at.towards;
-            stopClosing(data, at);
+            s.correction -= std::max(excess(bodies, at), 0.0) * at.towards;
+            stopClosing(bodies, at);
             kept.push_back(at.body);
             changed = true;
         }
@@ -109,24 +109,24 @@ void halt(BodyStep& s) {
     s.correction.setZero();
 }
 
-Transform poseAfterStop(const WorldData& data, Slot slot) {
-    const BodyMotion& m = data.motions[slot];
-    const BodyStep& s = data.steps[slot];
+Transform poseAfterStop(const Bodies& bodies, Slot slot) {
+    const BodyMotion& m = bodies.motions[slot];
+    const BodyStep& s = bodies.steps[slot];
     return {m.center + s.fraction * s.deltaPosition, turned(m.rotation, s.fraction * s.deltaAngle)};
 }
 
-bool isPushed(const WorldData& data, Slot slot) {
-    const BodyStep& s = data.steps[slot];
-    return data.scratch.solver.driven[slot] != 0 && (s.correction != Vec2(0, 0) || s.angleCorrection != 0);
+bool isPushed(const Bodies& bodies, const SolverScratch& solver, Slot slot) {
+    const BodyStep& s = bodies.steps[slot];
+    return solver.driven[slot] != 0 && (s.correction != Vec2(0, 0) || s.angleCorrection != 0);
 }
 
 /// Visits the pairs of driven bodies with static ones that they have no contact with.
 template <class Visit>
-void forUnmet(WorldData& data, const Visit& visit) {
-    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
-        const Pair& pair = data.table.pairs[i];
-        if (pair.staticB && pair.kind != PairKind::Sensor && !data.table.flags[i].inSolver &&
-            isPushed(data, pair.bodyA)) {
+void forUnmet(const Bodies& bodies, const Contacts& contacts, const SolverScratch& solver, const Visit& visit) {
+    for (std::uint32_t i = 0; i < contacts.table.size(); ++i) {
+        const Pair& pair = contacts.table.pairs[i];
+        if (pair.staticB && pair.kind != PairKind::Sensor && !contacts.table.flags[i].inSolver &&
+            isPushed(bodies, solver, pair.bodyA)) {
             visit(pair);
         }
     }
@@ -145,10 +145,10 @@ struct Squeeze {
 };
 
 /// Pushes and what carries a body along do not take it through what it has not yet met.
-void stopPushed(WorldData& data, std::vector<Squeeze>& stopped) {
-    forUnmet(data, [&](const Pair& pair) {
-        BodyStep& s = data.steps[pair.bodyA];
-        const Transform start = poseAfterStop(data, pair.bodyA);
+void stopPushed(Bodies& bodies, const Contacts& contacts, const SolverScratch& solver, std::vector<Squeeze>& stopped) {
+    forUnmet(bodies, contacts, solver, [&](const Pair& pair) {
+        BodyStep& s = bodies.steps[pair.bodyA];
+        const Transform start = poseAfterStop(bodies, pair.bodyA);
         const double share = freeShare(pair, {.start = start, .translation = s.correction, .turn = s.angleCorrection});
         s.correction *= share;
         s.angleCorrection *= share;
@@ -160,14 +160,14 @@ void stopPushed(WorldData& data, std::vector<Squeeze>& stopped) {
 
 /// What is kept out of one thing and would go into another goes nowhere.
 void stopWedged(WorldData& data, const std::vector<Slot>& kept) {
-    forSights(data, [&](const Sight& at) {
-        if (stands(data, at.other) && excess(data, at) > linearSlop) {
-            halt(data.steps[at.body]);
+    forSights(data.bodies, data.constraints, data.scratch.solver, [&](const Sight& at) {
+        if (stands(data.bodies, at.other) && excess(data.bodies, at) > linearSlop) {
+            halt(data.bodies.steps[at.body]);
         }
     });
-    forUnmet(data, [&](const Pair& pair) {
-        BodyStep& s = data.steps[pair.bodyA];
-        const Motion way{.start = data.pose(pair.bodyA),
+    forUnmet(data.bodies, data.contacts, data.scratch.solver, [&](const Pair& pair) {
+        BodyStep& s = data.bodies.steps[pair.bodyA];
+        const Motion way{.start = data.bodies.pose(pair.bodyA),
                          .translation = s.fraction * s.deltaPosition + s.correction,
                          .turn = s.fraction * s.deltaAngle + s.angleCorrection};
         if (std::find(kept.begin(), kept.end(), pair.bodyA) != kept.end() && freeShare(pair, way) < 1) {
@@ -176,14 +176,14 @@ void stopWedged(WorldData& data, const std::vector<Slot>& kept) {
     });
 }
 
-void noteSqueeze(const WorldData& data, const Sight& at, Squeeze& squeeze) {
-    if (stands(data, at.other)) {
-        squeeze.against = at.separation <= linearSlop + approach(data, at) ? at.other : squeeze.against;
+void noteSqueeze(const Bodies& bodies, const Sight& at, Squeeze& squeeze) {
+    if (stands(bodies, at.other)) {
+        squeeze.against = at.separation <= linearSlop + approach(bodies, at) ? at.other : squeeze.against;
         return;
     }
-    const BodyStep& other = data.steps[at.other];
+    const BodyStep& other = bodies.steps[at.other];
     const Vec2 wayOfOther = other.fraction * other.deltaPosition + other.correction;
-    const double depth = approach(data, at) - at.towards.dot(wayOfOther) - at.separation;
+    const double depth = approach(bodies, at) - at.towards.dot(wayOfOther) - at.separation;
     if (depth > squeeze.depth) {
         squeeze.depth = depth;
         squeeze.by = at.other;
@@ -205,31 +205,32 @@ void reportCrushed(WorldData& data, std::vector<Squeeze>& squeezes, int iteratio
     }
     sortOut(squeezes);
     for (Squeeze& squeeze : squeezes) {
-        squeeze.depth = std::max(crushShare * data.steps[squeeze.body].innerRadius, crushDepth);
+        squeeze.depth = std::max(crushShare * data.bodies.steps[squeeze.body].innerRadius, crushDepth);
     }
-    forSights(data, [&](const Sight& at) {
+    forSights(data.bodies, data.constraints, data.scratch.solver, [&](const Sight& at) {
         const auto found = std::lower_bound(squeezes.begin(), squeezes.end(), at.body,
                                             [](const Squeeze& squeeze, Slot body) { return squeeze.body < body; });
         if (found != squeezes.end() && found->body == at.body) {
-            noteSqueeze(data, at, *found);
+            noteSqueeze(data.bodies, at, *found);
         }
     });
     const std::vector<BodyId> before = std::exchange(data.crushed, {});
     for (const Squeeze& squeeze : squeezes) {
-        const BodyId body = data.idOf(squeeze.body);
+        const BodyId body = data.bodies.idOf(squeeze.body);
         if (squeeze.by == noSlot || squeeze.against == noSlot) {
             continue;
         }
         data.crushed.push_back(body);
         if (std::find(before.begin(), before.end(), body) == before.end()) {
-            data.events.crushed.push_back({iteration, body, data.idOf(squeeze.by), data.idOf(squeeze.against)});
+            data.events.crushed.push_back(
+                {iteration, body, data.bodies.idOf(squeeze.by), data.bodies.idOf(squeeze.against)});
         }
     }
 }
 
-bool anyDriven(const WorldData& data) {
-    const std::vector<std::uint8_t>& driven = data.scratch.solver.driven;
-    return std::any_of(data.moving.begin(), data.moving.end(),
+bool anyDriven(const Bodies& bodies, const SolverScratch& solver) {
+    const std::vector<std::uint8_t>& driven = solver.driven;
+    return std::any_of(bodies.moving.begin(), bodies.moving.end(),
                        [&driven](Slot slot) { return slot < driven.size() && driven[slot] != 0; });
 }
 
@@ -237,14 +238,14 @@ bool anyDriven(const WorldData& data) {
 
 void measureCorrections(WorldData& data) {
     data.flags.anyMovedProxy = false;
-    if (!anyDriven(data)) {
+    if (!anyDriven(data.bodies, data.scratch.solver)) {
         return;
     }
     data.scratch.search.movedBodies.clear();
-    for (const Slot slot : data.moving) {
-        BodyStep& s = data.steps[slot];
-        const Vec2 end = poseAfterStop(data, slot).position + s.correction;
-        s.movedProxy = isPushed(data, slot) &&
+    for (const Slot slot : data.bodies.moving) {
+        BodyStep& s = data.bodies.steps[slot];
+        const Vec2 end = poseAfterStop(data.bodies, slot).position + s.correction;
+        s.movedProxy = isPushed(data.bodies, data.scratch.solver, slot) &&
                        (!s.fat.centers.contains(end) ||
                         std::abs(s.fraction * s.deltaAngle) + std::abs(s.angleCorrection) > s.fat.angleLeft);
         if (s.movedProxy) {
@@ -255,16 +256,16 @@ void measureCorrections(WorldData& data) {
 }
 
 void keepOutOfStatics(WorldData& data, int iteration) {
-    if (!anyDriven(data)) {
+    if (!anyDriven(data.bodies, data.scratch.solver)) {
         data.crushed.clear();
         return;
     }
     std::vector<Squeeze> squeezes;
-    stopPushed(data, squeezes);
+    stopPushed(data.bodies, data.contacts, data.scratch.solver, squeezes);
     std::vector<Slot> kept;
     bool changed = true;
     for (int round = 0; round < roundsOfKeeping && changed; ++round) {
-        changed = keepOutOnce(data, kept);
+        changed = keepOutOnce(data.bodies, data.constraints, data.scratch.solver, kept);
     }
     if (!kept.empty()) {
         stopWedged(data, kept);

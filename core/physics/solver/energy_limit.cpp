@@ -33,8 +33,8 @@ double sum(const Wide& w) {
     return w[0] + w[1] + w[2];
 }
 
-EnergyBalance& balanceOf(WorldData& data, Slot slot) {
-    return data.scratch.solver.balances[data.islands.roots[slot]];
+EnergyBalance& balanceOf(const Islands& islands, SolverScratch& solver, Slot slot) {
+    return solver.balances[islands.roots[slot]];
 }
 
 /// With a share x of its impulses an iteration changes a body's energy by a·x²/2 + b·x + c: a velocity v after it costs
@@ -43,7 +43,7 @@ EnergyBalance& balanceOf(WorldData& data, Slot slot) {
 void measureBody(const WorldData& data, Slot slot, EnergyChange& change) {
     const Wide planned = WideVelocity(data.scratch.solver.plannedVelocities[slot]).value;
     const Wide push = WideVelocity(data.scratch.solver.velocities[slot]).value - planned;
-    if (!isPush({push[0], push[1]}, push[2] * data.steps[slot].outerRadius)) {
+    if (!isPush({push[0], push[1]}, push[2] * data.bodies.steps[slot].outerRadius)) {
         return;
     }
     const Wide start = WideVelocity(data.scratch.solver.startVelocities[slot]).value;
@@ -59,7 +59,7 @@ void measureBodies(WorldData& data) {
     std::vector<EnergyChange>& changes = data.scratch.solver.changes;
     EnergyChange sum;
     Slot root = noSlot;
-    for (const Slot slot : data.moving) {
+    for (const Slot slot : data.bodies.moving) {
         if (data.islands.roots[slot] != root) {
             if (root != noSlot) {
                 changes[root] = sum;
@@ -114,7 +114,7 @@ bool costsTooMuch(const EnergyBalance& e) {
 
 /// More passes over these islands alone.
 void solveIslandsWhere(WorldData& data, Question which) {
-    settleAll(data);
+    settleAll(data.bodies, data.islands, data.sleep, data.scratch.solver);
     for (const Slot root : data.islands.islandRoots) {
         data.scratch.solver.unconverged[root] = which(data.scratch.solver.balances[root]) ? 1 : 0;
     }
@@ -138,11 +138,11 @@ void soften(ConstraintBatch& batch, std::uint32_t lane, bool& any) {
 }
 
 template <class Batch>
-bool soften(WorldData& data, Batches<Batch>& batches) {
+bool soften(const Islands& islands, SolverScratch& solver, Batches<Batch>& batches) {
     bool any = false;
     forLanes(batches, &BatchFlags::occupied, [&](Lane at) {
         Batch& batch = batches[at.batch];
-        if (gainsMuch(data.scratch.solver.balances[rootAt(data, batch, at.lane)])) {
+        if (gainsMuch(solver.balances[rootAt(islands, batch, at.lane)])) {
             soften(batch, at.lane, any);
         }
     });
@@ -150,9 +150,9 @@ bool soften(WorldData& data, Batches<Batch>& batches) {
 }
 
 /// Restitution and friction together may add energy: what gains it bounces half as fast. Whether anything does.
-bool softenBounces(WorldData& data) {
-    const bool round = soften(data, data.batches.circles);
-    return soften(data, data.batches.general) || round;
+bool softenBounces(Constraints& constraints, const Islands& islands, SolverScratch& solver) {
+    const bool round = soften(islands, solver, constraints.batches.circles);
+    return soften(islands, solver, constraints.batches.general) || round;
 }
 
 /// The greatest share of the impulses with which the energy does not rise.
@@ -160,13 +160,13 @@ double shareOf(const EnergyBalance& e) {
     return std::clamp((-e.b + std::sqrt(std::max(e.b * e.b - 2 * e.a * e.c, 0.0))) / e.a, 0.0, 1.0);
 }
 
-void scaleImpulses(WorldData& data) {
-    for (const Slot slot : data.moving) {
-        const EnergyBalance& balance = balanceOf(data, slot);
+void scaleImpulses(const Bodies& bodies, const Islands& islands, SolverScratch& solver) {
+    for (const Slot slot : bodies.moving) {
+        const EnergyBalance& balance = balanceOf(islands, solver, slot);
         if (gainOf(balance) != Gain::None) {
             const double share = shareOf(balance);
-            const BodyVelocity& without = data.scratch.solver.plannedVelocities[slot];
-            BodyVelocity& velocity = data.scratch.solver.velocities[slot];
+            const BodyVelocity& without = solver.plannedVelocities[slot];
+            BodyVelocity& velocity = solver.velocities[slot];
             velocity.x = without.x + share * (velocity.x - without.x);
             velocity.y = without.y + share * (velocity.y - without.y);
             velocity.angular = without.angular + share * (velocity.angular - without.angular);
@@ -184,10 +184,10 @@ bool isDeep(const ConstraintBatch& batch, std::uint32_t lane) {
 
 /// Lets the islands of deep contacts pay whatever the corrections cost.
 template <class Batch>
-void allowDeep(WorldData& data, const Batches<Batch>& batches) {
+void allowDeep(const Islands& islands, SolverScratch& solver, const Batches<Batch>& batches) {
     forLanes(batches, &BatchFlags::occupied, [&](Lane at) {
         if (isDeep(batches[at.batch], at.lane)) {
-            EnergyBalance& balance = data.scratch.solver.balances[rootAt(data, batches[at.batch], at.lane)];
+            EnergyBalance& balance = solver.balances[rootAt(islands, batches[at.batch], at.lane)];
             balance.c = costsTooMuch(balance) ? -infinite : balance.c;
         }
     });
@@ -195,7 +195,7 @@ void allowDeep(WorldData& data, const Batches<Batch>& batches) {
 
 /// What the corrections cost: the work against the forces that act on the bodies.
 void measureCorrections(WorldData& data, double dt) {
-    for (const Slot slot : data.moving) {
+    for (const Slot slot : data.bodies.moving) {
         const BodyVelocity& push = data.scratch.solver.corrections[slot];
         if (push.x == 0 && push.y == 0 && push.angular == 0) {
             continue;
@@ -203,17 +203,17 @@ void measureCorrections(WorldData& data, double dt) {
         const BodyVelocity& start = data.scratch.solver.startVelocities[slot];
         const BodyVelocity& planned = data.scratch.solver.plannedVelocities[slot];
         const double along = push.x * (start.x - planned.x) + push.y * (start.y - planned.y);
-        balanceOf(data, slot).corrections += data.islands.inertias[slot].x * along / dt;
-        data.steps[slot].correction = {push.x, push.y};
-        data.steps[slot].angleCorrection = push.angular;
+        balanceOf(data.islands, data.scratch.solver, slot).corrections += data.islands.inertias[slot].x * along / dt;
+        data.bodies.steps[slot].correction = {push.x, push.y};
+        data.bodies.steps[slot].angleCorrection = push.angular;
     }
 }
 
 } // namespace
 
 bool limitEnergyGain(WorldData& data) {
-    data.scratch.solver.changes.resize(data.motions.size());
-    data.scratch.solver.balances.resize(data.motions.size());
+    data.scratch.solver.changes.resize(data.bodies.motions.size());
+    data.scratch.solver.balances.resize(data.bodies.motions.size());
     Gain gain = measureIslands(data);
     bool changed = false;
     for (int round = 0; round < extraRounds && gain == Gain::Much; ++round) {
@@ -221,13 +221,15 @@ bool limitEnergyGain(WorldData& data) {
         gain = measureIslands(data);
         changed = true;
     }
-    for (int round = 0; round < softerBounces && gain == Gain::Much && softenBounces(data); ++round) {
+    for (int round = 0; round < softerBounces && gain == Gain::Much &&
+                        softenBounces(data.constraints, data.islands, data.scratch.solver);
+         ++round) {
         solveIslandsWhere(data, gainsMuch);
         gain = measureIslands(data);
         changed = true;
     }
     if (gain != Gain::None) {
-        scaleImpulses(data);
+        scaleImpulses(data.bodies, data.islands, data.scratch.solver);
         measureIslands(data);
         changed = true;
     }
@@ -241,14 +243,14 @@ void applyCorrections(WorldData& data, double dt) {
                      [&](Slot root) { return costsTooMuch(balances[root]); })) {
         return;
     }
-    allowDeep(data, data.batches.circles);
-    allowDeep(data, data.batches.general);
-    for (const Slot slot : data.moving) {
-        const EnergyBalance& balance = balanceOf(data, slot);
+    allowDeep(data.islands, data.scratch.solver, data.constraints.batches.circles);
+    allowDeep(data.islands, data.scratch.solver, data.constraints.batches.general);
+    for (const Slot slot : data.bodies.moving) {
+        const EnergyBalance& balance = balanceOf(data.islands, data.scratch.solver, slot);
         if (costsTooMuch(balance)) {
             const double share = std::max(-balance.gain(), 0.0) / balance.corrections;
-            data.steps[slot].correction *= share;
-            data.steps[slot].angleCorrection *= share;
+            data.bodies.steps[slot].correction *= share;
+            data.bodies.steps[slot].angleCorrection *= share;
         }
     }
 }

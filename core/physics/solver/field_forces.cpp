@@ -8,9 +8,9 @@ namespace spacetow {
 
 namespace {
 
-bool anyActsOn(const WorldData& data, Slot slot) {
-    return std::any_of(data.fields.begin(), data.fields.end(),
-                       [&](const FieldRecord& field) { return actsOn(data, field, slot); });
+bool anyActsOn(const Bodies& bodies, const Forces& forces, Slot slot) {
+    return std::any_of(forces.fields.begin(), forces.fields.end(),
+                       [&](const FieldRecord& field) { return actsOn(bodies, field, slot); });
 }
 
 bool isSound(const FieldForce& f) {
@@ -19,21 +19,21 @@ bool isSound(const FieldForce& f) {
 
 /// One event an update for each field, naming the first body.
 void refuse(WorldData& data, std::uint32_t index, Slot slot, int iteration) {
-    const FieldId field{index, data.fields[index].generation};
+    const FieldId field{index, data.forces.fields[index].generation};
     std::vector<FieldFaultEvent>& faults = data.events.fieldFaults;
     if (std::none_of(faults.begin(), faults.end(), [field](const auto& fault) { return fault.field == field; })) {
-        faults.push_back({iteration, field, data.idOf(slot)});
+        faults.push_back({iteration, field, data.bodies.idOf(slot)});
     }
 }
 
-FieldSample sampleOf(const WorldData& data, Slot slot) {
-    const BodyRecord& record = data.records[slot];
-    const Transform& trial = data.scratch.substeps.trial[slot];
-    return {.body = data.idOf(slot),
+FieldSample sampleOf(const Bodies& bodies, const Substeps& substeps, Slot slot) {
+    const BodyRecord& record = bodies.records[slot];
+    const Transform& trial = substeps.trial[slot];
+    return {.body = bodies.idOf(slot),
             .pose = {trial.position - trial.rotation * record.localCenter, trial.rotation},
             .massCenter = trial.position,
-            .velocity = data.motions[slot].velocity,
-            .angularVelocity = data.motions[slot].angularVelocity,
+            .velocity = bodies.motions[slot].velocity,
+            .angularVelocity = bodies.motions[slot].angularVelocity,
             .mass = record.mass,
             .inertia = record.inertia};
 }
@@ -51,9 +51,9 @@ struct FieldGain {
 
 FieldGain gainOf(WorldData& data, Slot slot, const FieldSample& sample, const FieldTime& time) {
     FieldForce sum;
-    for (std::uint32_t i = 0; i < data.fields.size(); ++i) {
-        if (actsOn(data, data.fields[i], slot)) {
-            const FieldForce f = data.fields[i].def->force(sample);
+    for (std::uint32_t i = 0; i < data.forces.fields.size(); ++i) {
+        if (actsOn(data.bodies, data.forces.fields[i], slot)) {
+            const FieldForce f = data.forces.fields[i].def->force(sample);
             if (isSound(f)) {
                 sum.force += f.force;
                 sum.torque += f.torque;
@@ -62,7 +62,7 @@ FieldGain gainOf(WorldData& data, Slot slot, const FieldSample& sample, const Fi
             }
         }
     }
-    const BodyRecord& record = data.records[slot];
+    const BodyRecord& record = data.bodies.records[slot];
     FieldGain gain;
     if (!record.positionFrozen) {
         gain.velocity = time.seconds * sum.force / record.mass;
@@ -75,39 +75,39 @@ FieldGain gainOf(WorldData& data, Slot slot, const FieldSample& sample, const Fi
 
 } // namespace
 
-bool actsOn(const WorldData& data, const FieldRecord& field, Slot slot) {
-    if (!field.def || !accepts(data.records[slot], field.def->source)) {
+bool actsOn(const Bodies& bodies, const FieldRecord& field, Slot slot) {
+    if (!field.def || !accepts(bodies.records[slot], field.def->source)) {
         return false;
     }
-    return field.def->body ? *field.def->body == data.idOf(slot)
-                           : field.def->tags.intersects(data.records[slot].filter.tags);
+    return field.def->body ? *field.def->body == bodies.idOf(slot)
+                           : field.def->tags.intersects(bodies.records[slot].filter.tags);
 }
 
-void noteSubstepped(WorldData& data, Slot slot) {
-    if (!data.records[slot].substepped) {
-        data.records[slot].substepped = true;
-        data.substepped.push_back(slot);
+void noteSubstepped(Bodies& bodies, Forces& forces, Slot slot) {
+    if (!bodies.records[slot].substepped) {
+        bodies.records[slot].substepped = true;
+        forces.substepped.push_back(slot);
     }
 }
 
-void refreshFields(WorldData& data) {
-    data.fieldBodies.clear();
-    if (data.fields.size() == data.freeFields.size()) {
+void refreshFields(Bodies& bodies, Forces& forces) {
+    forces.fieldBodies.clear();
+    if (forces.fields.size() == forces.freeFields.size()) {
         return;
     }
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        if (data.records[slot].used && anyActsOn(data, slot)) {
-            noteSubstepped(data, slot);
-            data.fieldBodies.push_back(slot);
+    for (Slot slot = 0; slot < bodies.records.size(); ++slot) {
+        if (bodies.records[slot].used && anyActsOn(bodies, forces, slot)) {
+            noteSubstepped(bodies, forces, slot);
+            forces.fieldBodies.push_back(slot);
         }
     }
 }
 
-void refreshFieldsOf(WorldData& data, Slot slot) {
-    const auto at = std::lower_bound(data.fieldBodies.begin(), data.fieldBodies.end(), slot);
-    if (anyActsOn(data, slot)) {
-        noteSubstepped(data, slot);
-        data.fieldBodies.insert(at, slot);
+void refreshFieldsOf(Bodies& bodies, Forces& forces, Slot slot) {
+    const auto at = std::lower_bound(forces.fieldBodies.begin(), forces.fieldBodies.end(), slot);
+    if (anyActsOn(bodies, forces, slot)) {
+        noteSubstepped(bodies, forces, slot);
+        forces.fieldBodies.insert(at, slot);
     }
 }
 
@@ -115,28 +115,28 @@ void applyFields(WorldData& data, double seconds, int iteration) {
     if (seconds == 0) {
         return;
     }
-    for (const Slot slot : data.fieldBodies) {
-        if (data.records[slot].asleep) {
+    for (const Slot slot : data.forces.fieldBodies) {
+        if (data.bodies.records[slot].asleep) {
             continue;
         }
         // The midpoint rule: second order for what depends on the velocity, too.
-        FieldSample sample = sampleOf(data, slot);
+        FieldSample sample = sampleOf(data.bodies, data.scratch.substeps, slot);
         const FieldGain first = gainOf(data, slot, sample, {seconds, iteration});
         sample.velocity += 0.5 * first.velocity;
         sample.angularVelocity += 0.5 * first.angularVelocity;
         const FieldGain gain = gainOf(data, slot, sample, {seconds, iteration});
-        data.motions[slot].velocity += gain.velocity;
-        data.motions[slot].angularVelocity += gain.angularVelocity;
+        data.bodies.motions[slot].velocity += gain.velocity;
+        data.bodies.motions[slot].angularVelocity += gain.angularVelocity;
     }
 }
 
-void removeFieldsOf(WorldData& data, Slot slot) {
-    for (std::uint32_t i = 0; i < data.fields.size(); ++i) {
-        FieldRecord& field = data.fields[i];
-        if (field.def && field.def->body == data.idOf(slot)) {
+void removeFieldsOf(const Bodies& bodies, Forces& forces, Slot slot) {
+    for (std::uint32_t i = 0; i < forces.fields.size(); ++i) {
+        FieldRecord& field = forces.fields[i];
+        if (field.def && field.def->body == bodies.idOf(slot)) {
             field.def = nullptr;
             ++field.generation;
-            data.freeFields.push_back(i);
+            forces.freeFields.push_back(i);
         }
     }
 }

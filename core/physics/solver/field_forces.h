@@ -6,21 +6,21 @@
 namespace spacetow {
 
 /// Whether the field acts on the body.
-bool actsOn(const WorldData& data, const FieldRecord& field, Slot slot);
+bool actsOn(const Bodies& bodies, const FieldRecord& field, Slot slot);
 
 /// The body moves in sub-steps.
-void noteSubstepped(WorldData& data, Slot slot);
+void noteSubstepped(Bodies& bodies, Forces& forces, Slot slot);
 
 /// Marks the bodies that feel any field as moving in sub-steps, and lists them.
-void refreshFields(WorldData& data);
+void refreshFields(Bodies& bodies, Forces& forces);
 /// Likewise a body that is new.
-void refreshFieldsOf(WorldData& data, Slot slot);
+void refreshFieldsOf(Bodies& bodies, Forces& forces, Slot slot);
 
 /// The impulses of all fields during `seconds` at the trial poses; changes velocities only. Each body feels the sum of
 /// its fields at once, so that their order does not matter; values that are not finite are left out and reported.
 void applyFields(WorldData& data, double seconds, int iteration);
 
 /// Removes the fields that act on this body alone.
-void removeFieldsOf(WorldData& data, Slot slot);
+void removeFieldsOf(const Bodies& bodies, Forces& forces, Slot slot);
 
 } // namespace spacetow

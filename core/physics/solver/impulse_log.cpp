@@ -39,9 +39,9 @@ void addTo(LoggedImpulse& sum, const Given& given) {
     sum.turnB += given.turnB;
 }
 
-void logCircles(WorldData& data) {
-    for (const CircleContact& c : data.circleContacts) {
-        const CircleBatch& batch = data.batches.circles[c.lane.batch];
+void logCircles(const Bodies& bodies, const Constraints& constraints, ImpulseLog& impulses) {
+    for (const CircleContact& c : constraints.circleContacts) {
+        const CircleBatch& batch = constraints.batches.circles[c.lane.batch];
         const std::uint32_t i = c.lane.lane;
         const double normal = batch.normalImpulse[i];
         const double friction = batch.tangentImpulse[i];
@@ -49,22 +49,22 @@ void logCircles(WorldData& data) {
             continue;
         }
         const Vec2 direction(batch.normalX[i], batch.normalY[i]);
-        LoggedImpulse& sum = logOf(data.impulses, c.contact, c.a, c.b);
+        LoggedImpulse& sum = logOf(impulses, c.contact, c.a, c.b);
         addTo(sum, {normal, friction, direction, friction * batch.leverA[i], friction * batch.leverB[i]});
-        sum.moment += normal * (data.motions[c.a].center + batch.leverA[i] * direction);
+        sum.moment += normal * (bodies.motions[c.a].center + batch.leverA[i] * direction);
     }
 }
 
-Vec2 pointOnA(const WorldData& data, const GeneralContact& c, bool second) {
-    const ContactAnchors& anchors = data.batches.general.anchors(c.lane.batch);
+Vec2 pointOnA(const Bodies& bodies, const Constraints& constraints, const GeneralContact& c, bool second) {
+    const ContactAnchors& anchors = constraints.batches.general.anchors(c.lane.batch);
     const std::uint32_t i = c.lane.lane;
-    return data.pose(c.a).toWorld(second ? Vec2(anchors.onA2X[i], anchors.onA2Y[i])
-                                         : Vec2(anchors.onA1X[i], anchors.onA1Y[i]));
+    return bodies.pose(c.a).toWorld(second ? Vec2(anchors.onA2X[i], anchors.onA2Y[i])
+                                           : Vec2(anchors.onA1X[i], anchors.onA1Y[i]));
 }
 
-void logGeneral(WorldData& data) {
-    for (const GeneralContact& c : data.generalContacts) {
-        const ConstraintBatch& batch = data.batches.general[c.lane.batch];
+void logGeneral(const Bodies& bodies, const Constraints& constraints, ImpulseLog& impulses) {
+    for (const GeneralContact& c : constraints.generalContacts) {
+        const ConstraintBatch& batch = constraints.batches.general[c.lane.batch];
         const std::uint32_t i = c.lane.lane;
         const double first = batch.impulse1[i];
         const double second = batch.impulse2[i];
@@ -74,19 +74,19 @@ void logGeneral(WorldData& data) {
         }
         const double turnA = first * batch.leverA1[i] + second * batch.leverA2[i] + friction * batch.tangentLeverA[i];
         const double turnB = first * batch.leverB1[i] + second * batch.leverB2[i] + friction * batch.tangentLeverB[i];
-        LoggedImpulse& sum = logOf(data.impulses, c.points[0].contact, c.a, c.b);
+        LoggedImpulse& sum = logOf(impulses, c.points[0].contact, c.a, c.b);
         addTo(sum, {first + second, friction, {batch.normalX[i], batch.normalY[i]}, turnA, turnB});
-        sum.moment += first * pointOnA(data, c, false);
+        sum.moment += first * pointOnA(bodies, constraints, c, false);
         if (second != 0) {
-            sum.moment += second * pointOnA(data, c, true);
+            sum.moment += second * pointOnA(bodies, constraints, c, true);
         }
     }
 }
 
 } // namespace
 
-void beginImpulseLog(WorldData& data, double seconds) {
-    ImpulseLog& log = data.impulses;
+void beginImpulseLog(ImpulseLog& impulses, double seconds) {
+    ImpulseLog& log = impulses;
     log.seconds = seconds;
     for (const std::uint32_t contact : log.placed) {
         log.places[contact] = 0;
@@ -95,9 +95,9 @@ void beginImpulseLog(WorldData& data, double seconds) {
     log.impulses.clear();
 }
 
-void logImpulses(WorldData& data) {
-    logCircles(data);
-    logGeneral(data);
+void logImpulses(const Bodies& bodies, const Constraints& constraints, ImpulseLog& impulses) {
+    logCircles(bodies, constraints, impulses);
+    logGeneral(bodies, constraints, impulses);
 }
 
 } // namespace spacetow

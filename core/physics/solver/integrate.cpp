@@ -75,42 +75,43 @@ void kick(WorldData& data, const IterationStep& step, Kick kick) {
 /// find about to fall by what they are to hold, however stiff or damped they are.
 void accelerate(WorldData& data, Slot slot, double h, Kick kick) {
     const double time = kickTime(h, kick, data.scratch.substeps.anticipated[slot] != 0);
-    data.motions[slot].velocity += time * data.steps[slot].acceleration;
-    data.motions[slot].angularVelocity += time * data.steps[slot].angularAcceleration;
+    data.bodies.motions[slot].velocity += time * data.bodies.steps[slot].acceleration;
+    data.bodies.motions[slot].angularVelocity += time * data.bodies.steps[slot].angularAcceleration;
 }
 
-bool anySubstepped(const WorldData& data) {
-    return data.connectors.size() != data.freeConnectors.size() || !data.fieldBodies.empty();
+bool anySubstepped(const Forces& forces) {
+    return forces.connectors.size() != forces.freeConnectors.size() || !forces.fieldBodies.empty();
 }
 
 void integrateInSubsteps(WorldData& data, const IterationStep& step) {
-    if (!anySubstepped(data)) {
+    if (!anySubstepped(data.forces)) {
         return;
     }
-    const auto substepped = [&](Slot slot) { return data.records[slot].substepped; };
-    if (!data.sleep.sleepers.empty() && std::none_of(data.moving.begin(), data.moving.end(), substepped)) {
+    const auto substepped = [&](Slot slot) { return data.bodies.records[slot].substepped; };
+    if (!data.sleep.sleepers.empty() &&
+        std::none_of(data.bodies.moving.begin(), data.bodies.moving.end(), substepped)) {
         return;
     }
-    data.scratch.substeps.trial.resize(data.motions.size());
-    for (const Slot slot : data.substepped) {
-        data.scratch.substeps.trial[slot] = data.pose(slot);
+    data.scratch.substeps.trial.resize(data.bodies.motions.size());
+    for (const Slot slot : data.forces.substepped) {
+        data.scratch.substeps.trial[slot] = data.bodies.pose(slot);
     }
-    findAnticipated(data, step.substep);
-    for (const Slot slot : data.moving) {
-        if (data.records[slot].substepped) {
+    findAnticipated(data.bodies, data.forces, data.scratch.substeps, step.substep);
+    for (const Slot slot : data.bodies.moving) {
+        if (data.bodies.records[slot].substepped) {
             accelerate(data, slot, step.substep, Kick::First);
         }
     }
     for (int i = 0; i < step.substeps; ++i) {
         const Kick next = i + 1 < step.substeps ? Kick::Between : Kick::Last;
         kick(data, step, i == 0 ? Kick::First : Kick::Between);
-        for (const Slot slot : data.moving) {
-            if (!data.records[slot].substepped) {
+        for (const Slot slot : data.bodies.moving) {
+            if (!data.bodies.records[slot].substepped) {
                 continue;
             }
-            const Change change = coasted(data.motions[slot], data.steps[slot]);
-            data.steps[slot].deltaPosition += change.deltaPosition;
-            data.steps[slot].deltaAngle += change.deltaAngle;
+            const Change change = coasted(data.bodies.motions[slot], data.bodies.steps[slot]);
+            data.bodies.steps[slot].deltaPosition += change.deltaPosition;
+            data.bodies.steps[slot].deltaAngle += change.deltaAngle;
             data.scratch.substeps.trial[slot].position += change.deltaPosition;
             data.scratch.substeps.trial[slot].rotation =
                 turned(data.scratch.substeps.trial[slot].rotation, change.deltaAngle);
@@ -122,10 +123,10 @@ void integrateInSubsteps(WorldData& data, const IterationStep& step) {
 
 } // namespace
 
-void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravity) {
-    for (const Slot slot : data.moving) {
-        BodyRecord& record = data.records[slot];
-        BodyStep& s = data.steps[slot];
+void prepareMotion(Bodies& bodies, const IterationStep& step, const Vec2& gravity) {
+    for (const Slot slot : bodies.moving) {
+        BodyRecord& record = bodies.records[slot];
+        BodyStep& s = bodies.steps[slot];
         s.acceleration = record.force / record.mass;
         s.angularAcceleration = record.inertia > 0 ? record.torque / record.inertia : 0;
         if (record.kind == BodyKind::Dynamic) {
@@ -140,24 +141,24 @@ void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravi
         record.force.setZero();
         record.torque = 0;
     }
-    prepareSteps(data, step);
+    prepareSteps(bodies, step);
 }
 
-void prepareSteps(WorldData& data, const IterationStep& step) {
-    for (const Slot slot : data.moving) {
-        const BodyRecord& record = data.records[slot];
+void prepareSteps(Bodies& bodies, const IterationStep& step) {
+    for (const Slot slot : bodies.moving) {
+        const BodyRecord& record = bodies.records[slot];
         const double h = record.substepped ? step.substep : step.dt;
-        BodyStep& s = data.steps[slot];
+        BodyStep& s = bodies.steps[slot];
         s.linear = record.positionFrozen ? FreeMotion{0, 0, 0} : freeMotion(record.linearDamping, h);
         s.angular = record.rotationFrozen ? FreeMotion{0, 0, 0} : freeMotion(record.angularDamping, h);
     }
 }
 
 void integrateVelocities(WorldData& data, const IterationStep& step) {
-    const bool substeps = anySubstepped(data); // else there is no need to look at the records
-    for (const Slot slot : data.moving) {
-        BodyMotion& m = data.motions[slot];
-        BodyStep& s = data.steps[slot];
+    const bool substeps = anySubstepped(data.forces); // else there is no need to look at the records
+    for (const Slot slot : data.bodies.moving) {
+        BodyMotion& m = data.bodies.motions[slot];
+        BodyStep& s = data.bodies.steps[slot];
         s.startVelocity = m.velocity;
         s.startAngularVelocity = m.angularVelocity;
         s.deltaPosition.setZero();
@@ -167,7 +168,7 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         s.correction.setZero();
         s.angleCorrection = 0;
         s.pushed = s.bounced = s.bouncing = s.deflected = false;
-        if (!substeps || !data.records[slot].substepped) {
+        if (!substeps || !data.bodies.records[slot].substepped) {
             const Change change = integrated(m, s);
             s.deltaPosition = change.deltaPosition;
             s.deltaAngle = change.deltaAngle;
@@ -176,17 +177,17 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
     integrateInSubsteps(data, step);
 }
 
-void restoreVelocities(WorldData& data) {
-    for (const Slot slot : data.moving) {
-        data.motions[slot].velocity = data.steps[slot].startVelocity;
-        data.motions[slot].angularVelocity = data.steps[slot].startAngularVelocity;
+void restoreVelocities(Bodies& bodies) {
+    for (const Slot slot : bodies.moving) {
+        bodies.motions[slot].velocity = bodies.steps[slot].startVelocity;
+        bodies.motions[slot].angularVelocity = bodies.steps[slot].startAngularVelocity;
     }
 }
 
-void advance(WorldData& data, double dt) {
-    for (const Slot slot : data.moving) {
-        BodyMotion& m = data.motions[slot];
-        BodyStep& s = data.steps[slot];
+void advance(Bodies& bodies, double dt) {
+    for (const Slot slot : bodies.moving) {
+        BodyMotion& m = bodies.motions[slot];
+        BodyStep& s = bodies.steps[slot];
         if (s.fraction < s.acceleratedFraction) {
             shorten(m, s, dt);
         }
@@ -201,10 +202,10 @@ void advance(WorldData& data, double dt) {
     }
 }
 
-void isolateFaults(WorldData& data, int iteration) {
-    for (const Slot slot : data.moving) {
-        BodyMotion& m = data.motions[slot];
-        BodyStep& s = data.steps[slot];
+void isolateFaults(Bodies& bodies, Events& events, int iteration) {
+    for (const Slot slot : bodies.moving) {
+        BodyMotion& m = bodies.motions[slot];
+        BodyStep& s = bodies.steps[slot];
         if (isSound(m, s)) {
             continue;
         }
@@ -212,11 +213,11 @@ void isolateFaults(WorldData& data, int iteration) {
         m.angularVelocity = 0;
         s.deltaPosition.setZero();
         s.deltaAngle = 0;
-        const auto same = [&](const FaultEvent& fault) { return fault.body == data.idOf(slot); };
-        const bool known = std::any_of(data.events.faults.begin(), data.events.faults.end(), same);
-        if (data.records[slot].active && !known) {
-            data.events.faults.push_back({iteration, data.idOf(slot)});
-            data.pending.push_back({PendingChange::Kind::Active, data.idOf(slot), false, false});
+        const auto same = [&](const FaultEvent& fault) { return fault.body == bodies.idOf(slot); };
+        const bool known = std::any_of(events.faults.begin(), events.faults.end(), same);
+        if (bodies.records[slot].active && !known) {
+            events.faults.push_back({iteration, bodies.idOf(slot)});
+            bodies.pending.push_back({PendingChange::Kind::Active, bodies.idOf(slot), false, false});
         }
     }
 }

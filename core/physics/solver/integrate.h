@@ -7,23 +7,23 @@
 namespace spacetow {
 
 /// Accelerations and damping factors for this update; consumes the forces applied since the last one.
-void prepareMotion(WorldData& data, const IterationStep& step, const Vec2& gravity);
+void prepareMotion(Bodies& bodies, const IterationStep& step, const Vec2& gravity);
 
 /// How far a body moves by itself in one step of its own: an iteration, or a sub-step when connectors or fields act on
 /// it. Part of prepareMotion; by itself after connections have changed in the middle of an update.
-void prepareSteps(WorldData& data, const IterationStep& step);
+void prepareSteps(Bodies& bodies, const IterationStep& step);
 
 /// Velocities at the end of the iteration, and delta position and angle on the way there, as if nothing were touched.
 void integrateVelocities(WorldData& data, const IterationStep& step);
 
 /// Undoes integrateVelocities.
-void restoreVelocities(WorldData& data);
+void restoreVelocities(Bodies& bodies);
 
 /// Carries out the motion and the displacements out of overlaps. What a body did not travel of its way in an iteration
 /// of `dt` seconds it was not accelerated on either.
-void advance(WorldData& data, double dt);
+void advance(Bodies& bodies, double dt);
 
 /// Switches off bodies whose state is not sound, so that they spoil no others.
-void isolateFaults(WorldData& data, int iteration);
+void isolateFaults(Bodies& bodies, Events& events, int iteration);
 
 } // namespace spacetow

@@ -7,23 +7,23 @@ namespace spacetow {
 namespace {
 
 /// What a body that nothing can move may push.
-void noteDriver(WorldData& data, Slot driver, Slot pushed) {
+void noteDriver(Islands& islands, Slot driver, Slot pushed) {
     const Islands::Driver found{driver, pushed};
-    if (data.islands.drivers.empty() || data.islands.drivers.back() != found) {
-        data.islands.drivers.push_back(found);
+    if (islands.drivers.empty() || islands.drivers.back() != found) {
+        islands.drivers.push_back(found);
     }
 }
 
 /// Of whoever may be joined; all others are their own roots ever since renewSlots().
-void beginRoots(WorldData& data) {
-    std::vector<Slot>& roots = data.islands.roots;
-    for (const Slot slot : data.moving) {
+void beginRoots(const Bodies& bodies, const Contacts& contacts, Islands& islands, const Sleep& sleep) {
+    std::vector<Slot>& roots = islands.roots;
+    for (const Slot slot : bodies.moving) {
         roots[slot] = slot;
     }
-    if (data.sleep.sleepers.empty()) {
+    if (sleep.sleepers.empty()) {
         return;
     }
-    for (const PairBound& bound : data.table.bounds) {
+    for (const PairBound& bound : contacts.table.bounds) {
         roots[slotOf(bound.moverA)] = slotOf(bound.moverA);
         if (bound.moverB != Mover::Static) {
             roots[slotOf(bound.moverB)] = slotOf(bound.moverB);
@@ -32,33 +32,33 @@ void beginRoots(WorldData& data) {
 }
 
 /// All that is asked for is beside the pairs, in fewer bytes.
-void joinPairs(WorldData& data) {
-    std::vector<Slot>& roots = data.islands.roots;
-    auto sensors = data.sensors.begin();
-    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
-        const PairBound& bound = data.table.bounds[i];
-        if (sensors != data.sensors.end() && *sensors == i) {
+void joinPairs(const Bodies& bodies, const Contacts& contacts, Islands& islands) {
+    std::vector<Slot>& roots = islands.roots;
+    auto sensors = contacts.sensors.begin();
+    for (std::uint32_t i = 0; i < contacts.table.size(); ++i) {
+        const PairBound& bound = contacts.table.bounds[i];
+        if (sensors != contacts.sensors.end() && *sensors == i) {
             ++sensors;
             continue;
         }
         const Slot a = slotOf(bound.moverA);
         const Slot b = slotOf(bound.moverB);
-        if ((data.movable[bound.moverA] & data.movable[bound.moverB]) != 0) {
+        if ((bodies.movable[bound.moverA] & bodies.movable[bound.moverB]) != 0) {
             if (roots[a] != roots[b]) {
                 joinSets(roots, a, b);
             }
-        } else if (bound.moverB != Mover::Static && data.movable[bound.moverA] != 0) {
-            noteDriver(data, b, a);
-        } else if (data.movable[bound.moverB] != 0) {
-            noteDriver(data, a, b);
+        } else if (bound.moverB != Mover::Static && bodies.movable[bound.moverA] != 0) {
+            noteDriver(islands, b, a);
+        } else if (bodies.movable[bound.moverB] != 0) {
+            noteDriver(islands, a, b);
         }
     }
 }
 
 /// Nothing pushes their islands any more.
-void forgetDrivers(WorldData& data) {
-    std::vector<std::uint8_t>& driven = data.scratch.solver.driven;
-    for (const Islands::Driver& driver : data.islands.drivers) {
+void forgetDrivers(const Islands& islands, SolverScratch& solver) {
+    std::vector<std::uint8_t>& driven = solver.driven;
+    for (const Islands::Driver& driver : islands.drivers) {
         if (driver.pushed < driven.size()) {
             driven[driver.pushed] = 0;
         }
@@ -66,13 +66,13 @@ void forgetDrivers(WorldData& data) {
 }
 
 /// What it weighs, and nothing of what was there before.
-void renewSlot(WorldData& data, Slot slot) {
-    const BodyMotion& m = data.motions[slot];
+void renewSlot(Bodies& bodies, Constraints& constraints, Islands& islands, Slot slot) {
+    const BodyMotion& m = bodies.motions[slot];
     const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
-    data.islands.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
-    data.movable[slot] = m.isMovable() ? 1 : 0;
-    data.islands.roots[slot] = slot;
-    data.mergeableContacts[slot] = 0;
+    islands.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
+    bodies.movable[slot] = m.isMovable() ? 1 : 0;
+    islands.roots[slot] = slot;
+    constraints.mergeableContacts[slot] = 0;
 }
 
 } // namespace
@@ -98,15 +98,15 @@ void findIslands(WorldData& data) {
         return;
     }
     data.flags.islandsStale = false;
-    beginRoots(data);
+    beginRoots(data.bodies, data.contacts, data.islands, data.sleep);
     std::vector<Slot>& roots = data.islands.roots;
     std::vector<Islands::Driver>& drivers = data.islands.drivers;
-    forgetDrivers(data);
+    forgetDrivers(data.islands, data.scratch.solver);
     data.islands.drivenStale = true;
     drivers.clear();
-    joinPairs(data);
+    joinPairs(data.bodies, data.contacts, data.islands);
     data.islands.islandRoots.clear();
-    for (const Slot slot : data.moving) {
+    for (const Slot slot : data.bodies.moving) {
         roots[slot] = rootOf(roots, slot);
         if (roots[slot] == slot) {
             data.islands.islandRoots.push_back(slot);
@@ -123,20 +123,20 @@ void findIslands(WorldData& data) {
 void findDriven(WorldData& data) {
     Islands& islands = data.islands;
     std::vector<std::uint8_t>& driven = data.scratch.solver.driven;
-    beginBySlot(driven, data.motions.size() + 1, std::uint8_t{0});
+    beginBySlot(driven, data.bodies.motions.size() + 1, std::uint8_t{0});
     for (const Slot root : islands.islandRoots) {
         driven[root] = 0;
     }
-    forgetDrivers(data);
+    forgetDrivers(data.islands, data.scratch.solver);
     bool any = false;
     for (const Islands::Driver& driver : islands.drivers) {
-        if (data.motions[driver.slot].isMoving()) {
+        if (data.bodies.motions[driver.slot].isMoving()) {
             driven[driver.pushed] = 1;
             any = true;
         }
     }
     if (any || islands.drivenStale) {
-        for (const Slot slot : data.moving) {
+        for (const Slot slot : data.bodies.moving) {
             driven[slot] = driven[islands.roots[slot]];
         }
     }
@@ -144,13 +144,13 @@ void findDriven(WorldData& data) {
 }
 
 void renewSlots(WorldData& data, std::span<const Slot> slots) {
-    const std::size_t bodies = data.motions.size();
-    data.islands.roots.resize(bodies);
-    data.islands.inertias.resize(bodies);
-    data.movable.resize(bodies);
-    data.mergeableContacts.resize(bodies);
+    const std::size_t count = data.bodies.motions.size();
+    data.islands.roots.resize(count);
+    data.islands.inertias.resize(count);
+    data.bodies.movable.resize(count);
+    data.constraints.mergeableContacts.resize(count);
     for (const Slot slot : slots) {
-        renewSlot(data, slot);
+        renewSlot(data.bodies, data.constraints, data.islands, slot);
     }
     data.flags.islandsStale = true;
 }

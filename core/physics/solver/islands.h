@@ -32,9 +32,9 @@ void findDriven(WorldData& data);
 
 /// The island of a contact's bodies.
 template <class Batch>
-Slot rootAt(const WorldData& data, const Batch& batch, std::uint32_t lane) {
+Slot rootAt(const Islands& islands, const Batch& batch, std::uint32_t lane) {
     const bool yieldsA = batch.massA[lane] > 0 || batch.inertiaA[lane] > 0;
-    return data.islands.roots[yieldsA ? batch.a[lane] : batch.b[lane]];
+    return islands.roots[yieldsA ? batch.a[lane] : batch.b[lane]];
 }
 
 } // namespace spacetow

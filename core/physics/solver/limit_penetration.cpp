@@ -134,17 +134,17 @@ bool limitOnce(const std::vector<BodyVelocity>& velocities, const PenetrationLim
 }
 
 /// What is held back has been accelerated for as long as it moved.
-void reduceAcceleration(WorldData& data) {
-    for (const Slot slot : data.moving) {
-        BodyStep& s = data.steps[slot];
-        s.fraction = data.scratch.solver.fractions[slot];
+void reduceAcceleration(Bodies& bodies, SolverScratch& solver) {
+    for (const Slot slot : bodies.moving) {
+        BodyStep& s = bodies.steps[slot];
+        s.fraction = solver.fractions[slot];
         if (s.fraction < s.acceleratedFraction) {
             const double lost = 1 - s.fraction / s.acceleratedFraction;
-            const BodyVelocity& start = data.scratch.solver.startVelocities[slot];
-            BodyVelocity& planned = data.scratch.solver.plannedVelocities[slot];
+            const BodyVelocity& start = solver.startVelocities[slot];
+            BodyVelocity& planned = solver.plannedVelocities[slot];
             const BodyVelocity change{lost * (planned.x - start.x), lost * (planned.y - start.y),
                                       lost * (planned.angular - start.angular), 0};
-            for (BodyVelocity* velocity : {&planned, &data.scratch.solver.velocities[slot]}) {
+            for (BodyVelocity* velocity : {&planned, &solver.velocities[slot]}) {
                 velocity->x -= change.x;
                 velocity->y -= change.y;
                 velocity->angular -= change.angular;
@@ -155,47 +155,49 @@ void reduceAcceleration(WorldData& data) {
 }
 
 /// Whether nothing has been held back so far, and nothing is to be.
-bool noneLimited(const WorldData& data) {
-    const auto isLimited = [&](Slot slot) { return data.steps[slot].fraction < 1; };
-    return std::none_of(data.moving.begin(), data.moving.end(), isLimited) &&
-           noneCloses(data.scratch.solver.driven, data.batches.circles) &&
-           noneCloses(data.scratch.solver.driven, data.batches.general);
+bool noneLimited(const Bodies& bodies, const Constraints& constraints, const SolverScratch& solver) {
+    const auto isLimited = [&](Slot slot) { return bodies.steps[slot].fraction < 1; };
+    return std::none_of(bodies.moving.begin(), bodies.moving.end(), isLimited) &&
+           noneCloses(solver.driven, constraints.batches.circles) &&
+           noneCloses(solver.driven, constraints.batches.general);
 }
 
 /// What is held back so far holds back what follows it.
-void propagateLimits(WorldData& data, double dt) {
-    SolverScratch& scratch = data.scratch.solver;
-    beginBySlot(scratch.fractions, data.motions.size() + 1, 1.0);
-    beginBySlot(scratch.limited, data.motions.size() + 1, std::uint8_t{0});
-    for (const Slot slot : data.moving) {
-        scratch.fractions[slot] = data.steps[slot].fraction;
-        scratch.limited[slot] = data.steps[slot].fraction < 1 ? 1 : 0;
+void propagateLimits(const Bodies& bodies, const Constraints& constraints, SolverScratch& solver, double dt) {
+    SolverScratch& scratch = solver;
+    beginBySlot(scratch.fractions, bodies.motions.size() + 1, 1.0);
+    beginBySlot(scratch.limited, bodies.motions.size() + 1, std::uint8_t{0});
+    for (const Slot slot : bodies.moving) {
+        scratch.fractions[slot] = bodies.steps[slot].fraction;
+        scratch.limited[slot] = bodies.steps[slot].fraction < 1 ? 1 : 0;
     }
     bool changed = true;
     for (int round = 0; round < roundsOfLimiting && changed; ++round) {
         const PenetrationLimits holding{scratch.fractions, scratch.limited, scratch.driven, dt, round};
-        changed = limitOnce(scratch.velocities, holding, data.batches.circles);
-        changed |= limitOnce(scratch.velocities, holding, data.batches.general);
+        changed = limitOnce(scratch.velocities, holding, constraints.batches.circles);
+        changed |= limitOnce(scratch.velocities, holding, constraints.batches.general);
     }
 }
 
 } // namespace
 
-void limitPenetration(WorldData& data, double dt) {
-    if (!noneLimited(data)) {
-        propagateLimits(data, dt);
-        reduceAcceleration(data);
+void limitPenetration(Bodies& bodies, const Constraints& constraints, SolverScratch& solver, double dt) {
+    if (!noneLimited(bodies, constraints, solver)) {
+        propagateLimits(bodies, constraints, solver, dt);
+        reduceAcceleration(bodies, solver);
     }
 }
 
-void limitPenetrationOfFollowers(WorldData& data, double dt) {
-    const auto isStopped = [&](Slot slot) { return data.steps[slot].fraction < data.steps[slot].acceleratedFraction; };
-    if (std::none_of(data.moving.begin(), data.moving.end(), isStopped)) {
+void limitPenetrationOfFollowers(Bodies& bodies, const Constraints& constraints, SolverScratch& solver, double dt) {
+    const auto isStopped = [&](Slot slot) {
+        return bodies.steps[slot].fraction < bodies.steps[slot].acceleratedFraction;
+    };
+    if (std::none_of(bodies.moving.begin(), bodies.moving.end(), isStopped)) {
         return;
     }
-    propagateLimits(data, dt);
-    for (const Slot slot : data.moving) {
-        data.steps[slot].fraction = data.scratch.solver.fractions[slot];
+    propagateLimits(bodies, constraints, solver, dt);
+    for (const Slot slot : bodies.moving) {
+        bodies.steps[slot].fraction = solver.fractions[slot];
     }
 }
 

@@ -27,16 +27,16 @@ constexpr int roundsOfConverging = 3;
 // anything that is not known.
 constexpr double smallDeflection = 0.01;
 
-void gatherVelocities(WorldData& data) {
-    SolverScratch& scratch = data.scratch.solver;
-    scratch.velocities.resize(data.motions.size() + 1);
-    scratch.plannedVelocities.resize(data.motions.size());
-    scratch.startVelocities.resize(data.motions.size());
-    beginBySlot(scratch.corrections, data.motions.size() + 1, BodyVelocity{});
+void gatherVelocities(const Bodies& bodies, SolverScratch& solver) {
+    SolverScratch& scratch = solver;
+    scratch.velocities.resize(bodies.motions.size() + 1);
+    scratch.plannedVelocities.resize(bodies.motions.size());
+    scratch.startVelocities.resize(bodies.motions.size());
+    beginBySlot(scratch.corrections, bodies.motions.size() + 1, BodyVelocity{});
     scratch.velocities.back() = scratch.corrections.back() = {};
-    for (const Slot slot : data.moving) {
-        const BodyMotion& m = data.motions[slot];
-        const BodyStep& s = data.steps[slot];
+    for (const Slot slot : bodies.moving) {
+        const BodyMotion& m = bodies.motions[slot];
+        const BodyStep& s = bodies.steps[slot];
         scratch.corrections[slot] = {};
         scratch.startVelocities[slot] = {s.startVelocity.x(), s.startVelocity.y(), s.startAngularVelocity, 0};
         // Not a copy of the other: reading at once what was just written in parts stalls.
@@ -45,20 +45,20 @@ void gatherVelocities(WorldData& data) {
     }
 }
 
-void markTouch(WorldData& data, const CircleContact& c, bool touches) {
-    data.table.flags[c.pair].touching = touches;
+void markTouch(Contacts& contacts, const CircleContact& c, bool touches) {
+    contacts.table.flags[c.pair].touching = touches;
 }
 
-void markTouch(WorldData& data, const GeneralContact& c, bool touches) {
+void markTouch(Contacts& contacts, const GeneralContact& c, bool touches) {
     if (!c.merged) {
-        data.table.flags[c.points[0].pair].touching = touches;
+        contacts.table.flags[c.points[0].pair].touching = touches;
     }
 }
 
 /// Each point of a merged contact belongs to a pair of its own. Of pairs without a point is known whether they touch
 /// since they were merged: when that may have changed they are to be merged anew.
-void markMerged(WorldData& data, GeneralContact& c) {
-    const ConstraintBatch& batch = data.batches.general[c.lane.batch];
+void markMerged(Contacts& contacts, Constraints& constraints, StepFlags& flags, GeneralContact& c) {
+    const ConstraintBatch& batch = constraints.batches.general[c.lane.batch];
     const std::uint32_t i = c.lane.lane;
     std::array<bool, 2> touching{};
     bool any = false;
@@ -66,57 +66,57 @@ void markMerged(WorldData& data, GeneralContact& c) {
     for (std::size_t k = 0; k < c.count; ++k) {
         const bool near = (k == 0 ? batch.separation1 : batch.separation2)[i] <= linearSlop;
         touching[k] = near || (k == 0 ? batch.impulse1 : batch.impulse2)[i] > 0;
-        data.table.flags[c.points[k].pair].touching |= touching[k];
+        contacts.table.flags[c.points[k].pair].touching |= touching[k];
         any |= touching[k];
         open |= !near;
     }
-    data.flags.mergeStale |= data.flags.constraintsRebuilt ? any && open : touching != c.touching;
+    flags.mergeStale |= flags.constraintsRebuilt ? any && open : touching != c.touching;
     c.touching = touching;
 }
 
-void markMerged(WorldData& data) {
-    if (!data.mergedPairs.empty()) {
-        for (GeneralContact& c : data.generalContacts) {
+void markMerged(Contacts& contacts, Constraints& constraints, StepFlags& flags) {
+    if (!constraints.mergedPairs.empty()) {
+        for (GeneralContact& c : constraints.generalContacts) {
             if (c.merged) {
-                markMerged(data, c);
+                markMerged(contacts, constraints, flags, c);
             }
         }
     }
 }
 
 template <class Batch, class Kind>
-void markTouches(WorldData& data, Batches<Batch>& batches, const std::vector<Kind>& contacts) {
+void markTouches(Contacts& contacts, Batches<Batch>& batches, const std::vector<Kind>& list) {
     for (std::size_t i = 0; i < batches.size(); ++i) {
         BatchFlags& flags = batches.flags(i);
         const unsigned changed = flags.touches ^ flags.touched;
         for (unsigned lanes = changed; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<unsigned>(std::countr_zero(lanes));
-            markTouch(data, contacts[batches.anchors(i).owner[lane]], (flags.touches >> lane & 1) != 0);
+            markTouch(contacts, list[batches.anchors(i).owner[lane]], (flags.touches >> lane & 1) != 0);
         }
         flags.touched = flags.touches;
     }
 }
 
 /// What stopped an impact is not carried on.
-void finishBounces(WorldData& data) {
-    for (const CircleContact& c : data.circleContacts) {
+void finishBounces(Bodies& bodies, Constraints& constraints) {
+    for (const CircleContact& c : constraints.circleContacts) {
         if (c.bounces) {
-            CircleBatch& batch = data.batches.circles[c.lane.batch];
-            data.steps[c.a].bounced |= batch.normalImpulse[c.lane.lane] > 0;
-            data.steps[c.b].bounced |= batch.normalImpulse[c.lane.lane] > 0;
+            CircleBatch& batch = constraints.batches.circles[c.lane.batch];
+            bodies.steps[c.a].bounced |= batch.normalImpulse[c.lane.lane] > 0;
+            bodies.steps[c.b].bounced |= batch.normalImpulse[c.lane.lane] > 0;
             batch.normalImpulse[c.lane.lane] = batch.tangentImpulse[c.lane.lane] = 0;
         }
     }
-    for (const GeneralContact& c : data.generalContacts) {
+    for (const GeneralContact& c : constraints.generalContacts) {
         if (!c.bounces) {
             continue;
         }
-        ConstraintBatch& batch = data.batches.general[c.lane.batch];
+        ConstraintBatch& batch = constraints.batches.general[c.lane.batch];
         for (std::size_t k = 0; k < c.count; ++k) {
             Wide& impulse = k == 0 ? batch.impulse1 : batch.impulse2;
             if (c.points[k].bounces) {
-                data.steps[c.a].bounced |= impulse[c.lane.lane] > 0;
-                data.steps[c.b].bounced |= impulse[c.lane.lane] > 0;
+                bodies.steps[c.a].bounced |= impulse[c.lane.lane] > 0;
+                bodies.steps[c.b].bounced |= impulse[c.lane.lane] > 0;
                 impulse[c.lane.lane] = 0;
             }
         }
@@ -128,25 +128,25 @@ void finishBounces(WorldData& data) {
 void converge(WorldData& data, double dt) {
     reserveForUnconverged(data);
     for (int round = 0; round < roundsOfConverging; ++round) {
-        const bool closes = measureVelocities(data.batches, data.scratch.solver.velocities);
+        const bool closes = measureVelocities(data.constraints.batches, data.scratch.solver.velocities);
         const bool holds = closes && (round > 0 || solveClosingIslands(data));
         if (holds) {
-            limitPenetration(data, dt);
+            limitPenetration(data.bodies, data.constraints, data.scratch.solver, dt);
         }
         if ((round > 0 && !holds) || !limitEnergyGain(data)) {
             return;
         }
     }
-    measureVelocities(data.batches, data.scratch.solver.velocities);
+    measureVelocities(data.constraints.batches, data.scratch.solver.velocities);
 }
 
 /// Bodies that the contacts pushed go where their new velocity takes them.
-void applyVelocities(WorldData& data, double dt) {
-    data.flags.anyDeflected = false;
-    for (const Slot slot : data.moving) {
-        BodyMotion& m = data.motions[slot];
-        BodyStep& s = data.steps[slot];
-        const BodyVelocity& velocity = data.scratch.solver.velocities[slot];
+void applyVelocities(Bodies& bodies, StepFlags& flags, const SolverScratch& solver, double dt) {
+    flags.anyDeflected = false;
+    for (const Slot slot : bodies.moving) {
+        BodyMotion& m = bodies.motions[slot];
+        BodyStep& s = bodies.steps[slot];
+        const BodyVelocity& velocity = solver.velocities[slot];
         s.pushed = isPush({velocity.x - m.velocity.x(), velocity.y - m.velocity.y()},
                           (velocity.angular - m.angularVelocity) * s.outerRadius);
         if (s.pushed) {
@@ -156,10 +156,10 @@ void applyVelocities(WorldData& data, double dt) {
             const double turnChange = dt * m.angularVelocity - s.deltaAngle;
             s.deflected = std::abs(change.x()) + std::abs(change.y()) + std::abs(turnChange) * s.outerRadius >
                           std::max(smallDeflection * s.innerRadius, linearSlop);
-            data.flags.anyDeflected |= s.deflected;
+            flags.anyDeflected |= s.deflected;
             s.deltaPosition = dt * m.velocity;
             s.deltaAngle = dt * m.angularVelocity;
-            data.flags.anyFast |= isFast(s);
+            flags.anyFast |= isFast(s);
         }
         if (s.bounced) { // flies freely from here on: the velocity is that at the end, the way is that of the mean
             s.deltaPosition -= 0.5 * dt * dt * s.acceleration;
@@ -170,26 +170,27 @@ void applyVelocities(WorldData& data, double dt) {
 } // namespace
 
 void solveVelocities(WorldData& data, const IterationStep& step) {
-    gatherVelocities(data);
-    warmStart(data.batches, data.scratch.solver.velocities);
+    gatherVelocities(data.bodies, data.scratch.solver);
+    warmStart(data.constraints.batches, data.scratch.solver.velocities);
     for (int pass = 0; pass < step.passes; ++pass) {
-        solvePass(data.batches, data.scratch.solver.velocities);
+        solvePass(data.constraints.batches, data.scratch.solver.velocities);
     }
     converge(data, step.dt);
-    markTouches(data, data.batches.circles, data.circleContacts);
-    markTouches(data, data.batches.general, data.generalContacts);
-    markMerged(data);
+    markTouches(data.contacts, data.constraints.batches.circles, data.constraints.circleContacts);
+    markTouches(data.contacts, data.constraints.batches.general, data.constraints.generalContacts);
+    markMerged(data.contacts, data.constraints, data.flags);
     if (data.impulses.on) {
-        logImpulses(data);
+        logImpulses(data.bodies, data.constraints, data.impulses);
     }
     if (data.flags.anyBounce) {
-        finishBounces(data);
+        finishBounces(data.bodies, data.constraints);
     }
     const double share = std::min(correctionShare, correctionRate * step.dt);
-    if (correctPositions(data.batches, data.scratch.solver.corrections, {step.dt, share, correctionSpeed * step.dt})) {
+    if (correctPositions(data.constraints.batches, data.scratch.solver.corrections,
+                         {step.dt, share, correctionSpeed * step.dt})) {
         applyCorrections(data, step.dt);
     }
-    applyVelocities(data, step.dt);
+    applyVelocities(data.bodies, data.flags, data.scratch.solver, step.dt);
 }
 
 } // namespace spacetow

@@ -7,7 +7,7 @@
 namespace spacetow {
 
 /// Marks no island in `islands.unsettled`.
-void settleAll(WorldData& data);
+void settleAll(const Bodies& bodies, const Islands& islands, const Sleep& sleep, SolverScratch& solver);
 
 /// More passes, at least one, over the contacts of the islands that are marked in `islands.unsettled`; all but the last
 /// are over-relaxed.

@@ -22,13 +22,13 @@ constexpr double smallTurn = 0.0125;
 constexpr double leastFraction = 1e-3;
 
 /// Whether the speculative margin does not cover the motion; see contact_rules.h.
-bool isFast(const WorldData& data, Slot slot) {
-    return isFast(data.steps[slot]);
+bool isFast(const Bodies& bodies, Slot slot) {
+    return isFast(bodies.steps[slot]);
 }
 
-Motion plannedMotion(const WorldData& data, Slot slot, double fraction) {
-    const BodyStep& s = data.steps[slot];
-    return {.start = data.pose(slot), .translation = fraction * s.deltaPosition, .turn = fraction * s.deltaAngle};
+Motion plannedMotion(const Bodies& bodies, Slot slot, double fraction) {
+    const BodyStep& s = bodies.steps[slot];
+    return {.start = bodies.pose(slot), .translation = fraction * s.deltaPosition, .turn = fraction * s.deltaAngle};
 }
 
 bool shorten(BodyStep& s, double fraction, Slot carrier) {
@@ -41,8 +41,8 @@ bool shorten(BodyStep& s, double fraction, Slot carrier) {
 }
 
 /// Of circles nothing is known but of contacts, so that there is no need to look.
-bool hasContact(const WorldData& data, const Pair& pair) {
-    return pair.contact != Pair::none && (pair.kind != PairKind::General || data.contacts[pair.contact].count > 0);
+bool hasContact(const Contacts& contacts, const Pair& pair) {
+    return pair.contact != Pair::none && (pair.kind != PairKind::General || contacts.pool[pair.contact].count > 0);
 }
 
 /// The motion of one body towards the other that the speculative margin covers, m.
@@ -51,9 +51,9 @@ double speculativeDistance(const BodyStep& a, const BodyStep& b, bool staticB) {
 }
 
 /// Bodies that touch at one end may meet at the other. How much of their turn is covered, 1 or more when all is.
-double safeTurnFraction(const WorldData& data, const Pair& pair) {
-    const BodyStep& a = data.steps[pair.bodyA];
-    const BodyStep& b = data.steps[pair.bodyB];
+double safeTurnFraction(const Bodies& bodies, const Pair& pair) {
+    const BodyStep& a = bodies.steps[pair.bodyA];
+    const BodyStep& b = bodies.steps[pair.bodyB];
     // Each by its own length, too: what is small is not to turn further because the wall that it touches is long.
     const double least = speculativeDistance(a, b, pair.staticB);
     const auto share = [&](double way, double longest) {
@@ -69,28 +69,28 @@ double safeTurnFraction(const WorldData& data, const Pair& pair) {
 }
 
 /// Whether one of them, which nothing can stop, moves towards the other by more than the speculative margin.
-bool isHitByUnstoppable(const WorldData& data, const Pair& pair) {
-    if (pair.staticB || (data.motions[pair.bodyA].isMovable() && data.motions[pair.bodyB].isMovable())) {
+bool isHitByUnstoppable(const Bodies& bodies, const Pair& pair) {
+    if (pair.staticB || (bodies.motions[pair.bodyA].isMovable() && bodies.motions[pair.bodyB].isMovable())) {
         return false;
     }
-    const BodyStep& a = data.steps[pair.bodyA];
-    const BodyStep& b = data.steps[pair.bodyB];
+    const BodyStep& a = bodies.steps[pair.bodyA];
+    const BodyStep& b = bodies.steps[pair.bodyB];
     const double way =
         std::sqrt((a.deltaPosition - b.deltaPosition).squaredNorm()) + a.maxTurnMotion() + b.maxTurnMotion();
     return way > speculativeDistance(a, b, false);
 }
 
 /// What is stopped is taken along by what cannot be: until then both move.
-std::optional<double> timeOfImpactOf(const WorldData& data, const Pair& pair) {
-    const double fractionA = data.steps[pair.bodyA].fraction;
-    const double fractionB = pair.staticB ? 1 : data.steps[pair.bodyB].fraction;
+std::optional<double> timeOfImpactOf(const Bodies& bodies, const Pair& pair) {
+    const double fractionA = bodies.steps[pair.bodyA].fraction;
+    const double fractionB = pair.staticB ? 1 : bodies.steps[pair.bodyB].fraction;
     const bool bothYield =
-        pair.staticB || (data.motions[pair.bodyA].isMovable() && data.motions[pair.bodyB].isMovable());
+        pair.staticB || (bodies.motions[pair.bodyA].isMovable() && bodies.motions[pair.bodyB].isMovable());
     const double both = std::min(fractionA, fractionB);
-    const Motion a = plannedMotion(data, pair.bodyA, bothYield ? fractionA : both);
-    const Motion b = pair.staticB ? Motion{} : plannedMotion(data, pair.bodyB, bothYield ? fractionB : both);
+    const Motion a = plannedMotion(bodies, pair.bodyA, bothYield ? fractionA : both);
+    const Motion b = pair.staticB ? Motion{} : plannedMotion(bodies, pair.bodyB, bothYield ? fractionB : both);
     if (!pair.staticB) { // what falls side by side is fast, but not towards each other
-        const double reach = data.steps[pair.bodyA].outerRadius + data.steps[pair.bodyB].outerRadius + gap +
+        const double reach = bodies.steps[pair.bodyA].outerRadius + bodies.steps[pair.bodyB].outerRadius + gap +
                              std::sqrt((a.translation - b.translation).squaredNorm());
         if ((a.start.position - b.start.position).squaredNorm() > reach * reach) {
             return std::nullopt;
@@ -105,9 +105,9 @@ struct Stoppable {
     Slot carrierOfA, carrierOfB;
 };
 
-Stoppable stoppable(const WorldData& data, const Pair& pair) {
-    const bool a = data.motions[pair.bodyA].isMovable();
-    const bool b = !pair.staticB && data.motions[pair.bodyB].isMovable();
+Stoppable stoppable(const Bodies& bodies, const Pair& pair) {
+    const bool a = bodies.motions[pair.bodyA].isMovable();
+    const bool b = !pair.staticB && bodies.motions[pair.bodyB].isMovable();
     return {a, b, b || pair.staticB ? noSlot : pair.bodyB, a ? noSlot : pair.bodyA};
 }
 
@@ -119,11 +119,11 @@ struct Fractions {
 /// True when the motion of either body was cut short.
 bool stop(WorldData& data, const Pair& pair, const Stoppable& which, const Fractions& left) {
     bool changed = false;
-    if (which.a && shorten(data.steps[pair.bodyA], left.a, which.carrierOfA)) {
+    if (which.a && shorten(data.bodies.steps[pair.bodyA], left.a, which.carrierOfA)) {
         data.scratch.toi.shortenedAt[pair.bodyA] = data.scratch.toi.visits;
         changed = true;
     }
-    if (which.b && shorten(data.steps[pair.bodyB], left.b, which.carrierOfB)) {
+    if (which.b && shorten(data.bodies.steps[pair.bodyB], left.b, which.carrierOfB)) {
         data.scratch.toi.shortenedAt[pair.bodyB] = data.scratch.toi.visits;
         changed = true;
     }
@@ -131,40 +131,40 @@ bool stop(WorldData& data, const Pair& pair, const Stoppable& which, const Fract
 }
 
 /// Whether contacts have sent one of them where it may meet the other.
-bool isDeflected(const WorldData& data, std::uint32_t index) {
-    const Pair& pair = data.table.pairs[index];
-    const BodyStep& a = data.steps[pair.bodyA];
-    const BodyStep& b = data.steps[pair.bodyB];
-    if (!(a.deflected || b.deflected) || !data.mayTouchNow(index)) {
+bool isDeflected(const Bodies& bodies, const Contacts& contacts, std::uint32_t index) {
+    const Pair& pair = contacts.table.pairs[index];
+    const BodyStep& a = bodies.steps[pair.bodyA];
+    const BodyStep& b = bodies.steps[pair.bodyB];
+    if (!(a.deflected || b.deflected) || !contacts.mayTouchNow(bodies, index)) {
         return false;
     }
-    const double tolerance = separationBoundOf(data, pair);
+    const double tolerance = separationBoundOf(bodies, contacts, pair);
     return std::sqrt((a.deltaPosition - b.deltaPosition).squaredNorm()) + a.maxTurnMotion() +
                std::abs(b.deltaAngle) * (b.outerRadius + tolerance) >=
            tolerance;
 }
 
 /// Who is to be stopped where the parts of the pair meet.
-Stoppable sweptOf(const WorldData& data, std::uint32_t index) {
-    const Pair& pair = data.table.pairs[index];
-    Stoppable which = stoppable(data, pair);
-    const bool all = pair.sweep || isHitByUnstoppable(data, pair) || isDeflected(data, index);
-    which.a = which.a && (all || isFast(data, pair.bodyA));
-    which.b = which.b && (all || isFast(data, pair.bodyB));
+Stoppable sweptOf(const Bodies& bodies, const Contacts& contacts, std::uint32_t index) {
+    const Pair& pair = contacts.table.pairs[index];
+    Stoppable which = stoppable(bodies, pair);
+    const bool all = pair.sweep || isHitByUnstoppable(bodies, pair) || isDeflected(bodies, contacts, index);
+    which.a = which.a && (all || isFast(bodies, pair.bodyA));
+    which.b = which.b && (all || isFast(bodies, pair.bodyB));
     return which;
 }
 
 /// True when the motion of either body was cut short.
 bool limitTurn(WorldData& data, const Pair& pair) {
-    const double covered = safeTurnFraction(data, pair);
-    return covered < 1 && stop(data, pair, stoppable(data, pair), {covered, covered});
+    const double covered = safeTurnFraction(data.bodies, pair);
+    return covered < 1 && stop(data, pair, stoppable(data.bodies, pair), {covered, covered});
 }
 
 /// How deep the parts are in each other when they have gone this share of what is left of their ways, m.
-double depthAt(const WorldData& data, const Pair& pair, double share) {
-    const Transform a = plannedMotion(data, pair.bodyA, share * data.steps[pair.bodyA].fraction).at(1);
+double depthAt(const Bodies& bodies, const Pair& pair, double share) {
+    const Transform a = plannedMotion(bodies, pair.bodyA, share * bodies.steps[pair.bodyA].fraction).at(1);
     const Transform b =
-        pair.staticB ? Transform{} : plannedMotion(data, pair.bodyB, share * data.steps[pair.bodyB].fraction).at(1);
+        pair.staticB ? Transform{} : plannedMotion(bodies, pair.bodyB, share * bodies.steps[pair.bodyB].fraction).at(1);
     const Manifold manifold = collide(*pair.shapeA, a, *pair.shapeB, b, 0);
     double depth = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
@@ -177,80 +177,84 @@ double depthAt(const WorldData& data, const Pair& pair, double share) {
 /// alone. Looks where it goes in. True when the motion of either body was cut short.
 bool stopDeepening(WorldData& data, const Pair& pair) {
     constexpr int visits = 16;
-    const double covered = safeTurnFraction(data, pair);
-    const double most = depthAt(data, pair, 0) + linearSlop;
+    const double covered = safeTurnFraction(data.bodies, pair);
+    const double most = depthAt(data.bodies, pair, 0) + linearSlop;
     int updateKeptManifold = 1; // who goes nowhere would look the same for ever
-    while (updateKeptManifold < visits && depthAt(data, pair, covered * (updateKeptManifold + 1) / visits) <= most) {
+    while (updateKeptManifold < visits &&
+           depthAt(data.bodies, pair, covered * (updateKeptManifold + 1) / visits) <= most) {
         ++updateKeptManifold;
     }
     const double share = covered * updateKeptManifold / visits;
-    const Stoppable which = stoppable(data, pair);
+    const Stoppable which = stoppable(data.bodies, pair);
     return share < 1 &&
-           stop(data, pair, which, {data.steps[pair.bodyA].fraction * share, data.steps[pair.bodyB].fraction * share});
+           stop(data, pair, which,
+                {data.bodies.steps[pair.bodyA].fraction * share, data.bodies.steps[pair.bodyB].fraction * share});
 }
 
 /// True when the motion of either body was cut short.
 bool sweepPair(WorldData& data, const Pair& pair, const Stoppable& which) {
-    const std::optional<double> hit = timeOfImpactOf(data, pair);
-    if (hit && *hit <= 0 && hasContact(data, pair) && pair.kind == PairKind::General) {
+    const std::optional<double> hit = timeOfImpactOf(data.bodies, pair);
+    if (hit && *hit <= 0 && hasContact(data.contacts, pair) && pair.kind == PairKind::General) {
         return stopDeepening(data, pair);
     }
     // What is near from the start and yet no contact is a corner that another part or wall answers for.
     if (!hit || *hit <= 0 || *hit >= 1) {
         return false;
     }
-    return stop(data, pair, which, {data.steps[pair.bodyA].fraction * *hit, data.steps[pair.bodyB].fraction * *hit});
+    return stop(data, pair, which,
+                {data.bodies.steps[pair.bodyA].fraction * *hit, data.bodies.steps[pair.bodyB].fraction * *hit});
 }
 
 /// Whether the bodies come near each other at any fraction of their motions.
-bool sweptBoundsOverlap(const WorldData& data, const Pair& pair) {
-    const BodyStep& a = data.steps[pair.bodyA];
-    const Vec2& centerA = data.motions[pair.bodyA].center;
+bool sweptBoundsOverlap(const Bodies& bodies, const BroadPhase& broadPhase, const Pair& pair) {
+    const BodyStep& a = bodies.steps[pair.bodyA];
+    const Vec2& centerA = bodies.motions[pair.bodyA].center;
     if (pair.staticB) {
         const double reach = a.outerRadius + 2 * gap;
-        const Aabb& wall = data.staticCollider(pair.collider).bounds;
+        const Aabb& wall = broadPhase.staticCollider(pair.collider).bounds;
         Aabb way{centerA, centerA};
         way.include(centerA + a.deltaPosition);
         return way.grown(reach).overlaps(wall);
     }
-    const BodyStep& b = data.steps[pair.bodyB];
+    const BodyStep& b = bodies.steps[pair.bodyB];
     const double wayA =
         std::abs(a.deltaPosition.x()) + std::abs(a.deltaPosition.y()); // no less than the length, and cheaper
     const double wayB = std::abs(b.deltaPosition.x()) + std::abs(b.deltaPosition.y());
     const double both =
         std::abs(a.deltaPosition.x() - b.deltaPosition.x()) + std::abs(a.deltaPosition.y() - b.deltaPosition.y());
     const double reach = a.outerRadius + b.outerRadius + 2 * gap + std::max(both, std::max(wayA, wayB));
-    return !((data.motions[pair.bodyB].center - centerA).squaredNorm() > reach * reach);
+    return !((bodies.motions[pair.bodyB].center - centerA).squaredNorm() > reach * reach);
 }
 
 /// Whether the pair is far apart or has a contact, while nothing is fast or bounces.
-bool cannotHit(const WorldData& data, std::uint32_t index) {
-    const PairBound& bound = data.table.bounds[index];
-    const bool yield = bound.moverB == Mover::Static || (data.movable[bound.moverA] & data.movable[bound.moverB]) != 0;
-    return data.table.flags[index].inSolver || (yield && !data.mayTouchNow(index));
+bool cannotHit(const Bodies& bodies, const Contacts& contacts, std::uint32_t index) {
+    const PairBound& bound = contacts.table.bounds[index];
+    const bool yield =
+        bound.moverB == Mover::Static || (bodies.movable[bound.moverA] & bodies.movable[bound.moverB]) != 0;
+    return contacts.table.flags[index].inSolver || (yield && !contacts.mayTouchNow(bodies, index));
 }
 
 /// The pairs whose bodies may have to be stopped, with all that does not change while they are.
 void listToiCandidates(WorldData& data) {
     data.scratch.toi.candidates.clear();
     const bool onlyDeflected = !data.flags.anyFast && !data.flags.anySweep;
-    for (std::uint32_t i = 0; i < data.table.size(); ++i) {
-        const PairBound& bound = data.table.bounds[i];
-        if ((data.mayNeedToi[bound.moverA] | data.mayNeedToi[bound.moverB]) == 0 ||
-            (onlyDeflected && cannotHit(data, i))) {
+    for (std::uint32_t i = 0; i < data.contacts.table.size(); ++i) {
+        const PairBound& bound = data.contacts.table.bounds[i];
+        if ((data.bodies.mayNeedToi[bound.moverA] | data.bodies.mayNeedToi[bound.moverB]) == 0 ||
+            (onlyDeflected && cannotHit(data.bodies, data.contacts, i))) {
             continue;
         }
-        const Pair& pair = data.table.pairs[i];
+        const Pair& pair = data.contacts.table.pairs[i];
         if (pair.kind == PairKind::Sensor) {
             continue;
         }
         // The solver keeps those that have a contact from closing their gap.
-        if (!pair.sweep && hasContact(data, pair)) {
+        if (!pair.sweep && hasContact(data.contacts, pair)) {
             if (data.flags.anyFast && pair.kind == PairKind::General) {
                 data.scratch.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, true});
             }
-        } else if (sweptBoundsOverlap(data, pair)) {
-            const Stoppable which = sweptOf(data, i);
+        } else if (sweptBoundsOverlap(data.bodies, data.broadPhase, pair)) {
+            const Stoppable which = sweptOf(data.bodies, data.contacts, i);
             if (which.a || which.b) {
                 data.scratch.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, false, which.a, which.b});
             }
@@ -266,11 +270,11 @@ bool visit(WorldData& data, ToiCandidate& candidate) {
         return false; // and would find the same
     }
     candidate.visitedAt = ++data.scratch.toi.visits;
-    const Pair& pair = data.table.pairs[candidate.pair];
+    const Pair& pair = data.contacts.table.pairs[candidate.pair];
     if (candidate.touches) {
         return limitTurn(data, pair);
     }
-    Stoppable which = stoppable(data, pair);
+    Stoppable which = stoppable(data.bodies, pair);
     which.a = candidate.stopsA;
     which.b = candidate.stopsB;
     return sweepPair(data, pair, which);
@@ -278,22 +282,22 @@ bool visit(WorldData& data, ToiCandidate& candidate) {
 
 } // namespace
 
-double safeFraction(const WorldData& data, double least) {
+double safeFraction(const Bodies& bodies, const Contacts& contacts, double least) {
     double share = 1;
     double impact = 1;
-    for (std::size_t i = 0; i < data.table.size(); ++i) {
-        if (!data.table.flags[i].limitsFraction) {
+    for (std::size_t i = 0; i < contacts.table.size(); ++i) {
+        if (!contacts.table.flags[i].limitsFraction) {
             continue;
         }
-        const Pair& pair = data.table.pairs[i];
-        bool touches = hasContact(data, pair);
-        if (!touches && isHitByUnstoppable(data, pair)) {
-            const double hit = timeOfImpactOf(data, pair).value_or(1);
+        const Pair& pair = contacts.table.pairs[i];
+        bool touches = hasContact(contacts, pair);
+        if (!touches && isHitByUnstoppable(bodies, pair)) {
+            const double hit = timeOfImpactOf(bodies, pair).value_or(1);
             touches = hit <= 0;
             impact = touches ? impact : std::min(impact, std::max(hit, leastFraction));
         }
         if (touches && pair.kind == PairKind::General) {
-            share = std::min(share, safeTurnFraction(data, pair));
+            share = std::min(share, safeTurnFraction(bodies, pair));
         }
     }
     return std::min(std::max(share, least), impact);
@@ -304,8 +308,8 @@ void stopAtImpacts(WorldData& data) {
     if (data.scratch.toi.candidates.empty()) {
         return;
     }
-    beginBySlot(data.scratch.toi.shortenedAt, data.steps.size(), std::uint32_t{0});
-    for (const Slot slot : data.moving) {
+    beginBySlot(data.scratch.toi.shortenedAt, data.bodies.steps.size(), std::uint32_t{0});
+    for (const Slot slot : data.bodies.moving) {
         data.scratch.toi.shortenedAt[slot] = 0;
     }
     data.scratch.toi.visits = 0;

@@ -9,7 +9,7 @@ namespace spacetow {
 
 /// How much of the planned motion, up to 1, may be made in one go: until what cannot be stopped has come up to what its
 /// speed would take it past, and as long as the turns of bodies in contact, down to `least`, are covered.
-double safeFraction(const WorldData& data, double least);
+double safeFraction(const Bodies& bodies, const Contacts& contacts, double least);
 
 /// Shortens the motion (BodyStep::fraction) of swept bodies.
 void stopAtImpacts(WorldData& data);

@@ -12,43 +12,43 @@ namespace {
 
 void removeNow(WorldData& data, Slot slot, int iteration) {
     endTouches(data, slot, iteration);
-    for (std::uint32_t i = 0; i < data.connectors.size(); ++i) {
-        ConnectorRecord& c = data.connectors[i];
+    for (std::uint32_t i = 0; i < data.forces.connectors.size(); ++i) {
+        ConnectorRecord& c = data.forces.connectors[i];
         if (c.used && (c.a == slot || c.b == slot)) {
             c.used = false;
             ++c.generation;
-            data.freeConnectors.push_back(i);
+            data.forces.freeConnectors.push_back(i);
         }
     }
-    removeFieldsOf(data, slot);
-    BodyRecord& record = data.records[slot];
+    removeFieldsOf(data.bodies, data.forces, slot);
+    BodyRecord& record = data.bodies.records[slot];
     if (record.kind == BodyKind::Static) {
         data.noteStaticChange(slot);
     }
-    data.events.removed.push_back({iteration, data.idOf(slot), record.user});
+    data.events.removed.push_back({iteration, data.bodies.idOf(slot), record.user});
     const std::uint32_t generation = record.generation + 1;
     record = BodyRecord{};
     record.generation = generation;
-    data.motions[slot] = BodyMotion{};
-    data.steps[slot] = BodyStep{};
-    data.freeSlots.push_back(slot);
+    data.bodies.motions[slot] = BodyMotion{};
+    data.bodies.steps[slot] = BodyStep{};
+    data.bodies.freeSlots.push_back(slot);
 }
 
-void setFrozenNow(WorldData& data, Slot slot, bool position, bool rotation) {
-    BodyRecord& record = data.records[slot];
+void setFrozenNow(Bodies& bodies, Slot slot, bool position, bool rotation) {
+    BodyRecord& record = bodies.records[slot];
     record.positionFrozen = position;
     record.rotationFrozen = rotation;
     if (position) {
-        data.motions[slot].velocity.setZero();
+        bodies.motions[slot].velocity.setZero();
     }
     if (rotation) {
-        data.motions[slot].angularVelocity = 0;
+        bodies.motions[slot].angularVelocity = 0;
     }
-    refreshInverseMass(data, slot);
+    refreshInverseMass(bodies, slot);
 }
 
 void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
-    BodyRecord& record = data.records[slot];
+    BodyRecord& record = data.bodies.records[slot];
     if (record.active && !active) {
         endTouches(data, slot, iteration);
     }
@@ -61,21 +61,21 @@ void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
 } // namespace
 
 bool applyPending(WorldData& data, int iteration) {
-    if (data.pending.empty()) {
+    if (data.bodies.pending.empty()) {
         return false;
     }
-    for (const PendingChange& change : data.pending) {
-        if (data.contains(change.body)) {
-            disturb(data, change.body.index);
+    for (const PendingChange& change : data.bodies.pending) {
+        if (data.bodies.contains(change.body)) {
+            disturb(data.bodies, data.sleep, change.body.index);
         }
     }
     wakeDisturbed(data, iteration);
-    for (const PendingChange& change : data.pending) {
+    for (const PendingChange& change : data.bodies.pending) {
         const Slot slot = change.body.index;
-        if (!data.contains(change.body)) {
+        if (!data.bodies.contains(change.body)) {
             continue;
         }
-        data.changedBodies.push_back(slot);
+        data.bodies.changedBodies.push_back(slot);
         switch (change.kind) {
         case PendingChange::Kind::Remove:
             removeNow(data, slot, iteration);
@@ -84,51 +84,51 @@ bool applyPending(WorldData& data, int iteration) {
             setActiveNow(data, slot, change.first, iteration);
             break;
         case PendingChange::Kind::Tangible:
-            data.records[slot].tangible = change.first;
+            data.bodies.records[slot].tangible = change.first;
             break;
         case PendingChange::Kind::Frozen:
-            setFrozenNow(data, slot, change.first, change.second);
+            setFrozenNow(data.bodies, slot, change.first, change.second);
             break;
         }
     }
-    data.pending.clear();
-    refreshConnections(data);
+    data.bodies.pending.clear();
+    refreshConnections(data.bodies, data.forces, data.flags);
     return true;
 }
 
-void refreshInverseMass(WorldData& data, Slot slot) {
-    const BodyRecord& record = data.records[slot];
-    BodyMotion& m = data.motions[slot];
+void refreshInverseMass(Bodies& bodies, Slot slot) {
+    const BodyRecord& record = bodies.records[slot];
+    BodyMotion& m = bodies.motions[slot];
     const bool dynamic = record.kind == BodyKind::Dynamic;
     m.inverseMass = dynamic && !record.positionFrozen ? 1 / record.mass : 0;
     m.inverseInertia = dynamic && !record.rotationFrozen && record.inertia > 0 ? 1 / record.inertia : 0;
 }
 
-void refreshConnections(WorldData& data) {
-    data.flags.pairsStale = true;
-    data.flags.connectionsStale = false;
-    data.notColliding.clear();
-    for (const ConnectorRecord& c : data.connectors) {
+void refreshConnections(Bodies& bodies, Forces& forces, StepFlags& flags) {
+    flags.pairsStale = true;
+    flags.connectionsStale = false;
+    forces.notColliding.clear();
+    for (const ConnectorRecord& c : forces.connectors) {
         if (c.used && !c.bodiesCollide) {
-            data.notColliding.emplace_back(std::minmax(c.a, c.b));
+            forces.notColliding.emplace_back(std::minmax(c.a, c.b));
         }
     }
-    std::sort(data.notColliding.begin(), data.notColliding.end());
-    refreshSubsteps(data);
+    std::sort(forces.notColliding.begin(), forces.notColliding.end());
+    refreshSubsteps(bodies, forces);
 }
 
-void refreshSubsteps(WorldData& data) {
-    for (const Slot slot : data.substepped) {
-        data.records[slot].substepped = false;
+void refreshSubsteps(Bodies& bodies, Forces& forces) {
+    for (const Slot slot : forces.substepped) {
+        bodies.records[slot].substepped = false;
     }
-    data.substepped.clear();
-    for (const ConnectorRecord& c : data.connectors) {
-        if (c.used && data.records[c.a].active && data.records[c.b].active) {
-            noteSubstepped(data, c.a);
-            noteSubstepped(data, c.b);
+    forces.substepped.clear();
+    for (const ConnectorRecord& c : forces.connectors) {
+        if (c.used && bodies.records[c.a].active && bodies.records[c.b].active) {
+            noteSubstepped(bodies, forces, c.a);
+            noteSubstepped(bodies, forces, c.b);
         }
     }
-    refreshFields(data);
+    refreshFields(bodies, forces);
 }
 
 } // namespace spacetow

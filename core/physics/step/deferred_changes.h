@@ -10,12 +10,12 @@ namespace spacetow {
 bool applyPending(WorldData& data, int iteration);
 
 /// Masses as contacts feel them, from kind, mass and frozen flags.
-void refreshInverseMass(WorldData& data, Slot slot);
+void refreshInverseMass(Bodies& bodies, Slot slot);
 
 /// Which bodies are connected, and which of them do not collide with each other.
-void refreshConnections(WorldData& data);
+void refreshConnections(Bodies& bodies, Forces& forces, StepFlags& flags);
 
 /// Which bodies move in sub-steps: the part of refreshConnections that does not concern collisions.
-void refreshSubsteps(WorldData& data);
+void refreshSubsteps(Bodies& bodies, Forces& forces);
 
 } // namespace spacetow

@@ -43,18 +43,18 @@ constexpr int maxParts = 64;
 
 /// The pairs of bodies that have left their fat AABBs, and what depends on pairs.
 void refreshPairs(WorldData& data, const IterationStep& step) {
-    data.flags.pairsStale |= data.table.size() >= mostPairs(data);
-    if (data.flags.pairsStale || !data.mergedPairs.empty()) {
-        releaseConstraints(data);
+    data.flags.pairsStale |= data.contacts.table.size() >= mostPairs(data.broadPhase);
+    if (data.flags.pairsStale || !data.constraints.mergedPairs.empty()) {
+        releaseConstraints(data.contacts, data.constraints, data.flags);
     }
     if (data.flags.pairsStale) {
-        renewSlots(data, data.renewed);
-        data.renewed.clear();
-        resetManifolds(data);
+        renewSlots(data, data.bodies.renewed);
+        data.bodies.renewed.clear();
+        resetManifolds(data.contacts);
     }
     if (findPairs(data, step)) {
         freeContactsOfDropped(data);
-        changePairs(data);
+        changePairs(data.bodies, data.contacts, data.flags, data.scratch.changes);
         remapPairs(data);
     }
     ended(data, StepStage::Pairs);
@@ -64,11 +64,11 @@ void refreshPairs(WorldData& data, const IterationStep& step) {
 bool planMotion(WorldData& data, const IterationStep& step, bool first) {
     const double ahead = first ? step.remaining - step.dt : 0; // fat AABBs for a whole update, if they will do
     integrateVelocities(data, step);
-    measureMotion(data, ahead);
+    measureMotion(data.bodies, data.flags, data.scratch.search, ahead);
     const bool fault = data.flags.anyFault;
     if (fault) {
-        isolateFaults(data, step.index);
-        measureMotion(data, ahead);
+        isolateFaults(data.bodies, data.events, step.index);
+        measureMotion(data.bodies, data.flags, data.scratch.search, ahead);
     }
     ended(data, StepStage::Motion);
     if (data.flags.anyMovedProxy) {
@@ -78,13 +78,13 @@ bool planMotion(WorldData& data, const IterationStep& step, bool first) {
 }
 
 void stopWhatMeets(WorldData& data, const IterationStep& step) {
-    measureMotion(data, 0);
+    measureMotion(data.bodies, data.flags, data.scratch.search, 0);
     ended(data, StepStage::Impacts);
     if (data.flags.anyMovedProxy) {
         refreshPairs(data, step);
     }
     stopAtImpacts(data);
-    limitPenetrationOfFollowers(data, step.dt);
+    limitPenetrationOfFollowers(data.bodies, data.constraints, data.scratch.solver, step.dt);
     ended(data, StepStage::Impacts);
 }
 
@@ -103,7 +103,7 @@ void makeMotion(WorldData& data, const IterationStep& step) {
     if (data.flags.anyFast || data.flags.anySweep || data.flags.anyDeflected) {
         stopWhatMeets(data, step);
     }
-    carryStopped(data);
+    carryStopped(data.bodies);
     measureCorrections(data);
     ended(data, StepStage::Advance);
     if (data.flags.anyMovedProxy) {
@@ -111,17 +111,17 @@ void makeMotion(WorldData& data, const IterationStep& step) {
     }
     keepOutOfStatics(data, step.index);
     ended(data, StepStage::Crush);
-    advance(data, step.dt);
+    advance(data.bodies, step.dt);
     ended(data, StepStage::Advance);
-    findOverlaps(data);
+    findOverlaps(data.bodies, data.contacts);
     reportTouches(data, step.index);
     ended(data, StepStage::Touches);
 }
 
-void setDuration(WorldData& data, IterationStep& step, double dt) {
+void setDuration(Bodies& bodies, IterationStep& step, double dt) {
     step.dt = dt;
     step.substep = dt / step.substeps;
-    prepareSteps(data, step);
+    prepareSteps(bodies, step);
 }
 
 void makePart(WorldData& data, const IterationStep& step, double whole) {
@@ -136,28 +136,28 @@ void iterateInParts(WorldData& data, IterationStep step, double share) {
     const std::size_t reports = data.events.tagsTouched.size();
     double left = whole;
     for (int parts = maxParts - 1; share < 1; --parts) {
-        restoreVelocities(data);
-        setDuration(data, step, share * left);
+        restoreVelocities(data.bodies);
+        setDuration(data.bodies, step, share * left);
         planMotion(data, step, false);
         makePart(data, step, whole);
         left -= step.dt;
         step.remaining -= step.dt;
-        setDuration(data, step, left);
+        setDuration(data.bodies, step, left);
         const bool sound = planMotion(data, step, false);
-        share = sound && data.flags.anyFast && parts > 1 ? safeFraction(data, 1.0 / parts) : 1;
+        share = sound && data.flags.anyFast && parts > 1 ? safeFraction(data.bodies, data.contacts, 1.0 / parts) : 1;
     }
     makePart(data, step, whole);
-    setDuration(data, step, whole);
-    joinTagReports(data, reports);
+    setDuration(data.bodies, step, whole);
+    joinTagReports(data.events, reports);
 }
 
 void iterate(WorldData& data, const IterationStep& step) {
-    if (data.moving.empty() && !data.sleep.sleepers.empty()) {
+    if (data.bodies.moving.empty() && !data.sleep.sleepers.empty()) {
         reportTouches(data, step.index);
         return;
     }
     const bool sound = planMotion(data, step, step.index == 0);
-    const double share = sound && data.flags.anyFast ? safeFraction(data, 1.0 / maxParts) : 1;
+    const double share = sound && data.flags.anyFast ? safeFraction(data.bodies, data.contacts, 1.0 / maxParts) : 1;
     if (share < 1) {
         iterateInParts(data, step, share);
     } else {
@@ -173,29 +173,29 @@ void updateWorld(WorldData& data, const UpdateParameters& parameters) {
     }
     data.events.clear();
     if (data.impulses.on) {
-        beginImpulseLog(data, parameters.seconds);
+        beginImpulseLog(data.impulses, parameters.seconds);
     }
     beginSleep(data, parameters.gravity);
     applyPending(data, -1);
     if (data.flags.connectionsStale) {
-        refreshConnections(data);
+        refreshConnections(data.bodies, data.forces, data.flags);
     }
     IterationStep step = iterationStep(parameters);
     prepareStructure(data);
-    prepareMotion(data, step, parameters.gravity);
+    prepareMotion(data.bodies, step, parameters.gravity);
     ended(data, StepStage::Changes);
     for (step.index = 0; step.index < parameters.iterations; ++step.index) {
         iterate(data, step);
         step.remaining -= step.dt;
         if (applyPending(data, step.index)) {
             prepareStructure(data);
-            prepareSteps(data, step);
+            prepareSteps(data.bodies, step);
             ended(data, StepStage::Changes);
         }
     }
-    saveImpulses(data);
+    saveAllImpulses(data.contacts, data.constraints, data.flags);
     fallAsleep(data, parameters.seconds, parameters.iterations - 1);
-    collectTouchedTags(data);
+    collectTouchedTags(data.bodies, data.contacts, data.sleep);
     ended(data, StepStage::Sleep);
 }
 

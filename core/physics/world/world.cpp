@@ -58,56 +58,56 @@ Result<BodyId> World::addBody(const BodyDef& def) {
         return made.error();
     }
     WorldData& data = *m_data;
-    Slot slot = static_cast<Slot>(data.records.size());
-    if (data.freeSlots.empty()) {
-        data.records.emplace_back();
-        data.motions.emplace_back();
-        data.steps.emplace_back();
+    Slot slot = static_cast<Slot>(data.bodies.records.size());
+    if (data.bodies.freeSlots.empty()) {
+        data.bodies.records.emplace_back();
+        data.bodies.motions.emplace_back();
+        data.bodies.steps.emplace_back();
     } else {
-        slot = data.freeSlots.back();
-        data.freeSlots.pop_back();
+        slot = data.bodies.freeSlots.back();
+        data.bodies.freeSlots.pop_back();
     }
-    const std::uint32_t generation = data.records[slot].generation;
-    data.records[slot] = made.value().record;
-    data.records[slot].generation = generation;
-    data.records[slot].used = true;
-    data.records[slot].serial = data.nextSerial++;
-    data.motions[slot] = made.value().motion;
-    data.steps[slot] = made.value().step;
-    refreshInverseMass(data, slot);
+    const std::uint32_t generation = data.bodies.records[slot].generation;
+    data.bodies.records[slot] = made.value().record;
+    data.bodies.records[slot].generation = generation;
+    data.bodies.records[slot].used = true;
+    data.bodies.records[slot].serial = data.bodies.nextSerial++;
+    data.bodies.motions[slot] = made.value().motion;
+    data.bodies.steps[slot] = made.value().step;
+    refreshInverseMass(data.bodies, slot);
     if (def.kind == BodyKind::Static) {
         data.noteStaticChange(slot);
     }
-    data.changedBodies.push_back(slot);
-    refreshFieldsOf(data, slot);
-    disturb(data, slot);
-    return data.idOf(slot);
+    data.bodies.changedBodies.push_back(slot);
+    refreshFieldsOf(data.bodies, data.forces, slot);
+    disturb(data.bodies, data.sleep, slot);
+    return data.bodies.idOf(slot);
 }
 
 void World::removeBody(BodyId body) {
     EXPECTS(contains(body));
-    m_data->pending.push_back({PendingChange::Kind::Remove, body});
+    m_data->bodies.pending.push_back({PendingChange::Kind::Remove, body});
 }
 
 void World::setActive(BodyId body, bool active) {
     EXPECTS(contains(body));
-    m_data->pending.push_back({PendingChange::Kind::Active, body, active});
+    m_data->bodies.pending.push_back({PendingChange::Kind::Active, body, active});
 }
 
 void World::setTangible(BodyId body, bool tangible) {
     EXPECTS(contains(body));
-    m_data->pending.push_back({PendingChange::Kind::Tangible, body, tangible});
+    m_data->bodies.pending.push_back({PendingChange::Kind::Tangible, body, tangible});
 }
 
 void World::setFrozen(BodyId body, bool position, bool rotation) {
     EXPECTS(contains(body));
-    m_data->pending.push_back({PendingChange::Kind::Frozen, body, position, rotation});
+    m_data->bodies.pending.push_back({PendingChange::Kind::Frozen, body, position, rotation});
 }
 
 void World::setPose(BodyId body, const Vec2& position, double angle) {
     EXPECTS(contains(body) && isFinite(position) && std::isfinite(angle));
-    BodyMotion& m = m_data->motions[body.index];
-    BodyRecord& record = m_data->records[body.index];
+    BodyMotion& m = m_data->bodies.motions[body.index];
+    BodyRecord& record = m_data->bodies.records[body.index];
     m.rotation = Rot::fromAngle(angle);
     m.center = position + m.rotation * record.localCenter;
     record.bounds = Aabb{};
@@ -115,35 +115,35 @@ void World::setPose(BodyId body, const Vec2& position, double angle) {
     if (record.kind == BodyKind::Static) {
         m_data->noteStaticChange(body.index);
     }
-    disturb(*m_data, body.index);
+    disturb(m_data->bodies, m_data->sleep, body.index);
 }
 
 void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocity) {
     EXPECTS(contains(body) && isFinite(velocity) && std::isfinite(angularVelocity));
-    const BodyRecord& record = m_data->records[body.index];
+    const BodyRecord& record = m_data->bodies.records[body.index];
     if (record.kind == BodyKind::Static) {
         return;
     }
-    BodyMotion& m = m_data->motions[body.index];
+    BodyMotion& m = m_data->bodies.motions[body.index];
     m.velocity = record.positionFrozen ? Vec2(0, 0) : velocity;
     m.angularVelocity = record.rotationFrozen ? 0 : angularVelocity;
-    disturb(*m_data, body.index);
+    disturb(m_data->bodies, m_data->sleep, body.index);
 }
 
 void World::setFilter(BodyId body, const Filter& filter) {
     EXPECTS(contains(body));
-    m_data->records[body.index].filter = filter;
+    m_data->bodies.records[body.index].filter = filter;
     m_data->flags.pairsStale = true;
-    disturb(*m_data, body.index);
-    if (!m_data->fields.empty()) {
-        refreshSubsteps(*m_data);
+    disturb(m_data->bodies, m_data->sleep, body.index);
+    if (!m_data->forces.fields.empty()) {
+        refreshSubsteps(m_data->bodies, m_data->forces);
     }
 }
 
 void World::setReportsTouches(BodyId body, bool reports) {
     EXPECTS(contains(body));
-    m_data->records[body.index].reportsTouches = reports;
-    std::vector<Slot>& reporters = m_data->reporters;
+    m_data->bodies.records[body.index].reportsTouches = reports;
+    std::vector<Slot>& reporters = m_data->bodies.reporters;
     const auto at = std::lower_bound(reporters.begin(), reporters.end(), body.index);
     const bool listed = at != reporters.end() && *at == body.index;
     if (reports && !listed) {
@@ -155,7 +155,7 @@ void World::setReportsTouches(BodyId body, bool reports) {
 
 void World::setSleeping(bool allowed) {
     m_data->sleep.allowed = allowed;
-    for (BodyRecord& record : m_data->records) {
+    for (BodyRecord& record : m_data->bodies.records) {
         record.stillTime = 0;
     }
 }
@@ -187,13 +187,13 @@ const Events& World::events() const {
 }
 
 bool World::contains(BodyId body) const {
-    return m_data->contains(body);
+    return m_data->bodies.contains(body);
 }
 
 BodyState World::body(BodyId body) const {
     EXPECTS(contains(body));
-    const BodyRecord& r = m_data->records[body.index];
-    const BodyMotion& m = m_data->motions[body.index];
+    const BodyRecord& r = m_data->bodies.records[body.index];
+    const BodyMotion& m = m_data->bodies.motions[body.index];
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const bool dynamic = r.kind == BodyKind::Dynamic;
     return {.kind = r.kind,
@@ -205,7 +205,8 @@ BodyState World::body(BodyId body) const {
             .mass = dynamic ? r.mass : infinite,
             .inertia = dynamic ? r.inertia : infinite,
             .filter = r.filter,
-            .touchedTags = body.index < m_data->touchedTags.size() ? m_data->touchedTags[body.index] : TagMask{},
+            .touchedTags =
+                body.index < m_data->bodies.touchedTags.size() ? m_data->bodies.touchedTags[body.index] : TagMask{},
             .tangible = r.tangible,
             .active = r.active,
             .asleep = r.asleep,
@@ -216,37 +217,38 @@ BodyState World::body(BodyId body) const {
 
 const std::vector<Shape>& World::shapes(BodyId body) const {
     EXPECTS(contains(body));
-    return *m_data->records[body.index].shapes;
+    return *m_data->bodies.records[body.index].shapes;
 }
 
 Aabb World::bounds(BodyId body) const {
     EXPECTS(contains(body));
-    const BodyRecord& record = m_data->records[body.index];
+    const BodyRecord& record = m_data->bodies.records[body.index];
     Aabb box = record.bounds;
     if (record.kind == BodyKind::Static && !box.isEmpty()) {
         return box; // holds until it is put elsewhere, however many parts there are
     }
     // What is pushed out of an overlap may leave it in the last iteration.
     for (const Part& part : *record.parts) {
-        box.include(boundsOf(part, m_data->pose(body.index)));
+        box.include(boundsOf(part, m_data->bodies.pose(body.index)));
     }
     return box;
 }
 
 std::vector<BodyId> World::bodies() const {
     std::vector<BodyId> ids;
-    for (Slot slot = 0; slot < m_data->records.size(); ++slot) {
-        if (m_data->records[slot].used) {
-            ids.push_back(m_data->idOf(slot));
+    for (Slot slot = 0; slot < m_data->bodies.records.size(); ++slot) {
+        if (m_data->bodies.records[slot].used) {
+            ids.push_back(m_data->bodies.idOf(slot));
         }
     }
-    std::sort(ids.begin(), ids.end(),
-              [this](BodyId a, BodyId b) { return m_data->records[a.index].serial < m_data->records[b.index].serial; });
+    std::sort(ids.begin(), ids.end(), [this](BodyId a, BodyId b) {
+        return m_data->bodies.records[a.index].serial < m_data->bodies.records[b.index].serial;
+    });
     return ids;
 }
 
 int World::bodyCount() const {
-    return static_cast<int>(m_data->records.size() - m_data->freeSlots.size());
+    return static_cast<int>(m_data->bodies.records.size() - m_data->bodies.freeSlots.size());
 }
 
 } // namespace spacetow

@@ -42,10 +42,10 @@ std::optional<Error> check(const ConnectorDef& d) {
 }
 
 /// Nothing changes for others near a static body to which something is connected.
-void disturbEnds(WorldData& data, const ConnectorRecord& c) {
+void disturbEnds(Bodies& bodies, Sleep& sleep, const ConnectorRecord& c) {
     for (const Slot slot : {c.a, c.b}) {
-        if (data.records[slot].kind != BodyKind::Static) {
-            disturb(data, slot);
+        if (bodies.records[slot].kind != BodyKind::Static) {
+            disturb(bodies, sleep, slot);
         }
     }
 }
@@ -63,22 +63,22 @@ Result<ConnectorId> World::addConnector(const ConnectorDef& def) {
         return *std::move(error);
     }
     WorldData& data = *m_data;
-    auto index = static_cast<std::uint32_t>(data.connectors.size());
-    if (data.freeConnectors.empty()) {
-        data.connectors.emplace_back();
+    auto index = static_cast<std::uint32_t>(data.forces.connectors.size());
+    if (data.forces.freeConnectors.empty()) {
+        data.forces.connectors.emplace_back();
     } else {
-        index = data.freeConnectors.back();
-        data.freeConnectors.pop_back();
+        index = data.forces.freeConnectors.back();
+        data.forces.freeConnectors.pop_back();
     }
-    ConnectorRecord& c = data.connectors[index];
+    ConnectorRecord& c = data.forces.connectors[index];
     const BodyState a = body(def.a);
     const BodyState b = body(def.b);
     c.used = true;
-    c.serial = data.nextSerial++;
+    c.serial = data.bodies.nextSerial++;
     c.a = def.a.index;
     c.b = def.b.index;
-    c.anchorA = def.anchorA - data.records[c.a].localCenter;
-    c.anchorB = def.anchorB - data.records[c.b].localCenter;
+    c.anchorA = def.anchorA - data.bodies.records[c.a].localCenter;
+    c.anchorB = def.anchorB - data.bodies.records[c.b].localCenter;
     c.length = def.length.value_or((b.pose.toWorld(def.anchorB) - a.pose.toWorld(def.anchorA)).norm());
     c.stiffness = def.stiffness;
     c.damping = def.damping;
@@ -87,43 +87,47 @@ Result<ConnectorId> World::addConnector(const ConnectorDef& def) {
     c.truncation = def.truncation;
     c.tension = 0;
     data.flags.connectionsStale = true;
-    disturbEnds(data, c);
+    disturbEnds(data.bodies, data.sleep, c);
     return ConnectorId{index, c.generation};
 }
 
 bool World::contains(ConnectorId connector) const {
-    return connector.index < m_data->connectors.size() && m_data->connectors[connector.index].used &&
-           m_data->connectors[connector.index].generation == connector.generation;
+    return connector.index < m_data->forces.connectors.size() && m_data->forces.connectors[connector.index].used &&
+           m_data->forces.connectors[connector.index].generation == connector.generation;
 }
 
 void World::removeConnector(ConnectorId connector) {
     EXPECTS(contains(connector));
-    ConnectorRecord& c = m_data->connectors[connector.index];
-    disturbEnds(*m_data, c);
+    ConnectorRecord& c = m_data->forces.connectors[connector.index];
+    disturbEnds(m_data->bodies, m_data->sleep, c);
     c.used = false;
     ++c.generation;
-    m_data->freeConnectors.push_back(connector.index);
+    m_data->forces.freeConnectors.push_back(connector.index);
     m_data->flags.connectionsStale = true;
 }
 
 ConnectorState World::connector(ConnectorId connector) const {
     EXPECTS(contains(connector));
-    const ConnectorRecord& c = m_data->connectors[connector.index];
-    const Transform poseA = m_data->pose(c.a);
-    const Transform poseB = m_data->pose(c.b);
-    return {m_data->idOf(c.a),        m_data->idOf(c.b), poseA.toWorld(c.anchorA),
-            poseB.toWorld(c.anchorB), c.length,          c.tension};
+    const ConnectorRecord& c = m_data->forces.connectors[connector.index];
+    const Transform poseA = m_data->bodies.pose(c.a);
+    const Transform poseB = m_data->bodies.pose(c.b);
+    return {m_data->bodies.idOf(c.a),
+            m_data->bodies.idOf(c.b),
+            poseA.toWorld(c.anchorA),
+            poseB.toWorld(c.anchorB),
+            c.length,
+            c.tension};
 }
 
 std::vector<ConnectorId> World::connectors() const {
     std::vector<ConnectorId> ids;
-    for (std::uint32_t i = 0; i < m_data->connectors.size(); ++i) {
-        if (m_data->connectors[i].used) {
-            ids.push_back({i, m_data->connectors[i].generation});
+    for (std::uint32_t i = 0; i < m_data->forces.connectors.size(); ++i) {
+        if (m_data->forces.connectors[i].used) {
+            ids.push_back({i, m_data->forces.connectors[i].generation});
         }
     }
     std::sort(ids.begin(), ids.end(), [this](ConnectorId a, ConnectorId b) {
-        return m_data->connectors[a.index].serial < m_data->connectors[b.index].serial;
+        return m_data->forces.connectors[a.index].serial < m_data->forces.connectors[b.index].serial;
     });
     return ids;
 }

@@ -12,10 +12,10 @@ namespace spacetow {
 namespace {
 
 /// The field is new or about to go.
-void disturbBodiesOf(WorldData& data, std::uint32_t field) {
-    for (const Slot slot : data.fieldBodies) {
-        if (actsOn(data, data.fields[field], slot)) {
-            disturb(data, slot);
+void disturbBodiesOf(Bodies& bodies, const Forces& forces, Sleep& sleep, std::uint32_t field) {
+    for (const Slot slot : forces.fieldBodies) {
+        if (actsOn(bodies, forces.fields[field], slot)) {
+            disturb(bodies, sleep, slot);
         }
     }
 }
@@ -30,32 +30,32 @@ Result<FieldId> World::addField(ForceFieldDef def) {
         return Error{"no-such-body", {"body"}};
     }
     WorldData& data = *m_data;
-    auto index = static_cast<std::uint32_t>(data.fields.size());
-    if (data.freeFields.empty()) {
-        data.fields.emplace_back();
+    auto index = static_cast<std::uint32_t>(data.forces.fields.size());
+    if (data.forces.freeFields.empty()) {
+        data.forces.fields.emplace_back();
     } else {
-        index = data.freeFields.back();
-        data.freeFields.pop_back();
+        index = data.forces.freeFields.back();
+        data.forces.freeFields.pop_back();
     }
-    data.fields[index].def = std::make_shared<const ForceFieldDef>(std::move(def));
-    refreshSubsteps(data);
-    disturbBodiesOf(data, index);
-    return FieldId{index, data.fields[index].generation};
+    data.forces.fields[index].def = std::make_shared<const ForceFieldDef>(std::move(def));
+    refreshSubsteps(data.bodies, data.forces);
+    disturbBodiesOf(data.bodies, data.forces, data.sleep, index);
+    return FieldId{index, data.forces.fields[index].generation};
 }
 
 void World::removeField(FieldId field) {
     EXPECTS(contains(field));
     WorldData& data = *m_data;
-    disturbBodiesOf(data, field.index);
-    data.fields[field.index].def = nullptr;
-    ++data.fields[field.index].generation;
-    data.freeFields.push_back(field.index);
-    refreshSubsteps(data);
+    disturbBodiesOf(data.bodies, data.forces, data.sleep, field.index);
+    data.forces.fields[field.index].def = nullptr;
+    ++data.forces.fields[field.index].generation;
+    data.forces.freeFields.push_back(field.index);
+    refreshSubsteps(data.bodies, data.forces);
 }
 
 bool World::contains(FieldId field) const {
-    return field.index < m_data->fields.size() && m_data->fields[field.index].def &&
-           m_data->fields[field.index].generation == field.generation;
+    return field.index < m_data->forces.fields.size() && m_data->forces.fields[field.index].def &&
+           m_data->forces.fields[field.index].generation == field.generation;
 }
 
 } // namespace spacetow

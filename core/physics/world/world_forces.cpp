@@ -10,9 +10,9 @@ namespace spacetow {
 namespace {
 
 /// A force of zero is none.
-void disturbBy(WorldData& data, BodyId body, bool anything) {
+void disturbBy(Bodies& bodies, Sleep& sleep, BodyId body, bool anything) {
     if (anything) {
-        disturb(data, body.index);
+        disturb(bodies, sleep, body.index);
     }
 }
 
@@ -20,7 +20,7 @@ void disturbBy(WorldData& data, BodyId body, bool anything) {
 
 bool World::applyForce(BodyId body, const Vec2& force, ForceSource source) {
     EXPECTS(contains(body));
-    return applyForceAt(body, force, m_data->motions[body.index].center, source);
+    return applyForceAt(body, force, m_data->bodies.motions[body.index].center, source);
 }
 
 bool World::applyForceAt(BodyId body, const Vec2& force, const Vec2& worldPoint, ForceSource source) {
@@ -28,11 +28,11 @@ bool World::applyForceAt(BodyId body, const Vec2& force, const Vec2& worldPoint,
     if (!isFinite(force) || !isFinite(worldPoint)) {
         return false;
     }
-    BodyRecord& record = m_data->records[body.index];
+    BodyRecord& record = m_data->bodies.records[body.index];
     if (accepts(record, source)) {
         record.force += force;
-        record.torque += cross(worldPoint - m_data->motions[body.index].center, force);
-        disturbBy(*m_data, body, force.squaredNorm() > 0);
+        record.torque += cross(worldPoint - m_data->bodies.motions[body.index].center, force);
+        disturbBy(m_data->bodies, m_data->sleep, body, force.squaredNorm() > 0);
     }
     return true;
 }
@@ -42,24 +42,24 @@ bool World::applyTorque(BodyId body, double torque, ForceSource source) {
     if (!std::isfinite(torque)) {
         return false;
     }
-    BodyRecord& record = m_data->records[body.index];
+    BodyRecord& record = m_data->bodies.records[body.index];
     if (accepts(record, source)) {
         record.torque += torque;
-        disturbBy(*m_data, body, torque != 0);
+        disturbBy(m_data->bodies, m_data->sleep, body, torque != 0);
     }
     return true;
 }
 
 bool World::applyImpulseAt(BodyId body, const Vec2& impulse, const Vec2& worldPoint, ForceSource source) {
     EXPECTS(contains(body));
-    const double turn = cross(worldPoint - m_data->motions[body.index].center, impulse);
+    const double turn = cross(worldPoint - m_data->bodies.motions[body.index].center, impulse);
     if (!isFinite(impulse) || !isFinite(worldPoint) || !std::isfinite(turn)) {
         return false;
     }
-    const BodyRecord& record = m_data->records[body.index];
+    const BodyRecord& record = m_data->bodies.records[body.index];
     if (accepts(record, source) && !record.positionFrozen) {
-        m_data->motions[body.index].velocity += impulse / record.mass;
-        disturbBy(*m_data, body, impulse.squaredNorm() > 0);
+        m_data->bodies.motions[body.index].velocity += impulse / record.mass;
+        disturbBy(m_data->bodies, m_data->sleep, body, impulse.squaredNorm() > 0);
     }
     return applyAngularImpulse(body, turn, source);
 }
@@ -69,10 +69,10 @@ bool World::applyAngularImpulse(BodyId body, double impulse, ForceSource source)
     if (!std::isfinite(impulse)) {
         return false;
     }
-    const BodyRecord& record = m_data->records[body.index];
+    const BodyRecord& record = m_data->bodies.records[body.index];
     if (accepts(record, source) && !record.rotationFrozen && record.inertia > 0) {
-        m_data->motions[body.index].angularVelocity += impulse / record.inertia;
-        disturbBy(*m_data, body, impulse != 0);
+        m_data->bodies.motions[body.index].angularVelocity += impulse / record.inertia;
+        disturbBy(m_data->bodies, m_data->sleep, body, impulse != 0);
     }
     return true;
 }

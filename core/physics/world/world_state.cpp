@@ -53,7 +53,7 @@ void addPairState(StateHash& hash, const WorldData& data, const PairTable& table
     if (pair.contact == Pair::none) {
         return;
     }
-    const Contact& contact = data.contacts[pair.contact];
+    const Contact& contact = data.contacts.pool[pair.contact];
     hash.add(pair.bodies());
     hash.add(pair.parts());
     hash.add(contact.tangentImpulse);
@@ -63,7 +63,7 @@ void addPairState(StateHash& hash, const WorldData& data, const PairTable& table
         hash.add(point.normalImpulse);
     }
     if (contact.manifold != Pair::none) {
-        const KeptManifold& kept = data.manifolds[contact.manifold];
+        const KeptManifold& kept = data.contacts.manifolds[contact.manifold];
         hash.add(kept.tolerance);
         add(hash, kept.relative.position);
         hash.add(kept.relative.rotation.s);
@@ -73,11 +73,11 @@ void addPairState(StateHash& hash, const WorldData& data, const PairTable& table
 void addSleepState(StateHash& hash, const WorldData& data) {
     hash.add(std::uint64_t{data.sleep.allowed});
     add(hash, data.sleep.gravity);
-    for (const BodyRecord& record : data.records) {
+    for (const BodyRecord& record : data.bodies.records) {
         hash.add(record.stillTime);
     }
     for (const Slot slot : data.sleep.sleepers) {
-        hash.add(std::uint64_t{slot} << 32 | data.records[slot].island);
+        hash.add(std::uint64_t{slot} << 32 | data.bodies.records[slot].island);
     }
     for (const Slot slot : data.sleep.disturbed) {
         hash.add(std::uint64_t{slot});
@@ -107,18 +107,18 @@ void addParameters(StateHash& hash, const UpdateParameters& p) {
 double World::energy() const {
     const WorldData& data = *m_data;
     double energy = 0;
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        const BodyRecord& r = data.records[slot];
+    for (Slot slot = 0; slot < data.bodies.records.size(); ++slot) {
+        const BodyRecord& r = data.bodies.records[slot];
         if (!r.used || r.kind != BodyKind::Dynamic || !r.active) {
             continue;
         }
-        const BodyMotion& m = data.motions[slot];
+        const BodyMotion& m = data.bodies.motions[slot];
         energy += 0.5 * r.mass * m.velocity.squaredNorm() + 0.5 * r.inertia * m.angularVelocity * m.angularVelocity -
                   r.mass * data.parameters.gravity.dot(m.center);
     }
-    for (const ConnectorRecord& c : data.connectors) {
+    for (const ConnectorRecord& c : data.forces.connectors) {
         if (c.used) {
-            const Vec2 span = data.pose(c.b).toWorld(c.anchorB) - data.pose(c.a).toWorld(c.anchorA);
+            const Vec2 span = data.bodies.pose(c.b).toWorld(c.anchorB) - data.bodies.pose(c.a).toWorld(c.anchorA);
             const double stretch = span.norm() - c.length;
             energy += c.slack && stretch < 0 ? 0 : 0.5 * c.stiffness * stretch * stretch;
         }
@@ -130,22 +130,22 @@ std::uint64_t World::hash() const {
     const WorldData& data = *m_data;
     StateHash hash;
     addParameters(hash, data.parameters);
-    for (Slot slot = 0; slot < data.records.size(); ++slot) {
-        addBodyState(hash, data.motions[slot], data.records[slot]);
+    for (Slot slot = 0; slot < data.bodies.records.size(); ++slot) {
+        addBodyState(hash, data.bodies.motions[slot], data.bodies.records[slot]);
     }
-    for (const ConnectorRecord& c : data.connectors) {
+    for (const ConnectorRecord& c : data.forces.connectors) {
         addConnectorState(hash, c);
     }
-    for (const FieldRecord& field : data.fields) {
+    for (const FieldRecord& field : data.forces.fields) {
         addFieldState(hash, field);
     }
-    for (const PendingChange& change : data.pending) {
+    for (const PendingChange& change : data.bodies.pending) {
         hash.add(std::uint64_t{change.body.index} << 32 | change.body.generation);
         hash.add(static_cast<std::uint64_t>(change.kind) | std::uint64_t{change.first} << 8 |
                  std::uint64_t{change.second} << 9);
     }
-    for (std::size_t i = 0; i < data.table.size(); ++i) {
-        addPairState(hash, data, data.table, i);
+    for (std::size_t i = 0; i < data.contacts.table.size(); ++i) {
+        addPairState(hash, data, data.contacts.table, i);
     }
     for (const BodyId body : data.crushed) {
         hash.add(std::uint64_t{body.index} << 32 | body.generation);
