@@ -112,6 +112,7 @@ constexpr Fix table[] = {
     {"polygon-flat", "fix-remove-unbuildable", false, true, wholeObject<withoutUnbuildable>},
     {"polygon-crosses-itself", "fix-untangle", false, true, wholeObject<untangled>},
     {"polygon-not-simple", "fix-untangle", false, true, wholeObject<untangled>},
+    {"cave-inside-out", "fix-reverse", false, false, shapeOf<reversedShape>},
     {"ship-in-wall", "fix-move-free", false, true, wholeObject<movedFree>},
     {"payload-in-wall", "fix-move-free", false, true, wholeObject<movedFree>},
 };

@@ -1,12 +1,14 @@
 #include "core/geometry/bounds.h"
 #include "core/geometry/collide.h"
 #include "core/geometry/convex_parts.h"
+#include "core/geometry/polygon.h"
 #include "core/level/bounds.h"
 #include "core/level/build.h"
 #include "core/level/json_text.h"
 #include "core/level/level_index.h"
 #include "core/level/lint_findings.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -112,12 +114,72 @@ void visitTouching(const Level& level, const Starter& starter, IsSound isSound, 
     });
 }
 
+/// m², of the closed one-way wall that goes round the point: positive when it is free inside, negative when it is rock
+/// there, 0 when the shape does not go round it.
+double areaAround(const LevelShape& shape, const BodyObject& body, const Vec2& point) {
+    const auto* chain = std::get_if<EdgeChain>(&shape);
+    const Vec2 local = Transform{body.position, Rot::fromAngle(body.angle)}.toLocal(point);
+    return chain != nullptr && chain->closed && contains(chain->vertices, local) ? signedArea(chain->vertices) : 0;
+}
+
+std::optional<Vec2> placeInGame(const Object& object) {
+    if (const auto* finish = std::get_if<FinishObject>(&object.data)) {
+        return (finish->a + finish->b) / 2;
+    }
+    if (const auto* ship = std::get_if<ShipObject>(&object.data)) {
+        return ship->position;
+    }
+    const auto* payload = std::get_if<PayloadObject>(&object.data);
+    return payload != nullptr ? std::optional(payload->position) : std::nullopt;
+}
+
+/// Whether another of ship, payload and finish is in the same rock, or there is none.
+bool hasCompany(const Level& level, const Starter& starter, const BodyObject& body, const LevelShape& rock) {
+    int others = 0, inside = 0;
+    for (const Object& object : level.objects) {
+        const std::optional<Vec2> place = object.key == starter.key ? std::nullopt : placeInGame(object);
+        others += place ? 1 : 0;
+        inside += place && areaAround(rock, body, *place) < 0 ? 1 : 0;
+    }
+    return inside > 0 || others == 0;
+}
+
+bool isInCave(const Level& level, const Starter& starter) {
+    bool isInside = false;
+    levelIndex(level).visitReaching(starter.bounds, [&](int i) {
+        const auto* body = std::get_if<BodyObject>(&level.objects[i].data);
+        isInside |= body != nullptr && std::ranges::any_of(body->shapes, [&](const LevelShape& shape) {
+                        return areaAround(shape, *body, starter.pose.position) > 0;
+                    });
+    });
+    return isInside;
+}
+
+/// Who draws a cave clockwise gets a rock of its shape, and ship and payload in it.
+bool isInsideOut(const Level& level, const Starter& starter, int index, Findings& findings) {
+    const auto& body = std::get<BodyObject>(level.objects[index].data);
+    const auto rock = std::ranges::find_if(
+        body.shapes, [&](const LevelShape& shape) { return areaAround(shape, body, starter.pose.position) < 0; });
+    if (rock == body.shapes.end() || isInCave(level, starter) || !hasCompany(level, starter, body, *rock)) {
+        return false; // a rock in a cave is meant
+    }
+    findings.add(Severity::Error, "cave-inside-out", {},
+                 {index,
+                  level.objects[index].key,
+                  "/shapes/" + std::to_string(rock - body.shapes.begin()),
+                  {starter.pose.position}});
+    return true;
+}
+
 void checkFree(const Level& level, const Starter& starter, Findings& findings) {
     std::vector<std::pair<int, const BodyObject*>> touched;
     visitTouching(
         level, starter, [&findings](int i) { return !findings.isBad(i); },
         [&touched](int i, const BodyObject& body) { touched.emplace_back(i, &body); });
     for (const auto& [i, body] : touched) {
+        if (isInsideOut(level, starter, i, findings)) {
+            continue;
+        }
         findings.add(Severity::Error, starter.code, whichObject(level, level.objects[i], *body),
                      {starter.index, starter.key, "/position", {starter.pose.position}});
     }

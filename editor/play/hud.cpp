@@ -42,13 +42,34 @@ QString keyAdvice(std::initializer_list<KeyMeaning> meanings) {
     return parts.join(QStringLiteral(" · "));
 }
 
+/// All keys that do it: "A/Left".
+QString allKeys(const PlayKeys& keys, PlayKey meaning) {
+    QStringList shown;
+    for (const QKeySequence& key : keys.of(meaning)) {
+        shown << key.toString(QKeySequence::NativeText);
+    }
+    return shown.join(QLatin1Char('/'));
+}
+
+/// "A/Left, D/Right: turn · W/Up: thrust · Space: tow"
+QString flyingAdvice(const PlayKeys& keys) {
+    QStringList turning{allKeys(keys, PlayKey::Left), allKeys(keys, PlayKey::Right)};
+    turning.removeAll(QString());
+    return keyAdvice({{turning.join(QStringLiteral(", ")), HudWords::tr("turn")},
+                      {allKeys(keys, PlayKey::Thrust), HudWords::tr("thrust")},
+                      {allKeys(keys, PlayKey::Tow), HudWords::tr("tow")}});
+}
+
 Message messageOf(const HudInput& input) {
     if (input.paused) {
         return {}; // nothing covers what one paused to look at; see addPaused
     }
     switch (input.phase) {
     case Phase::AwaitingInput:
-        return {HudWords::tr("Ready"), HudWords::tr("Press a direction to start")};
+        return {HudWords::tr("Ready"),
+                (input.goal.isEmpty() ? HudWords::tr("Take the payload in tow and carry it across the finish.")
+                                      : input.goal) +
+                    QLatin1Char('\n') + HudWords::tr("Press a direction to start")};
     case Phase::Crashed:
         return {HudWords::tr("Crashed"), HudWords::tr("Press any key to try again")};
     case Phase::GameOver:
@@ -136,17 +157,38 @@ class Layout {
         double top, height; // as shares of it
     };
 
-    /// One text centred in the band, at most `pixels` high.
+    /// Title and advice where they do not cover the ship: above the middle if they can.
+    void addMessage(const Message& message, const QRectF& ship) {
+        const double title = std::clamp(0.75 * m_unit, 12.0, 56.0);
+        const double advice = std::clamp(0.36 * m_unit, 10.0, 28.0);
+        const HudText above[] = {placed(HudText::Role::Title, message.title, {0.13, 0.13}, title),
+                                 placed(HudText::Role::Advice, message.advice, {0.27, 0.12}, advice)};
+        const bool covers = std::ranges::any_of(above, [&](const HudText& text) { return text.box.intersects(ship); });
+        addCentred(HudText::Role::Title, message.title, {covers ? 0.44 : 0.13, covers ? 0.12 : 0.13}, title);
+        addCentred(HudText::Role::Advice, message.advice, {covers ? 0.565 : 0.27, 0.12}, advice);
+    }
+
+    /// One text near the lower edge, or above it where the ship is there.
+    void addBelow(HudText::Role role, const QString& text, const QRectF& ship) {
+        const double pixels = std::clamp(0.4 * m_unit, 10.0, 30.0);
+        const bool covers = placed(role, text, {0.84, 0.12}, pixels).box.intersects(ship);
+        addCentred(role, text, {covers ? 0.55 : 0.84, 0.12}, pixels);
+    }
+
     void addCentred(HudText::Role role, const QString& text, const Band& band, double pixels) {
-        if (text.isEmpty()) {
-            return;
+        if (!text.isEmpty()) {
+            m_texts.push_back(placed(role, text, band, pixels));
         }
+    }
+
+    /// One text centred in the band, at most `pixels` high.
+    HudText placed(HudText::Role role, const QString& text, const Band& band, double pixels) const {
         const QSizeF room(0.92 * m_size.width(), band.height * m_size.height());
         const QFont font = fitted(text, room, sized(m_base, pixels, QFont::Bold));
         const QSizeF needed = extent(text, font, room.width());
         const QPointF corner((m_size.width() - needed.width()) / 2,
                              band.top * m_size.height() + (room.height() - needed.height()) / 2);
-        m_texts.push_back({role, text, QRectF(corner, needed), font});
+        return {role, text, QRectF(corner, needed), font};
     }
 
     /// One line along the lower edge.
@@ -191,20 +233,18 @@ std::vector<HudText> hudLayout(const HudInput& input, const QSizeF& size, const 
     if (input.phase != Phase::Sandbox) {
         layout.addReadings(input.hud);
     }
-    const Message message = messageOf(input);
-    layout.addCentred(HudText::Role::Title, message.title, {0.13, 0.13}, std::clamp(0.75 * layout.unit(), 12.0, 56.0));
-    layout.addCentred(HudText::Role::Advice, message.advice, {0.27, 0.12},
-                      std::clamp(0.36 * layout.unit(), 10.0, 28.0));
+    layout.addMessage(messageOf(input), input.ship);
     if (input.hud.gravityFlippedFor >= 0 && input.hud.gravityFlippedFor < bannerSeconds) {
         layout.addCentred(HudText::Role::Banner, HudWords::tr("Gravity is upside down!"), {0.70, 0.12},
                           std::clamp(0.5 * layout.unit(), 11.0, 38.0));
     }
     if (input.paused) {
         layout.addPaused(input.keys);
+    } else if (input.phase == Phase::AwaitingInput) {
+        layout.addBelow(HudText::Role::Keys, flyingAdvice(input.keys), input.ship);
     } else if (input.hud.towInRange) {
         const QString advice = keyAdvice({{input.keys.shown(PlayKey::Tow), HudWords::tr("tow")}});
-        layout.addCentred(HudText::Role::Hint, HudWords::tr("In range.") + QLatin1Char(' ') + advice, {0.84, 0.12},
-                          std::clamp(0.4 * layout.unit(), 10.0, 30.0));
+        layout.addBelow(HudText::Role::Hint, HudWords::tr("In range.") + QLatin1Char(' ') + advice, input.ship);
     }
     return layout.take();
 }

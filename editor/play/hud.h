@@ -1,6 +1,6 @@
 #pragma once
-// The head-up display: lives, fuel and time along the top, what to do next above the middle, the tow hint below. Sizes
-// are logical pixels; whatever the window, no text leaves it and no two texts overlap.
+// The head-up display: lives, fuel and time along the top, what to do next above the middle, the keys and the tow hint
+// below. Sizes are logical pixels; whatever the window, no text leaves it, no two overlap, and none covers the ship.
 
 #include "core/game/snapshot.h"
 #include "editor/play/key_map.h"
@@ -17,7 +17,7 @@ class QPainter;
 namespace spacetow {
 
 struct HudText {
-    enum class Role { Lives, Fuel, Time, Title, Advice, Hint, Banner, Paused };
+    enum class Role { Lives, Fuel, Time, Title, Advice, Hint, Keys, Banner, Paused };
 
     Role role;
     QString text;
@@ -30,6 +30,8 @@ struct HudInput {
     Hud hud{};
     bool paused = false; // by the pause key: the menu has words of its own
     PlayKeys keys = {};  // that the advice names
+    QString goal = {};   // what the level says of itself, for who has not begun
+    QRectF ship = {};    // where it is in the view
 };
 
 /// Where every text goes in a view of this size.

@@ -54,6 +54,7 @@ LiveView::~LiveView() {
 void LiveView::knowLevel(const Level& level) {
     m_background = QString::fromStdString(level.rules.background);
     m_towRange = level.rules.towRange;
+    m_goal = QString::fromStdString(level.description);
 }
 
 void LiveView::show(const Level& level, bool anew) {
@@ -274,6 +275,16 @@ void LiveView::paintOverlays(const Stage& stage) {
     }
 }
 
+void LiveView::paintWords(const Stage& stage) const {
+    constexpr double reach = 0.35; // m, of the ship's hull and a little more
+    HudInput words{m_picture.phase, m_picture.hud, m_run.isPaused(), m_run.keys(), m_goal};
+    if (const std::optional<Vec2> ship = shipIn(m_picture)) {
+        const double half = stage.pixels(reach);
+        words.ship = QRectF(stage.at(*ship) - QPointF(half, half), QSizeF(2 * half, 2 * half));
+    }
+    paintHud(stage.painter, hudLayout(words, m_canvas.size(), m_canvas.font()));
+}
+
 void LiveView::paintOver(QPainter& painter, const Frame2D& frame) {
     const Stage stage{painter, frame.view, m_run.isGame() ? canvasTheme() : editingTheme(shadeOf(m_canvas.palette()))};
     if (const Key hovered = m_hand.hovered(); hovered != 0 && !showsTool() && !m_run.isGame()) {
@@ -289,8 +300,7 @@ void LiveView::paintOver(QPainter& painter, const Frame2D& frame) {
     if (m_menu->isVisible()) {
         painter.fillRect(m_canvas.rect(), QColor(4, 8, 18, 130));
     } else if (m_run.isGame()) {
-        paintHud(painter, hudLayout({m_picture.phase, m_picture.hud, m_run.isPaused(), m_run.keys()}, m_canvas.size(),
-                                    m_canvas.font()));
+        paintWords(stage);
     }
 }
 

@@ -89,6 +89,7 @@ class LiveView : public QObject, public LiveScene {
     bool isSteering() const;
     void countFrame();
     void paintOverlays(const Stage& stage);
+    void paintWords(const Stage& stage) const;
     bool isTransportKey(const QKeyEvent& event) const;
     void drawPaper(QPainter& painter, const Paper& wanted);
     void paintHold(const Stage& stage, LabelPainter& labels) const;
@@ -108,6 +109,7 @@ class LiveView : public QObject, public LiveScene {
     QPixmap m_paper; // the board below a simulation
     Snapshot m_picture;
     QString m_background;
+    QString m_goal;        // what the level says of itself
     double m_towRange = 0; // m
     Aabb m_bounds;         // of the level
     Viewport m_lastView;

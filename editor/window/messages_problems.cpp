@@ -123,6 +123,9 @@ constexpr MessageText problems[] = {
     {"ship-in-wall",
      QT_TRANSLATE_NOOP("messages", "The ship starts in touch with the object “%1” and would crash at once.")},
     {"payload-in-wall", QT_TRANSLATE_NOOP("messages", "The payload starts in touch with the object “%1”.")},
+    {"cave-inside-out",
+     QT_TRANSLATE_NOOP("messages", "The wall is solid inside, where ship or payload start: it was drawn clockwise. "
+                                   "Reverse it to make a cave of the rock.")},
     // For an object without a name; %2 is one of the kinds below.
     {"ship-in-wall-unnamed",
      QT_TRANSLATE_NOOP("messages", "The ship starts in touch with %2 at %3; %4 m and would crash at once.")},

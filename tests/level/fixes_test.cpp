@@ -163,6 +163,26 @@ class FixesTest : public QObject {
         QVERIFY2((now - Vec2(2, 0.1)).norm() < 0.5, qPrintable(QString::number(now.y())));
     }
 
+    void aCaveThatWasDrawnClockwiseIsTurnedInsideOutInOneStep() {
+        const std::vector<Vec2> clockwise{{0, 0}, {0, 10}, {10, 10}, {10, 0}};
+        for (const double depth : {noBack, 8.0}) {
+            Level level;
+            putObject(level, ShipObject{{2, 5}, 0});
+            putObject(level, PayloadObject{{5, 5}, 0.2, 0.25});
+            putObject(level, FinishObject{{8, 4}, {8, 6}});
+            const Key key = putObject(level, bodyOf(edgesOf(clockwise, true, depth)));
+            const std::vector<Problem> problems = lint(level);
+            QCOMPARE(problemsOf(level), QString("cave-inside-out@%1").arg(key));
+            QCOMPARE(problemsOf(fixed(level, problems[0])), QString());
+        }
+    }
+
+    void aShipOnARockOfTheCaveIsInARock() {
+        const std::vector<Vec2> clockwise{{1, 4}, {1, 6}, {3, 6}, {3, 4}}; // round the ship
+        QCOMPARE(problemsOf(withMore(squareCave(0.5), bodyOf(edgesOf(clockwise, true, 1.9)))),
+                 QString("ship-in-wall@1"));
+    }
+
     void aPolygonThatCrossesItselfIsUntangled() {
         for (std::uint64_t seed = 1; seed <= 200; ++seed) {
             Random random(seed);

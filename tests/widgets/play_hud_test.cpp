@@ -86,6 +86,41 @@ class PlayHudTest : public QObject {
         const QString paused = words({Phase::Flying, {3, 0, 0, false, -1}, true, keys});
         QVERIFY2(paused.contains("P: go on") && !paused.contains("one step"), qPrintable(paused));
     }
+    void whoHasNotBegunIsToldTheGoalAndTheKeys() {
+        PlayKeys keys;
+        keys.set(PlayKey::Thrust, {QKeySequence("K")});
+        HudInput input{Phase::AwaitingInput, {3, 0, 0, false, -1}, false, keys};
+        const auto words = [&] {
+            QString all;
+            for (const HudText& text : hudLayout(input, {880, 660}, QFont())) {
+                all += text.text + '\n';
+            }
+            return all;
+        };
+        QVERIFY2(words().contains("A/Left, D/Right: turn · K: thrust · Space: tow"), qPrintable(words()));
+        QVERIFY2(words().contains("across the finish"), qPrintable(words()));
+        input.goal = "Mind the bats.";
+        QVERIFY2(words().contains("Mind the bats.") && !words().contains("finish"), qPrintable(words()));
+        input.phase = Phase::Flying;
+        QVERIFY2(!words().contains("bats") && !words().contains("turn"), qPrintable(words()));
+    }
+    void noWordsCoverTheShip() {
+        for (const QSizeF size : {QSizeF(320, 900), QSizeF(880, 660), QSizeF(1920, 1000)}) {
+            for (const Phase phase : {Phase::AwaitingInput, Phase::Flying, Phase::Won}) {
+                for (double y = 0.12; y < 0.98; y += 0.02) {
+                    const QRectF ship(size.width() / 2 - 12, y * size.height() - 12, 24, 24);
+                    const HudInput input{phase, {3, 0, 0, true, -1}, false, {}, "Through the gap, then up.", ship};
+                    const std::vector<HudText> texts = hudLayout(input, size, QFont());
+                    for (std::size_t i = 0; i < texts.size(); ++i) {
+                        QVERIFY2(!texts[i].box.intersects(ship), qPrintable(texts[i].text + QString::number(y)));
+                        for (std::size_t j = 0; j < i; ++j) {
+                            QVERIFY2(!texts[i].box.intersects(texts[j].box), qPrintable(texts[i].text));
+                        }
+                    }
+                }
+            }
+        }
+    }
     void theTowHintShowsInRangeOnly() {
         const auto hints = [](bool inRange) {
             int found = 0;
