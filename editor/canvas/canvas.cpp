@@ -277,6 +277,9 @@ void Canvas::paintEvent(QPaintEvent*) {
     if (m_overlay.nodes) {
         paintNodes(stage, *shown.level, shown.selection, *m_overlay.nodes);
     }
+    if (shown.level->objects.empty() && !m_toolbox.isBusy() && !m_beginning.isEmpty()) {
+        paintInMiddle(stage, m_beginning);
+    }
     LabelPainter labels(stage);
     paintForces(stage, m_forces, labels);
     paintToolOverlay(stage, m_overlay, labels);

@@ -47,6 +47,8 @@ class Canvas : public QWidget {
     /// Objects that are marked without being selected; the keys are ascending.
     void setHighlighted(std::vector<Key> keys);
     const std::vector<Key>& highlighted() const { return *m_highlighted; }
+    /// What to say in the middle of a level in which there is nothing yet.
+    void setBeginning(const QString& words) { m_beginning = words; }
     /// Over the level, until null is given.
     void setDifference(std::shared_ptr<const ShownDifference> difference);
     /// Over the level, and over what runs in place of it, until null is given.
@@ -174,6 +176,7 @@ class Canvas : public QWidget {
     QPixmap m_marks;
     ShownMarks m_shownMarks;
     std::function<QString(const SnapAnswer&)> m_snapName;
+    QString m_beginning; // words for an empty level
     bool m_grid = true;
     bool m_fitted = false; // since the last fitLevel() nobody has moved the view
 

@@ -55,4 +55,18 @@ void LabelPainter::paint(const Vec2& at, const QString& words, LabelSide side) {
     painter.drawText(plate.adjusted(6, 3, -6, -3), Qt::AlignLeft | Qt::AlignVCenter, words);
 }
 
+void paintInMiddle(const Stage& stage, const QString& words) {
+    constexpr double margin = 16; // px
+    constexpr int flags = Qt::AlignCenter | Qt::TextWordWrap;
+    const QRectF view(0, 0, stage.view.size.x(), stage.view.size.y());
+    const QRectF room = view.adjusted(2 * margin, margin, -2 * margin, -margin);
+    const QRectF text = QFontMetricsF(stage.painter.font()).boundingRect(room, flags, words);
+    stage.painter.setPen(Qt::NoPen);
+    stage.painter.setBrush(stage.theme.halo);
+    stage.painter.drawRoundedRect(text.adjusted(-margin, -margin, margin, margin), 6, 6);
+    stage.painter.setBrush(Qt::NoBrush);
+    stage.painter.setPen(stage.theme.text);
+    stage.painter.drawText(room, flags, words);
+}
+
 } // namespace spacetow

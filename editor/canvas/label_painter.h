@@ -29,4 +29,7 @@ class LabelPainter {
     std::vector<QRectF> m_plates;
 };
 
+/// On a plate in the middle of the view, in as many lines as it takes.
+void paintInMiddle(const Stage& stage, const QString& words);
+
 } // namespace spacetow

@@ -165,7 +165,21 @@ void MainWindow::updateKeys() {
     m_actions.setKeys(bindings);
     m_panels->setKeys(bindings);
     m_live.setKeys(playKeysOf(bindings));
+    m_canvas.setBeginning(firstSteps());
     updateTool(); // the hint names some of them
+}
+
+/// Who looks at an empty level does not know where to begin.
+QString MainWindow::firstSteps() const {
+    const auto key = [this](ActionId id) {
+        const QString keys = m_actions[id].shortcut().toString(QKeySequence::NativeText);
+        return keys.isEmpty() ? m_actions[id].iconText() : keys;
+    };
+    return tr("Here begins a new level.\n"
+              "%1: draw the walls of a cave, anticlockwise · %2: place ship, payload and finish · %3: play\n"
+              "%4, %5: draw boxes and balls · %6: simulate · %7: find everything else")
+        .arg(key(ToolId::Edge), key(Act::PlaceNext), key(Act::Play), key(ToolId::Rectangle), key(ToolId::Circle),
+             key(Act::Simulate), key(Act::Find));
 }
 
 void MainWindow::setPanelsHidden(bool hidden) {

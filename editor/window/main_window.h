@@ -264,6 +264,7 @@ class MainWindow : public QMainWindow {
     void updateOrigin();
     void updateTool();
     QString snapHint() const;
+    QString firstSteps() const;
     void updateSelection();
     void updateMode();
     void updateProblems();

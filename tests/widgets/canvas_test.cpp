@@ -51,6 +51,24 @@ class CanvasTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void anEmptyLevelSaysHowToBegin() {
+        TestWindow test;
+        Canvas& canvas = test.canvas();
+        const auto shown = [&](const QString& words) {
+            canvas.setBeginning(words);
+            canvas.finishPainting();
+            return canvas.grab().toImage();
+        };
+        QVERIFY(shown("Begin here.") != shown({}));
+        test.trigger(ToolId::Edge); // who draws has begun
+        test.click(-1, -1);
+        QCOMPARE(shown("Begin here."), shown({}));
+        QTest::keyClick(&canvas, Qt::Key_Escape);
+        QTest::keyClick(&canvas, Qt::Key_Escape);
+        QVERIFY(shown("Begin here.") != shown({}));
+        test.drawWalls();
+        QCOMPARE(shown("Begin here."), shown({}));
+    }
     void theWheelZoomsAboutThePointer_data() {
         QTest::addColumn<int>("notches");
         QTest::addColumn<int>("modifiers");
