@@ -176,10 +176,14 @@ QString MainWindow::firstSteps() const {
         return keys.isEmpty() ? m_actions[id].iconText() : keys;
     };
     return tr("Here begins a new level.\n"
-              "%1: draw the walls of a cave, anticlockwise · %2: place ship, payload and finish · %3: play\n"
-              "%4, %5: draw boxes and balls · %6: simulate · %7: find everything else")
+              "%1: draw the walls of a cave, anticlockwise\n"
+              "%2: place ship, payload and finish\n"
+              "%3: play\n"
+              "%4, %5: draw boxes and balls\n"
+              "%6: simulate\n"
+              "%7: find everything else")
         .arg(key(ToolId::Edge), key(Act::PlaceNext), key(Act::Play), key(ToolId::Rectangle), key(ToolId::Circle),
-             key(Act::Simulate), key(Act::Find));
+             key(Act::Simulate), key(Act::CommandPalette));
 }
 
 void MainWindow::setPanelsHidden(bool hidden) {
