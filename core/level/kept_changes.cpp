@@ -163,6 +163,30 @@ void arrange(ObjectList& objects, const Level& after, const KeptOrder& order) {
     }
 }
 
+/// What is kept of it but for the order, and objects that come and go.
+void takeChange(Level& level, const Level& after, const LevelChange& change) {
+    if (change.object == 0) {
+        takeOfLevel(level, after, change);
+        return;
+    }
+    const int at = level.objects.indexOf(change.object);
+    const Object* now = after.objects.find(change.object);
+    if (at >= 0 && now != nullptr) {
+        Object object = level.objects[at];
+        takeOfObject(object, *now, change.what.objects.front());
+        if (!(object == level.objects[at])) {
+            level.objects.replace(at, std::move(object));
+        }
+    }
+}
+
+Level inOrder(Level level, const Level& after, const KeptOrder& order) {
+    if (!order.changesNothing()) {
+        arrange(level.objects, after, order);
+    }
+    return level;
+}
+
 } // namespace
 
 std::vector<int> keptTogether(std::span<const LevelChange> changes, std::span<const int> places) {
@@ -187,25 +211,30 @@ Level withKept(Level before, const Level& after, std::span<const LevelChange> ch
     }
     Level level = before;
     for (const int place : kept) {
-        const LevelChange& change = changes[static_cast<std::size_t>(place)];
-        if (change.object == 0) {
-            takeOfLevel(level, after, change);
-            continue;
-        }
-        const int at = level.objects.indexOf(change.object);
-        const Object* now = after.objects.find(change.object);
-        if (at >= 0 && now != nullptr) {
-            Object object = level.objects[at];
-            takeOfObject(object, *now, change.what.objects.front());
-            if (!(object == level.objects[at])) {
-                level.objects.replace(at, std::move(object));
-            }
-        }
+        takeChange(level, after, changes[static_cast<std::size_t>(place)]);
     }
-    if (const KeptOrder order(before, after, changes, kept); !order.changesNothing()) {
-        arrange(level.objects, after, order);
+    return inOrder(std::move(level), after, KeptOrder(before, after, changes, kept));
+}
+
+ChangesKept::ChangesKept(const Level& before, const Level& after, std::span<const LevelChange> changes)
+    : m_before(before), m_after(after), m_changes(changes), m_taken(before), m_isKept(changes.size()) {}
+
+void ChangesKept::take(int place) {
+    if (m_isKept[static_cast<std::size_t>(place)]) {
+        return;
     }
-    return level;
+    m_isKept[static_cast<std::size_t>(place)] = true;
+    m_kept.push_back(place);
+    const LevelChange& change = m_changes[static_cast<std::size_t>(place)];
+    takeChange(m_taken, m_after, change);
+    std::ranges::for_each(change.needs, [this](int needed) { take(needed); });
+}
+
+Level ChangesKept::with(int place) {
+    take(place);
+    return m_kept.size() == m_changes.size()
+               ? m_after
+               : inOrder(m_taken, m_after, KeptOrder(m_before, m_after, m_changes, m_kept));
 }
 
 } // namespace spacetow

@@ -31,4 +31,25 @@ std::vector<int> keptTogether(std::span<const LevelChange> changes, std::span<co
 /// them it is `after`, with none `before`. Shares with `before` what is not changed.
 Level withKept(Level before, const Level& after, std::span<const LevelChange> changes, std::span<const int> places);
 
+/// The same one change after the other. A level costs what its change does, and that of the order where it has one, not
+/// what all those before it do.
+class ChangesKept {
+  public:
+    /// All of them must outlive it; the changes are those between the levels.
+    ChangesKept(const Level& before, const Level& after, std::span<const LevelChange> changes);
+
+    /// `withKept` of this place and all that were kept before.
+    Level with(int place);
+
+  private:
+    void take(int place);
+
+    const Level& m_before;
+    const Level& m_after;
+    std::span<const LevelChange> m_changes;
+    Level m_taken; // with the fields of what is kept; objects come, go and change places at last
+    std::vector<bool> m_isKept;
+    std::vector<int> m_kept;
+};
+
 } // namespace spacetow

@@ -189,6 +189,7 @@ void Document::setSavedGone(bool gone) {
 }
 
 void Document::reset(Level level) {
+    ++m_levelNumber;
     m_savedGone = false;
     m_entries.clear();
     m_position = 0;

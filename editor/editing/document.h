@@ -95,6 +95,8 @@ class Document {
     void setSavedGone(bool gone);
     /// Starts over with another level and an empty history.
     void reset(Level level);
+    /// Another one after each reset: a history that is empty may just have had its only entry merged away.
+    int levelNumber() const { return m_levelNumber; }
 
     Signal<const Change&> changed; // level or selection shown
     Signal<> historyChanged;       // labels, position or isModified
@@ -118,6 +120,7 @@ class Document {
     std::size_t m_position = 0;
     std::uint64_t m_lastNumber = 0; // given to an entry
     int m_forgotten = 0;
+    int m_levelNumber = 0;
     std::shared_ptr<const Level> m_saved;
     bool m_wasSaved = false; // since the level came
     bool m_savedGone = false;

@@ -80,6 +80,7 @@ RunChanges::~RunChanges() {
 void RunChanges::begin() {
     if (m_runs++ == 0) {
         m_start = m_document.current().level;
+        m_levelNumber = m_document.levelNumber();
     }
 }
 
@@ -113,6 +114,7 @@ void RunChanges::list(std::shared_ptr<const Level> before, std::shared_ptr<const
         forget();
         return;
     }
+    m_levelNumber = m_document.levelNumber();
     m_before = std::move(before);
     m_after = std::move(after);
     m_changes = std::move(changes);
@@ -142,6 +144,7 @@ void RunChanges::forget() {
     m_ticked.clear();
     m_before = nullptr;
     m_after = nullptr;
+    m_whole = m_wholeOf = nullptr;
     if (were) {
         changed.emit();
     }
@@ -154,13 +157,25 @@ void RunChanges::follow() {
     if (m_committing || !known || level == known) {
         return;
     }
-    if (m_document.historySize() == 0) { // another level has come
+    if (m_document.levelNumber() != m_levelNumber) { // another level has come
         m_start = nullptr;
         m_runs = 0;
         forget();
     } else if (!isRunning()) {
         list(level, std::make_shared<const Level>(merged(*m_before, *level, *m_after).level));
     }
+}
+
+/// What a run has edited meanwhile is in the document alone.
+std::shared_ptr<const Level> RunChanges::undecided() const {
+    if (!areWaiting() || !isRunning()) {
+        return m_after;
+    }
+    if (const std::shared_ptr<const Level>& now = m_document.current().level; now != m_wholeOf) {
+        m_whole = std::make_shared<const Level>(merged(*m_before, *now, *m_after).level);
+        m_wholeOf = now;
+    }
+    return m_whole;
 }
 
 int RunChanges::ticked() const {
@@ -197,12 +212,22 @@ void RunChanges::keepAll() {
 
 void RunChanges::keep(const std::vector<int>& places) {
     m_committing = true;
-    std::vector<int> kept;
-    for (const int place : neededFirst(m_changes, places)) {
-        const LevelChange& change = m_changes[static_cast<std::size_t>(place)];
-        kept.push_back(place);
-        auto level = std::make_shared<const Level>(withKept(*m_before, *m_after, m_changes, kept));
-        m_document.commit(keptLabel(change), {std::move(level), m_document.selection()});
+    const std::shared_ptr<const Level> now = m_document.current().level; // with the edits of a run that goes on
+    const auto step = [&](const Label& label, Level kept) {
+        auto level = std::make_shared<const Level>(std::move(kept));
+        if (isRunning()) {
+            m_start = level;
+            level = std::make_shared<const Level>(merged(*m_before, *now, *level).level);
+        }
+        m_document.commit(label, {std::move(level), m_document.selection()});
+    };
+    if (places.size() > mostSteps) { // nobody undoes so many, and they would push everything older out of the history
+        step({"keep-change", static_cast<int>(places.size())}, withKept(*m_before, *m_after, m_changes, places));
+    } else {
+        ChangesKept kept(*m_before, *m_after, m_changes);
+        for (const int place : neededFirst(m_changes, places)) {
+            step(keptLabel(m_changes[static_cast<std::size_t>(place)]), kept.with(place));
+        }
     }
     m_committing = false;
     forget();

@@ -1,7 +1,8 @@
 #pragma once
 // What has been changed in a level while it ran. During the run these are edits of the document like all others; when
 // it ends, the document goes back to the level before the run, and the changes wait in a list, each to be kept or not.
-// Until somebody decides, the list follows what else is done to the document.
+// Until somebody decides, the list follows what else is done to the document; what another run edits joins it when that
+// ends.
 
 #include "core/level/kept_changes.h"
 #include "editor/editing/document.h"
@@ -30,8 +31,8 @@ class RunChanges {
     const std::vector<LevelChange>& changes() const { return m_changes; }
     const Level& before() const { return *m_before; }
     const Level& after() const { return *m_after; }
-    /// With all of them, for the journal; null while none waits.
-    std::shared_ptr<const Level> undecided() const { return areWaiting() ? m_after : nullptr; }
+    /// The document with all of them, for the journal; null while none waits.
+    std::shared_ptr<const Level> undecided() const;
 
     /// All are at first.
     bool isTicked(int place) const { return m_ticked[static_cast<std::size_t>(place)]; }
@@ -39,7 +40,9 @@ class RunChanges {
     /// Ticks with it what it needs, or takes the tick from what needs it.
     void setTicked(int place, bool ticked);
 
-    /// Each is one step of the history; then none waits.
+    static constexpr std::size_t mostSteps = 100; // of the history at once
+    /// Each is one step of the history, or all are where they are more than `mostSteps`; then none waits. While the
+    /// level runs again, they belong to what it goes back to.
     void keepTicked();
     void keepAll();
     /// Undoing after it brings back all of them.
@@ -55,11 +58,13 @@ class RunChanges {
     void forget();
 
     Document& m_document;
+    int m_levelNumber = 0;                // of the document, for which the rest holds
     int m_runs = 0;                       // that are going on
     std::shared_ptr<const Level> m_start; // of the first of them
     std::shared_ptr<const Level> m_before, m_after;
     std::vector<LevelChange> m_changes;
     std::vector<bool> m_ticked;
+    mutable std::shared_ptr<const Level> m_whole, m_wholeOf; // undecided while the level runs, and of which document
     bool m_committing = false;
     int m_listener = 0;
 };

@@ -102,7 +102,7 @@ constexpr LabelText labels[] = {
     {"keep-moved", QT_TRANSLATE_NOOP("messages", "Keep move"), QT_TRANSLATE_NOOP("messages", "Keep move")},
     {"keep-tags", QT_TRANSLATE_NOOP("messages", "Keep tags"), QT_TRANSLATE_NOOP("messages", "Keep tags")},
     {"keep-order", QT_TRANSLATE_NOOP("messages", "Keep order"), QT_TRANSLATE_NOOP("messages", "Keep order")},
-    {"keep-change", QT_TRANSLATE_NOOP("messages", "Keep change"), QT_TRANSLATE_NOOP("messages", "Keep change")},
+    {"keep-change", QT_TRANSLATE_NOOP("messages", "Keep change"), QT_TRANSLATE_N_NOOP("messages", "Keep %n changes")},
     {"delete", QT_TRANSLATE_NOOP("messages", "Delete object"), QT_TRANSLATE_N_NOOP("messages", "Delete %n objects")},
     {"move-nodes", QT_TRANSLATE_NOOP("messages", "Move node"), QT_TRANSLATE_N_NOOP("messages", "Move %n nodes")},
     {"rotate-nodes", QT_TRANSLATE_NOOP("messages", "Rotate nodes"), QT_TRANSLATE_N_NOOP("messages", "Rotate %n nodes")},

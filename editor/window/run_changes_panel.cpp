@@ -101,7 +101,6 @@ RunChangesPanel::RunChangesPanel(RunChanges& changes, Document& document, Canvas
     m_buttons.addWidget(&m_keepTicked);
     m_buttons.addStretch(1);
     m_buttons.addWidget(&m_discard);
-    m_keepAll.setToolTip(tr("Makes all of these changes in the level, each as one step that can be undone"));
     m_keepTicked.setToolTip(tr("Makes those that are ticked in the level, and forgets the others"));
     m_discard.setToolTip(tr("Leaves the level as it was before the run; Undo brings the changes back"));
     connect(&m_keepAll, &QPushButton::clicked, this, [this] { m_changes.keepAll(); });
@@ -143,6 +142,9 @@ void RunChangesPanel::updateTexts() {
         widget->setVisible(waiting);
     }
     m_keepTicked.setEnabled(m_changes.ticked() > 0);
+    m_keepAll.setToolTip(m_changes.changes().size() > RunChanges::mostSteps
+                             ? tr("Makes all of these changes in the level, as one step that can be undone")
+                             : tr("Makes all of these changes in the level, each as one step that can be undone"));
     // Keeps what there is at the top.
     m_column.setStretchFactor(&m_title, waiting ? 0 : 1);
     m_title.setAlignment(Qt::AlignTop | Qt::AlignLeft);

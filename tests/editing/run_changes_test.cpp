@@ -103,6 +103,24 @@ class RunChangesTest : public QObject {
         QVERIFY(desk.text() == desk.before);
     }
 
+    void manyChangesAreKeptAsOneStep() {
+        RunDesk desk;
+        Level level = desk.document.level();
+        for (Key key = 10; key < 10 + Key(RunChanges::mostSteps); ++key) {
+            level.objects.append(runBall(key));
+        }
+        level.gravity.y() = -3;
+        desk.edit(level);
+        desk.changes.end();
+        QCOMPARE(desk.changes.changes().size(), RunChanges::mostSteps + 1);
+        desk.changes.keepAll();
+        QVERIFY(desk.document.level() == level);
+        QCOMPARE(desk.history().mid(1), (QStringList{"end-run", "keep-change"}));
+        QCOMPARE(desk.document.undoLabel().count, int(RunChanges::mostSteps) + 1);
+        desk.document.undo();
+        QVERIFY(desk.text() == desk.before);
+    }
+
     void whatIsNotTickedIsLeftOut() {
         RunDesk desk;
         desk.setGravity(-3);
@@ -152,6 +170,19 @@ class RunChangesTest : public QObject {
         QVERIFY(desk.changes.isTicked(0));
     }
 
+    void whatIsNeededIsAStepBeforeWhatNeedsIt() {
+        RunDesk desk;
+        Level level = desk.document.level();
+        level.objects.append({10, "spring", ConnectorObject{.a = 9, .b = 1}, {}}); // stands before its ball
+        desk.edit(added(level, runBall(9)));
+        desk.changes.end();
+        desk.changes.keepAll();
+        QCOMPARE(desk.history().mid(1), (QStringList{"end-run", "keep-added", "keep-added"}));
+        desk.document.undo();
+        QVERIFY(desk.document.level().objects.find(10) == nullptr);
+        QVERIFY(desk.document.level().objects.find(9) != nullptr);
+    }
+
     void theListFollowsWhatIsDoneByHandMeanwhile() {
         RunDesk desk;
         desk.setGravity(-3);
@@ -180,6 +211,66 @@ class RunChangesTest : public QObject {
         desk.changes.keepAll();
         QCOMPARE(desk.placeOf(1), 5.0);
         QCOMPARE(desk.placeOf(2), 3.0);
+    }
+
+    void whatIsKeptWhileTheLevelRunsAgainTakesNothingFromThatRun() {
+        RunDesk desk;
+        desk.moveBall(1, 4);
+        desk.setGravity(-3);
+        desk.changes.end();
+        desk.changes.begin();
+        desk.moveBall(2, 1);
+        desk.changes.keepAll(); // as when the window is closed
+        QVERIFY(!desk.changes.areWaiting());
+        QCOMPARE(desk.placeOf(1), 5.0);
+        QCOMPARE(desk.placeOf(2), 3.0);
+        QCOMPARE(desk.document.level().gravity.y(), -3.0);
+        desk.document.undo(); // each is a step of its own
+        QCOMPARE(desk.placeOf(1), 1.0);
+        QCOMPARE(desk.placeOf(2), 3.0);
+        desk.document.redo();
+        desk.changes.end();
+        QCOMPARE(desk.placeOf(1), 5.0); // has been kept
+        QCOMPARE(desk.placeOf(2), 2.0); // waits
+        QCOMPARE(desk.changes.changes().size(), std::size_t(1));
+        desk.changes.keepAll();
+        QCOMPARE(desk.placeOf(2), 3.0);
+    }
+
+    void theJournalHasWhatWaitsAndWhatIsEditedInTheRun() {
+        RunDesk desk;
+        QVERIFY(desk.changes.undecided() == nullptr);
+        desk.moveBall(1, 4);
+        desk.changes.end();
+        desk.changes.begin();
+        desk.moveBall(2, 1);
+        const auto placeIn = [](const Level& level, Key key) {
+            return std::get<BodyObject>(level.objects.find(key)->data).position.x();
+        };
+        const std::shared_ptr<const Level> undecided = desk.changes.undecided();
+        QVERIFY(undecided != nullptr);
+        QCOMPARE(placeIn(*undecided, 1), 5.0);
+        QCOMPARE(placeIn(*undecided, 2), 3.0);
+        QVERIFY(desk.changes.undecided() == undecided); // the same, so that it is written once
+        desk.moveBall(2, 1);
+        QCOMPARE(placeIn(*desk.changes.undecided(), 2), 4.0);
+        desk.changes.discard();
+        QVERIFY(desk.changes.undecided() == nullptr); // the document has it all
+    }
+
+    void anEditThatIsTakenBackAtOnceDoesNotEndTheRunsList() {
+        RunDesk desk;
+        const auto nudge = [&](double way) {
+            auto level = std::make_shared<const Level>(moved(desk.document.level(), RunKeys{1}, {way, 0}));
+            desk.document.commit({"nudge", 1}, {std::move(level), {}}, "nudge");
+        };
+        nudge(1);
+        nudge(-1); // the entry of both is gone
+        QCOMPARE(desk.document.historySize(), 0);
+        desk.moveBall(2, 1);
+        desk.changes.end();
+        QVERIFY(desk.text() == desk.before);
+        QCOMPARE(desk.changes.changes().size(), std::size_t(1));
     }
 
     void ofRunsInTwoWindowsTheLastToEndMakesTheList() {
