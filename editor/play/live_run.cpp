@@ -89,6 +89,7 @@ int LiveRun::ending() const {
 }
 
 void LiveRun::setPaused(bool paused) {
+    m_rewinding = false;
     if (!m_runner || m_paused == paused) {
         return;
     }
@@ -177,14 +178,14 @@ void LiveRun::setRewinding(bool rewinding) {
     if (!m_runner || m_rewinding == rewinding) {
         return;
     }
-    m_rewinding = rewinding;
     if (rewinding) {
         m_ranBefore = !m_paused;
         setPaused(true);
+        m_rewinding = true;
         m_rewoundTo = timeline()->shown;
         m_rewindTime.start();
-    } else if (m_ranBefore) {
-        setPaused(false);
+    } else {
+        setPaused(!m_ranBefore);
     }
 }
 

@@ -40,6 +40,7 @@ class LiveRun : public QObject {
     /// Runs whose last update has not ended yet.
     int ending() const;
 
+    /// Ends a rewinding, as all do that go to another moment.
     void setPaused(bool paused);
     bool isPaused() const { return m_paused; }
     /// The run waits while something else in the window has the keyboard, and then is as it was before.
@@ -54,7 +55,7 @@ class LiveRun : public QObject {
     void seek(std::int64_t update);
     void seekFirst();
     void seekLast();
-    /// As long as it is on, time goes back; then it goes on as before.
+    /// As long as it is on, time goes back; then it goes on as before, unless something else was said meanwhile.
     void setRewinding(bool rewinding);
     bool isRewinding() const { return m_rewinding; }
     void restart();

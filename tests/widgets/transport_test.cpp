@@ -112,6 +112,30 @@ class TransportTest : public QObject {
         const std::int64_t at = run.updates();
         QTRY_VERIFY(run.updates() > at + 3);
     }
+    void whatIsSaidWhileTimeGoesBackHolds() {
+        for (const Qt::Key key : {Qt::Key_R, Qt::Key_P}) { // begin anew; go on
+            Game game(spaceWithCeiling());
+            game.run(50);
+            QTest::keyPress(&game.view(), Qt::Key_Backspace);
+            QVERIFY(game.live().isRewinding());
+            QTest::keyClick(&game.view(), key);
+            QVERIFY(!game.live().isPaused());
+            const QSignalSpy frames(&game.live(), &LiveRun::advanced);
+            QTRY_VERIFY(frames.count() >= 5); // of which each would turn time back
+            QTest::keyRelease(&game.view(), Qt::Key_Backspace);
+            QVERIFY(!game.live().isPaused());
+            const std::int64_t before = game.picture()->update;
+            game.run(3);
+            QCOMPARE(game.picture()->update, before + 3);
+        }
+        Game game(spaceWithCeiling());
+        game.run(50);
+        QTest::keyPress(&game.view(), Qt::Key_Backspace);
+        game.live().stepBack();
+        QVERIFY(!game.live().isRewinding());
+        QTest::keyRelease(&game.view(), Qt::Key_Backspace);
+        QVERIFY(game.live().isPaused()); // who looks at a moment goes on looking
+    }
     void theTimelineGoesToTheMomentAndPlayGoesOnFromThere() {
         TestWindow test;
         test.document().reset(flyingBall());
