@@ -26,9 +26,15 @@ void Course::restart() {
     m_future.reset();
     m_session = m_start;
     m_timeline = Timeline(m_start);
-    m_paths = nullptr;
     m_record.clear();
+    countFuture();
     arrive();
+}
+
+void Course::countFuture() {
+    ++m_futures;
+    m_begun = m_session.updates();
+    m_paths = nullptr;
 }
 
 void Course::arrive() {
@@ -42,8 +48,8 @@ void Course::arrive() {
 void Course::beginOtherFuture(bool withGhost) {
     m_timeline.goOnFrom(m_session, withGhost && !m_future);
     m_future.reset();
-    m_paths = nullptr;
     m_record.cutAt(m_session.updates());
+    countFuture();
 }
 
 void Course::record(const StepInput& input) {
@@ -202,6 +208,8 @@ std::shared_ptr<const TimelineSummary> Course::summary(bool withPaths) {
     summary.shown = m_session.updates();
     summary.goal = m_future ? m_future->goal() : m_timeline.last();
     summary.updateSeconds = m_session.updateSeconds();
+    summary.futures = m_futures;
+    summary.begun = m_begun;
     summary.iteration = m_iteration;
     summary.iterations = m_session.world().parameters().iterations;
     summary.marks = m_timeline.marks();

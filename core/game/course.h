@@ -19,8 +19,10 @@ struct TimelineSummary {
     std::int64_t shown = 0;
     std::int64_t goal = 0; // `last`, as soon as the future has been simulated
     double updateSeconds = 0.02;
-    int iteration = 0;  // of the next update that is shown; 0: none, the moment itself
-    int iterations = 1; // of the next update
+    int futures = 0;        // that have begun, restarts included: what is known of the updates after
+    std::int64_t begun = 0; // this one, where the newest began, is out of date when there is another
+    int iteration = 0;      // of the next update that is shown; 0: none, the moment itself
+    int iterations = 1;     // of the next update
     std::shared_ptr<const std::vector<TimelineMark>> marks; // null for none
     std::vector<std::shared_ptr<const Ghost>> ghosts;       // futures that were given up, the newest last
     std::shared_ptr<const std::vector<TracedPath>> paths;   // of all that can be looked at; null while it runs
@@ -87,6 +89,7 @@ class Course {
     /// Somebody looks at another moment, or at the same in another way.
     void arrive();
     void beginOtherFuture(bool withGhost);
+    void countFuture();
 
     std::uint64_t m_seed;
     std::shared_ptr<const Level> m_level; // the newest
@@ -98,6 +101,8 @@ class Course {
     InputRuns m_record;
     std::optional<Future> m_future;
     std::optional<std::int64_t> m_sought;    // not simulated yet
+    int m_futures = 0;                       // that have begun
+    std::int64_t m_begun = 0;                // where the newest did
     std::optional<std::int64_t> m_changedAt; // the moment whose future has been simulated again, while it is shown
     int m_iteration = 0;
     bool m_explains = false;

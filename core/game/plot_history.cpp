@@ -57,6 +57,10 @@ void PlotHistory::clear() {
     m_shown = 0;
 }
 
+void PlotHistory::forgetAfter(std::int64_t update) {
+    eraseFrom(static_cast<std::size_t>(std::ranges::upper_bound(m_updates, update) - m_updates.begin()));
+}
+
 double PlotHistory::drift(PlotQuantity quantity) const {
     const std::optional<double> share = quantity == PlotQuantity::EnergyDrift ? energyDrift() : momentumDrift();
     return share ? 100 * *share : unknown;

@@ -20,6 +20,8 @@ class PlotHistory {
     void watch(std::vector<PlotSource> sources);
     const std::vector<PlotSource>& sources() const { return m_sources; }
     void clear();
+    /// Another future has begun after this update.
+    void forgetAfter(std::int64_t update);
 
     /// A row for the update that the session is at. What is seen again is left alone; where it has become different,
     /// another future has begun, and what was known of the old one goes.

@@ -12,6 +12,7 @@
 #include <QResizeEvent>
 
 #include <algorithm>
+#include <utility>
 
 namespace spacetow {
 
@@ -215,13 +216,20 @@ void PlotPanel::showSession(std::shared_ptr<const Session> session, bool runs) {
     }
     m_runs = runs && session != nullptr;
     m_session = std::move(session);
-    if (m_runs) {
+    if (m_runs && !m_inUpdate) {
         m_history.sample(*m_session);
     }
     if (isVisible()) {
         m_view.refresh();
         showTotals();
     }
+}
+
+void PlotPanel::showTimeline(const TimelineSummary& timeline) {
+    if (std::exchange(m_futures, timeline.futures) != timeline.futures) {
+        m_history.forgetAfter(timeline.begun);
+    }
+    m_inUpdate = timeline.iteration > 0;
 }
 
 void PlotPanel::showTotals() {

@@ -2,6 +2,7 @@
 // Plots of a running session: any quantity of the selected body or connector, and of everything together. Several
 // curves in one plot, one against another, and a file of them.
 
+#include "core/game/course.h"
 #include "core/game/plot_history.h"
 #include "editor/editing/document.h"
 #include "editor/panels/plot_view.h"
@@ -29,6 +30,8 @@ class PlotPanel : public QWidget {
     /// What goes on; a run that begins after a pause without one starts with an empty plot. `runs`: it is not merely
     /// the session that the level would start with.
     void showSession(std::shared_ptr<const Session> session, bool runs);
+    /// Comes before the sessions that are on it.
+    void showTimeline(const TimelineSummary& timeline);
 
     void add(const PlotSource& source);
     void remove(std::size_t curve);
@@ -67,6 +70,8 @@ class PlotPanel : public QWidget {
     PlotHistory m_history;
     std::shared_ptr<const Session> m_session;
     bool m_runs = false;
+    int m_futures = 0;       // that are known to have begun
+    bool m_inUpdate = false; // what is shown is in the middle of one
     QVBoxLayout m_column;
     WrappingRow* m_row;    // owned by the column
     WrappingRow* m_curves; // likewise

@@ -39,6 +39,7 @@ void PlotView::setNames(const QStringList& names) {
 
 void PlotView::setPhase(bool phase) {
     m_phase = phase;
+    m_range.reset(); // of something else
     refresh();
 }
 
@@ -136,21 +137,26 @@ const PlotView::Axis& PlotView::axisOf(std::size_t column) const {
 }
 
 QPointF PlotView::pointAt(std::size_t column, std::size_t row) const {
-    const QRectF box = room();
+    return pointIn(frame(), column, row);
+}
+
+QPointF PlotView::pointIn(const Frame& frame, std::size_t column, std::size_t row) const {
+    const QRectF& box = frame.room;
     const double along = isPhase() ? m_history.column(0)[row] : m_history.seconds()[row];
     const double up = m_history.column(isPhase() ? 1 : column)[row];
-    return {box.left() + shownRange().share(along) * box.width(),
+    return {box.left() + frame.along.share(along) * box.width(),
             box.bottom() - axisOf(column).range.share(up) * box.height()};
 }
 
 std::optional<std::size_t> PlotView::rowAt(const QPointF& at) const {
-    const QRectF box = room();
+    const Frame now = frame();
+    const QRectF& box = now.room;
     if (m_history.size() == 0 || m_history.sources().empty() || !box.contains(at)) {
         return {};
     }
     if (!isPhase()) {
         const std::vector<double>& seconds = m_history.seconds();
-        const double wanted = shownRange().at((at.x() - box.left()) / box.width());
+        const double wanted = now.along.at((at.x() - box.left()) / box.width());
         const auto next = std::lower_bound(seconds.begin(), seconds.end(), wanted);
         const bool before = next == seconds.end() || (next != seconds.begin() && wanted - *(next - 1) < *next - wanted);
         return static_cast<std::size_t>((before ? next - 1 : next) - seconds.begin());
@@ -158,7 +164,7 @@ std::optional<std::size_t> PlotView::rowAt(const QPointF& at) const {
     std::optional<std::size_t> nearest;
     double distance = std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < m_history.size(); ++row) {
-        const QPointF away = pointAt(0, row) - at;
+        const QPointF away = pointIn(now, 0, row) - at;
         const double squared = QPointF::dotProduct(away, away);
         if (squared < distance) { // not where something is unknown
             distance = squared;

@@ -34,7 +34,7 @@ class PlotView : public QWidget {
     /// Along the axis that goes to the right: s, or the unit of the first column.
     PlotRange shownRange() const;
     void showAll();
-    /// The row of the history that is under this point; nothing without one.
+    /// The row of the history that is nearest to this point; nothing without one.
     std::optional<std::size_t> rowAt(const QPointF& at) const;
     /// Where the value of the row stands, in pixels.
     QPointF pointAt(std::size_t column, std::size_t row) const;
@@ -62,7 +62,14 @@ class PlotView : public QWidget {
         QString unit;
         PlotRange range;
     };
+    /// Where curves are, and what they are over.
+    struct Frame {
+        QRectF room;
+        PlotRange along;
+    };
     QRectF room() const; // of the curves
+    Frame frame() const { return {room(), shownRange()}; }
+    QPointF pointIn(const Frame& frame, std::size_t column, std::size_t row) const;
     /// Rows whose seconds are in the shown range, and one more on both sides.
     std::pair<std::size_t, std::size_t> shownRows() const;
     void measure();

@@ -164,20 +164,24 @@ void PlotView::paintPhase(QPainter& painter) const {
         painter.drawPolyline(points);
         points.clear();
     };
-    std::optional<QPointF> last;
+    const auto isKnown = [](const QPointF& point) { return std::isfinite(point.x()) && std::isfinite(point.y()); };
+    const Frame now = frame();
     for (std::size_t row = 0; row < m_history.size(); ++row) {
-        const QPointF point = pointAt(0, row);
-        if (std::isfinite(point.x()) && std::isfinite(point.y())) {
+        const QPointF point = pointIn(now, 0, row);
+        if (isKnown(point)) {
             points << point;
-            last = point;
         } else {
             end();
         }
     }
     end();
-    if (last) { // where it is now
-        painter.setBrush(curveColor(1, palette()));
-        painter.drawEllipse(*last, 4, 4);
+    const auto shown = std::ranges::lower_bound(m_history.seconds(), m_history.shownSeconds());
+    if (shown != m_history.seconds().end()) {
+        const QPointF point = pointIn(now, 0, static_cast<std::size_t>(shown - m_history.seconds().begin()));
+        if (isKnown(point)) {
+            painter.setBrush(curveColor(1, palette()));
+            painter.drawEllipse(point, 4, 4);
+        }
     }
 }
 

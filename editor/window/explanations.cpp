@@ -48,15 +48,13 @@ bool Explanations::wantsSession() const {
     return m_panel.isVisible() || m_plots.isVisible() || m_profile.isVisible() || m_matrix.isVisible();
 }
 
-void Explanations::showRun(const std::shared_ptr<const Session>& session,
-                           const std::shared_ptr<const StepProfile>& profile) {
-    m_session = session;
-    m_panel.showSession(session);
-    m_plots.showSession(session, true);
-    m_profile.showSession(session, profile);
-    if (session) {
-        m_matrix.showTouches(session->tagTouches());
-    }
+void Explanations::showRun(const Frame& frame) {
+    m_session = frame.session;
+    m_panel.showSession(m_session);
+    m_plots.showTimeline(*frame.timeline);
+    m_plots.showSession(m_session, true);
+    m_profile.showSession(m_session, frame.profile);
+    m_matrix.showTouches(m_session->tagTouches());
     showForces();
 }
 

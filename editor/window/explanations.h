@@ -2,8 +2,7 @@
 // The panels that explain what runs, and what feeds them: the session of the run or, while nothing runs, the one that
 // the level would start with. They ask for what they need only while they can be seen.
 
-#include "core/game/session.h"
-#include "core/game/step_profile.h"
+#include "core/game/runner.h"
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/start_session.h"
 #include "editor/panels/explain_panel.h"
@@ -35,8 +34,8 @@ class Explanations : public QObject {
     bool wantsSession() const;
     bool wantsProfile() const { return m_profile.isVisible(); }
 
-    /// Of the run; the level may be edited meanwhile.
-    void showRun(const std::shared_ptr<const Session>& session, const std::shared_ptr<const StepProfile>& profile);
+    /// Of the run, with its session; the level may be edited meanwhile.
+    void showRun(const Frame& frame);
     /// Whether anything runs; comes before what runs is shown.
     void setRuns(bool runs);
 

@@ -282,7 +282,7 @@ void MainWindow::updateExplanations() {
     m_run.wantProfile(m_explanations.wantsProfile());
     const std::shared_ptr<const Frame> frame = m_run.frame();
     if (frame != nullptr && frame->session != nullptr) {
-        m_explanations.showRun(frame->session, frame->profile);
+        m_explanations.showRun(*frame);
     }
 }
 

@@ -141,6 +141,81 @@ class PlotPanelTest : public QObject {
         QVERIFY(pixelsLike(test.panel.view().grab().toImage(), PlotView::curveColor(0, test.panel.palette()), 40) > 60);
     }
 
+    void aPhasePlotShowsAllOfItAndWhereTheRunIsNow() {
+        PlotFixture test;
+        test.panel.view().setPhase(true);
+        while (!test.panel.history().sources().empty()) {
+            test.panel.remove(0);
+        }
+        test.panel.add({1, PlotQuantity::X});
+        test.panel.add({1, PlotQuantity::Y});
+        std::vector<Session> moments{test.session};
+        for (int i = 0; i < 40; ++i) {
+            test.run(1);
+            moments.push_back(test.session);
+        }
+        const auto dotAt = [&](std::size_t row) {
+            const QImage image = test.panel.view().grab().toImage();
+            const QPoint at = (test.panel.view().pointAt(0, row) * image.devicePixelRatio()).toPoint();
+            return pixelsLike(image.copy(at.x() - 3, at.y() - 3, 7, 7),
+                              PlotView::curveColor(1, test.panel.view().palette()), 40) > 15;
+        };
+        QVERIFY(dotAt(39) && !dotAt(10));
+        test.panel.showSession(std::make_shared<const Session>(moments[11]), true); // turned back
+        QVERIFY(dotAt(10) && !dotAt(39));
+        PlotView& view = test.panel.view();
+        view.setPhase(false);
+        for (int i = 0; i < 3; ++i) {
+            QTest::keyClick(&view, Qt::Key_Plus);
+        }
+        QVERIFY(view.shownRange().size() < 0.7);
+        view.setPhase(true); // metres are not zoomed as the seconds were
+        QVERIFY(view.shownRange().from < 5.02 && view.shownRange().to > 5.8);
+    }
+
+    void anotherFutureTakesThePlaceOfTheOldOneWhicheverUpdatesAreSeen() {
+        PlotFixture test;
+        while (!test.panel.history().sources().empty()) {
+            test.panel.remove(0);
+        }
+        test.panel.add({1, PlotQuantity::X});
+        Runner runner(test.document.level(), Runner::Mode::Manual);
+        runner.wantSession(true);
+        const auto see = [&] {
+            test.panel.showTimeline(*runner.frame()->timeline);
+            test.panel.showSession(runner.frame()->session, true);
+        };
+        const auto advance = [&](int times, int updates) { // between two frames
+            for (int i = 0; i < times; ++i) {
+                runner.advance(updates);
+                see();
+            }
+        };
+        advance(20, 3); // 3, 6, 9, …
+        const PlotHistory& history = test.panel.history();
+        QCOMPARE(history.size(), std::size_t(20));
+        runner.seek(30);
+        see();
+        QCOMPARE(history.size(), std::size_t(20)); // merely looked at
+        for (int i = 0; i < 4; ++i) {
+            runner.stepIteration();
+            see();
+        }
+        QCOMPARE(history.size(), std::size_t(21)); // update 31; not what was on the way there
+        QCOMPARE(history.column(0)[10], runner.frame()->session->snapshot()->bodies[0].pose.position.x());
+        runner.seek(30);
+        runner.setGrab(Grab{1, Vec2(0, 0), Vec2(-50, 0)});
+        runner.resume();
+        advance(5, 4); // 34, 38, …
+        QCOMPARE(history.size(), std::size_t(15));
+        for (std::size_t row = 10; row < 15; ++row) {
+            QVERIFY(history.column(0)[row] < 5); // nothing of the old future between, in which it went to the right
+        }
+        runner.restart();
+        advance(2, 5);
+        QCOMPARE(history.size(), std::size_t(2));
+    }
+
     void theTableIsExportedWithItsUnits() {
         PlotFixture test;
         test.run(3);
