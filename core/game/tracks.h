@@ -24,8 +24,9 @@ struct Ghost {
 
 class Tracks {
   public:
-    static constexpr std::size_t mostBodies = 24; // of a sandbox
-    static constexpr double tolerance = 0.01;     // m, of thinned paths
+    static constexpr std::size_t mostBodies = 24;     // of a sandbox
+    static constexpr double tolerance = 0.01;         // m, of thinned paths
+    static constexpr std::size_t mostPoints = 12'000; // of one body; of more, every other one goes
 
     /// After this update.
     void add(const Session& session);
@@ -39,14 +40,16 @@ class Tracks {
   private:
     struct Track {
         Key object;
-        std::int64_t first;      // update
-        std::deque<Vec2> points; // not finite while it was away
+        std::int64_t first;      // update of the first point
+        std::deque<Vec2> points; // one a stride; not finite while it was away
     };
 
     void choose(const Session& session);
     void follow(Key object, std::int64_t update);
+    void doubleStride();
 
     std::vector<Track> m_tracks;
+    std::int64_t m_stride = 1;            // updates; there are points of its multiples
     std::shared_ptr<const Level> m_level; // for which they were chosen
 };
 
