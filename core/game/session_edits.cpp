@@ -290,6 +290,10 @@ void Session::Adoption::ship() {
     }
     s.m_ship = s.addActor(is, BodyRole::Ship);
     s.m_phase = s.m_ship ? Phase::AwaitingInput : Phase::Sandbox;
+    s.m_flown = s.m_thrusted = 0; // an attempt begins
+    if (s.m_lives < 1) {
+        s.m_lives = std::max(1, after.rules.lives);
+    }
 }
 
 /// One that is fastened to other bodies now, or obeys other rules, is as long as the old one.
