@@ -18,7 +18,10 @@ bool dumpEnd(const QString& file, const Level& level, const Replay& replay) {
 }
 
 const char* nameOf(FlightEnd end) {
-    return end == FlightEnd::Won ? "won" : end == FlightEnd::Lost ? "lost" : "running";
+    return end == FlightEnd::Won       ? "won"
+           : end == FlightEnd::Lost    ? "lost"
+           : end == FlightEnd::Crowded ? "crowded"
+                                       : "running";
 }
 
 QString nameOf(FlightNews news) {

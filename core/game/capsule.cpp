@@ -1,5 +1,7 @@
 #include "core/game/capsule.h"
 
+#include "core/game/crowd.h"
+
 namespace spacetow {
 
 bool Capsule::operator==(const Capsule& other) const {
@@ -9,7 +11,8 @@ bool Capsule::operator==(const Capsule& other) const {
 
 Session sessionOf(const Capsule& capsule, const std::stop_token& stop) {
     Session session(*capsule.level, capsule.run.seed);
-    for (InputReader inputs(inputsOf(capsule.run, *capsule.level)); !inputs.isAtEnd() && !stop.stop_requested();) {
+    for (InputReader inputs(inputsOf(capsule.run, *capsule.level));
+         !inputs.isAtEnd() && !stop.stop_requested() && !isCrowdedAt(session.updates(), session.world());) {
         session.step(inputs.next());
     }
     return session;

@@ -35,7 +35,8 @@ Result<std::string> capsuleJson(const Capsule& capsule);
 /// "capsule-bad-level", and those of parseReplay.
 Result<Capsule> parseCapsule(std::string_view json);
 
-/// The session after all of its inputs, which takes its time; as far as it has come when a stop is requested.
+/// The session after all of its inputs, which takes its time; as far as it has come when a stop is requested, or bodies
+/// crowd (core/game/crowd.h).
 Session sessionOf(const Capsule& capsule, const std::stop_token& stop = {});
 
 } // namespace spacetow

@@ -49,4 +49,9 @@ bool isCrowded(const World& world, std::int64_t most) {
     return false;
 }
 
+bool isCrowdedAt(std::int64_t update, const World& world) {
+    constexpr std::int64_t interval = 50;
+    return update % interval == 0 && isCrowded(world);
+}
+
 } // namespace spacetow

@@ -13,6 +13,7 @@ enum class FlightEnd : std::uint8_t {
     Lost,     // and not won in a later attempt
     UnderWay, // neither, when the recording ends
     Unread,   // the file cannot be read
+    Crowded,  // bodies crowd: see core/game/crowd.h
     Stopped,  // by the stop token
 };
 

@@ -1,5 +1,6 @@
 #include "core/game/flights.h"
 
+#include "core/game/crowd.h"
 #include "core/game/input_runs.h"
 #include "core/game/session.h"
 
@@ -39,10 +40,16 @@ std::vector<StoredFlight> flightsBeside(const std::filesystem::path& level) {
 }
 
 FlightResult flightResult(const Level& level, const Replay& replay, const std::stop_token& stop) {
+    if (stop.stop_requested()) {
+        return {.end = FlightEnd::Stopped}; // without building the level
+    }
     Session session(level, replay.seed);
     for (InputReader inputs(inputsOf(replay, level)); !inputs.isAtEnd();) {
         if (stop.stop_requested()) {
             return {.end = FlightEnd::Stopped};
+        }
+        if (isCrowdedAt(session.updates(), session.world())) {
+            return {.end = FlightEnd::Crowded};
         }
         session.step(inputs.next());
     }

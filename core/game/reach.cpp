@@ -1,6 +1,7 @@
 #include "core/game/reach.h"
 
 #include "core/base/contract.h"
+#include "core/game/crowd.h"
 #include "core/game/ship.h"
 #include "core/math/trig.h"
 
@@ -248,6 +249,10 @@ HeldPath heldPath(const Session& session, const Controls& held, double seconds, 
     };
     note();
     for (double now = 0; now + step / 2 < seconds && !stop.stop_requested(); now += step) {
+        if (isCrowdedAt(copy.updates() - session.updates(), copy.world())) {
+            path.ends = true;
+            break;
+        }
         copy.step(held);
         if (!copy.ship() || !isSteered(copy.phase())) {
             path.ends = true;

@@ -30,7 +30,7 @@ std::vector<ReachOutline> reachOutlines(const Session& session, const std::vecto
 struct HeldPath {
     std::vector<Vec2> ship;
     std::vector<Vec2> payload; // from where it is on the rope
-    bool ends = false;         // because ship or payload is lost, or home
+    bool ends = false;         // because ship or payload is lost, or home, or bodies crowd (core/game/crowd.h)
 
     bool operator==(const HeldPath&) const = default;
 };

@@ -19,7 +19,6 @@ double seconds(Clock::time_point time) {
 
 constexpr auto patience = std::chrono::milliseconds(500); // after which nobody looks
 constexpr auto glance = std::chrono::milliseconds(50);    // between two looks whether somebody does
-constexpr std::int64_t crowdInterval = 50;                // updates
 constexpr auto slice = std::chrono::milliseconds(8);      // of simulating, between two looks at what is wanted
 
 std::int64_t ticks(Clock::time_point time) {
@@ -314,17 +313,17 @@ StepInput Runner::nextInput() {
     return m_followed.isAtEnd() ? StepInput{held, m_grab, {}} : m_followed.next();
 }
 
-bool Runner::isCrowdedAt(std::int64_t update, const World& world) {
-    if (update % crowdInterval == 0 && isCrowded(world)) {
+bool Runner::failsAt(std::int64_t update, const World& world) {
+    const bool fails = isCrowdedAt(update, world);
+    if (fails) {
         m_fault = RunnerFault::Crowd;
-        return true;
     }
-    return false;
+    return fails;
 }
 
 /// False when nothing moves any more.
 bool Runner::update() {
-    if (isCrowdedAt(m_course.session().updates(), m_course.session().world())) {
+    if (failsAt(m_course.session().updates(), m_course.session().world())) {
         return false;
     }
     m_course.observe(m_withSession, m_watch ? &m_watch->times() : nullptr);
@@ -352,7 +351,7 @@ void Runner::simulate() {
     const Clock::time_point until = Clock::now() + slice;
     std::int64_t at = m_course.session().updates();
     while (m_course.isSimulating() && (m_mode == Mode::Manual || Clock::now() < until)) {
-        if (isCrowdedAt(m_course.simulated(), m_course.newestWorld())) {
+        if (failsAt(m_course.simulated(), m_course.newestWorld())) {
             return;
         }
         m_course.simulate(1);

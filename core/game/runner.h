@@ -117,7 +117,8 @@ class Runner {
     StepInput nextInput();
     bool update();
     void simulate();
-    bool isCrowdedAt(std::int64_t update, const World& world);
+    /// Then nothing moves any more.
+    bool failsAt(std::int64_t update, const World& world);
     void keepPace();
     void post(std::shared_ptr<const Snapshot> before);
     /// When nothing has moved but how it is looked at.

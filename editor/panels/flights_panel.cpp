@@ -85,6 +85,8 @@ QString wordsOf(const FlightResult& now, const std::optional<FlightResult>& befo
         return underWayWords(now, before);
     case FlightEnd::Unread:
         return FlightWords::tr("cannot be read");
+    case FlightEnd::Crowded:
+        return FlightWords::tr("cannot be flown: too many bodies lie in the same place. Move them apart.");
     case FlightEnd::Stopped:
         break;
     }
@@ -98,7 +100,7 @@ QString iconOf(const FlightResult& now, const std::optional<FlightResult>& befor
     }
     const FlightNews news = newsOf(before, now);
     const bool isBad = news == FlightNews::Worse || (news == FlightNews::New && now.end == FlightEnd::Lost);
-    if (now.end == FlightEnd::Unread || isBad) {
+    if (now.end == FlightEnd::Unread || now.end == FlightEnd::Crowded || isBad) {
         return QStringLiteral("error");
     }
     const bool isGood = now.end == FlightEnd::Won || news == FlightNews::Same;

@@ -1,5 +1,7 @@
 #include "core/game/flights.h"
 
+#include "core/game/capsule.h"
+#include "core/game/reach.h"
 #include "core/game/session.h"
 #include "core/level/edits.h"
 #include "core/level/file.h"
@@ -109,6 +111,21 @@ class StoredFlightsTest : public QObject {
         QCOMPARE(newsOf(underWay, won), FlightNews::Better);
         QCOMPARE(newsOf(lost, underWay), FlightNews::Other);
         QCOMPARE(newsOf(underWay, lost), FlightNews::Other);
+    }
+
+    void whatNoMemoryWouldHoldIsNotFlown() {
+        Level level = openSpace();
+        for (int i = 0; i < 1800; ++i) { // more than a million pairs
+            addBall(level, Vec2(20, 20), 0.5, Vec2(0, 0));
+        }
+        Replay flight;
+        flight.append(idle);
+        QCOMPARE(flightResult(level, flight).end, FlightEnd::Crowded);
+        const HeldPath path = heldPath(Session(level), idle, 1);
+        QVERIFY(path.ends);
+        QCOMPARE(path.ship.size(), std::size_t(1)); // where it is now
+        const Capsule capsule{.level = std::make_shared<const Level>(level), .run = flight};
+        QCOMPARE(sessionOf(capsule).updates(), std::int64_t(0));
     }
 
     void aStopEndsIt() {
