@@ -34,6 +34,9 @@ Result<Capsule> capsuleOf(MainWindow& window) {
         if (!capsule.level) {
             return Error{"capsule-no-run", {}};
         }
+        if (capsule.run.updates() < shown) { // more than is recorded
+            return Error{"capsule-too-long", {std::to_string(maxReplayUpdates)}};
+        }
         InputRuns inputs = inputsOf(capsule.run, *capsule.level);
         inputs.cutAt(shown);
         setInputs(capsule.run, inputs, *capsule.level);
