@@ -115,6 +115,28 @@ class CourseTest : public QObject {
         QCOMPARE(recording.updates(), std::int64_t(60));
         QCOMPARE(replayed(openSpace(), recording).hash, fresh.hash());
     }
+    void whatWasTappedBeforeALookBackDoesNotCountAfterIt() {
+        Flown flown;
+        flown.runner.hold(left);
+        flown.runner.hold(thrust); // let go before the next update
+        flown.runner.seek(40);
+        flown.runner.resume();
+        flown.runner.advance(1);
+        QCOMPARE(flown.hash(), freshRun(openSpace(), {{keys(thrust), 41}}).hash());
+    }
+    void theHandPullsInEachIterationThatIsLookedAt() {
+        Runner runner(yard(), Runner::Mode::Manual);
+        runner.wantSession(true);
+        runner.advance(10);
+        const Grab grab{boxKey, Vec2(0, 0), Vec2(5, 5)};
+        runner.setGrab(grab);
+        runner.stepIteration();
+        QVERIFY(runner.frame()->session->grabForce().has_value());
+        for (int k = 1; k < yard().iterations; ++k) {
+            runner.stepIteration();
+        }
+        QCOMPARE(runner.frame()->session->hash(), freshRun(yard(), {{{}, 10}, {{{}, grab, {}}, 1}}).hash());
+    }
     void aRunCanBeWatchedAgainToItsEnd() {
         Flown flown;
         flown.runner.seek(90);
@@ -204,6 +226,46 @@ class CourseTest : public QObject {
         flown.runner.advance(5);
         QVERIFY(flown.runner.frame()->session->level().gravity == Vec2(1, 0));
         QCOMPARE(replayed(openSpace(), flown.runner.recording()).hash, flown.hash());
+    }
+    void whoHasLookedElsewhereComparesWithTheRunAsItIsNow() {
+        Flown flown;
+        Level pulling = openSpace();
+        for (const double pull : {1.0, -1.0}) {
+            flown.runner.seek(60);
+            flown.runner.seek(40);
+            pulling.gravity = Vec2(pull, 0);
+            flown.runner.setLevel(std::make_shared<const Level>(pulling));
+        }
+        QCOMPARE(flown.timeline()->ghosts.size(), std::size_t(2));
+        QVERIFY(flown.timeline()->ghosts[1]->paths[0].points.back().x() > 0.5); // pulled to the right
+    }
+    void anEditWaitsForTheFirstIterationOfTheNextUpdate() {
+        Flown flown;
+        flown.runner.pause();
+        Level pulling = openSpace();
+        pulling.gravity = Vec2(1, 0);
+        flown.runner.setLevel(std::make_shared<const Level>(pulling));
+        flown.runner.stepIteration();
+        QCOMPARE(flown.timeline()->iteration, 1);
+        QVERIFY(flown.runner.frame()->session->level() == pulling);
+        QVERIFY(flown.runner.frame()->session->ship()->velocity.x() > 0);
+    }
+    void aRecordedRunKeepsItsOwnEditsToTheEnd() {
+        Flown flown;
+        Level pulling = openSpace();
+        pulling.gravity = Vec2(1, 0);
+        flown.runner.setLevel(std::make_shared<const Level>(pulling));
+        flown.runner.advance(20);
+        const Replay recording = flown.runner.recording();
+        Runner runner(openSpace(), Runner::Mode::Manual);
+        runner.wantSession(true);
+        runner.advance(3);
+        runner.setLevel(std::make_shared<const Level>(openSpace())); // of the run before
+        runner.open(recording);
+        runner.seek(120);
+        runner.resume();
+        runner.advance(1);
+        QVERIFY(runner.frame()->session->level().gravity == Vec2(1, 0));
     }
     void aPausedEditAtTheEndIsStillThereAfterALookBack() {
         Flown flown;

@@ -122,6 +122,15 @@ class ReachTest : public QObject {
         QVERIFY(highest(outline.payload) - up.payload()->massCenter.y() < 1);
     }
 
+    void whoWaitsCanStillBeAtTheStartThoughTheShipWouldFallFasterThanItFlies() {
+        Level level = reachSpace();
+        level.gravity = Vec2(0, -30);
+        const Session session(level);
+        for (const ReachOutline& outline : reachOutlines(session, {0.5, 2})) {
+            QVERIFY(isWithin(outline.ship, session.ship()->massCenter));
+        }
+    }
+
     void laterOutlinesAreLargerAndThoseOfAWaitingShipHoldItsStart() {
         const Session session(reachSpace());
         const std::vector<ReachOutline> outlines = reachOutlines(session, {0.5, 1, 1.5, 2});

@@ -124,6 +124,11 @@ class SessionEditsTest : public QObject {
         QVERIFY(stateOf(session, floorKey).pose.position == Vec2(0, -3));
         stepOn(session, 300);
         QVERIFY(std::abs(stateOf(session, boxKey).pose.position.y() + 2.5) < 0.01);
+        for (const double x : {0.7, 0.1, 1.1, 0.3}) { // to the bit, though 0.7 + (0.1 - 0.7) is not 0.1
+            session.step(
+                withLevel(edited<BodyObject>(yard(), floorKey, [x](BodyObject& floor) { floor.position.x() = x; })));
+            QCOMPARE(stateOf(session, floorKey).pose.position.x(), x);
+        }
     }
     void aMassIsChangedInPlace() {
         Session session(yard());
@@ -140,6 +145,38 @@ class SessionEditsTest : public QObject {
         const ConnectorState spring = session.world().connector(*session.connectorOf(springKey));
         QVERIFY(spring.b == *session.bodyOf(ballKey));
         QVERIFY(std::abs(spring.length - 2) < 1e-9); // as at the start, not as it is stretched now
+    }
+    void aSpringKeepsTheLengthThatItHadAtTheStartWhateverIsMovedLater() {
+        Session session(yard());
+        stepOn(session, 5);
+        const auto moved = edited<BodyObject>(yard(), ballKey, [](BodyObject& ball) { ball.position.x() += 1; });
+        session.step(withLevel(moved));
+        session.step(withLevel(edited<BodyObject>(*moved, ballKey, [](BodyObject& ball) { ball.mass = 40; })));
+        QVERIFY(std::abs(session.world().connector(*session.connectorOf(springKey)).length - 2) < 1e-9);
+    }
+    void whatIsFrozenOrMadeIntangibleIsSoAtOnceAndSeenSo() {
+        const Level level = *without(yard(), ballKey);
+        Session session(level);
+        stepOn(session, 5);
+        const auto still = edited<BodyObject>(level, boxKey, [](BodyObject& box) { box.frozen = true; });
+        session.step(withLevel(still));
+        const double height = stateOf(session, boxKey).pose.position.y();
+        stepOn(session, 20);
+        QCOMPARE(stateOf(session, boxKey).pose.position.y(), height);
+        session.step(withLevel(std::make_shared<const Level>(level)));
+        stepOn(session, 20);
+        QVERIFY(stateOf(session, boxKey).pose.position.y() < height - 0.1);
+        session.step(withLevel(edited<BodyObject>(level, boxKey, [](BodyObject& box) {
+            box.tangible = false;
+            box.filter.tags = TagMask::bit(7);
+        })));
+        stepOn(session, 100);
+        QVERIFY(stateOf(session, boxKey).pose.position.y() < -1); // through the floor
+        const std::shared_ptr<const Snapshot> picture = session.snapshot();
+        const auto box =
+            std::ranges::find(picture->bodies, boxKey, [](const BodyPicture& body) { return body.look->key; });
+        QVERIFY(box != picture->bodies.end() && !box->look->tangible);
+        QCOMPARE(box->look->tags, TagMask::bit(7).bits);
     }
     void aMassThatCannotBeLeavesTheBodyAsItWas() {
         for (const double mass : {0.0, -1.0, std::nan(""), 1e-320}) {
@@ -226,6 +263,51 @@ class SessionEditsTest : public QObject {
         QCOMPARE(session.world().bodyCount(),
                  fresh.world().bodyCount() + static_cast<int>(count(session, BodyRole::Debris)));
     }
+    void anAttemptAfterACrashHasTheBodiesOfTheEditedLevel() {
+        Level level = spaceWithCeiling();
+        addBodyObject(level, ballKey, ballAt(Vec2(5, 0)));
+        Session session(level);
+        QVERIFY(holdUntil(session, thrust, Phase::Flying));
+        session.step({thrust, {}, edited<BodyObject>(level, ballKey, [](BodyObject& ball) {
+                          ball.position = Vec2(6, 1);
+                          ball.mass = 3;
+                      })});
+        QVERIFY(holdUntil(session, thrust, Phase::Crashed));
+        press(session, tow);
+        QVERIFY(stateOf(session, ballKey).pose.position == Vec2(6, 1));
+        QCOMPARE(stateOf(session, ballKey).mass, 3.0);
+    }
+    void aPayloadThatIsEditedWaitsOnAndOneThatIsLostStaysSo() {
+        Level level = openSpace();
+        level.gravity = Vec2(0, -1);
+        Session session(level);
+        hold(session, left, 10);
+        const auto heavier = [&](double mass) {
+            return edited<PayloadObject>(level, payloadKey, [mass](PayloadObject& payload) { payload.mass = mass; });
+        };
+        session.step({left, {}, heavier(2)});
+        hold(session, left, 30);
+        QCOMPARE(session.payloadState(), PayloadState::Waiting);
+        QVERIFY(session.payload()->positionFrozen && session.payload()->pose.position == Vec2(0, -1));
+
+        Session crashed(spaceWithCeiling());
+        QVERIFY(holdUntil(crashed, thrust, Phase::Crashed));
+        crashed.step(withLevel(without(spaceWithCeiling(), payloadKey)));
+        crashed.step(withLevel(std::make_shared<const Level>(spaceWithCeiling())));
+        QVERIFY(!crashed.payload()); // comes with the next attempt
+        press(crashed, tow);
+        QVERIFY(crashed.payload());
+    }
+    void gravityStaysTurnedOverWhenSomethingElseIsEdited() {
+        Level level = openSpace();
+        level.gravity = Vec2(0, -1);
+        level.rules.flipGravityOnTow = true;
+        Session session = towing(level);
+        QVERIFY(session.world().parameters().gravity == Vec2(0, 1));
+        level.gravity = Vec2(0, -2);
+        session.step({thrust, {}, std::make_shared<const Level>(level)});
+        QVERIFY(session.world().parameters().gravity == Vec2(0, 2));
+    }
     void theTowedPayloadStaysOnItsRopeWhenItIsMadeHeavier() {
         Session session = towing(openSpace());
         hold(session, thrust, 30);
@@ -269,6 +351,19 @@ class SessionEditsTest : public QObject {
         hold(session, thrust, 200);
         QVERIFY(session.payload()->pose.position.y() > 3);
         QCOMPARE(session.phase(), Phase::Towing);
+    }
+    void aShipThatIsPutInAfterTheLastLifeBeginsWithLivesAndItsOwnTime() {
+        Level once = spaceWithCeiling();
+        once.rules.lives = 1;
+        Session session(once);
+        QVERIFY(holdUntil(session, thrust, Phase::GameOver));
+        QCOMPARE(session.lives(), 0);
+        session.step(withLevel(without(once, shipKey)));
+        session.step(withLevel(std::make_shared<const Level>(once)));
+        QCOMPARE(session.phase(), Phase::AwaitingInput);
+        QCOMPARE(session.lives(), 1);
+        QCOMPARE(session.time(), 0.0);
+        QCOMPARE(session.fuel(), 0.0);
     }
     void livesAreGivenAndTaken() {
         Session session(openSpace());

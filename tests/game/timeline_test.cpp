@@ -199,24 +199,62 @@ class TimelineTest : public QObject {
         QCOMPARE(timeline.at(179'999)->updates(), std::int64_t(179'999));
         QCOMPARE(timeline.at(177'000)->updates(), std::int64_t(177'000));
     }
-    void touchCrashAndTheNextAttemptAreMarked() {
-        Session session(spaceWithCeiling());
+    void aMinuteOfTinyUpdatesTakesNoMoreRoomForItsPaths() {
+        Level level;
+        level.gravity = Vec2(0, 0);
+        level.iterations = 1;
+        level.updateSeconds = 1e-5; // six million in a minute
+        addBodyObject(level, ballKey, ballAt(Vec2(0, 2)));
+        Tracks tracks;
+        Session session(*edited<BodyObject>(level, ballKey, [](BodyObject& ball) { ball.velocity = Vec2(1, 0); }));
+        tracks.add(session);
+        for (int i = 1; i <= 70'000; ++i) {
+            session.step(idle);
+            tracks.add(session);
+            if (i % 1000 == 0 && i > 10'000) {
+                tracks.forgetBefore(i - 60'000);
+            }
+        }
+        QVERIFY(tracks.bytes() <= (Tracks::mostPoints + 1) * sizeof(Vec2));
+        const auto ends = [&](std::int64_t from) {
+            const std::vector<TracedPath> paths = tracks.pathsFrom(from);
+            EXPECTS(paths.size() == 1);
+            return Vec2(paths[0].points.front().x(), paths[0].points.back().x());
+        };
+        QVERIFY2((ends(0) - Vec2(0.1, 0.7)).norm() < 2e-4, qPrintable(QString::number(ends(0).x(), 'g', 9)));
+        QVERIFY((ends(30'000) - Vec2(0.3, 0.7)).norm() < 2e-4);
+        tracks.forgetAfter(50'001);
+        QVERIFY((ends(0) - Vec2(0.1, 0.5)).norm() < 2e-4);
+    }
+    void bodiesThatAreAddedAreFollowedInPlaceOfThoseThatAreGone() {
+        Level level;
+        level.gravity = Vec2(0, -1);
+        level.iterations = 1;
+        for (Key key = 1; key <= Tracks::mostBodies; ++key) {
+            addBodyObject(level, key, ballAt(Vec2(2.0 * static_cast<double>(key), 0)));
+        }
+        Session session(level);
         Timeline timeline(session);
-        const auto hold = [&](const Controls& controls, Phase phase) {
-            for (int i = 0; i < 500 && session.phase() != phase; ++i) {
-                session.step(controls);
-                timeline.add({controls, {}, {}}, session);
+        const auto go = [&](const StepInput& first) {
+            for (int i = 0; i < 100; ++i) {
+                const StepInput input = i == 0 ? first : StepInput();
+                session.step(input);
+                timeline.add(input, session);
             }
         };
-        hold(thrust, Phase::Crashed);
-        const std::int64_t crash = session.updates();
-        session.step(idle);
-        timeline.add({}, session);
-        hold(tow, Phase::AwaitingInput);
-        QVERIFY(kinds(timeline) == (std::vector{MarkKind::Crash, MarkKind::Attempt}));
-        QCOMPARE(timeline.marks()->front().update, crash);
-        Recorded pushed = recorded(Session(openSpace()), std::vector<StepInput>(200, {thrust, {}, {}}));
-        QVERIFY(kinds(pushed.timeline).empty());
+        const auto follows = [&](Key key) {
+            const std::vector<TracedPath> paths = timeline.pathsFrom(timeline.first());
+            return std::ranges::any_of(paths, [key](const TracedPath& path) { return path.object == key; });
+        };
+        go({});
+        Level more = level;
+        addBodyObject(more, 100, ballAt(Vec2(-5, 0)));
+        go(withLevel(std::make_shared<const Level>(more)));
+        QVERIFY(follows(1) && !follows(100)); // there are too many
+        const std::shared_ptr<const Level> fewer = without(more, 1);
+        go(withLevel(fewer));
+        QVERIFY(follows(100));
+        QVERIFY(follows(1)); // of the past
     }
     void theFutureThatIsGivenUpStaysAsAGhost() {
         Recorded run = recorded(Session(openSpace()), std::vector<StepInput>(200, {thrust, {}, {}}));
@@ -243,6 +281,18 @@ class TimelineTest : public QObject {
         hold(fresh, thrust, 120);
         hold(fresh, left, 50);
         QCOMPARE(run.timeline.at(170)->hash(), fresh.hash());
+        run.timeline.at(196); // keeps some on the way
+        run.timeline.goOnFrom(*run.timeline.at(150));
+        Session other = *run.timeline.at(150);
+        for (int i = 0; i < 50; ++i) {
+            other.step(right);
+            run.timeline.add({right, {}, {}}, other);
+        }
+        Session again(openSpace());
+        hold(again, thrust, 120);
+        hold(again, left, 30);
+        hold(again, right, 46);
+        QCOMPARE(run.timeline.at(196)->hash(), again.hash()); // nothing of the future before
         QVERIFY(run.timeline.input(119).controls == thrust);
         QVERIFY(run.timeline.input(120).controls == left);
     }

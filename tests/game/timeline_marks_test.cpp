@@ -1,0 +1,108 @@
+// What a timeline marks of a run, also after it has been turned back.
+
+#include "core/game/timeline.h"
+#include "tests/support/live_level.h"
+#include "tests/support/test_main.h"
+
+#include <algorithm>
+
+using namespace spacetow;
+using namespace spacetow::test;
+
+namespace {
+
+struct MarkedRun {
+    Session session;
+    Timeline timeline;
+
+    explicit MarkedRun(const Level& level, const Timeline::Limits& limits = {})
+        : session(level), timeline(session, limits) {}
+    void go(const StepInput& input, int updates = 1) {
+        for (int i = 0; i < updates; ++i) {
+            session.step(input);
+            timeline.add(input, session);
+        }
+    }
+    void goUntil(const Controls& controls, Phase phase) {
+        for (int i = 0; i < 500 && session.phase() != phase; ++i) {
+            go({controls, {}, {}});
+        }
+    }
+    void turnBackTo(std::int64_t update) {
+        session = *timeline.at(update);
+        timeline.goOnFrom(session);
+    }
+    std::vector<MarkKind> kinds() const {
+        std::vector<MarkKind> found;
+        for (const TimelineMark& mark : timeline.marks() ? *timeline.marks() : std::vector<TimelineMark>()) {
+            found.push_back(mark.kind);
+        }
+        return found;
+    }
+};
+
+/// The ship meets a heavy ball above it, which does it no harm.
+Level spaceWithBall() {
+    Level level = openSpace();
+    BodyObject ball = ballAt(Vec2(0, 1.2));
+    ball.filter.tags = TagMask::bit(9);
+    ball.mass = 100;
+    addBodyObject(level, ballKey, ball);
+    return level;
+}
+
+} // namespace
+
+class TimelineMarksTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void crashAndTheNextAttemptAreMarked() {
+        MarkedRun run(spaceWithCeiling());
+        run.goUntil(thrust, Phase::Crashed);
+        const std::int64_t crash = run.session.updates();
+        run.go({});
+        run.goUntil(tow, Phase::AwaitingInput);
+        QVERIFY(run.kinds() == (std::vector{MarkKind::Crash, MarkKind::Attempt}));
+        QCOMPARE(run.timeline.marks()->front().update, crash);
+        MarkedRun pushed(openSpace());
+        pushed.go({thrust, {}, {}}, 200);
+        QVERIFY(pushed.kinds().empty());
+    }
+    void whatTheShipTouchesIsMarkedOnceInAWhile() {
+        MarkedRun run(spaceWithBall());
+        run.go({thrust, {}, {}}, 200);
+        QVERIFY(!run.kinds().empty());
+        QCOMPARE(std::ranges::count(run.kinds(), MarkKind::Touch), std::ptrdiff_t(run.kinds().size()));
+        const std::vector<TimelineMark>& marks = *run.timeline.marks();
+        for (std::size_t i = 1; i < marks.size(); ++i) {
+            QVERIFY(marks[i].update - marks[i - 1].update > 10);
+        }
+        const std::int64_t first = marks.front().update;
+        run.turnBackTo(first - 2);
+        QVERIFY(run.kinds().empty());
+        run.go({thrust, {}, {}}, 3);
+        QCOMPARE(run.kinds().size(), std::size_t(1)); // the same again
+        QCOMPARE(run.timeline.marks()->front().update, first);
+    }
+    void whoTurnsBackFromACrashHasNotBegunAnotherAttempt() {
+        MarkedRun run(spaceWithCeiling());
+        run.goUntil(thrust, Phase::Crashed);
+        run.turnBackTo(0);
+        run.go({}, 5);
+        QVERIFY(run.kinds().empty());
+    }
+    void aTuneOfTheUpdatesLengthChangesHowManyAreAMinute() {
+        MarkedRun run(yard(), {.seconds = 4, .bytes = std::size_t{64} << 20, .leastInterval = 1});
+        run.go({}, 100);
+        QCOMPARE(run.timeline.first(), std::int64_t(0));
+        Level slower = yard();
+        slower.updateSeconds = 0.1;
+        run.go(withLevel(std::make_shared<const Level>(slower)));
+        run.go({}, 9);
+        QCOMPARE(run.timeline.first(), run.timeline.last() - 40);
+    }
+};
+
+SPACETOW_TEST(TimelineMarksTest)
+#include "timeline_marks_test.moc"
