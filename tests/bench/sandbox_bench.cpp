@@ -1,4 +1,4 @@
-// Times the sandbox: sandbox_bench [--json FILE] [--cpu]. Each figure is printed beside its bar.
+// Times the sandbox: sandbox_bench [--json FILE] [--cpu] [PART…]. Each figure is printed beside its bar.
 
 #include "tests/bench/sandbox_figures.h"
 
@@ -7,17 +7,31 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <optional>
+#include <span>
+#include <vector>
 
 using namespace spacetow::bench;
 
 namespace {
 
+struct Part {
+    const char* name;
+    void (*measure)(const Meter&);
+};
+
+constexpr Part allParts[] = {
+    {"runs", measureRuns},     {"reach", measureReach}, {"time", measureTime},
+    {"window", measureWindow}, {"edits", measureEdits},
+};
+
 struct Request {
     std::string file;
-    bool cpu = false; // processor time instead of what the clock on the wall says
+    std::vector<Part> parts; // none stand for all
+    bool cpu = false;        // processor time instead of what the clock on the wall says
 };
 
 /// Nothing when the arguments make no sense.
@@ -29,7 +43,11 @@ std::optional<Request> request(const QStringList& arguments) {
         } else if (arguments[i] == QStringLiteral("--cpu")) {
             result.cpu = true;
         } else {
-            return std::nullopt;
+            const auto part = std::ranges::find(allParts, arguments[i].toStdString(), &Part::name);
+            if (part == std::end(allParts)) {
+                return std::nullopt;
+            }
+            result.parts.push_back(*part);
         }
     }
     return result;
@@ -53,7 +71,7 @@ int main(int count, char** arguments) {
     QApplication application(count, arguments);
     const std::optional<Request> asked = request(QCoreApplication::arguments());
     if (!asked) {
-        std::fprintf(stderr, "Usage: sandbox_bench [--json FILE] [--cpu]\n");
+        std::fprintf(stderr, "Usage: sandbox_bench [--json FILE] [--cpu] [runs] [reach] [time] [window] [edits]\n");
         return 2;
     }
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
@@ -69,9 +87,9 @@ int main(int count, char** arguments) {
         rows.push_back(std::move(row));
     };
     const Meter meter{report, asked->cpu};
-    measureRuns(meter);
-    measureTime(meter);
-    measureWindow(meter);
+    for (const Part& part : asked->parts.empty() ? std::span<const Part>(allParts) : asked->parts) {
+        part.measure(meter);
+    }
     if (asked->file.empty()) {
         return 0;
     }

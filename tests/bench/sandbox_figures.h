@@ -40,7 +40,9 @@ std::vector<StepInput> randomInputs(int updates, std::uint64_t seed);
 
 void measureRuns(const Meter& meter);
 void measureTime(const Meter& meter);
-/// Needs a QApplication.
+void measureReach(const Meter& meter);
+/// These need a QApplication.
 void measureWindow(const Meter& meter);
+void measureEdits(const Meter& meter);
 
 } // namespace spacetow::bench

@@ -19,6 +19,18 @@ void stepAll(Session& session, const std::vector<StepInput>& inputs) {
     }
 }
 
+/// What a frame has of a run beside its picture.
+void measureCopies(const Session& session, const Meter& meter) {
+    constexpr int copies = 100;
+    std::vector<double> times, pictures;
+    for (int i = 0; i < copies; ++i) {
+        times.push_back(meter.time([&] { const Session copy(session); }));
+        pictures.push_back(meter.time([&] { session.snapshot(); }));
+    }
+    meter.report({"session-copy.balls", pitBalls, quantile(times, 0.5), "ms"});
+    meter.report({"snapshot.balls", pitBalls, quantile(pictures, 0.5), "ms"});
+}
+
 /// Updates in a second, in each of so many seconds from the start; the least counts.
 void measurePit(const Meter& meter) {
     Session session(ballPit(pitBalls));
@@ -33,6 +45,7 @@ void measurePit(const Meter& meter) {
     }
     meter.report({"circles.updates", pitBalls, 1e3 * each * seconds / sum, "1/s", double(each), true});
     meter.report({"circles.updates.least", pitBalls, least, "1/s", double(each), true});
+    measureCopies(session, meter);
 }
 
 } // namespace

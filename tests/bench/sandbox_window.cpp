@@ -1,13 +1,12 @@
 // Watching a run: what the window takes for a frame, and whether the run keeps up meanwhile.
 #include "core/level/bounds.h"
-#include "editor/window/main_window.h"
-#include "tests/bench/sandbox_figures.h"
+#include "tests/bench/sandbox_stage.h"
 #include "tests/bench/stopwatch.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QElapsedTimer>
-#include <QSettings>
-#include <QTemporaryDir>
+#include <QTest>
 
 #include <array>
 #include <bit>
@@ -17,7 +16,15 @@ namespace spacetow::bench {
 namespace {
 
 constexpr int watchedBalls = 2000;
-constexpr int watchedFrames = 200;
+constexpr int timedFrames = 100;
+constexpr qint64 watchedTime = 4000; // ms
+
+/// What a way of watching has to keep to; 0: nothing.
+struct WatchBars {
+    double frame = 33.3; // ms, of the median
+    double frames = 0;   // 1/s
+    double updates = 0;  // 1/s
+};
 
 OverlayFlags allOverlays() {
     std::array<bool, sizeof(OverlayFlags)> all; // it has nothing else
@@ -25,46 +32,84 @@ OverlayFlags allOverlays() {
     return std::bit_cast<OverlayFlags>(all);
 }
 
-void watch(MainWindow& window, const std::string& name, double bar, const Meter& meter) {
+void timeFrames(SandboxStage& stage, const std::string& name, double bar, const Meter& meter) {
     std::vector<double> times;
-    QElapsedTimer clock;
-    clock.start();
-    const std::int64_t first = window.liveRun().updates();
-    for (int i = 0; i < watchedFrames; ++i) {
-        QCoreApplication::processEvents();
+    for (int i = 0; i < timedFrames; ++i) {
+        stage.turn();
         times.push_back(meter.time([&] {
-            window.liveView().refresh();
-            window.canvas().repaint();
+            stage.window().liveView().refresh();
+            stage.canvas().repaint();
         }));
     }
-    const auto updates = static_cast<double>(window.liveRun().updates() - first);
-    meter.report({"frame.median." + name, watchedBalls, quantile(times, 0.5), "ms", bar});
-    meter.report({"frame.longest." + name, watchedBalls, quantile(times, 1), "ms", 50});
-    meter.report({"watched-updates." + name, watchedBalls, 1e3 * updates / static_cast<double>(clock.elapsed()), "1/s",
-                  bar < 20 ? 50.0 : 0, true});
+    meter.report({"frame.median." + name, timedFrames, quantile(times, 0.5), "ms", bar});
+    meter.report({"frame.longest." + name, timedFrames, quantile(times, 1), "ms", 50});
+}
+
+/// As the window does it by itself.
+void watch(SandboxStage& stage, const std::string& name, const WatchBars& bars, const Meter& meter) {
+    timeFrames(stage, name, bars.frame, meter);
+    QElapsedTimer clock;
+    clock.start();
+    const std::int64_t updates = stage.run().updates();
+    const int paintings = stage.paintings();
+    const double longest = stage.longestTurn([&] { return clock.elapsed() >= watchedTime; });
+    const double seconds = 1e-3 * static_cast<double>(clock.elapsed());
+    const auto perSecond = [&](auto count) { return static_cast<double>(count) / seconds; };
+    const int frames = stage.paintings() - paintings;
+    meter.report({"window-turn.longest." + name, frames, longest, "ms", 50});
+    meter.report({"frames." + name, frames, perSecond(frames), "1/s", bars.frames, true});
+    meter.report({"updates." + name, frames, perSecond(stage.run().updates() - updates), "1/s", bars.updates, true});
+}
+
+/// Whatever can be switched on while something runs.
+void showEverything(MainWindow& window) {
+    window.setOverlays(allOverlays());
+    for (const char* name : {"explain", "plots", "profile", "tagMatrix", "flights"}) {
+        QDockWidget& dock = window.panels().dock(QString::fromLatin1(name));
+        dock.setFloating(true); // else they would stand as tabs behind each other
+        dock.show();
+    }
+    window.reach().setSeconds(ReachView::longest);
+    window.reach().setOn(true);
+    window.setPanelsHidden(false);
+}
+
+/// Back a second, and on from there: what was to come stays as a ghost.
+void leaveGhost(SandboxStage& stage) {
+    stage.run().seek(stage.run().updates() - 50);
+    stage.longestTurn([&] { return stage.run().frame()->paused; });
+    stage.run().setPaused(false);
+}
+
+/// More than the computer can do, and the window goes on.
+void measureFallingBehind(SandboxStage& stage, const std::string& name, const Meter& meter) {
+    watch(stage, name, {.frame = 0}, meter);
+    const bool told = stage.window().statusLine().hint().contains(QStringLiteral("behind"));
+    meter.report({"told-behind." + name, told ? 1 : 0, stage.run().behind(), "s", 0.1, true});
 }
 
 } // namespace
 
 void measureWindow(const Meter& meter) {
-    const QTemporaryDir folder;
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.filePath(QStringLiteral("settings")));
-    qputenv("XDG_STATE_HOME", folder.filePath(QStringLiteral("state")).toUtf8());
-    MainWindow window;
-    window.files().questions.whatAboutChanges = [](const QString&) { return Unsaved::Discard; };
-    window.resize(1280, 800);
-    window.show();
-    window.document().reset(ballPit(watchedBalls));
-    const std::vector<Key> trough{window.document().level().objects[0].key};
-    window.canvas().setView(window.canvas().view().showing(boundsOf(window.document().level(), trough)));
+    SandboxStage stage(meter);
+    MainWindow& window = stage.window();
+    stage.show(ballPit(watchedBalls));
     window.simulate();
-    for (const bool on : {false, true}) {
-        window.setOverlays(on ? allOverlays() : OverlayFlags());
-        QCoreApplication::processEvents();
-        watch(window, on ? "overlays-on" : "overlays-off", on ? 33.3 : 16.7, meter);
-    }
-    window.stopPlaying();
+    watch(stage, "overlays-off", {16.7, 30, 50}, meter);
+    window.setOverlays(allOverlays());
+    watch(stage, "overlays-on", {33.3, 30, 0}, meter);
+    showEverything(window);
+    window.document().select(Selection({500}));
+    leaveGhost(stage);
+    watch(stage, "all-on", {33.3, 0, 0}, meter);
+    window.setOverlays(OverlayFlags());
+    stage.run().setSpeed(Runner::fastest);
+    measureFallingBehind(stage, "eight-times", meter);
+    constexpr int tooMany = 20'000;
+    stage.show(ballPit(tooMany));
+    window.simulate();
+    measureFallingBehind(stage, "20,000-balls", meter);
+    stage.stop();
 }
 
 } // namespace spacetow::bench
