@@ -78,16 +78,8 @@ void paintCircle(const Stage& stage, const Circle& circle, const Transform& pose
     if (!stage.sees(boxAround(center, circle.radius))) {
         return;
     }
-    QPainterPath path;
-    const double radius = stage.pixels(circle.radius);
-    path.addEllipse(stage.at(center), radius, radius);
-    const BodyColors colors = stage.theme.body(style.kind, circle);
-    paintFilled(stage, path, colors, style);
-    if (style.kind != BodyKind::Static && radius > 4) {
-        // A spoke, so that rolling shows.
-        const Vec2 rim = center + pose.rotation.up() * circle.radius;
-        stage.painter.drawLine(stage.at(center + pose.rotation.up() * (0.55 * circle.radius)), stage.at(rim));
-    }
+    paintDisc(stage, stage.at(center), stage.pixels(circle.radius), style);
+    paintSpoke(stage, circle, pose, style);
 }
 
 void paintPolygon(const Stage& stage, const Polygon& polygon, const Transform& pose, const BodyStyle& style) {
@@ -118,6 +110,23 @@ QPainterPath outlineOf(const Stage& stage, const Transform& pose, std::span<cons
 }
 
 } // namespace
+
+void paintDisc(const Stage& stage, const QPointF& center, double radius, const BodyStyle& style) {
+    QPainterPath path;
+    path.addEllipse(center, radius, radius);
+    paintFilled(stage, path, stage.theme.body(style.kind, Circle{}), style);
+}
+
+void paintSpoke(const Stage& stage, const Circle& circle, const Transform& pose, const BodyStyle& style) {
+    constexpr double least = 4; // px, of a radius
+    if (style.kind == BodyKind::Static || stage.pixels(circle.radius) <= least) {
+        return;
+    }
+    const Vec2 center = pose.toWorld(circle.center);
+    const Vec2 spoke = pose.rotation.up() * circle.radius;
+    stage.painter.setPen(outlinePen(stage.theme.body(style.kind, circle), style));
+    stage.painter.drawLine(stage.at(center + 0.55 * spoke), stage.at(center + spoke));
+}
 
 void paintShape(const Stage& stage, const Shape& shape, const Transform& pose, const BodyStyle& style) {
     if (const auto* circle = std::get_if<Circle>(&shape)) {

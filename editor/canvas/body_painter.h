@@ -18,6 +18,10 @@ struct BodyStyle {
 
 /// One shape; one-way walls without their rim.
 void paintShape(const Stage& stage, const Shape& shape, const Transform& pose, const BodyStyle& style);
+/// A disc without its spoke; pixels.
+void paintDisc(const Stage& stage, const QPointF& center, double radius, const BodyStyle& style);
+/// By which one sees a disc roll, where it is large enough for that.
+void paintSpoke(const Stage& stage, const Circle& circle, const Transform& pose, const BodyStyle& style);
 enum class WallKind : std::uint8_t { OneWay, TwoWay };
 struct ChainStyle {
     BodyStyle body;

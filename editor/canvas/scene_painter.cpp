@@ -1,6 +1,7 @@
 #include "editor/canvas/scene_painter.h"
 
 #include "editor/canvas/body_painter.h"
+#include "editor/canvas/disc_stamps.h"
 #include "editor/canvas/wall_painter.h"
 
 #include <cmath>
@@ -35,6 +36,23 @@ void paintPicture(const Stage& stage, const BodyPicture& body) {
     }
 }
 
+bool isSmallDisc(const Stage& stage, const BodyPicture& body) {
+    const std::vector<Shape>& shapes = body.look->shapes;
+    const auto* const circle = shapes.size() == 1 ? std::get_if<Circle>(&shapes.front()) : nullptr;
+    return body.look->role == BodyRole::Object && circle != nullptr &&
+           stage.pixels(circle->radius) <= DiscStamps::largest;
+}
+
+void paintStamp(const Stage& stage, const BodyPicture& body, DiscStamps& stamps) {
+    const auto& circle = std::get<Circle>(body.look->shapes.front());
+    const Vec2 center = body.pose.toWorld(circle.center);
+    if (stage.sees(Aabb{center, center}.grown(circle.radius))) {
+        const BodyStyle style{body.look->kind, body.look->tangible};
+        stamps.paint(stage, stage.at(center), stage.pixels(circle.radius), style);
+        paintSpoke(stage, circle, body.pose, style);
+    }
+}
+
 } // namespace
 
 Ground groundOf(const Snapshot& snapshot) {
@@ -65,10 +83,17 @@ void paintStatics(const Stage& stage, const Snapshot& snapshot, const Ground& gr
     }
 }
 
-void paintMoving(const Stage& stage, const Snapshot& snapshot) {
+void paintMoving(const Stage& stage, const Snapshot& snapshot, DiscStamps* stamps) {
+    constexpr std::size_t crowd = 300; // bodies
     const SavedPainter saved(stage.painter);
+    const bool stamped = stamps != nullptr && snapshot.bodies.size() > crowd;
     for (const BodyPicture& body : snapshot.bodies) {
-        if (body.look->kind != BodyKind::Static) {
+        if (body.look->kind == BodyKind::Static) {
+            continue;
+        }
+        if (stamped && isSmallDisc(stage, body)) {
+            paintStamp(stage, body, *stamps);
+        } else {
             paintPicture(stage, body);
         }
     }

@@ -12,6 +12,8 @@
 
 namespace spacetow {
 
+class DiscStamps;
+
 /// Which objects of a level are painted: all, or all but some, or only some; by their places, ascending.
 struct PaintedPart {
     const std::vector<int>* without = nullptr;
@@ -38,6 +40,7 @@ void paintSnapshot(const Stage& stage, const Snapshot& snapshot);
 /// The same in two parts, of which the first may be kept as long as nothing static changes.
 Ground groundOf(const Snapshot& snapshot);
 void paintStatics(const Stage& stage, const Snapshot& snapshot, const Ground& ground);
-void paintMoving(const Stage& stage, const Snapshot& snapshot);
+/// Small discs, where there are many, with the stamps that are given.
+void paintMoving(const Stage& stage, const Snapshot& snapshot, DiscStamps* stamps = nullptr);
 
 } // namespace spacetow

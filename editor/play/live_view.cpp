@@ -257,7 +257,7 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
         paintWays(stage, *timeline);
     }
     paintFlame(stage, m_picture);
-    paintMoving(stage, m_picture);
+    paintMoving(stage, m_picture, &m_discs);
     paintOverlays(stage);
     if (game) {
         paintTowRange(stage, m_picture, m_towRange);

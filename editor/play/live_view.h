@@ -3,6 +3,7 @@
 // menu over one that is held. It lets the canvas's view follow the ship, and hands keys and mouse on.
 
 #include "editor/canvas/canvas.h"
+#include "editor/canvas/disc_stamps.h"
 #include "editor/canvas/label_painter.h"
 #include "editor/canvas/live_scene.h"
 #include "editor/play/ground_picture.h"
@@ -104,6 +105,7 @@ class LiveView : public QObject, public LiveScene {
     TrailKeeper m_trails;
     std::shared_ptr<const Session> m_session; // of which the picture is, while an overlay needs it
     GroundPicture m_ground;
+    DiscStamps m_discs;
     const Theme* m_groundTheme = nullptr; // in whose colours it is
     Paper m_paperOf;
     QPixmap m_paper; // the board below a simulation
