@@ -20,14 +20,10 @@ class Pacer {
             ++count;
         }
         if (m_next <= now) {
-            m_lost += now + m_period - m_next;
             restart(now);
         }
         return count;
     }
-
-    /// What was given up so far.
-    double lost() const { return m_lost; }
 
     /// When `due` will next be positive.
     double next() const { return m_next; }
@@ -39,7 +35,6 @@ class Pacer {
     double m_period;
     int m_catchUp;
     double m_next = 0;
-    double m_lost = 0;
 };
 
 } // namespace spacetow

@@ -39,16 +39,6 @@ class PacerTest : public QObject {
         QCOMPARE(pacer.due(60.01), 0);
         QCOMPARE(pacer.due(60.021), 1);
     }
-    void whatIsGivenUpIsCounted() {
-        Pacer pacer(0.02, 5);
-        pacer.restart(0);
-        QCOMPARE(pacer.due(0.05), 2);
-        QCOMPARE(pacer.lost(), 0.0);
-        QCOMPARE(pacer.due(1.04), 5); // up to 0.14
-        QVERIFY(std::abs(pacer.lost() - 0.9) < 1e-9);
-        pacer.restart(9); // a pause is no loss
-        QVERIFY(std::abs(pacer.lost() - 0.9) < 1e-9);
-    }
     void noTimePassesAcrossARestart() {
         Pacer pacer(0.02);
         pacer.restart(0);
