@@ -3,7 +3,6 @@
 #include "core/game/crowd.h"
 
 #include <algorithm>
-#include <future>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -35,13 +34,25 @@ std::shared_ptr<const StepProfile> profileOf(const std::optional<StepWatch>& wat
 
 } // namespace
 
-Runner::Runner(const Level& level, Mode mode, std::uint64_t seed)
-    : m_mode(mode), m_course(std::make_shared<const Level>(level), seed), m_last(m_course.session().snapshot()),
-      m_pacer(m_course.session().updateSeconds()) {
-    post(m_last);
-    if (mode == Mode::Threaded) {
-        m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
+Runner::Runner(std::shared_ptr<const Level> level, Mode mode, std::uint64_t seed) : m_mode(mode) {
+    if (mode != Mode::Deferred) {
+        build(level, seed);
     }
+    if (mode != Mode::Manual) {
+        m_thread = std::jthread([this, level = std::move(level), seed](const std::stop_token& stop) mutable {
+            if (!m_course) {
+                guarded([&] { build(std::move(level), seed); });
+            }
+            run(stop);
+        });
+    }
+}
+
+void Runner::build(std::shared_ptr<const Level> level, std::uint64_t seed) {
+    m_course.emplace(std::move(level), seed);
+    m_last = m_course->session().snapshot();
+    m_pacer = Pacer(m_course->session().updateSeconds());
+    post(m_last);
 }
 
 Runner::~Runner() = default;
@@ -88,11 +99,11 @@ void Runner::watch() {
 
 void Runner::stepOnce() {
     command([this] {
-        const std::int64_t now = m_course.session().updates();
-        if (m_course.isAtEnd()) {
+        const std::int64_t now = m_course->session().updates();
+        if (m_course->isAtEnd()) {
             update();
         } else {
-            m_course.seek(now + 1);
+            m_course->seek(now + 1);
             leap();
         }
     });
@@ -101,7 +112,7 @@ void Runner::stepOnce() {
 void Runner::stepBack() {
     command([this] {
         m_followed = InputReader({});
-        m_course.seek(m_course.session().updates() - 1);
+        m_course->seek(m_course->session().updates() - 1);
         leap();
     });
 }
@@ -109,14 +120,14 @@ void Runner::stepBack() {
 void Runner::seek(std::int64_t update) {
     command([this, update] {
         m_followed = InputReader({});
-        m_course.seek(update);
+        m_course->seek(update);
         leap();
     });
 }
 
 void Runner::stepIteration() {
     command([this] {
-        m_course.stepIteration({controlsFromBits(m_held.load()), m_grab, {}});
+        m_course->stepIteration({controlsFromBits(m_held.load()), m_grab, {}});
         leap();
     });
 }
@@ -124,7 +135,7 @@ void Runner::stepIteration() {
 void Runner::open(const Replay& recorded, const std::shared_ptr<const Level>& then) {
     command([this, recorded, then] {
         m_followed = InputReader({});
-        m_course.open(recorded, then);
+        m_course->open(recorded, then);
         leap();
         simulate();
     });
@@ -132,7 +143,7 @@ void Runner::open(const Replay& recorded, const std::shared_ptr<const Level>& th
 
 void Runner::stopSimulating() {
     command([this] {
-        m_course.stopSimulating();
+        m_course->stopSimulating();
         post(m_last);
     });
 }
@@ -154,7 +165,7 @@ void Runner::restart() {
 void Runner::follow(const Replay& recorded) {
     command([this, recorded] {
         beginAnew();
-        m_followed = InputReader(inputsOf(recorded, m_course.session().level()));
+        m_followed = InputReader(inputsOf(recorded, m_course->session().level()));
     });
 }
 
@@ -165,11 +176,11 @@ void Runner::follow(std::vector<Replay::Run> recorded) {
 }
 
 void Runner::beginAnew() {
-    m_course.restart();
+    m_course->restart();
     m_followed.restart();
     m_watching = false;
     m_latched.store(0);
-    m_pacer = Pacer(m_course.session().updateSeconds() / m_speed);
+    m_pacer = Pacer(m_course->session().updateSeconds() / m_speed);
     m_pacer.restart(seconds(Clock::now()));
     showAgain();
 }
@@ -181,7 +192,7 @@ void Runner::setGrab(std::optional<Grab> grab) {
 void Runner::setSpeed(double speed) {
     command([this, speed] {
         m_speed = speed >= slowest ? std::min(speed, fastest) : slowest;
-        m_pacer.setPeriod(m_course.session().updateSeconds() / m_speed);
+        m_pacer.setPeriod(m_course->session().updateSeconds() / m_speed);
         m_pacer.restart(seconds(Clock::now()));
         post(m_last);
     });
@@ -189,35 +200,15 @@ void Runner::setSpeed(double speed) {
 
 void Runner::setLevel(std::shared_ptr<const Level> level) {
     command([this, level = std::move(level)] {
-        m_course.setLevel(level);
+        m_course->setLevel(level);
         showAgain();
         simulate();
     });
 }
 
 void Runner::showAgain() {
-    m_last = m_course.isShownAsIs() ? m_course.session().snapshot() : m_course.shown().snapshot();
+    m_last = m_course->isShownAsIs() ? m_course->session().snapshot() : m_course->shown().snapshot();
     post(m_last);
-}
-
-template <class T>
-T Runner::answered(std::function<T()> ask) {
-    auto promise = std::make_shared<std::promise<T>>();
-    std::future<T> answer = promise->get_future();
-    command([ask = std::move(ask), promise = std::move(promise)] { promise->set_value(ask()); });
-    try {
-        return answer.get();
-    } catch (const std::future_error&) { // nobody is there to answer
-        return {};
-    }
-}
-
-Replay Runner::recording() {
-    return answered<Replay>([this] { return m_course.recording(); });
-}
-
-std::shared_ptr<const Level> Runner::startLevel() {
-    return answered<std::shared_ptr<const Level>>([this] { return m_course.startLevel(); });
 }
 
 void Runner::advance(int updates) {
@@ -283,10 +274,10 @@ void Runner::turn(const std::stop_token& stop) {
         m_pacer.restart(seconds(Clock::now()));
         post(m_last);
     }
-    if (m_course.isSimulating()) {
+    if (m_course->isSimulating()) {
         simulate();
     } else if (m_paused && !m_prepared) {
-        m_prepared = m_course.prepareBack(4);
+        m_prepared = m_course->prepareBack(4);
     }
     const int due = m_paused || m_unattended ? 0 : m_pacer.due(seconds(Clock::now()));
     for (int i = 0; i < due && !stop.stop_requested() && fault() == RunnerFault::None; ++i) {
@@ -296,7 +287,7 @@ void Runner::turn(const std::stop_token& stop) {
         }
     }
     m_more = false;
-    if (m_course.isSimulating() || (m_paused && !m_prepared)) {
+    if (m_course->isSimulating() || (m_paused && !m_prepared)) {
         return;
     }
     std::unique_lock lock(m_mutex);
@@ -323,14 +314,14 @@ bool Runner::failsAt(std::int64_t update, const World& world) {
 
 /// False when nothing moves any more.
 bool Runner::update() {
-    if (failsAt(m_course.session().updates(), m_course.session().world())) {
+    if (failsAt(m_course->session().updates(), m_course->session().world())) {
         return false;
     }
-    m_course.observe(m_withSession, m_watch ? &m_watch->times() : nullptr);
+    m_course->observe(m_withSession, m_watch ? &m_watch->times() : nullptr);
     if (!m_watching) {
-        m_course.goOn(nextInput());
-    } else if (!m_course.goAlong()) {
-        if (!m_course.isSimulating()) {
+        m_course->goOn(nextInput());
+    } else if (!m_course->goAlong()) {
+        if (!m_course->isSimulating()) {
             leap();
         }
         return false;
@@ -340,7 +331,7 @@ bool Runner::update() {
     }
     keepPace();
     const std::shared_ptr<const Snapshot> before = m_last;
-    m_last = m_course.session().snapshot();
+    m_last = m_course->session().snapshot();
     m_sounds.fetch_or(m_last->sounds);
     post(before);
     return true;
@@ -349,14 +340,14 @@ bool Runner::update() {
 /// A threaded runner does a little of it at a time, for it may be told something else meanwhile.
 void Runner::simulate() {
     const Clock::time_point until = Clock::now() + slice;
-    std::int64_t at = m_course.session().updates();
-    while (m_course.isSimulating() && (m_mode == Mode::Manual || Clock::now() < until)) {
-        if (failsAt(m_course.simulated(), m_course.newestWorld())) {
+    std::int64_t at = m_course->session().updates();
+    while (m_course->isSimulating() && (m_mode == Mode::Manual || Clock::now() < until)) {
+        if (failsAt(m_course->simulated(), m_course->newestWorld())) {
             return;
         }
-        m_course.simulate(1);
+        m_course->simulate(1);
     }
-    if (at != m_course.session().updates()) {
+    if (at != m_course->session().updates()) {
         leap();
     } else {
         post(m_last);
@@ -365,7 +356,7 @@ void Runner::simulate() {
 
 /// A level may have been given another length of its updates.
 void Runner::keepPace() {
-    const double period = m_course.session().updateSeconds() / m_speed;
+    const double period = m_course->session().updateSeconds() / m_speed;
     if (period != m_pacer.period()) {
         m_pacer.setPeriod(period);
     }
@@ -377,12 +368,12 @@ void Runner::post(std::shared_ptr<const Snapshot> before) {
     if (m_withSession && m_more && last) {
         session = last->session; // others follow at once
     } else if (m_withSession) {
-        session = std::make_shared<const Session>(m_course.isShownAsIs() ? m_course.session() : m_course.shown());
+        session = std::make_shared<const Session>(m_course->isShownAsIs() ? m_course->session() : m_course->shown());
     }
     const bool paused = m_paused || m_unattended;
-    m_frames.post(std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(),
-                                                      m_speed, paused, m_pacer.lost(), std::move(session),
-                                                      m_course.summary(m_paused), profileOf(m_watch)}));
+    m_frames.post(
+        std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(), m_speed, paused,
+                                            std::move(session), m_course->summary(m_paused), profileOf(m_watch)}));
 }
 
 } // namespace spacetow

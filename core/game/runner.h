@@ -25,7 +25,6 @@ struct Frame {
     double period = 0.02;                        // s that pass between the two; simulated are `speed` times as many
     double speed = 1;                            // of the game, in that of the clock
     bool paused = false;
-    double lost = 0; // s, by which the game has fallen behind real time since it began or went on
     std::shared_ptr<const Session> session{};          // a copy as it is at `now`; null unless it is wanted
     std::shared_ptr<const TimelineSummary> timeline{}; // never null
     std::shared_ptr<const StepProfile> profile{};      // null unless it is wanted
@@ -36,11 +35,15 @@ enum class RunnerFault : std::uint8_t { None, Memory, Crowd };
 
 class Runner {
   public:
-    /// A manual runner has no thread: `advance` makes its updates, and everything else happens at once.
-    enum class Mode { Threaded, Manual };
+    /// A manual runner has no thread: `advance` makes its updates, and everything else happens at once. A deferred one
+    /// is threaded, and builds its session in its thread too: it has no frame until that is done. What it is told
+    /// meanwhile it does then.
+    enum class Mode { Threaded, Deferred, Manual };
 
-    /// Builds the session; a threaded runner starts at once.
-    explicit Runner(const Level& level, Mode mode = Mode::Threaded, std::uint64_t seed = 1);
+    /// A threaded runner starts at once.
+    explicit Runner(std::shared_ptr<const Level> level, Mode mode = Mode::Threaded, std::uint64_t seed = 1);
+    explicit Runner(const Level& level, Mode mode = Mode::Threaded, std::uint64_t seed = 1)
+        : Runner(std::make_shared<const Level>(level), mode, seed) {}
     ~Runner();
     Runner(const Runner&) = delete;
     Runner& operator=(const Runner&) = delete;
@@ -89,6 +92,7 @@ class Runner {
     /// When it is not None, nothing moves any more.
     RunnerFault fault() const { return m_fault; }
 
+    /// Null only before a deferred runner has built its session.
     std::shared_ptr<const Frame> frame() const { return m_frames.latest(); }
     /// Sound bits of all updates since the last call.
     std::uint32_t takeSounds() { return m_sounds.exchange(0); }
@@ -104,6 +108,7 @@ class Runner {
   private:
     using Command = std::function<void()>;
 
+    void build(std::shared_ptr<const Level> level, std::uint64_t seed);
     void command(Command command);
     void obeyCommands();
     void run(const std::stop_token& stop);
@@ -129,14 +134,14 @@ class Runner {
     const Mode m_mode;
 
     // Of the runner's thread, or of the caller's when manual.
-    Course m_course;
+    std::optional<Course> m_course; // once it is built
     std::optional<Grab> m_grab;
     double m_speed = 1;
     std::shared_ptr<const Snapshot> m_last;
     InputReader m_followed{{}}; // instead of what is held, until it ends
     bool m_watching = false;
     bool m_prepared = true; // for going back
-    Pacer m_pacer;
+    Pacer m_pacer{0.02};
     bool m_paused = false;
     bool m_unattended = false;
     bool m_withSession = false;

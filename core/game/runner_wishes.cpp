@@ -1,6 +1,8 @@
-// Runner: what its frames are to have beside pictures.
+// Runner: what its frames are to have beside pictures, and what it is asked for.
 
 #include "core/game/runner.h"
+
+#include <future>
 
 namespace spacetow {
 
@@ -28,6 +30,26 @@ void Runner::wantProfile(bool wanted) {
             post(m_last);
         }
     });
+}
+
+template <class T>
+T Runner::answered(std::function<T()> ask) {
+    auto promise = std::make_shared<std::promise<T>>();
+    std::future<T> answer = promise->get_future();
+    command([ask = std::move(ask), promise = std::move(promise)] { promise->set_value(ask()); });
+    try {
+        return answer.get();
+    } catch (const std::future_error&) { // nobody is there to answer
+        return {};
+    }
+}
+
+Replay Runner::recording() {
+    return answered<Replay>([this] { return m_course->recording(); });
+}
+
+std::shared_ptr<const Level> Runner::startLevel() {
+    return answered<std::shared_ptr<const Level>>([this] { return m_course->startLevel(); });
 }
 
 } // namespace spacetow

@@ -122,6 +122,27 @@ std::vector<Problem> problemsLeftOut(const Level& level) {
     return problems;
 }
 
+std::size_t partsToBuild(const Level& level, std::size_t most) {
+    std::size_t parts = 0;
+    for (const Object& object : level.objects) {
+        const auto* const body = std::get_if<BodyObject>(&object.data);
+        for (std::size_t i = 0; body != nullptr && i < body->shapes.size() && parts <= most; ++i) {
+            parts += std::visit(
+                [](const auto& shape) -> std::size_t {
+                    if constexpr (requires { shape.vertices; }) {
+                        return shape.vertices.size();
+                    }
+                    return 1;
+                },
+                body->shapes[i]);
+        }
+        if (parts > most) {
+            break;
+        }
+    }
+    return parts;
+}
+
 BuiltWorld builtWorld(const Level& level) {
     BuiltWorld built{World(updateParameters(level)), {}, {}};
     built.world.setSleeping(level.sleeping);

@@ -18,6 +18,8 @@ struct BuiltWorld {
 
 /// Objects that lint reports as errors (a polygon that crosses itself, say) are left out.
 BuiltWorld builtWorld(const Level& level);
+/// About how much there is to build: corners and circles of bodies, counted until they are more than `most`.
+std::size_t partsToBuild(const Level& level, std::size_t most);
 /// The first error of each object that is left out.
 std::vector<Problem> problemsLeftOut(const Level& level);
 

@@ -1,6 +1,7 @@
 #include "editor/play/live_run.h"
 
 #include "core/game/blend.h"
+#include "core/level/build.h"
 
 #include <QGuiApplication>
 #include <QScreen>
@@ -18,6 +19,12 @@ double shareOf(const Frame& frame) {
     return std::clamp(since.count() / frame.period, 0.0, 1.0);
 }
 
+/// A level like those of the campaign is built within a frame.
+bool takesLongToBuild(const Level& level) {
+    constexpr std::size_t most = 1000;
+    return partsToBuild(level, most) > most;
+}
+
 } // namespace
 
 LiveRun::LiveRun(QObject* parent, Runner::Mode mode) : QObject(parent), m_mode(mode) {
@@ -27,37 +34,67 @@ LiveRun::LiveRun(QObject* parent, Runner::Mode mode) : QObject(parent), m_mode(m
 
 LiveRun::~LiveRun() = default;
 
-void LiveRun::start(const Level& level, Kind wanted) {
-    begin(level, {.wanted = wanted});
-}
-
-void LiveRun::start(const Level& level, const Replay& recorded, const std::shared_ptr<const Level>& then) {
-    begin(level, {.seed = recorded.seed});
-    if (m_runner) {
-        m_runner->open(recorded, then);
-        m_runner->watch();
-        m_watching = true;
-    }
-}
-
-void LiveRun::begin(const Level& level, const Beginning& beginning) {
+void LiveRun::start(std::shared_ptr<const Level> level, Kind wanted) {
     stop();
+    m_kind = wanted;
+    begin(std::move(level), nullptr);
+}
+
+void LiveRun::start(std::shared_ptr<const Level> level, const Replay& recorded,
+                    const std::shared_ptr<const Level>& then) {
+    stop();
+    m_kind = Kind::Game;
+    const Recorded whole{recorded, then};
+    begin(std::move(level), &whole);
+}
+
+void LiveRun::begin(std::shared_ptr<const Level> level, const Recorded* recorded) {
+    const bool deferred = m_mode == Runner::Mode::Threaded && takesLongToBuild(*level);
     try {
-        m_runner = std::make_unique<Runner>(level, m_mode, beginning.seed);
+        m_runner = std::make_unique<Runner>(std::move(level), deferred ? Runner::Mode::Deferred : m_mode,
+                                            recorded != nullptr ? recorded->replay.seed : 1);
     } catch (const std::bad_alloc&) {
         fail(RunnerFault::Memory);
         return;
     }
-    m_kind = phase() == Phase::Sandbox ? Kind::Simulation : beginning.wanted;
     m_runner->wantSession(!m_sessionWanted.empty());
     m_runner->wantProfile(m_profile);
-    m_watching = false;
-    m_lost = 0;
-    m_paceTime.start();
-    m_shownPhase = phase();
+    if (recorded != nullptr) {
+        m_runner->open(recorded->replay, recorded->then);
+        m_runner->watch();
+        m_watching = true;
+    }
     const QScreen* const screen = QGuiApplication::primaryScreen();
     const double rate = screen != nullptr ? std::clamp(screen->refreshRate(), 30.0, 240.0) : 60.0;
     m_frames.start(static_cast<int>(1000 / rate));
+    m_starting = deferred;
+    if (m_starting) {
+        m_startTime.start();
+        m_startTold.start();
+        Q_EMIT startingChanged();
+    } else {
+        beStarted();
+    }
+}
+
+void LiveRun::awaitStart() {
+    constexpr qint64 interval = 200; // ms
+    if (m_runner->frame() != nullptr) {
+        m_starting = false;
+        beStarted();
+        Q_EMIT startingChanged();
+    } else if (m_startTold.elapsed() >= interval) {
+        m_startTold.start();
+        Q_EMIT startingChanged();
+    }
+}
+
+void LiveRun::beStarted() {
+    if (phase() == Phase::Sandbox) {
+        m_kind = Kind::Simulation;
+    }
+    m_pace = {};
+    m_shownPhase = phase();
     Q_EMIT started();
 }
 
@@ -73,6 +110,7 @@ void LiveRun::stop() {
     if (!m_runner) {
         return;
     }
+    const bool ran = !std::exchange(m_starting, false);
     m_ending.push_back(std::make_unique<BackgroundTask>());
     m_ending.back()->start([run = std::shared_ptr<Runner>(std::move(m_runner))](const std::stop_token&) mutable {
         run.reset();
@@ -81,7 +119,11 @@ void LiveRun::stop() {
     if (std::exchange(m_paused, false)) {
         Q_EMIT pausedChanged(false);
     }
-    Q_EMIT stopped();
+    if (ran) {
+        Q_EMIT stopped();
+    } else {
+        Q_EMIT startingChanged();
+    }
 }
 
 int LiveRun::ending() const {
@@ -104,6 +146,7 @@ void LiveRun::setPaused(bool paused) {
 }
 
 void LiveRun::goOn() {
+    m_pace.lookAnew();
     m_runner->hold(m_held.controls());
     if (m_waiting) {
         return;
@@ -175,7 +218,7 @@ void LiveRun::seekLast() {
 }
 
 void LiveRun::setRewinding(bool rewinding) {
-    if (!m_runner || m_rewinding == rewinding) {
+    if (!isRunning() || m_rewinding == rewinding) {
         return;
     }
     if (rewinding) {
@@ -208,6 +251,7 @@ void LiveRun::setSpeed(double speed) {
         return;
     }
     m_speed = next;
+    m_pace.lookAnew();
     if (m_runner) {
         m_runner->setSpeed(next);
     }
@@ -295,6 +339,10 @@ void LiveRun::look() {
         fail(fault);
         return;
     }
+    if (m_starting) {
+        awaitStart();
+        return;
+    }
     m_runner->attend();
     watchPace();
     if (m_rewinding) {
@@ -313,17 +361,10 @@ void LiveRun::look() {
     }
 }
 
-/// A moment's hold-up is nothing to speak of.
 void LiveRun::watchPace() {
-    constexpr qint64 interval = 1000; // ms
-    constexpr double bearable = 0.1;  // of the time that has passed
-    if (m_paceTime.elapsed() < interval) {
-        return;
-    }
-    const double passed = static_cast<double>(m_paceTime.restart()) / 1000;
-    const double lost = m_runner->frame()->lost;
-    const double behind = lost - m_lost > bearable * passed ? lost : 0;
-    m_lost = lost;
+    const std::shared_ptr<const Frame> frame = m_runner->frame();
+    const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
+    const double behind = m_pace.behind({now.count(), frame->now->update, frame->period, frame->paused});
     if (behind != m_behind) {
         m_behind = behind;
         Q_EMIT paceChanged();
@@ -338,7 +379,7 @@ void LiveRun::fail(RunnerFault fault) {
 }
 
 Phase LiveRun::phase() const {
-    return m_runner ? m_runner->frame()->now->phase : Phase::Sandbox;
+    return isRunning() ? m_runner->frame()->now->phase : Phase::Sandbox;
 }
 
 Snapshot LiveRun::picture() const {

@@ -5,6 +5,7 @@
 #include "core/game/runner.h"
 #include "editor/canvas/background_task.h"
 #include "editor/play/key_map.h"
+#include "editor/play/pace_watch.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -28,14 +29,21 @@ class LiveRun : public QObject {
     explicit LiveRun(QObject* parent = nullptr, Runner::Mode mode = Runner::Mode::Threaded);
     ~LiveRun() override;
 
-    /// Runs the level from its beginning; what was running before is stopped. A level without a ship is no game.
-    void start(const Level& level, Kind wanted = Kind::Game);
+    /// Runs the level from its beginning; what was running before is stopped. A level without a ship is no game. What
+    /// takes long to build is built beside the window: until then the run is starting, and can be told what to do.
+    void start(std::shared_ptr<const Level> level, Kind wanted = Kind::Game);
     /// The same as it was flown once: all of it can be looked at. Who steers takes over, and another future begins.
     /// `then`: see Course::open.
-    void start(const Level& level, const Replay& recorded, const std::shared_ptr<const Level>& then = nullptr);
+    void start(std::shared_ptr<const Level> level, const Replay& recorded,
+               const std::shared_ptr<const Level>& then = nullptr);
+    void start(const Level& level, Kind wanted = Kind::Game) { start(std::make_shared<const Level>(level), wanted); }
     /// Of a level that is too much an update takes seconds; nobody waits for the one that is running.
     void stop();
-    bool isRunning() const { return m_runner != nullptr; }
+    bool isRunning() const { return m_runner != nullptr && !m_starting; }
+    bool isStarting() const { return m_starting; }
+    /// Since when, s.
+    double startingFor() const { return static_cast<double>(m_startTime.elapsed()) / 1000; }
+    /// Also what is starting, where that was wanted; whether the level has a ship is known when it runs.
     bool isGame() const { return m_runner && m_kind == Kind::Game; }
     /// Runs whose last update has not ended yet.
     int ending() const;
@@ -87,20 +95,24 @@ class LiveRun : public QObject {
     /// Sandbox while nothing runs.
     Phase phase() const;
     /// How many have been made that can be seen; 0 while nothing runs.
-    std::int64_t updates() const { return m_runner ? m_runner->frame()->now->update : 0; }
+    std::int64_t updates() const { return isRunning() ? m_runner->frame()->now->update : 0; }
     /// By how many seconds the run is behind real time, while it falls back further; 0 while it keeps up.
     double behind() const { return m_behind; }
     /// The newest two pictures; null while nothing runs.
-    std::shared_ptr<const Frame> frame() const { return m_runner ? m_runner->frame() : nullptr; }
+    std::shared_ptr<const Frame> frame() const { return isRunning() ? m_runner->frame() : nullptr; }
     /// The newest copy of what runs; null while nothing does, or nobody wants it.
-    std::shared_ptr<const Session> session() const { return m_runner ? m_runner->frame()->session : nullptr; }
-    std::shared_ptr<const TimelineSummary> timeline() const { return m_runner ? m_runner->frame()->timeline : nullptr; }
+    std::shared_ptr<const Session> session() const { return isRunning() ? m_runner->frame()->session : nullptr; }
+    std::shared_ptr<const TimelineSummary> timeline() const {
+        return isRunning() ? m_runner->frame()->timeline : nullptr;
+    }
     /// What there is to see now, between the newest two. Something must run.
     Snapshot picture() const;
     /// Null while nothing runs.
-    Runner* runner() { return m_runner.get(); }
+    Runner* runner() { return isRunning() ? m_runner.get() : nullptr; }
 
   signals:
+    /// Still starting, or no longer; some times a second, for who shows for how long.
+    void startingChanged();
     void started();
     void stopped();
     /// There may be something new to see; at the display's rate.
@@ -115,11 +127,13 @@ class LiveRun : public QObject {
     void failed(spacetow::RunnerFault fault);
 
   private:
-    struct Beginning {
-        Kind wanted = Kind::Game;
-        std::uint64_t seed = 1;
+    struct Recorded {
+        const Replay& replay;
+        const std::shared_ptr<const Level>& then; // null for none
     };
-    void begin(const Level& level, const Beginning& beginning);
+    void begin(std::shared_ptr<const Level> level, const Recorded* recorded);
+    void awaitStart();
+    void beStarted();
     void look();
     void watchPace();
     void fail(RunnerFault fault);
@@ -129,6 +143,8 @@ class LiveRun : public QObject {
     const Runner::Mode m_mode;
     Kind m_kind = Kind::Game;
     std::unique_ptr<Runner> m_runner;
+    bool m_starting = false;
+    QElapsedTimer m_startTime, m_startTold;
     std::vector<std::unique_ptr<BackgroundTask>> m_ending;
     QTimer m_frames;
     PlayKeys m_keys;
@@ -142,9 +158,8 @@ class LiveRun : public QObject {
     QElapsedTimer m_rewindTime;
     bool m_profile = false;
     Phase m_shownPhase = Phase::Sandbox;
-    QElapsedTimer m_paceTime; // since it was looked at
-    double m_lost = 0;        // s, at that time
-    double m_behind = 0;      // s
+    PaceWatch m_pace;
+    double m_behind = 0; // s
     bool m_paused = false;
     bool m_waiting = false; // though not paused
 };

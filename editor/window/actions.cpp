@@ -169,10 +169,15 @@ void Actions::tint(const QPalette& palette) const {
     }
 }
 
+bool Actions::runsEnough(const ActionRow& row) const {
+    return (row.flags & OnlyPlaying) == 0 || m_window.isPlaying() ||
+           ((row.flags & WhileStarting) != 0 && m_window.liveRun().isStarting());
+}
+
 bool Actions::isPossible(const ActionRow& row) const {
     const bool inThisMode = m_window.isInGame()      ? (row.flags & WhilePlaying) != 0
                             : m_window.isWelcoming() ? (row.flags & WithoutLevel) != 0
-                                                     : m_window.isPlaying() || (row.flags & OnlyPlaying) == 0;
+                                                     : runsEnough(row);
     const Selection& selection = m_window.document().selection();
     const int selected = selection.size();
     return inThisMode && (selected >= 1 || (row.flags & NeedsSelection) == 0) &&
@@ -188,7 +193,7 @@ QString Actions::whyNot(const ActionRow& row) const {
         why = QT_TRANSLATE_NOOP("Actions", "Not while a game is running.");
     } else if (m_window.isWelcoming() && (row.flags & WithoutLevel) == 0) {
         why = QT_TRANSLATE_NOOP("Actions", "Open a level first.");
-    } else if (!m_window.isPlaying() && (row.flags & OnlyPlaying) != 0) {
+    } else if (!runsEnough(row)) {
         why = QT_TRANSLATE_NOOP("Actions", "Only while a game is running.");
     } else if (selection.empty() && (row.flags & NeedsSelection) != 0) {
         why = QT_TRANSLATE_NOOP("Actions", "Select something first.");

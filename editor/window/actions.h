@@ -60,6 +60,8 @@ class Actions {
     template <class Do>
     void carryOut(const Do& action);
     bool isPossible(const ActionRow& row) const;
+    /// For what needs a run.
+    bool runsEnough(const ActionRow& row) const;
     bool isOn(const ActionRow& row) const;
 
     MainWindow& m_window;

@@ -321,7 +321,8 @@ void MainWindow::updateOrigin() {
 
 void MainWindow::updateTool() {
     const bool byTool = !isPlaying() || m_live.showsTool() || m_toolbox.isDragging();
-    m_status.setHint(isPlaying() && (m_run.behind() > 0 || !byTool) ? runHint()
+    const bool byRun = m_run.isStarting() || (isPlaying() && (m_run.behind() > 0 || !byTool));
+    m_status.setHint(byRun           ? runHint()
                      : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")
                                      : sentence(m_toolbox.hint()) + snapHint());
     if (m_toolbox.current() != m_shownTool || m_toolbox.isBusy() != m_shownBusy) {

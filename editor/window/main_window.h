@@ -85,7 +85,8 @@ class MainWindow : public QMainWindow {
     bool isWelcoming() const;
     WelcomePage& welcome();
 
-    /// A game where the level has a ship, else a simulation.
+    /// A game where the level has a ship, else a simulation. A large level is built beside the window first, and one
+    /// edits on until it runs.
     void play();
     /// The level runs in place, and the editor goes on.
     void simulate();
@@ -94,7 +95,7 @@ class MainWindow : public QMainWindow {
     /// The flight as it was recorded.
     void playReplay(const Replay& recorded) { enterReplay(recorded, nullptr); }
     /// A run that was edited, and the level as it was at its end, which is edited on.
-    void reopenRun(const Replay& run, std::shared_ptr<const Level> edited);
+    void reopenRun(const Replay& run, const std::shared_ptr<const Level>& edited) { enterReplay(run, edited); }
     void stopPlaying();
     /// What has been flown, into a file that the user chooses.
     void saveFlight();
@@ -247,7 +248,11 @@ class MainWindow : public QMainWindow {
         const Replay& replay;
         std::shared_ptr<const Level> then; // see Course::open
     };
+    void putDown();
     void enterRun(LiveRun::Kind wanted, const Recorded* recorded);
+    void showRun();
+    void takeOverEdits();
+    bool isStarting(LiveRun::Kind kind) const;
     void listenToRun();
     void placePanels();
     QString runHint() const;
@@ -330,12 +335,14 @@ class MainWindow : public QMainWindow {
     QElapsedTimer m_sinceMotion;  // was shown
     double m_framesPerSecond = 0;
     ToolId m_shownTool = ToolId::Select;
-    bool m_shownBusy = false;            // a shape was half drawn
-    bool m_recorded = false;             // what is played
-    bool m_errorsUntold = false;         // of what is played
-    int m_view = 0;                      // its number among the views of the level
-    bool m_mayClose = false;             // without another question
-    std::shared_ptr<const Level> m_told; // that the run has heard of
+    bool m_shownBusy = false;                // a shape was half drawn
+    std::shared_ptr<const Level> m_reopened; // what the level is to become, once the run is there; null for none
+    bool m_enteredAnew = false;              // from the welcome page, without a view of its own
+    bool m_recorded = false;                 // what is played
+    bool m_errorsUntold = false;             // of what is played
+    int m_view = 0;                          // its number among the views of the level
+    bool m_mayClose = false;                 // without another question
+    std::shared_ptr<const Level> m_told;     // that the run has heard of
     int m_documentListener = 0;
     int m_runListener = 0;
     int m_historyListener = 0;

@@ -18,7 +18,7 @@
 namespace spacetow {
 
 void MainWindow::play() {
-    if (!isInGame()) {
+    if (!isInGame() && !isStarting(LiveRun::Kind::Game)) {
         stopPlaying();
         m_shipAt.reset();
         enterRun(LiveRun::Kind::Game, nullptr);
@@ -26,10 +26,15 @@ void MainWindow::play() {
 }
 
 void MainWindow::simulate() {
-    if (!isPlaying()) {
+    if (!isPlaying() && !isStarting(LiveRun::Kind::Simulation)) {
+        stopPlaying();
         m_shipAt.reset();
         enterRun(LiveRun::Kind::Simulation, nullptr);
     }
+}
+
+bool MainWindow::isStarting(LiveRun::Kind kind) const {
+    return m_run.isStarting() && m_run.isGame() == (kind == LiveRun::Kind::Game);
 }
 
 void MainWindow::playFromPointer() {
@@ -62,43 +67,55 @@ void MainWindow::enterReplay(const Replay& recorded, const std::shared_ptr<const
 }
 
 /// The run knows its edits already; the document is told of them, so that they are changes of the run.
-void MainWindow::reopenRun(const Replay& run, std::shared_ptr<const Level> edited) {
-    enterReplay(run, edited);
-    if (*edited != m_document.level()) {
+void MainWindow::takeOverEdits() {
+    const std::shared_ptr<const Level> edited = std::exchange(m_reopened, nullptr);
+    if (edited && *edited != m_document.level()) {
         m_told = edited;
         m_document.commit({"run-edits", 1}, {edited, m_document.selection()});
         m_live.knowLevel(*edited);
     }
 }
 
-void MainWindow::enterRun(LiveRun::Kind wanted, const Recorded* recorded) {
-    const bool anew = isWelcoming();
-    leaveWelcome();
+/// Nobody types or draws any more.
+void MainWindow::putDown() {
     enterTyping();
     m_arrays.cancel();
     m_exchange.cancel();
     m_transform.hide();
     m_guideBar.dismiss();
     finishDrawing();
-    m_errorsUntold = true;
+}
+
+/// One edits on until the run is there.
+void MainWindow::enterRun(LiveRun::Kind wanted, const Recorded* recorded) {
+    m_enteredAnew = isWelcoming();
+    leaveWelcome();
+    putDown();
     m_open->check.hurry();
-    m_open->runChanges.begin();
     m_recorded = recorded != nullptr;
+    m_told = m_document.current().level;
+    m_run.wantSession(this, true);
+    m_reopened = m_recorded ? recorded->then : nullptr;
+    if (m_recorded) {
+        m_run.start(levelToRun(), recorded->replay, recorded->then);
+    } else {
+        m_run.start(levelToRun(), wanted);
+    }
+}
+
+/// In place of the board.
+void MainWindow::showRun() {
+    putDown();
+    m_errorsUntold = true;
+    m_open->runChanges.begin();
     m_snapBefore = m_toolbox.snap;
     m_toolbox.snap.grid = m_toolbox.snap.smart = false; // nothing stays where one could snap to it
     m_status.setSnap(m_toolbox.snap);
-    m_told = m_document.current().level;
-    const std::shared_ptr<const Level> level = levelToRun();
-    m_run.wantSession(this, true);
-    if (m_recorded) {
-        m_run.start(*level, recorded->replay, recorded->then);
-    } else {
-        m_run.start(*level, wanted);
-    }
+    tellRun(); // of what was edited meanwhile
     m_framesPerSecond = 0;
     m_inGame = m_run.isGame();
     m_panelsInGame = false;
-    m_live.show(*level, anew);
+    m_live.show(*levelToRun(), m_enteredAnew);
     updateTimeline();
     updatePace();
     placePanels();
@@ -106,6 +123,7 @@ void MainWindow::enterRun(LiveRun::Kind wanted, const Recorded* recorded) {
     updateTitle();
     updateMode();
     tellErrors();
+    takeOverEdits();
 }
 
 /// What is in the middle of the canvas stays where it is on the screen, however much room the panels leave.
@@ -168,6 +186,11 @@ void MainWindow::listenToRun() {
     connect(&m_timeline.scale(), &TimelineScale::sought, this, [this](qint64 update) { m_run.seek(update); });
     connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateExplanations);
     connect(&m_run, &LiveRun::started, this, &MainWindow::updateExplanations);
+    connect(&m_run, &LiveRun::started, this, &MainWindow::showRun);
+    connect(&m_run, &LiveRun::startingChanged, this, [this] {
+        m_actions.refresh();
+        updateTool();
+    });
     connect(&m_run, &LiveRun::stopped, this, [this] { m_explanations.setRuns(false); });
     connect(&m_explanations.panel(), &ExplainPanel::objectWanted, this, &MainWindow::showObject);
     connect(&m_explanations.plots(), &PlotPanel::exportWanted, this, &MainWindow::writePlots);
@@ -296,9 +319,13 @@ void MainWindow::writePlots(const QByteArray& csv) {
                   error ? sentence(*error) : tr("The plots are in “%1”.").arg(path));
 }
 
-/// What keys and mouse do to what runs.
+/// What keys and mouse do to what runs, or how long it has been getting ready.
 QString MainWindow::runHint() const {
     const auto key = [this](Act act) { return m_actions[act].shortcut().toString(QKeySequence::NativeText); };
+    if (m_run.isStarting()) {
+        return tr("Getting ready to run: %1 s so far · %2: leave it")
+            .arg(QLocale().toString(m_run.startingFor(), 'f', 1), key(Act::Stop));
+    }
     if (m_run.behind() > 0) {
         return tr("Too much for this computer: the game is %1 s behind real time · %2: back to the editor")
             .arg(QLocale().toString(m_run.behind(), 'f', 1), key(Act::Stop));

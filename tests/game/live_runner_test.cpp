@@ -32,6 +32,20 @@ class LiveRunnerTest : public QObject {
         runner.advance();
         QVERIFY(!runner.frame()->session);
     }
+    void aDeferredRunnerDoesWhatItWasToldBeforeItsSessionIsThere() {
+        Runner runner(yard(), Runner::Mode::Deferred);
+        runner.pause();
+        runner.wantSession(true);
+        runner.stepOnce();
+        runner.stepOnce();
+        QVERIFY(comesTrue([&] { return runner.frame() && runner.frame()->now->update == 2; }));
+        Session fresh(yard());
+        stepOn(fresh, 2);
+        QVERIFY(comesTrue([&] { return runner.frame()->session && runner.frame()->session->updates() == 2; }));
+        QCOMPARE(runner.frame()->session->hash(), fresh.hash());
+        QVERIFY(runner.frame()->paused);
+        QCOMPARE(runner.startLevel()->objects.size(), yard().objects.size());
+    }
     void whatIsHeldIsPulledUntilItIsLetGo() {
         Runner runner(yard(), Runner::Mode::Manual);
         runner.wantSession(true);

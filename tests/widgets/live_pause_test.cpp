@@ -34,8 +34,8 @@ class LivePauseTest : public QObject {
         }
         test.document().reset(level);
         test.trigger(Act::Play);
-        QTRY_VERIFY(!test.window->isPlaying());
-        QVERIFY2(test.window->messageBar().text().contains("memory"), qPrintable(test.window->messageBar().text()));
+        QTRY_VERIFY2(test.window->messageBar().text().contains("memory"), qPrintable(test.window->messageBar().text()));
+        QVERIFY(!test.window->isPlaying() && !test.window->liveRun().isStarting());
         QVERIFY(test.level() == level);
     }
     void aGameThatIsTooMuchForTheComputerSaysHowFarBehindItIs() {
