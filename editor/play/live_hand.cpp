@@ -54,7 +54,14 @@ const Edit& LiveHand::edit() const {
 }
 
 std::vector<GroupPick> LiveHand::under(const Pointer& pointer) const {
-    return pickedMembers(edit(), pointer);
+    const std::shared_ptr<const Level>& level = m_document.current().level;
+    if (!m_standing || m_standingOf != level) {
+        m_standingOf = level;
+        m_standing = standing(*level);
+    }
+    const Aabb around = Aabb{pointer.world, pointer.world}.grown(2 * grabPixels * pointer.pixel);
+    const auto near = std::make_shared<const Level>(posedNear(*level, *m_standing, *m_picture, around));
+    return pickedMembers({near, m_document.current().selection}, pointer);
 }
 
 void LiveHand::press(const Pointer& pointer) {

@@ -57,6 +57,8 @@ class LiveHand {
     std::shared_ptr<const Snapshot> m_picture;
     mutable std::optional<Edit> m_edit; // the level as it stands in the run
     mutable std::shared_ptr<const Level> m_editOf;
+    mutable std::optional<Level> m_standing; // what of it does not move
+    mutable std::shared_ptr<const Level> m_standingOf;
     std::optional<Pointer> m_pressed;
     Pointer m_pointer;
     std::unique_ptr<Gesture> m_band;

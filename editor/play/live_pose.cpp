@@ -1,5 +1,6 @@
 #include "editor/play/live_pose.h"
 
+#include "core/geometry/bounds.h"
 #include "core/level/groups.h"
 #include "core/level/object_geometry.h"
 
@@ -38,6 +39,11 @@ bool isBodyThatMoves(const ObjectData& data) {
     const auto* body = std::get_if<BodyObject>(&data);
     return (body != nullptr && body->kind != BodyKind::Static) || std::holds_alternative<ShipObject>(data) ||
            std::holds_alternative<PayloadObject>(data);
+}
+
+bool isNear(const BodyPicture& body, const Aabb& box) {
+    return std::ranges::any_of(body.look->shapes,
+                               [&](const Shape& shape) { return boundsOf(shape, body.pose).overlaps(box); });
 }
 
 std::vector<Key> withEnds(const Level& level, std::vector<Key> keys) {
@@ -94,6 +100,39 @@ Level posed(const ShownLevel& levels, const Snapshot& snapshot, std::span<const 
         if (from && to && isBodyThatMoves(object.data)) {
             move(object.data, *to - *from);
             now.objects.replace(i, std::move(object));
+        }
+    }
+    return now;
+}
+
+Level standing(const Level& level) {
+    Level still = level;
+    still.objects.eraseIf([](const Object& object) {
+        return isBodyThatMoves(object.data) || std::holds_alternative<ConnectorObject>(object.data);
+    });
+    return still;
+}
+
+// NOLINTNEXTLINE(bugprone-easily-swappable-parameters): all of the level, and a part of it
+Level posedNear(const Level& level, const Level& standing, const Snapshot& snapshot, const Aabb& box) {
+    std::vector<Key> keys;
+    for (const BodyPicture& body : snapshot.bodies) {
+        const bool moves = body.look->key != 0 && body.look->role != BodyRole::Debris;
+        if (moves && body.look->kind != BodyKind::Static && isNear(body, box)) {
+            keys.push_back(body.look->key);
+        }
+    }
+    for (const Object& object : level.objects) {
+        if (std::holds_alternative<ConnectorObject>(object.data)) {
+            keys.push_back(object.key);
+        }
+    }
+    std::ranges::sort(keys);
+    Level now = standing;
+    const Level moving = posed(ShownLevel{level, level}, snapshot, keys);
+    for (const Object& object : moving.objects) {
+        if (now.objects.find(object.key) == nullptr) {
+            now.objects.append(object);
         }
     }
     return now;
