@@ -47,7 +47,8 @@ class CircleGesture : public Gesture {
 
     Edit at(const Pointer& pointer) const override {
         const double radius = radiusAt(m_context, pointer, m_center);
-        return radius > 0 ? withDrawnBody(m_context, Circle{{0, 0}, radius}, m_center) : m_context.edit;
+        return radius > 0 ? withDrawnBody(m_context, Circle{{0, 0}, radius}, m_center, m_context.solids)
+                          : m_context.edit;
     }
     Label label() const override { return {"draw-circle", 1}; }
     Overlay overlay(const Pointer& pointer) const override {
@@ -82,7 +83,7 @@ std::optional<FinishedEdit> CircleTool::click(const ToolContext& context, const 
     if (m_tooSmall) {
         return {};
     }
-    Edit drawn = withDrawnBody(context, Circle{{0, 0}, radius}, *m_center);
+    Edit drawn = withDrawnBody(context, Circle{{0, 0}, radius}, *m_center, context.solids);
     cancel();
     return FinishedEdit{{"draw-circle", 1}, std::move(drawn)};
 }

@@ -253,7 +253,7 @@ std::optional<FinishedEdit> DrawTool::finishPolygon(const ToolContext& context) 
     }
     std::vector<Vec2> outline = m_points;
     cancel();
-    const BodyKind kind = m_kind == DrawKind::Kinematic ? BodyKind::Kinematic : BodyKind::Static;
+    const BodyKind kind = m_kind == DrawKind::Kinematic ? BodyKind::Kinematic : context.solids;
     return FinishedEdit{{"draw-" + code(), 1}, withDrawnPolygon(context, std::move(outline), kind)};
 }
 

@@ -106,7 +106,7 @@ std::unique_ptr<Gesture> dragOfRectangle(const ToolContext& context, const Point
 }
 
 std::unique_ptr<Gesture> RectangleTool::press(const ToolContext& context, const Pointer& pointer) {
-    return m_start ? nullptr : dragOfRectangle(context, pointer, BodyKind::Static);
+    return m_start ? nullptr : dragOfRectangle(context, pointer, context.solids);
 }
 
 std::optional<FinishedEdit> RectangleTool::click(const ToolContext& context, const Pointer& pointer) {
@@ -120,7 +120,7 @@ std::optional<FinishedEdit> RectangleTool::click(const ToolContext& context, con
         return {};
     }
     cancel();
-    return FinishedEdit{{"draw-rectangle", 1}, withRectangle(context, box, BodyKind::Static)};
+    return FinishedEdit{{"draw-rectangle", 1}, withRectangle(context, box, context.solids)};
 }
 
 std::optional<FinishedEdit> RectangleTool::key(const ToolContext& context, ToolKey key, const Pointer& pointer) {

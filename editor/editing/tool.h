@@ -87,6 +87,7 @@ struct ToolContext {
     bool guides = true;                  // are shown, so that they can be taken
     TypedValues typed = {};              // what has been typed and stands in place of what is pointed at
     std::shared_ptr<SnapMemo> memo = {}; // without it every question makes a search
+    BodyKind solids = BodyKind::Static;  // what polygons, rectangles and circles become
 };
 
 class Tool {

@@ -248,7 +248,9 @@ void Toolbox::stopTyping() {
 ToolContext Toolbox::context() {
     constexpr std::uint64_t stride = 0x9e3779b97f4a7c15ull; // odd, so that no seed comes twice
     m_state->seed += stride;
-    return m_state->context(snap, guidesVisible);
+    ToolContext context = m_state->context(snap, guidesVisible);
+    context.solids = drawnSolids;
+    return context;
 }
 
 bool Toolbox::finish(const std::optional<FinishedEdit>& finished) {

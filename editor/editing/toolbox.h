@@ -23,6 +23,8 @@ class Toolbox {
     ToolId current() const;
     SnapSettings snap;         // shared by all tools
     bool guidesVisible = true; // what is hidden is not taken by mistake
+    /// What polygons, rectangles and circles that are drawn become: rock in a cave, a body in a sandbox.
+    BodyKind drawnSolids = BodyKind::Static;
 
     /// Primary button. A drag starts once the pointer has moved by more than four pixels. A modifier that changes
     /// while the pointer rests is a move with the last position. A double click comes instead of the second press;

@@ -354,7 +354,9 @@ void LiveRun::look() {
         m_paused = true;
         Q_EMIT pausedChanged(true);
     }
-    Q_EMIT advanced();
+    if (const bool same = std::exchange(m_seen, frame) == frame; !same || !frame->paused) {
+        Q_EMIT advanced();
+    }
     if (m_runner && phase() != m_shownPhase) {
         m_shownPhase = phase();
         Q_EMIT phaseChanged();

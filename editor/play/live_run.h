@@ -115,7 +115,7 @@ class LiveRun : public QObject {
     void startingChanged();
     void started();
     void stopped();
-    /// There may be something new to see; at the display's rate.
+    /// There may be something new to see; at the display's rate while time passes.
     void advanced();
     void pausedChanged(bool paused);
     void speedChanged();
@@ -151,6 +151,7 @@ class LiveRun : public QObject {
     HeldKeys m_held;
     std::set<const void*> m_sessionWanted; // who wants it
     double m_speed = 1;
+    std::shared_ptr<const Frame> m_seen; // the last that was told of
     bool m_watching = false;
     bool m_rewinding = false;
     bool m_ranBefore = false;     // it was rewound

@@ -1,19 +1,23 @@
 #include "editor/play/timeline_bar.h"
 
+#include "core/game/runner.h"
 #include "editor/canvas/palette.h"
 #include "editor/canvas/stage.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QCoreApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace spacetow {
 namespace {
@@ -51,6 +55,10 @@ QString secondsText(double seconds) {
 }
 
 } // namespace
+
+QString speedText(double speed) {
+    return speed < 1 ? TimelineBar::tr("1/%1 ×").arg(qRound(1 / speed)) : TimelineBar::tr("%1 ×").arg(qRound(speed));
+}
 
 QString markName(MarkKind kind) {
     switch (kind) {
@@ -234,10 +242,60 @@ TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent), m_row(this) {
     m_buttons.setSpacing(0);
     m_row.addWidget(&m_scale, 1);
     m_row.addWidget(&m_time);
+    m_row.addWidget(&m_speed);
+    makeSpeeds();
     m_time.setTextFormat(Qt::PlainText);
     m_time.setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_time.setMinimumWidth(m_time.fontMetrics().horizontalAdvance(QStringLiteral("0000.00 / 0000.00 s")));
     showState({});
+}
+
+void TimelineBar::makeSpeeds() {
+    m_speed.setObjectName(QStringLiteral("speed"));
+    m_speed.setAutoRaise(true);
+    m_speed.setFocusPolicy(Qt::NoFocus);
+    m_speed.setPopupMode(QToolButton::InstantPopup);
+    m_speed.setToolTip(tr("How fast time runs"));
+    m_speed.setAccessibleName(m_speed.toolTip());
+    auto* const menu = new QMenu(this); // owned by it
+    auto* const group = new QActionGroup(menu);
+    for (double speed = Runner::slowest; speed <= Runner::fastest; speed *= 2) {
+        QAction* const action = menu->addAction(speedText(speed));
+        action->setCheckable(true);
+        action->setData(speed);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, speed] { Q_EMIT speedWanted(speed); });
+    }
+    m_speed.setMenu(menu);
+    const int widest = m_speed.fontMetrics().horizontalAdvance(speedText(Runner::slowest));
+    m_speed.setMinimumWidth(widest + 26); // with the arrow of the menu; the scale keeps its place
+    showSpeed(1);
+}
+
+void TimelineBar::showSpeed(double speed) {
+    if (std::exchange(m_shownSpeed, speed) == speed) {
+        return;
+    }
+    m_speed.setText(speedText(speed));
+    for (QAction* const action : m_speed.menu()->actions()) {
+        action->setChecked(action->data().toDouble() == speed);
+    }
+}
+
+/// Without the button for the speed, which keys and menu change as well.
+QSize TimelineBar::minimumSizeHint() const {
+    QSize least = QWidget::minimumSizeHint();
+    if (!m_speed.isHidden()) {
+        least.rwidth() -= m_speed.minimumWidth() + m_row.spacing();
+    }
+    return least;
+}
+
+void TimelineBar::resizeEvent(QResizeEvent* event) {
+    constexpr int scale = 160; // px, that the scale should have at least
+    const int rest = minimumSizeHint().width() - m_scale.minimumSizeHint().width();
+    m_speed.setVisible(width() >= rest + scale + m_speed.minimumWidth() + m_row.spacing());
+    QWidget::resizeEvent(event);
 }
 
 void TimelineBar::setActions(const QList<QAction*>& actions) {

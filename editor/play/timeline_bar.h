@@ -28,6 +28,8 @@ struct TimelineState {
     bool operator==(const TimelineState&) const = default;
 };
 
+/// "1/4 ×", as everywhere in the window.
+QString speedText(double speed);
 /// What a mark is called.
 QString markName(MarkKind kind);
 
@@ -77,14 +79,28 @@ class TimelineBar : public QWidget {
     /// As buttons before the scale, in this order.
     void setActions(const QList<QAction*>& actions);
     void showState(const TimelineState& state);
+    /// How fast time runs, on the button whose menu has all speeds. A narrow bar has no room for it.
+    void showSpeed(double speed);
+    QToolButton& speedButton() { return m_speed; }
     TimelineScale& scale() { return m_scale; }
     QString time() const { return m_time.text(); }
+    QSize minimumSizeHint() const override;
+
+  signals:
+    void speedWanted(double speed);
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
+    void makeSpeeds();
+
     QHBoxLayout m_row;
     QHBoxLayout m_buttons;
     TimelineScale m_scale;
     QLabel m_time;
+    QToolButton m_speed;
+    double m_shownSpeed = 0;
 };
 
 } // namespace spacetow

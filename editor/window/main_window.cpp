@@ -291,6 +291,9 @@ QString MainWindow::name() const {
 
 /// How the game stands, for the task bar and for who does not see the picture.
 QString MainWindow::playedPhase() const {
+    if (!m_inGame) {
+        return tr("simulating");
+    }
     switch (m_run.phase()) {
     case Phase::Won:
         return tr("won");
@@ -324,7 +327,7 @@ void MainWindow::updateTool() {
     const bool byRun = m_run.isStarting() || (isPlaying() && (m_run.behind() > 0 || !byTool));
     m_status.setHint(byRun           ? runHint()
                      : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")
-                                     : sentence(m_toolbox.hint()) + snapHint());
+                                     : sentence(m_toolbox.hint()) + snapHint() + solidHint());
     if (m_toolbox.current() != m_shownTool || m_toolbox.isBusy() != m_shownBusy) {
         m_shownTool = m_toolbox.current();
         m_shownBusy = m_toolbox.isBusy();

@@ -256,6 +256,8 @@ class MainWindow : public QMainWindow {
     void listenToRun();
     void placePanels();
     QString runHint() const;
+    QString heldHint() const;
+    QString solidHint() const;
     void updateMotion();
     void showTension(const Object* object);
     void updateTimeline();

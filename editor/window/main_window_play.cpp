@@ -10,7 +10,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLayout>
-#include <QLocale>
 
 #include <algorithm>
 #include <utility>
@@ -114,6 +113,7 @@ void MainWindow::showRun() {
     tellRun(); // of what was edited meanwhile
     m_framesPerSecond = 0;
     m_inGame = m_run.isGame();
+    m_toolbox.drawnSolids = m_inGame ? BodyKind::Static : BodyKind::Dynamic; // in a sandbox things fall
     m_panelsInGame = false;
     m_live.show(*levelToRun(), m_enteredAnew);
     updateTimeline();
@@ -166,6 +166,7 @@ void MainWindow::stopPlaying() {
     if (!m_toolbox.snap.grid && !m_toolbox.snap.smart) {
         m_toolbox.snap = m_snapBefore;
     }
+    m_toolbox.drawnSolids = BodyKind::Static;
     m_status.setSnap(m_toolbox.snap);
     m_status.setPace(QString());
     m_inspector.hideMotion();
@@ -179,10 +180,12 @@ void MainWindow::listenToRun() {
     connect(&m_run, &LiveRun::pausedChanged, this, [this] {
         m_actions.refresh();
         updateTool();
+        updatePace();
     });
     connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateMotion);
     connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateTimeline);
     connect(&m_run, &LiveRun::speedChanged, this, &MainWindow::updatePace);
+    connect(&m_timeline, &TimelineBar::speedWanted, this, [this](double speed) { m_run.setSpeed(speed); });
     connect(&m_timeline.scale(), &TimelineScale::sought, this, [this](qint64 update) { m_run.seek(update); });
     connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateExplanations);
     connect(&m_run, &LiveRun::started, this, &MainWindow::updateExplanations);
@@ -231,8 +234,10 @@ void MainWindow::updatePace() {
         return;
     }
     const double speed = m_run.speed();
-    const QString times = speed < 1 ? tr("1/%1 ×").arg(qRound(1 / speed)) : tr("%1 ×").arg(qRound(speed));
-    const QString frames = m_framesPerSecond > 0 ? tr("%1 fps").arg(qRound(m_framesPerSecond)) : QString();
+    m_timeline.showSpeed(speed);
+    const QString times = speedText(speed);
+    const bool moves = m_framesPerSecond > 0 && !m_run.isPaused(); // what is held is painted when it changes only
+    const QString frames = moves ? tr("%1 fps").arg(qRound(m_framesPerSecond)) : QString();
     m_status.setPace(speed == 1 ? frames : frames.isEmpty() ? times : times + QStringLiteral(" · ") + frames);
 }
 
@@ -317,41 +322,6 @@ void MainWindow::writePlots(const QByteArray& csv) {
     const std::optional<Error> error = writeFileOrStream(path.toStdString(), csv.toStdString());
     m_message.say(error ? MessageBar::Tone::Error : MessageBar::Tone::Info,
                   error ? sentence(*error) : tr("The plots are in “%1”.").arg(path));
-}
-
-/// What keys and mouse do to what runs, or how long it has been getting ready.
-QString MainWindow::runHint() const {
-    const auto key = [this](Act act) { return m_actions[act].shortcut().toString(QKeySequence::NativeText); };
-    if (m_run.isStarting()) {
-        return tr("Getting ready to run: %1 s so far · %2: leave it")
-            .arg(QLocale().toString(m_run.startingFor(), 'f', 1), key(Act::Stop));
-    }
-    if (m_run.behind() > 0) {
-        return tr("Too much for this computer: the game is %1 s behind real time · %2: back to the editor")
-            .arg(QLocale().toString(m_run.behind(), 'f', 1), key(Act::Stop));
-    }
-    if (m_live.hand().grab()) {
-        return tr("Pulling · move: pull further · let the button go: throw");
-    }
-    if (m_run.isWatching()) {
-        return tr("Playing a recorded flight · who steers takes over · %1: back to the editor").arg(key(Act::Stop));
-    }
-    if (isInGame()) {
-        const QString follow = m_run.keys().shown(PlayKey::Follow);
-        const QString view = m_live.isFollowing() || follow.isEmpty()
-                                 ? QString()
-                                 : tr("%1: follow the ship again").arg(follow) + QStringLiteral(" · ");
-        return view + tr("Playing · drag a body: pull it · wheel, right drag: move the view · %1 held: back in time · "
-                         "%2: back to the editor · Esc: menu")
-                          .arg(m_run.keys().shown(PlayKey::Rewind), key(Act::Stop));
-    }
-    return m_run.isPaused()
-               ? tr("Simulation held · click: select · drag: move · %1: go on from here · %2: next frame · "
-                    "%3: back to the editor")
-                     .arg(key(Act::Pause), key(Act::Step), key(Act::Stop))
-               : tr("Simulation running · click: select · drag: pull a body, move what stands still · %1: "
-                    "hold · %2: back to the editor")
-                     .arg(key(Act::Pause), key(Act::Stop));
 }
 
 } // namespace spacetow

@@ -5,6 +5,8 @@
 
 #include <QDockWidget>
 
+#include <array>
+
 using namespace spacetow;
 using namespace spacetow::test;
 
@@ -144,12 +146,44 @@ class OneCanvasTest : public QObject {
         const SnapSettings snap = test.window->toolbox().snap;
         test.trigger(Act::Play);
         QVERIFY(test.window->isPlaying() && !test.window->isInGame());
-        QVERIFY(test.window->windowTitle().contains("(playing)"));
+        QVERIFY(test.window->windowTitle().contains("(simulating)"));
         QVERIFY(!test.window->toolbox().snap.grid && !test.window->toolbox().snap.smart);
         test.trigger(Act::Play); // nothing to change to: it begins anew
         QVERIFY(test.window->isPlaying());
         test.trigger(Act::Stop);
         QVERIFY(test.window->toolbox().snap == snap);
+    }
+    void whatIsDrawnBesideASimulationMovesAndIsRockOtherwise() {
+        TestWindow test;
+        test.document().reset(ballAndWall());
+        const auto drawnKind = [&](ToolId tool) {
+            test.trigger(tool);
+            if (tool == ToolId::Polygon) {
+                test.click(3, 0);
+                test.click(4, 0);
+                test.click(4, 1);
+                QTest::keyClick(&test.canvas(), Qt::Key_Return);
+            } else {
+                test.drag(3, 0, 4, 1);
+            }
+            const BodyKind kind = std::get<BodyObject>(test.level().objects[test.level().objects.size() - 1].data).kind;
+            test.trigger(Act::Undo);
+            return kind;
+        };
+        const std::array solids{ToolId::Polygon, ToolId::Rectangle, ToolId::Circle};
+        for (const ToolId tool : solids) {
+            QVERIFY(drawnKind(tool) == BodyKind::Static);
+            QVERIFY(!test.window->statusLine().hint().contains("will move"));
+        }
+        test.trigger(Act::Simulate);
+        for (const ToolId tool : solids) {
+            QVERIFY(drawnKind(tool) == BodyKind::Dynamic);
+            QVERIFY(test.window->statusLine().hint().contains("will move"));
+        }
+        test.trigger(ToolId::Edge);
+        QVERIFY(!test.window->statusLine().hint().contains("will move"));
+        test.trigger(Act::Stop);
+        QVERIFY(drawnKind(ToolId::Circle) == BodyKind::Static);
     }
     void aClickSelectsWhatIsThereNow() {
         Game game(ballAndWall());

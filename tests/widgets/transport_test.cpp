@@ -7,7 +7,10 @@
 #include "core/game/flights.h"
 
 #include <QFile>
+#include <QMenu>
 #include <QSignalSpy>
+#include <QTimer>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -68,6 +71,71 @@ class TransportTest : public QObject {
         test.trigger(Act::Stop);
         test.trigger(Act::Simulate);
         QCOMPARE(test.window->liveRun().speed(), 1.0);
+    }
+    void theTimelineHasAMenuOfSpeedsUnlessItIsNarrow() {
+        TestWindow test;
+        test.document().reset(flyingBall());
+        test.window->resize(1200, 800);
+        test.trigger(Act::Simulate);
+        TimelineBar& bar = test.window->timelineBar();
+        QToolButton& button = bar.speedButton();
+        QVERIFY(button.isVisible());
+        QCOMPARE(button.text(), QString("1 ×"));
+        const QList<QAction*> speeds = button.menu()->actions();
+        QCOMPARE(speeds.size(), 8);
+        speeds.front()->trigger();
+        QCOMPARE(test.window->liveRun().speed(), Runner::slowest);
+        QCOMPARE(button.text(), QString("1/16 ×"));
+        test.trigger(Act::Faster);
+        QCOMPARE(button.text(), QString("1/8 ×"));
+        QVERIFY(speeds[1]->isChecked() && !speeds[0]->isChecked());
+
+        TimelineBar small;
+        const int least = small.minimumSizeHint().width();
+        small.resize(least, 40);
+        small.show();
+        QVERIFY(!small.speedButton().isVisible());
+        QCOMPARE(small.minimumSizeHint().width(), least);
+    }
+    void theStatusBarSaysWhereAHeldRunStands() {
+        TestWindow test;
+        test.document().reset(openSpace());
+        test.trigger(Act::Play);
+        const auto hint = [&] { return test.window->statusLine().hint(); };
+        QTRY_VERIFY(hint().contains("Playing"));
+        test.trigger(Act::Pause);
+        QVERIFY2(hint().startsWith("Held"), qPrintable(hint()));
+        test.trigger(Act::Stop);
+        test.document().reset(flyingBall()); // ten iterations
+        test.trigger(Act::Simulate);
+        test.trigger(Act::StepIteration);
+        QTRY_VERIFY2(hint().contains("iteration 1 of 10"), qPrintable(hint()));
+        test.trigger(Act::StepIteration);
+        QTRY_VERIFY2(hint().contains("iteration 2 of 10"), qPrintable(hint()));
+        test.trigger(Act::Step);
+        QTRY_VERIFY2(hint().contains("Simulation held"), qPrintable(hint()));
+    }
+    void whatIsHeldIsNotShownAgainAndAgain() {
+        TestWindow test;
+        test.document().reset(flyingBall());
+        test.trigger(Act::Simulate);
+        LiveRun& run = test.window->liveRun();
+        QTRY_VERIFY(run.updates() > 5);
+        test.trigger(Act::Pause);
+        QTRY_VERIFY(run.frame()->paused && test.window->liveView().picture().update == run.updates());
+        QTimer clock;
+        int ticks = 0;
+        connect(&clock, &QTimer::timeout, this, [&] { ++ticks; });
+        clock.start(20);
+        QTRY_VERIFY(ticks > 3); // what is left of the pause has been shown
+        const QSignalSpy shown(&run, &LiveRun::advanced);
+        QTRY_VERIFY(ticks > 12);
+        QCOMPARE(shown.size(), 0);
+        QVERIFY(!test.window->statusLine().pace().contains("fps"));
+        test.trigger(Act::Step);
+        QTRY_VERIFY(!shown.isEmpty());
+        test.trigger(Act::Pause);
+        QTRY_VERIFY(shown.size() > 10);
     }
     void commaAndPointGoBackAndForthByOneUpdate() {
         Game game(flyingBall());
