@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace spacetow {
 namespace {
@@ -54,7 +55,7 @@ void Tracks::doubleStride() {
 }
 
 void Tracks::choose(const Session& session) {
-    m_level = session.sharedLevel();
+    const std::shared_ptr<const Level> before = std::exchange(m_level, session.sharedLevel());
     const auto isGone = [this](const Track& track) { return m_level->objects.find(track.object) == nullptr; };
     std::erase_if(m_tracks, [&](const Track& track) {
         return isGone(track) && std::ranges::none_of(track.points, [](const Vec2& point) { return isFinite(point); });
@@ -72,7 +73,8 @@ void Tracks::choose(const Session& session) {
     const auto gone = static_cast<std::size_t>(std::ranges::count_if(m_tracks, isGone));
     for (const Object& object : m_level->objects) {
         const auto* body = std::get_if<BodyObject>(&object.data);
-        if (m_tracks.size() - gone < mostBodies && body != nullptr && body->kind != BodyKind::Static) {
+        const bool isNew = before != nullptr && before->objects.find(object.key) == nullptr; // somebody looks at it
+        if (m_tracks.size() - gone < (isNew ? 2 : 1) * mostBodies && body != nullptr && body->kind != BodyKind::Static) {
             follow(object.key, session.updates());
         }
     }

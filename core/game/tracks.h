@@ -24,7 +24,7 @@ struct Ghost {
 
 class Tracks {
   public:
-    static constexpr std::size_t mostBodies = 24;     // of a sandbox
+    static constexpr std::size_t mostBodies = 64;     // of a sandbox, and as many that are added while it runs
     static constexpr double tolerance = 0.01;         // m, of thinned paths
     static constexpr std::size_t mostPoints = 12'000; // of one body; of more, every other one goes
 

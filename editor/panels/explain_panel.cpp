@@ -67,6 +67,7 @@ void ExplainPanel::layOut() {
     m_answer.setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_column.addWidget(&m_cure);
     m_column.addWidget(&m_rows, 1);
+    m_column.addStretch(); // below the answer about two
     m_cure.hide();
     m_answer.hide();
     m_rows.setColumnCount(2);
@@ -138,6 +139,7 @@ void ExplainPanel::showAnswer(const std::vector<Key>& keys) {
 }
 
 void ExplainPanel::showSections(const std::vector<ExplainSection>& sections) {
+    m_rows.setVisible(!sections.empty());
     while (m_rows.topLevelItemCount() > static_cast<int>(sections.size())) {
         delete m_rows.takeTopLevelItem(m_rows.topLevelItemCount() - 1);
     }

@@ -102,6 +102,10 @@ QString withoutMnemonic(QString text) {
 }
 
 QString plainToolTip(const QString& text) {
+    constexpr int longest = 90; // characters, in one line
+    if (text.size() > longest && !text.contains(QLatin1Char('\n'))) {
+        return QStringLiteral("<qt>%1</qt>").arg(text.toHtmlEscaped()); // which takes as many lines as it needs
+    }
     return Qt::mightBeRichText(text) ? Qt::convertFromPlainText(text) : text;
 }
 

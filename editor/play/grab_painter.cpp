@@ -14,11 +14,22 @@ struct GrabWords {
     Q_DECLARE_TR_FUNCTIONS(Grab)
 };
 
-void paintPath(const Stage& stage, const TracedPath& path, const QColor& color, Qt::PenStyle style) {
-    stage.painter.setPen(stroke(color, 1.5, style));
+/// How a path is drawn; among others those of the selection stand out.
+struct PathInk {
+    QColor color;
+    Qt::PenStyle style;
+    std::span<const Key> selected;
+};
+
+void paintPath(const Stage& stage, const TracedPath& path, const PathInk& ink) {
+    const bool stands = std::ranges::find(ink.selected, path.object) != ink.selected.end();
+    QColor color = ink.color;
+    color.setAlpha(stands ? 255 : ink.selected.empty() ? color.alpha() : color.alpha() / 2);
+    const double width = stands ? 2.5 : 1.5;
+    stage.painter.setPen(stroke(color, width, ink.style));
     stage.painter.drawPolyline(stage.at(path.points));
-    if (style != Qt::SolidLine && !path.points.empty()) {
-        stage.painter.setPen(stroke(color, 1.5));
+    if (ink.style != Qt::SolidLine && !path.points.empty()) {
+        stage.painter.setPen(stroke(color, width));
         stage.painter.drawEllipse(stage.at(path.points.back()), 4, 4);
     }
 }
@@ -41,7 +52,7 @@ void paintGrab(const Stage& stage, const ShownGrab& grab, LabelPainter& labels) 
     labels.paint(grab.target, GrabWords::tr("%1 N").arg(QLocale().toString(grab.force, 'f', decimals)));
 }
 
-void paintWays(const Stage& stage, const TimelineSummary& timeline) {
+void paintWays(const Stage& stage, const TimelineSummary& timeline, std::span<const Key> selected) {
     const SavedPainter saved(stage.painter);
     const std::size_t ghosts = std::min(shownGhosts, timeline.ghosts.size());
     for (std::size_t i = 0; i < ghosts; ++i) {
@@ -49,14 +60,14 @@ void paintWays(const Stage& stage, const TimelineSummary& timeline) {
         QColor color = stage.theme.hover;
         color.setAlpha(static_cast<int>(200 * (i + 1) / ghosts));
         for (const TracedPath& path : ghost.paths) {
-            paintPath(stage, path, color, Qt::DashLine);
+            paintPath(stage, path, {color, Qt::DashLine, selected});
         }
     }
     if (timeline.paths) {
         QColor color = stage.theme.guide;
         color.setAlpha(170);
         for (const TracedPath& path : *timeline.paths) {
-            paintPath(stage, path, color, Qt::SolidLine);
+            paintPath(stage, path, {color, Qt::SolidLine, selected});
         }
     }
 }

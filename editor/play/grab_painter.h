@@ -6,6 +6,8 @@
 #include "editor/canvas/label_painter.h"
 #include "editor/canvas/stage.h"
 
+#include <span>
+
 namespace spacetow {
 
 /// From the body to the pointer, with its force.
@@ -16,7 +18,7 @@ struct ShownGrab {
 };
 
 void paintGrab(const Stage& stage, const ShownGrab& grab, LabelPainter& labels);
-/// Ghosts fade with their age; the way of what is looked at is stronger.
-void paintWays(const Stage& stage, const TimelineSummary& timeline);
+/// Ghosts fade with their age; ways of what is selected stand out.
+void paintWays(const Stage& stage, const TimelineSummary& timeline, std::span<const Key> selected);
 
 } // namespace spacetow

@@ -254,7 +254,7 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
         paintGuides(stage, m_document.level(), {});
     }
     if (const auto timeline = m_run.timeline()) {
-        paintWays(stage, *timeline);
+        paintWays(stage, *timeline, m_document.selection().keys());
     }
     paintFlame(stage, m_picture);
     paintMoving(stage, m_picture, &m_discs);

@@ -69,7 +69,8 @@ bool MainWindow::openShipped(const QString& resource) {
     }
     const Level& level = *m_document.current().level;
     if (firstOf<ShipObject>(level) == nullptr && !level.description.empty()) {
-        m_message.say(MessageBar::Tone::Info, QString::fromStdString(level.description));
+        m_message.say(MessageBar::Tone::Info, QString::fromStdString(level.description),
+                      {{tr("Simulate"), [this] { simulate(); }}});
     }
     return true;
 }

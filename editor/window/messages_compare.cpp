@@ -12,6 +12,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <utility>
 
 namespace spacetow {
 
@@ -68,18 +69,28 @@ QString quoted(const std::string& text) {
     return text.empty() ? Compared::tr("none") : Compared::tr("“%1”").arg(QString::fromStdString(text));
 }
 
-QString valueText(const Level& level, const FormRow* row, const Field& field, const FieldValue& value) {
+using NumberWords = QString (*)(double);
+
+/// A field with its name in the form, if it has a row there.
+struct NamedField {
+    const FormRow* row;
+    const Field& field;
+};
+
+QString valueText(const Level& level, const NamedField& named, const FieldValue& value, NumberWords words) {
+    const FormRow* const row = named.row;
+    const Field& field = named.field;
     return std::visit(Overloaded{
                           [](Unset) { return Compared::tr("none"); },
                           [&](double number) {
                               const QString unit = QString::fromUtf8(shownUnit(field.unit));
-                              const QString text = exactNumberText(shownNumber(number, field.unit));
+                              const QString text = words(shownNumber(number, field.unit));
                               return unit.isEmpty() ? text : text + QChar(0xa0) + unit;
                           },
                           [](bool flag) { return flag ? Compared::tr("yes") : Compared::tr("no"); },
                           [&](Choice choice) {
-                              const bool named = row != nullptr && choice.index < static_cast<int>(row->choices.size());
-                              return named ? rowText(row->choices[static_cast<std::size_t>(choice.index)])
+                              const bool known = row != nullptr && choice.index < static_cast<int>(row->choices.size());
+                              return known ? rowText(row->choices[static_cast<std::size_t>(choice.index)])
                                            : QString::number(choice.index);
                           },
                           [](const std::string& text) { return quoted(text); },
@@ -137,9 +148,16 @@ class Speaker {
 
     QString changed(std::span<const FormRow> rows, const FieldDifference& field) const {
         const FormRow* row = rowOf(rows, field.id);
-        return Compared::tr("%1 %2 → %3")
-            .arg(fieldName(rows, field.id), valueText(m_before, row, field.field, field.before),
-                 valueText(m_after, row, field.field, field.after));
+        const auto both = [&](NumberWords words) {
+            const NamedField named{row, field.field};
+            return std::pair(valueText(m_before, named, field.before, words),
+                             valueText(m_after, named, field.after, words));
+        };
+        std::pair<QString, QString> texts = both(shortNumberText);
+        if (texts.first == texts.second) {
+            texts = both(exactNumberText); // all digits are needed to tell them apart
+        }
+        return Compared::tr("%1 %2 → %3").arg(fieldName(rows, field.id), texts.first, texts.second);
     }
     static QString tagLine(const TagDifference& tag) {
         const QString name = QString::fromStdString(tag.after.name.empty() ? tag.before.name : tag.after.name);

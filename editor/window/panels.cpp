@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QLayout>
 #include <QToolBar>
 
 #include <algorithm>
@@ -34,6 +35,7 @@ constexpr PanelRow allPanels[] = {
     {.name = "nodes",
      .title = QT_TRANSLATE_NOOP("Panels", "&Nodes"),
      .area = Qt::RightDockWidgetArea,
+     .height = 260,
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.nodes(); }},
@@ -41,6 +43,7 @@ constexpr PanelRow allPanels[] = {
      .title = QT_TRANSLATE_NOOP("Panels", "&History"),
      .keys = "Ctrl+Shift+H",
      .area = Qt::RightDockWidgetArea,
+     .height = 260,
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.history(); }},
@@ -48,6 +51,7 @@ constexpr PanelRow allPanels[] = {
      .title = QT_TRANSLATE_NOOP("Panels", "&Minimap"),
      .keys = "Ctrl+Shift+K",
      .area = Qt::RightDockWidgetArea,
+     .height = 230,
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.minimap(); }},
@@ -60,18 +64,21 @@ constexpr PanelRow allPanels[] = {
     {.name = "flights",
      .title = QT_TRANSLATE_NOOP("Panels", "&Flights"),
      .area = Qt::RightDockWidgetArea,
+     .height = 260,
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.flights(); }},
     {.name = "tagMatrix",
      .title = QT_TRANSLATE_NOOP("Panels", "&Tag Matrix"),
      .area = Qt::RightDockWidgetArea,
+     .height = 330,
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.tagMatrix(); }},
     {.name = "differences",
      .title = QT_TRANSLATE_NOOP("Panels", "&Differences"),
      .area = Qt::RightDockWidgetArea,
+     .height = 260,
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.differences(); }},
@@ -86,18 +93,21 @@ constexpr PanelRow allPanels[] = {
      .title = QT_TRANSLATE_NOOP("Panels", "E&xplain"),
      .keys = "Ctrl+Shift+X",
      .area = Qt::RightDockWidgetArea,
+     .height = 400,
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.explanations().panel(); }},
     {.name = "plots",
      .title = QT_TRANSLATE_NOOP("Panels", "Plot&s"),
      .area = Qt::RightDockWidgetArea,
+     .height = 400,
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.explanations().plots(); }},
     {.name = "profile",
      .title = QT_TRANSLATE_NOOP("Panels", "Profil&e"),
      .area = Qt::RightDockWidgetArea,
+     .height = 400,
      .shownAtFirst = false,
      .tabOf = "outliner",
      .make = [](MainWindow& window) -> QWidget* { return &window.explanations().profile(); }},
@@ -107,18 +117,41 @@ QString translatedTitle(const char* words) {
     return QCoreApplication::translate("Panels", words);
 }
 
+/// What is called is of use at once, in a window of any size: those above and below it give it room.
+void giveRoom(QMainWindow& window, QDockWidget& dock, int height) {
+    constexpr int least = 120;   // px, that are left to others
+    window.layout()->activate(); // it may just have come
+    const int wanted = std::min(height, window.height() / 2);
+    const int missing = wanted - dock.height();
+    if (dock.isFloating() || missing <= 0) {
+        return;
+    }
+    QList<QDockWidget*> docks{&dock};
+    QList<int> heights{wanted};
+    for (QDockWidget* other : window.findChildren<QDockWidget*>()) {
+        const bool inColumn =
+            other->isVisible() && !other->isFloating() && other->x() == dock.x(); // tabs behind are not
+        if (inColumn && other != &dock && other->y() != dock.y()) {
+            docks << other;
+            heights << std::max(least, other->height() - missing);
+        }
+    }
+    window.resizeDocks(docks, heights, Qt::Vertical);
+}
+
 /// Its action brings a panel to the front that stands as a tab behind another, before it hides it.
-void followTabs(QDockWidget& dock) {
+void followTabs(QMainWindow& window, QDockWidget& dock, int height) {
     constexpr auto behind = "behind";
     QObject::connect(&dock, &QDockWidget::visibilityChanged, &dock, [&dock](bool isInFront) {
         if (isInFront || dock.isVisible()) {
             dock.setProperty(behind, !isInFront);
         }
     });
-    QObject::connect(dock.toggleViewAction(), &QAction::triggered, &dock, [&dock](bool isShown) {
+    QObject::connect(dock.toggleViewAction(), &QAction::triggered, &dock, [&window, &dock, height](bool isShown) {
         if (isShown || dock.property(behind).toBool()) {
             dock.show();
             dock.raise();
+            giveRoom(window, dock, height);
         }
     });
 }
@@ -155,7 +188,7 @@ void Panels::add(const PanelRow& row) {
     QAction* const action = dock->toggleViewAction();
     action->setText(translatedTitle(row.title));
     action->setStatusTip(QCoreApplication::translate("Panels", "Show or hide this panel"));
-    followTabs(*dock);
+    followTabs(m_window, *dock, row.height);
     m_window.addAction(action);
     m_docks[dock->objectName()] = dock;
 }

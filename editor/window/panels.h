@@ -24,7 +24,7 @@ struct PanelRow {
     const char* title;     // with mnemonic; translate in the context "Panels"
     const char* keys = ""; // that show and hide it, separated by blanks
     Qt::DockWidgetArea area;
-    int height = 200;            // at first, beside the others of its area
+    int height = 200;            // at first, beside the others of its area, and at least when it is called
     bool shownAtFirst = true;    // else it waits in the menu
     const char* tabOf = nullptr; // a row above this one, behind which it stands as a tab at first
     QWidget* (*make)(MainWindow&);

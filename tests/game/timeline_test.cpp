@@ -296,6 +296,26 @@ class TimelineTest : public QObject {
         QVERIFY(run.timeline.input(119).controls == thrust);
         QVERIFY(run.timeline.input(120).controls == left);
     }
+    void ofManyBodiesThoseThatWereAddedInTheRunHavePathsToo() {
+        const Level level = manyBalls(200);
+        Session session(level);
+        Timeline timeline(session, {});
+        const auto steps = [&](StepInput input) {
+            for (int i = 0; i < 5; ++i) {
+                session.step(input);
+                timeline.add(input, session);
+                input.level.reset();
+            }
+        };
+        steps({});
+        constexpr Key added = 9000;
+        Level more = level;
+        addBodyObject(more, added, ballAt(Vec2(0, 30)));
+        steps({{}, {}, std::make_shared<const Level>(more)});
+        const std::vector<TracedPath> paths = timeline.pathsFrom(0);
+        QVERIFY(paths.size() <= Tracks::mostBodies + 1);
+        QVERIFY(std::ranges::find(paths, added, &TracedPath::object) != paths.end());
+    }
     void anEditAtAMomentSimulatesTheFutureAgain() {
         const Replay flight = wonFlight();
         const std::vector<StepInput> inputs = minuteOf(flight);

@@ -1,7 +1,9 @@
 #include "editor/window/difference_panel.h"
 
+#include "core/level/compare.h"
 #include "core/level/edits.h"
 #include "core/level/file.h"
+#include "editor/window/messages_compare.h"
 #include "tests/support/pixels.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
@@ -69,6 +71,16 @@ class DifferencePanelTest : public QObject {
         QCOMPARE(shown.texts(),
                  (QStringList{"gone (Circle): removed", "ball 1 (Circle): Position y 3\u00a0m → 0\u00a0m",
                               "ball 2 (Circle): added"}));
+    }
+
+    void numbersHaveAsManyDigitsAsTellThemApart() {
+        const Level before = ballsApart();
+        const auto told = [&](double x) {
+            const Level after = moved(before, DifferingKeys{1}, {x - 4, 0});
+            return differenceLines(before, after, differenceBetween(before, after)).at(0).text;
+        };
+        QCOMPARE(told(1.393538219070134), QString("ball 1 (Circle): Position x 4\u00a0m → 1.3935\u00a0m"));
+        QVERIFY2(told(4.0000000003).contains("4.0000000003"), qPrintable(told(4.0000000003)));
     }
 
     void itFollowsEdits() {

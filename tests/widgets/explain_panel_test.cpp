@@ -136,6 +136,8 @@ class ExplainPanelTest : public QObject {
         test.select({2, 3});
         QVERIFY2(test.panel.answer().text().contains("does not touch what"), qPrintable(test.panel.answer().text()));
         QVERIFY(test.panel.cure().isVisible());
+        QVERIFY(!test.panel.rows().isVisible()); // there is nothing in them
+        QVERIFY(test.panel.answer().geometry().bottom() < test.panel.height() / 2);
         test.panel.cure().click();
         QVERIFY(test.document.canUndo());
         test.run(5);

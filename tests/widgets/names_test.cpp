@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QTextDocument>
 #include <QTimer>
 
 using namespace spacetow;
@@ -85,6 +86,17 @@ class NamesTest : public QObject {
     void tooltipsAreNoRichText() {
         QCOMPARE(plainToolTip("Click: select"), QString("Click: select"));
         QVERIFY(plainToolTip("<img src=\"/etc/passwd\">").contains("&lt;img"));
+    }
+
+    void aLongTooltipTakesSeveralLines() {
+        const QString sentences =
+            QStringLiteral("Three <equal> pendulums swing & bend; take one and let it go. ").repeated(4);
+        QLabel tip(plainToolTip(sentences));
+        tip.setWordWrap(Qt::mightBeRichText(tip.text())); // as tooltips do
+        QVERIFY(tip.sizeHint().width() < tip.fontMetrics().horizontalAdvance(sentences) / 2);
+        QTextDocument document;
+        document.setHtml(tip.text());
+        QCOMPARE(document.toPlainText().trimmed(), sentences.trimmed());
     }
 
     void anObjectWithoutANameIsToldByKindAndPlace() {

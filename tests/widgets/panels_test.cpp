@@ -206,6 +206,21 @@ class PanelsTest : public QObject {
         QVERIFY(!history.isVisible());
     }
 
+    void aPanelThatIsCalledHasRoomForWhatItShows() {
+        TestWindow test;
+        test.window->resize(1280, 900);
+        for (const char* name : {"explain", "plots", "profile", "tagMatrix"}) {
+            QDockWidget& called = dockOf(test, name);
+            called.toggleViewAction()->trigger();
+            QApplication::processEvents();
+            const auto row = std::ranges::find(panelRows(), std::string_view(name), &PanelRow::name);
+            QVERIFY2(called.height() >= row->height - 30, qPrintable(QString::number(called.height())));
+            QVERIFY(dockOf(test, "inspector").height() > 200);
+            called.toggleViewAction()->trigger();
+            test.window->resizeDocks({&dockOf(test, "outliner")}, {150}, Qt::Vertical);
+        }
+    }
+
     void aPanelClosedBeforePlayStaysClosed() {
         TestWindow test;
         test.window->openExample();

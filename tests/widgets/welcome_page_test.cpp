@@ -105,6 +105,9 @@ class WelcomePageTest : public QObject {
         QCOMPARE(window.messageBar().text(), QString::fromStdString(window.document().level().description));
         QVERIFY(window.messageBar().text().contains("raise its limit"));
         QCOMPARE(window.messageBar().tone(), MessageBar::Tone::Info);
+        QCOMPARE(window.messageBar().buttons().size(), 1u);
+        window.messageBar().buttons().front()->click();
+        QVERIFY(window.isPlaying() && !window.isInGame());
     }
 
     void aRecentLevelIsOpenedInThisWindow() {
