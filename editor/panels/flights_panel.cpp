@@ -120,6 +120,9 @@ FlightsPanel::FlightsPanel(Document& document, QWidget* parent)
     m_none.setWordWrap(true);
     m_none.setMargin(8);
     m_list.setAccessibleName(tr("Flights"));
+    m_list.setWordWrap(true);
+    m_list.setResizeMode(QListView::Adjust);
+    m_list.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_column.setContentsMargins(0, 0, 0, 0);
     m_column.addWidget(&m_none);
     m_column.addWidget(&m_list);

@@ -64,7 +64,7 @@ void paintWays(const Stage& stage, const TimelineSummary& timeline, std::span<co
         }
     }
     if (timeline.paths) {
-        QColor color = stage.theme.guide;
+        QColor color = stage.theme.way;
         color.setAlpha(170);
         for (const TracedPath& path : *timeline.paths) {
             paintPath(stage, path, {color, Qt::SolidLine, selected});

@@ -110,6 +110,16 @@ class FlightsPanelTest : public QObject {
         QVERIFY(row(store(test, crash)).startsWith("crashes at ("));
     }
 
+    void whatIsSaidOfAFlightIsWrappedInANarrowPanel() {
+        TestWindow test;
+        FlightsPanel& panel = flightsShown(test);
+        panel.list().setFixedWidth(180);
+        QApplication::processEvents();
+        const QRect row = panel.list().visualItemRect(panel.list().item(0));
+        QVERIFY(row.right() <= panel.list().viewport()->width());
+        QVERIFY(row.height() > 2 * panel.list().fontMetrics().height());
+    }
+
     void aLevelWithoutAFileHasNone() {
         TestWindow test;
         test.window->panels().dock("flights").show();
