@@ -61,6 +61,10 @@ void PlotHistory::forgetAfter(std::int64_t update) {
     eraseFrom(static_cast<std::size_t>(std::ranges::upper_bound(m_updates, update) - m_updates.begin()));
 }
 
+std::optional<double> PlotHistory::energyChange() const {
+    return m_reference ? std::optional(m_energy - m_reference->energy) : std::nullopt;
+}
+
 double PlotHistory::drift(PlotQuantity quantity) const {
     const std::optional<double> share = quantity == PlotQuantity::EnergyDrift ? energyDrift() : momentumDrift();
     return share ? 100 * *share : unknown;

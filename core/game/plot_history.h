@@ -35,7 +35,9 @@ class PlotHistory {
     /// Where the session stood that was sampled last, s; also when it was rewound.
     double shownSeconds() const { return m_shown; }
 
-    /// How far energy has come from what it was in the first row, as a share of the most that ever moved or was
+    /// J that energy has come from what it was in the first row; nothing before there is one.
+    std::optional<double> energyChange() const;
+    /// The same as a share of the most that ever moved or was
     /// stretched; nothing where nothing ever did.
     std::optional<double> energyDrift() const;
     /// Likewise momentum, of the most there ever was in all bodies.

@@ -184,12 +184,13 @@ void Legend::place() {
     const int told = columns * fontMetrics().averageCharWidth() + 4 * margin;
     int wide = std::max(told, content.minimumSizeHint().width());
     const int bar = m_scroll.verticalScrollBar()->sizeHint().width();
-    const QSize room = m_canvas.size() - QSize(2 * margin, 2 * margin);
+    const int edge = margin + m_shown->spare;
+    const QSize room = m_canvas.size() - QSize(2 * margin, 2 * edge);
     wide = std::min(wide + 2 * (frameWidth() + 1) + bar, room.width());
     const int tall =
         std::max(content.layout()->heightForWidth(wide - 2 * (frameWidth() + 1) - bar), 1) + 2 * frameWidth();
     const QSize size(wide, std::min(tall, room.height()));
-    setGeometry(margin, m_canvas.height() - margin - size.height(), size.width(), size.height());
+    setGeometry(margin, m_canvas.height() - edge - size.height(), size.width(), size.height());
     raise();
 }
 

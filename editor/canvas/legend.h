@@ -28,7 +28,8 @@ class Legend : public QFrame {
         OverlayFlags overlays;
         OverlayPalette palette;
         TagTable tags;
-        Shade ground; // of what they are drawn on
+        Shade ground;  // of what they are drawn on
+        int spare = 0; // px that stay free above and below, where a game has its display
 
         bool operator==(const Explained&) const = default;
     };

@@ -119,6 +119,7 @@ FlightsPanel::FlightsPanel(Document& document, QWidget* parent)
                       "cave.NAME.replay.json in the same folder."));
     m_none.setWordWrap(true);
     m_none.setMargin(8);
+    m_none.setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_list.setAccessibleName(tr("Flights"));
     m_list.setWordWrap(true);
     m_list.setResizeMode(QListView::Adjust);

@@ -238,9 +238,12 @@ void PlotPanel::showTotals() {
         return;
     }
     const WorldReading sum = spacetow::totals(m_session->world());
-    m_totals.setText(tr("Energy %1 J, drift %2 · momentum %3 kg m/s, drift %4")
-                         .arg(shortFigure(sum.energy()), percentText(m_history.energyDrift()),
-                              shortFigure(sum.momentum.norm()), percentText(m_history.momentumDrift())));
+    const double change = m_history.energyChange().value_or(0);
+    m_totals.setText(tr("Energy %1 J, %2 J since the start (drift %3) · momentum %4 kg m/s (drift %5)")
+                         .arg(shortFigure(sum.energy()),
+                              (change > 0 ? QStringLiteral("+") : QString()) + shortFigure(change),
+                              percentText(m_history.energyDrift()), shortFigure(sum.momentum.norm()),
+                              percentText(m_history.momentumDrift())));
 }
 
 void PlotPanel::showEvent(QShowEvent* event) {

@@ -69,8 +69,11 @@ bool MainWindow::openShipped(const QString& resource) {
     }
     const Level& level = *m_document.current().level;
     if (firstOf<ShipObject>(level) == nullptr && !level.description.empty()) {
-        m_message.say(MessageBar::Tone::Info, QString::fromStdString(level.description),
-                      {{tr("Simulate"), [this] { simulate(); }}});
+        const QString words = QString::fromStdString(level.description);
+        m_message.say(MessageBar::Tone::Info, words, {{tr("Simulate"), [this, words] {
+                                                           m_message.say(MessageBar::Tone::Info, words);
+                                                           isPlaying() ? m_run.restart() : simulate();
+                                                       }}});
     }
     return true;
 }

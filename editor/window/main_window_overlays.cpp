@@ -31,8 +31,8 @@ void MainWindow::setLegendShown(bool shown) {
 }
 
 void MainWindow::updateLegend() {
-    m_legend.showOverlays(
-        {m_legendShown ? m_overlays : OverlayFlags(), m_overlayPalette, m_document.level().tags, overlayGround()});
+    m_legend.showOverlays({m_legendShown ? m_overlays : OverlayFlags(), m_overlayPalette, m_document.level().tags,
+                           overlayGround(), isInGame() ? 3 * fontMetrics().height() : 0});
     m_actions.refresh();
 }
 

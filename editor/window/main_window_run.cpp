@@ -62,7 +62,7 @@ QString MainWindow::runHint() const {
             .arg(QLocale().toString(m_run.startingFor(), 'f', 1), key(Act::Stop));
     }
     if (m_run.behind() > 0) {
-        return tr("Too much for this computer: the game is %1 s behind real time · %2: back to the editor")
+        return tr("Too much for this computer: %1 s behind real time · %2: back to the editor")
             .arg(QLocale().toString(m_run.behind(), 'f', 1), key(Act::Stop));
     }
     if (m_live.hand().grab()) {

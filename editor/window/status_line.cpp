@@ -6,9 +6,13 @@
 
 #include <QEvent>
 #include <QLocale>
+#include <QStyleOption>
+#include <QStylePainter>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 namespace spacetow {
 
@@ -161,6 +165,28 @@ void StatusLine::fit() {
 void StatusLine::resizeEvent(QResizeEvent* event) {
     QStatusBar::resizeEvent(event);
     fit();
+}
+
+/// What is said for a moment, such as what a field takes, is shortened as the hint is.
+void StatusLine::paintEvent(QPaintEvent* event) {
+    if (currentMessage().isEmpty()) {
+        QStatusBar::paintEvent(event);
+        return;
+    }
+    constexpr int margin = 6; // px, as at the hint
+    int end = width();
+    for (const QWidget* part :
+         std::initializer_list<const QWidget*>{&m_pace, &m_selection, &m_pointer, &m_snap, &m_zoom, &m_problems}) {
+        end = part->isVisible() ? std::min(end, part->x()) : end;
+    }
+    QStylePainter painter(this);
+    QStyleOption panel;
+    panel.initFrom(this);
+    painter.drawPrimitive(QStyle::PE_PanelStatusBar, panel);
+    const QRect room(margin, 0, std::max(0, end - 2 * margin), height());
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
+                     fitted(currentMessage(), fontMetrics(), room.width()));
 }
 
 void StatusLine::setPointer(double x, double y) {

@@ -139,6 +139,8 @@ class PlotHistoryTest : public QObject {
         const double share = std::exp(-1.0);
         QVERIFY(std::abs(*history.momentumDrift() - (1 - share)) < 1e-3);
         QVERIFY(std::abs(*history.energyDrift() - (share * share - 1)) < 1e-3);
+        const double energy = totals(session.world()).energy();
+        QVERIFY(std::abs(*history.energyChange() - energy * (1 - 1 / (share * share))) < 0.01 * energy);
         QVERIFY(std::abs(history.column(0).back() - 100 * (1 - share)) < 0.1);
     }
 

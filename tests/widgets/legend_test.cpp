@@ -2,8 +2,10 @@
 
 #include "editor/canvas/overlay_table.h"
 #include "editor/canvas/painter_draw.h"
+#include "editor/play/hud.h"
 #include "editor/window/preferences.h"
 #include "tests/support/color_vision.h"
+#include "tests/support/game_levels.h"
 #include "tests/support/window.h"
 
 #include <QColorDialog>
@@ -54,6 +56,27 @@ class LegendTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void itLeavesTheDisplayOfAGameFree() {
+        TestWindow test;
+        test.document().reset(openSpace());
+        test.window->setOverlays(everyOverlay());
+        test.trigger(Act::Play);
+        test.trigger(Act::Pause);
+        LiveRun& run = test.window->liveRun();
+        for (const QSize& size : {QSize(800, 600), QSize(1280, 900)}) {
+            test.window->resize(size);
+            QApplication::processEvents();
+            const Snapshot picture = run.picture();
+            int seen = 0;
+            for (const HudText& text : hudLayout({picture.phase, picture.hud, true, run.keys()}, test.canvas().size(),
+                                                 test.canvas().font())) {
+                const bool central = text.role == HudText::Role::Title || text.role == HudText::Role::Advice;
+                QVERIFY2(central || !text.box.intersects(test.window->legend().geometry()), qPrintable(text.text));
+                seen += text.role == HudText::Role::Paused || text.role == HudText::Role::Lives ? 1 : 0;
+            }
+            QCOMPARE(seen, 2);
+        }
+    }
     void itListsWhatIsOnAndHidesWhenNothingIs() {
         TestWindow test;
         Legend& legend = test.window->legend();

@@ -74,6 +74,7 @@ class PlotPanelTest : public QObject {
         QCOMPARE(test.panel.history().size(), std::size_t(30));
         QVERIFY(test.panel.history().column(3).back() > 5);
         QVERIFY(test.panel.totals().text().contains("drift"));
+        QVERIFY(test.panel.totals().text().contains("J since the start"));
         QCOMPARE(test.panel.curveButtons().size(), std::size_t(5));
         test.addQuantity(PlotQuantity::Speed, 1); // there already
         QCOMPARE(sources.size(), std::size_t(5));

@@ -45,6 +45,31 @@ class StatusLineTest : public QObject {
         QCOMPARE(label->toolTip(), hint);
     }
 
+    void whatIsSaidForAMomentIsShortenedToo() {
+        StatusLine line;
+        line.setPace(QStringLiteral("60 fps"));
+        line.resize(700, 28);
+        line.show();
+        const auto* pace = line.findChild<QLabel*>(QStringLiteral("pace"));
+        line.showMessage(hint + QStringLiteral(" · ") + hint + QStringLiteral(" · ") + hint);
+        QCoreApplication::processEvents();
+        QVERIFY(pace != nullptr && pace->isVisible() && pace->x() > 100);
+        const QImage image = line.grab().toImage();
+        const auto isBare = [&](int left, int right) {
+            const QRgb ground = image.pixel(left, line.height() / 2);
+            for (int x = left; x < right; ++x) {
+                for (int y = 6; y < line.height() - 6; ++y) {
+                    if (image.pixel(x, y) != ground) {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        };
+        QVERIFY(!isBare(6, 100)); // it is said
+        QVERIFY(isBare(pace->x() - 6, pace->x()));
+    }
+
     void withoutABoardNothingIsSaidAboutOne() {
         StatusLine line;
         line.resize(2000, line.height());

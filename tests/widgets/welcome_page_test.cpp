@@ -108,6 +108,8 @@ class WelcomePageTest : public QObject {
         QCOMPARE(window.messageBar().buttons().size(), 1u);
         window.messageBar().buttons().front()->click();
         QVERIFY(window.isPlaying() && !window.isInGame());
+        QVERIFY(window.messageBar().text().contains("raise its limit")); // while one tries it
+        QVERIFY(window.messageBar().buttons().empty());                  // which would do nothing any more
     }
 
     void aRecentLevelIsOpenedInThisWindow() {
