@@ -5,6 +5,8 @@
 #include "core/geometry/polygon_at_wall.h"
 #include "core/geometry/wall_side.h"
 
+#include <algorithm>
+
 namespace spacetow {
 
 namespace {
@@ -341,6 +343,13 @@ Manifold endManifold(const Pair& pair, const WallEnd& end) {
     return choice.face >= 0 && !othersTurn ? pointUnderFace(pair, end, choice.face) : Manifold{};
 }
 
+/// How far what the wall does not hold has to come at least until it may, m.
+double behindDepth(const WallSide& side, const ConvexPart& convex) {
+    const double nearest =
+        isCut(convex) ? std::max(side.above(convex.center), side.above(convex.whole)) : side.above(convex.center);
+    return std::max(-side.depth - nearest, 0.0);
+}
+
 } // namespace
 
 Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, double margin) {
@@ -371,6 +380,9 @@ Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, doubl
     }
     const Manifold atStart = endManifold(pair, pair.side.start);
     const Manifold atEnd = endManifold(pair, pair.side.end);
+    if (atStart.count == 0 && atEnd.count == 0) {
+        return noContact(std::min({atStart.apart, atEnd.apart, behindDepth(pair.side, convex)}));
+    }
     const bool startIsDeeper =
         atStart.count > 0 && (atEnd.count == 0 || atStart.points[0].separation <= atEnd.points[0].separation);
     return startIsDeeper ? atStart : atEnd;

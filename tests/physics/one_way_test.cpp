@@ -91,11 +91,18 @@ class OneWayTest : public QObject {
         QFETCH(double, depth);
         QFETCH(int, iterations);
         for (int degrees = 0; degrees < 360; degrees += fullOrQuick(15, 75)) {
-            for (const double speed : {0.5, 5.0, 50.0}) {
-                Meeting meeting(what, depth, iterations, degrees, {0.3, -depth - 1}, {0, speed});
-                run(meeting.world, (depth + 3) / speed + 0.02);
-                QVERIFY2(meeting.position().y() > 1 && std::abs(meeting.velocity().y() / speed - 1) < 1e-9 &&
-                             std::abs(meeting.velocity().x()) < 1e-9 * speed,
+            for (const double speed : {0.2, 0.5, 5.0, 50.0}) {
+                Meeting meeting(what, depth, iterations, degrees, {0.3, -depth - 0.6}, {0, speed});
+                const Vec2 from = meeting.position();
+                const double time = std::ceil((depth + 2) / speed / meeting.world.parameters().seconds);
+                for (int i = 0; i < static_cast<int>(time); ++i) {
+                    meeting.world.update();
+                    QVERIFY2(meeting.world.events().began.empty(),
+                             qPrintable(QString("%1°, %2 m/s: touch in update %3").arg(degrees).arg(speed).arg(i)));
+                }
+                const Vec2 to = from + Vec2(0, time * meeting.world.parameters().seconds * speed);
+                QVERIFY2((meeting.position() - to).norm() < 1e-9 &&
+                             (meeting.velocity() - Vec2(0, speed)).norm() < 1e-9 * speed,
                          qPrintable(QString("%1°, %2 m/s: at (%3, %4), velocity (%5, %6)")
                                         .arg(degrees)
                                         .arg(speed)
@@ -104,6 +111,66 @@ class OneWayTest : public QObject {
                                         .arg(meeting.velocity().x())
                                         .arg(meeting.velocity().y())));
             }
+        }
+    }
+
+    void whatTurnsBackWithinAnEdgeIsLetBackToo_data() { depthRows(false); }
+    void whatTurnsBackWithinAnEdgeIsLetBackToo() {
+        QFETCH(QString, what);
+        QFETCH(double, depth);
+        QFETCH(int, iterations);
+        for (int degrees = 0; degrees < 360; degrees += fullOrQuick(15, 75)) {
+            for (const double top : {-depth, -0.5 * depth, 0.0, 0.1}) {
+                Meeting meeting(what, depth, iterations, degrees, {0.3, -depth - 0.6}, {0, 1});
+                run(meeting.world, depth + 0.6 + top);
+                meeting.world.setVelocity(meeting.id, meeting.turn * Vec2(0, -1), 0);
+                run(meeting.world, 1);
+                QVERIFY2(std::abs(meeting.velocity().y() + 1) < 1e-9 && std::abs(meeting.velocity().x()) < 1e-9,
+                         qPrintable(QString("%1°, turned at %2: velocity (%3, %4)")
+                                        .arg(degrees)
+                                        .arg(top)
+                                        .arg(meeting.velocity().x())
+                                        .arg(meeting.velocity().y())));
+            }
+        }
+    }
+
+    void whatHasPassedAnEdgeFromBehindIsStoppedByItsFront_data() { depthRows(false); }
+    void whatHasPassedAnEdgeFromBehindIsStoppedByItsFront() {
+        QFETCH(QString, what);
+        QFETCH(double, depth);
+        QFETCH(int, iterations);
+        for (int degrees = 0; degrees < 360; degrees += fullOrQuick(15, 75)) {
+            for (const double speed : {0.5, 5.0}) {
+                Meeting meeting(what, depth, iterations, degrees, {0.3, -depth - 0.6}, {0, speed});
+                run(meeting.world, (depth + 1) / speed);
+                QVERIFY(meeting.lowest() > 0);
+                meeting.world.setVelocity(meeting.id, meeting.turn * Vec2(0, -speed), 0);
+                run(meeting.world, 2 / speed);
+                QVERIFY2(meeting.lowest() > -0.005,
+                         qPrintable(QString("%1°, %2 m/s: lowest %3").arg(degrees).arg(speed).arg(meeting.lowest())));
+            }
+        }
+    }
+
+    void whatComesFromBehindPassesAcrossAJointOfTwoEdges_data() { depthRows(false); }
+    void whatComesFromBehindPassesAcrossAJointOfTwoEdges() {
+        QFETCH(QString, what);
+        QFETCH(double, depth);
+        QFETCH(int, iterations);
+        for (const double across : {-0.15, -0.05, 0.0, 0.05, 0.15}) {
+            World world(withIterations(iterations, {0, 0}));
+            add(world, edgeBody({-3, 0}, {0, 0}, depth));
+            add(world, edgeBody({0, 0}, {3, 0}, depth));
+            BodyDef def = dropped(what, {across, -depth - 0.6});
+            def.velocity = {0, 1};
+            const BodyId id = add(world, def);
+            const double before = world.body(id).massCenter.y();
+            for (int i = 0; i < static_cast<int>((depth + 2) / world.parameters().seconds); ++i) {
+                world.update();
+                QVERIFY2(world.events().began.empty(), qPrintable(QString("at %1: touch").arg(across)));
+            }
+            QVERIFY(world.body(id).massCenter.y() > before + depth + 1.9);
         }
     }
 

@@ -87,15 +87,27 @@ void updateCircles(WorldData& data, std::uint32_t index, double perSecond) {
     addCircleContact(data, index, {normal, distance - radiusA - radiusB, radiusA, radiusB, 0}, perSecond);
 }
 
+/// Of a static edge and a circle; notes the passage, and of an open edge only the ends count.
+Manifold edgeManifold(WorldData& data, std::uint32_t index, const Circle& circle, double margin) {
+    const Pair& pair = data.contacts.table.pairs[index];
+    const WallSide& side = data.broadPhase.staticCollider(pair.collider).side;
+    Passage& passage = data.contacts.table.flags[index].passage;
+    passage = nextPassage(passage, side, circle);
+    if (passage != Passage::Between) {
+        return sideAgainstCircle(side, circle, margin);
+    }
+    Manifold manifold = collideOpenWall(*pair.shapeB, {}, circle, {}, margin);
+    manifold.apart = 0; // the wall may close at any time
+    return manifold;
+}
+
 void updateCircleAtStatic(WorldData& data, std::uint32_t index, double perSecond) {
     Pair& pair = data.contacts.table.pairs[index];
     const PlannedMotion& way = data.bodies.plannedMotions[pair.bodyA];
     const Circle circle{way.center, std::get<Circle>(*pair.shapeA).radius};
     const double margin = speculativeMargin(way);
-    const Manifold manifold =
-        pair.kind == PairKind::CircleEdge
-            ? sideAgainstCircle(data.broadPhase.staticCollider(pair.collider).side, circle, margin)
-            : collideCircle(*pair.shapeB, circle, margin);
+    const Manifold manifold = pair.kind == PairKind::CircleEdge ? edgeManifold(data, index, circle, margin)
+                                                                : collideCircle(*pair.shapeB, circle, margin);
     if (manifold.count == 0) {
         separate(data, index, manifold.apart);
         return;

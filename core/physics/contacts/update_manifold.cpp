@@ -76,6 +76,19 @@ void keep(const Poses& poses, const Manifold& manifold, KeptManifold& kept) {
     }
 }
 
+/// Notes the passage of the pair: what is on its way through a one-way wall meets but the ends of that.
+Manifold manifoldOf(PairTable& table, std::uint32_t index, const Poses& poses, double margin) {
+    const Pair& pair = table.pairs[index];
+    Passage& passage = table.flags[index].passage;
+    passage = nextPassage(passage, *pair.shapeA, poses.a, *pair.shapeB, poses.b);
+    if (passage != Passage::Between) {
+        return collide(*pair.shapeA, poses.a, *pair.shapeB, poses.b, margin);
+    }
+    Manifold manifold = collideOpenWall(*pair.shapeA, poses.a, *pair.shapeB, poses.b, margin);
+    manifold.apart = 0; // the wall may close at any time
+    return manifold;
+}
+
 /// A new manifold; without a point in it the parts are let go until they may have met.
 void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, double margin) {
     const Pair& pair = data.contacts.table.pairs[index];
@@ -86,7 +99,7 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
     kept.tolerance =
         margin + (pair.staticB ? toleranceShareAtWalls * a.innerRadius
                                : std::max(toleranceShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
-    const Manifold manifold = collide(*pair.shapeA, poses.a, *pair.shapeB, poses.b, kept.tolerance);
+    const Manifold manifold = manifoldOf(data.contacts.table, index, poses, kept.tolerance);
     matchPoints(contact, manifold);
     if (manifold.count == 0) {
         kept.relative = poses.relative;
@@ -95,7 +108,8 @@ void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, doub
     } else {
         keep(poses, manifold, kept);
         // The normal between two corners turns with every move, and a bounce wants the normal of its moment.
-        if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0) {
+        if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0 ||
+            data.contacts.table.flags[index].passage == Passage::Between) {
             kept.tolerance = -1;
         }
     }

@@ -179,12 +179,11 @@ bool stopDeepening(WorldData& data, const Pair& pair) {
     constexpr int visits = 16;
     const double covered = safeTurnFraction(data.bodies, pair);
     const double most = depthAt(data.bodies, pair, 0) + linearSlop;
-    int updateKeptManifold = 1; // who goes nowhere would look the same for ever
-    while (updateKeptManifold < visits &&
-           depthAt(data.bodies, pair, covered * (updateKeptManifold + 1) / visits) <= most) {
-        ++updateKeptManifold;
+    int visit = 1; // who goes nowhere would look the same for ever
+    while (visit < visits && depthAt(data.bodies, pair, covered * (visit + 1) / visits) <= most) {
+        ++visit;
     }
-    const double share = covered * updateKeptManifold / visits;
+    const double share = covered * visit / visits;
     const Stoppable which = stoppable(data.bodies, pair);
     return share < 1 &&
            stop(data, pair, which,

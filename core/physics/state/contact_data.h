@@ -2,6 +2,7 @@
 // Pairs of parts, what is kept of their contacts, and contacts as the solver gets them. SI units, radians.
 
 #include "core/geometry/part.h"
+#include "core/geometry/passage.h"
 #include "core/math/transform.h"
 #include "core/physics/lanes/contact_batches.h"
 #include "core/physics/state/mover.h"
@@ -58,6 +59,7 @@ struct PairBound {
 PairBound unknownBound(const Pair& pair);
 
 struct PairFlags {
+    Passage passage = Passage::None; // through a one-way wall, when the pair was last updated
     bool touching = false;
     bool passed = false;   // by a sensor within this iteration, without touching it at the end
     bool reported = false; // as events, at the end of the last iteration
