@@ -46,6 +46,8 @@ class LiveView : public QObject, public LiveScene {
     void refresh();
     /// What is shown of the run.
     const Snapshot& picture() const { return m_picture; }
+    /// These objects where they are in it; what is being dragged, as far from there as it has been dragged.
+    Level posedShown(std::span<const Key> keys) const;
     LiveHand& hand() { return m_hand; }
     const LiveHand& hand() const { return m_hand; }
 
@@ -79,7 +81,6 @@ class LiveView : public QObject, public LiveScene {
     bool takeTransport(PlayKey meaning, const QKeyEvent& event);
     bool takeMouse(QEvent& event);
     bool takePress(const Pointer& pointer);
-    Level posedShown(std::span<const Key> keys) const;
     void focusLeft(Qt::FocusReason reason);
     void openMenu();
     void closeMenu();

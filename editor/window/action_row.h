@@ -31,6 +31,7 @@ enum ActionFlag : unsigned {
     InOutlinerMenu = 1u << 11, // beside those of the context menu
     WithoutLevel = 1u << 12,   // also while the welcome page is shown; all others rest then
     WhileStarting = 1u << 13,  // with OnlyPlaying: also while what is to run is being built
+    WithPanels = 1u << 14,     // while a game is running as well, once its panels are shown
 };
 
 struct ActionRow {

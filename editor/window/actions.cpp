@@ -174,8 +174,12 @@ bool Actions::runsEnough(const ActionRow& row) const {
            ((row.flags & WhileStarting) != 0 && m_window.liveRun().isStarting());
 }
 
+bool Actions::isOfGame(const ActionRow& row) const {
+    return (row.flags & WhilePlaying) != 0 || ((row.flags & WithPanels) != 0 && !m_window.arePanelsHidden());
+}
+
 bool Actions::isPossible(const ActionRow& row) const {
-    const bool inThisMode = m_window.isInGame()      ? (row.flags & WhilePlaying) != 0
+    const bool inThisMode = m_window.isInGame()      ? isOfGame(row)
                             : m_window.isWelcoming() ? (row.flags & WithoutLevel) != 0
                                                      : runsEnough(row);
     const Selection& selection = m_window.document().selection();
@@ -189,8 +193,9 @@ bool Actions::isPossible(const ActionRow& row) const {
 QString Actions::whyNot(const ActionRow& row) const {
     const Selection& selection = m_window.document().selection();
     const char* why = "";
-    if (m_window.isInGame() && (row.flags & WhilePlaying) == 0) {
-        why = QT_TRANSLATE_NOOP("Actions", "Not while a game is running.");
+    if (m_window.isInGame() && !isOfGame(row)) {
+        why = (row.flags & WithPanels) != 0 ? QT_TRANSLATE_NOOP("Actions", "In a game only while its panels are shown.")
+                                            : QT_TRANSLATE_NOOP("Actions", "Not while a game is running.");
     } else if (m_window.isWelcoming() && (row.flags & WithoutLevel) == 0) {
         why = QT_TRANSLATE_NOOP("Actions", "Open a level first.");
     } else if (!runsEnough(row)) {

@@ -59,6 +59,7 @@ class Actions {
     /// Unless a drag is under way, which nothing may cross.
     template <class Do>
     void carryOut(const Do& action);
+    bool isOfGame(const ActionRow& row) const; // while one is running
     bool isPossible(const ActionRow& row) const;
     /// For what needs a run.
     bool runsEnough(const ActionRow& row) const;

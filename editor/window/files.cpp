@@ -75,7 +75,10 @@ FileQuestions dialogQuestions(const std::function<QWidget*()>& parent) {
                 dialog.selectFile(suggestion);
                 return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
             },
-            [parent](const QString& name) { return askAboutChanges(parent(), name); }};
+            [parent](const QString& name) { return askAboutChanges(parent(), name); },
+            [parent](const QString& folder) {
+                return QFileDialog::getOpenFileName(parent(), FileWords::tr("Compare with level"), folder, filter());
+            }};
 }
 
 Files::Files(Document& document, FileQuestions questionsToAsk, Tell tell)
@@ -137,7 +140,7 @@ bool Files::open(const QString& path) {
 }
 
 std::shared_ptr<const Level> Files::chooseToCompare(QString& shownName) {
-    const QString path = chosen().value(0);
+    const QString path = questions.whichToCompare(QFileInfo(suggestion()).path());
     const std::optional<LevelFile> file = path.isEmpty() ? std::nullopt : readable(path);
     if (!file) {
         return nullptr;

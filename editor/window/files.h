@@ -23,6 +23,7 @@ struct FileQuestions {
     std::function<QStringList(const QString& folder)> whichToOpen; // empty: none
     std::function<QString(const QString& suggestion)> whereToSave; // empty: nowhere
     std::function<Unsaved(const QString& name)> whatAboutChanges;
+    std::function<QString(const QString& folder)> whichToCompare{}; // empty: none
 };
 
 /// Asks with the dialogs of the desktop, in front of the widget that is the parent then.

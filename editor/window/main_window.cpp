@@ -343,9 +343,12 @@ QString MainWindow::snapHint() const {
                  : QString();
 }
 
+/// Of what runs, where it is now.
 void MainWindow::updateSelection() {
     const Edit& shown = m_document.shown();
-    const Aabb box = boundsOf(*shown.level, shown.selection.keys());
+    const std::vector<Key>& keys = shown.selection.keys();
+    const Aabb box =
+        isPlaying() && !keys.empty() ? boundsOf(m_live.posedShown(keys), keys) : boundsOf(*shown.level, keys);
     m_status.setSelection(shown.selection.size(), box);
     m_frame.setExtent(box);
 }

@@ -171,6 +171,7 @@ void MainWindow::stopPlaying() {
     m_status.setPace(QString());
     m_inspector.hideMotion();
     m_live.hide();
+    updateSelection();
     finishWork(); // it belongs to the run
     showBoard();
     m_open->runChanges.end();
@@ -275,6 +276,7 @@ void MainWindow::updateMotion() {
     }
     m_sinceMotion.start();
     updateTool(); // what the mouse holds
+    updateSelection();
     const std::vector<Key>& keys = m_document.selection().keys();
     const Object* const object = keys.size() == 1 ? m_document.level().objects.find(keys.front()) : nullptr;
     if (object == nullptr || !poseOf(*object)) {

@@ -54,6 +54,7 @@ StatusLine::StatusLine(QWidget* parent)
     addWidget(&m_hintLabel, 1);
     addPermanentWidget(&m_pace);
     addPermanentWidget(&m_selection);
+    m_selection.setObjectName(QStringLiteral("selection"));
     m_pace.setObjectName(QStringLiteral("pace"));
     m_pace.setTextFormat(Qt::PlainText);
     addPermanentWidget(&m_pointer);

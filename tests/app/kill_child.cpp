@@ -69,7 +69,8 @@ void letJournalFollow(const Recovery& recovery) {
     Files files(document,
                 {.whichToOpen = {},
                  .whereToSave = [&file](const QString&) { return file; },
-                 .whatAboutChanges = [](const QString&) { return Unsaved::Cancel; }},
+                 .whatAboutChanges = [](const QString&) { return Unsaved::Cancel; },
+                 .whichToCompare = {}},
                 [](MessageBar::Tone, const QString& text, const std::vector<MessageBar::Choice>&) {
                     std::fprintf(stderr, "%s\n", qPrintable(text));
                 });

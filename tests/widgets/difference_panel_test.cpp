@@ -8,7 +8,10 @@
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
+#include <QDialog>
+#include <QDir>
 #include <QDockWidget>
+#include <QTimer>
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -39,7 +42,7 @@ struct ComparedWindow : TestWindow {
             qFatal("cannot write the level");
         }
         document().reset(level);
-        window->files().questions.whichToOpen = [path](const QString&) { return QStringList{path}; };
+        window->files().questions.whichToCompare = [path](const QString&) { return path; };
         trigger(Act::Compare);
         panel().finish();
     }
@@ -81,6 +84,17 @@ class DifferencePanelTest : public QObject {
         };
         QCOMPARE(told(1.393538219070134), QString("ball 1 (Circle): Position x 4\u00a0m → 1.3935\u00a0m"));
         QVERIFY2(told(4.0000000003).contains("4.0000000003"), qPrintable(told(4.0000000003)));
+    }
+
+    void theDialogSaysWhatTheLevelIsFor() {
+        QWidget parent;
+        QString title;
+        QTimer::singleShot(0, [&title] {
+            title = QApplication::activeModalWidget()->windowTitle();
+            qobject_cast<QDialog*>(QApplication::activeModalWidget())->reject();
+        });
+        QVERIFY(dialogQuestions([&parent] { return &parent; }).whichToCompare(QDir::tempPath()).isEmpty());
+        QCOMPARE(title, QStringLiteral("Compare with level"));
     }
 
     void itFollowsEdits() {

@@ -4,6 +4,8 @@
 #include "tests/support/window.h"
 
 #include <QDockWidget>
+#include <QLabel>
+#include <QLocale>
 
 #include <array>
 
@@ -291,6 +293,37 @@ class OneCanvasTest : public QObject {
         const Vec2 start = std::get<BodyObject>(game.document().level().objects.find(1)->data).position;
         QVERIFY((start - Vec2(0, 1)).norm() < 0.05);
         QCOMPARE(game.document().historySize(), 2);
+    }
+    void theSizeOfTheSelectionIsThatOfWhatRuns() {
+        TestWindow test;
+        test.document().reset(ballAndWall());
+        test.document().select(Selection({1, 2}));
+        const auto* words = test.window->findChild<QLabel*>(QStringLiteral("selection"));
+        const auto wide = [words] { // what stands before ×
+            return QLocale().toDouble(words->text().section(QStringLiteral(", "), 1).section(QLatin1Char(' '), 0, 0));
+        };
+        QCOMPARE(wide(), 1.0);
+        test.trigger(Act::Simulate);
+        QTRY_VERIFY(wide() > 1.1); // the ball flies away
+        test.trigger(Act::Stop);
+        QCOMPARE(wide(), 1.0);
+    }
+    void whereItsPanelsAreShownAGameCanUndoWhatWasTuned() {
+        TestWindow test;
+        test.document().reset(openSpace());
+        test.trigger(Act::Play);
+        Level tuned = test.level();
+        tuned.rules.thrust *= 2;
+        test.document().commit({"change", 1}, {std::make_shared<const Level>(tuned), {}});
+        QVERIFY(!test.window->actions()[Act::Undo].isEnabled());
+        test.window->setPanelsHidden(false);
+        QVERIFY(test.window->actions()[Act::Undo].isEnabled());
+        test.trigger(Act::Undo);
+        QVERIFY(test.level() == openSpace());
+        test.trigger(Act::Redo);
+        QVERIFY(test.level() == tuned);
+        test.window->setPanelsHidden(true);
+        QVERIFY(!test.window->actions()[Act::Undo].isEnabled());
     }
     void inAGameNothingIsEditedByASlipOfTheHand() {
         Level level = openSpace();
