@@ -231,6 +231,58 @@ class LegendTest : public QObject {
         }
     }
 
+    void marksOfOneFormAreToldApartWithAnyColorVision_data() { addShades(); }
+    /// Where two overlays have the same colour, one is a line and the other a box, say.
+    void marksOfOneFormAreToldApartWithAnyColorVision() {
+        QFETCH(bool, dark);
+        QFETCH(bool, safe);
+        const Shade shade = dark ? Shade::Dark : Shade::Light;
+        const DebugColors c = overlayColors({safe ? OverlayColorSet::OkabeIto : OverlayColorSet::Standard, {}}, shade);
+        const Color ground = toColor(editingTheme(shade).background);
+        const std::vector<std::vector<Color>> forms{
+            {c.velocity, c.orientation, c.normal, c.contactNormal, c.impulse, c.trail, c.massCenter}, // lines
+            {c.box, c.fatBox, c.staticCell, c.movingCell},
+            {c.meets, c.passes, c.incircle}, // outlines of bodies
+            {c.touchPoint, c.nearPoint}};
+        for (const std::vector<Color>& form : forms) {
+            for (std::size_t i = 0; i < form.size(); ++i) {
+                const auto told = [&](const Color& other) {
+                    return qPrintable(QStringLiteral("%1, %2: %3")
+                                          .arg(toQColor(form[i]).name(), toQColor(other).name())
+                                          .arg(apart(form[i], other)));
+                };
+                for (std::size_t k = 0; k < i; ++k) {
+                    QVERIFY2(apart(form[i], form[k]) >= toldApart, told(form[k]));
+                }
+                QVERIFY2(apart(form[i], ground) >= toldApart, told(ground));
+                QVERIFY2(contrast(toQColor(form[i]), toQColor(ground)) >= 3, told(ground));
+            }
+        }
+    }
+
+    void inTheSafeSetSleepersAreOfNoIslandsColor_data() { addShades(); }
+    void inTheSafeSetSleepersAreOfNoIslandsColor() {
+        QFETCH(bool, dark);
+        QFETCH(bool, safe);
+        const Shade shade = dark ? Shade::Dark : Shade::Light;
+        const DebugColors c = overlayColors({safe ? OverlayColorSet::OkabeIto : OverlayColorSet::Standard, {}}, shade);
+        for (const Color& island : c.islands) {
+            QVERIFY(!safe || apart(c.asleep, island) >= toldApart);
+            QVERIFY(contrast(toQColor(island), editingTheme(shade).background) >= 3);
+        }
+    }
+
+    void tensionIsOfTheReportsHueButInTheSafeSetNotRedAndGreen() {
+        for (const Shade shade : {Shade::Dark, Shade::Light}) {
+            const DebugColors standard = overlayColors({}, shade);
+            QCOMPARE(toQColor(standard.pressed).hue(), 0);
+            QCOMPARE(toQColor(standard.pulled).hue(), 120);
+            const DebugColors safe = overlayColors({OverlayColorSet::OkabeIto, {}}, shade);
+            QVERIFY(apart(safe.pressed, safe.pulled) > 2 * toldApart);
+            QVERIFY(toQColor(safe.pulled).blue() > toQColor(safe.pulled).green());
+        }
+    }
+
     void everyOverlayHasAKeyAndEveryColourAMeaning() {
         QCOMPARE(overlayRows().size(), std::size_t{15});
         for (std::size_t i = 0; i < 9; ++i) {
