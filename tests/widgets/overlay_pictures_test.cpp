@@ -1,4 +1,5 @@
 // Each overlay as it looks: the colour of its own stands where the formula says.
+#include "core/physics/query/contact_manifolds.h"
 #include "core/physics/query/queries.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/overlay_table.h"
@@ -60,8 +61,7 @@ Viewport overlayView() {
 }
 
 /// On black, with one colour markColor.
-QImage overlayPicture(const OverlayFlags& flags, const std::string& ink) {
-    const Level level = overlayLevel();
+QImage overlayPicture(const OverlayFlags& flags, const std::string& ink, const Level& level = overlayLevel()) {
     const Viewport view = overlayView();
     QImage image(400, 400, QImage::Format_RGB32);
     image.fill(Qt::black);
@@ -146,6 +146,42 @@ class OverlayPicturesTest : public QObject {
         const int found = markedNear(overlayPicture(flags, ink.toStdString()), Vec2(x, y));
         QVERIFY2(found >= least, qPrintable(QString::number(found)));
         QCOMPARE(markedNear(overlayPicture({}, ink.toStdString()), Vec2(x, y)), 0);
+    }
+
+    void frictionHasAnArrowAlongTheSurface() {
+        Level level = overlayLevel();
+        level.gravity = Vec2(0, -9.81);
+        for (int i = 0; i < level.objects.size(); ++i) {
+            Object object = level.objects[i];
+            auto* const body = std::get_if<BodyObject>(&object.data);
+            if (body != nullptr) {
+                body->friction = 1;
+                body->velocity = object.key == boxKey ? Vec2(3, 0) : body->velocity; // the crate slides to the right
+                level.objects.replace(i, object);
+            }
+        }
+        const OverlayFlags flags{.contacts = true};
+        const auto worlds = overlayWorlds(level, flags);
+        const World& world = worlds->touched;
+        const BodyId crate = world.bodies()[2];
+        int tried = 0;
+        for (const ContactManifold& contact : contactManifolds(world)) {
+            if (contact.a != crate && contact.b != crate) {
+                continue;
+            }
+            const UpdateParameters& parameters = world.parameters();
+            const double weight = world.body(crate).mass * 9.81;
+            const Vec2 force = contact.tangentImpulse * parameters.iterations / parameters.seconds / weight *
+                               leftOf(contact.normal) * (contact.b == crate ? 1 : -1);
+            QVERIFY2(force.x() < -0.3, qPrintable(QString::number(force.x()))); // it brakes the crate
+            const Vec2 drawn = contact.b == crate ? force : Vec2(-force);
+            const Vec2 at = contact.points[0].at + 0.7 * drawn;
+            QVERIFY(markedNear(overlayPicture(flags, "impulse", level), at) > 150);
+            level.objects.replace(2, overlayLevel().objects[2]); // which stands still
+            QCOMPARE(markedNear(overlayPicture(flags, "impulse", level), at, 1), 0);
+            ++tried;
+        }
+        QCOMPARE(tried, 1);
     }
 
     void aFatBoxHasRoomToMove() {

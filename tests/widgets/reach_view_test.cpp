@@ -56,6 +56,35 @@ class ReachViewTest : public QObject {
         QCOMPARE(test.canvas().reach()->outlines.size(), std::size_t(1));
     }
 
+    void whileARunIsPausedItBeginsWhereTheShipIs() {
+        TestWindow test;
+        Level level = openSpace();
+        level.gravity = Vec2(0, -1);
+        test.document().reset(level);
+        test.trigger(Act::Reach);
+        test.trigger(Act::Play);
+        QVERIFY(test.canvas().reach() == nullptr); // it would lag behind
+        QTest::keyPress(&test.canvas(), Qt::Key_Up);
+        QTRY_VERIFY(test.window->liveRun().updates() > 30);
+        QTest::keyRelease(&test.canvas(), Qt::Key_Up);
+        test.trigger(Act::Pause);
+        const auto isOfShownMoment = [&test] {
+            const auto session = test.window->liveRun().session();
+            const ShownReach* const fan = test.canvas().reach();
+            return session && session->ship() && fan != nullptr && !fan->path.ship.empty() &&
+                   (fan->path.ship.front() - session->ship()->massCenter).norm() < 1e-9;
+        };
+        QTRY_VERIFY(isOfShownMoment());
+        const Vec2 first = test.canvas().reach()->path.ship.front();
+        test.window->liveRun().seek(10);
+        QTRY_VERIFY(isOfShownMoment() && (test.canvas().reach()->path.ship.front() - first).norm() > 1e-6);
+        test.trigger(Act::Pause);
+        QTRY_VERIFY(test.canvas().reach() == nullptr);
+        test.trigger(Act::Stop);
+        test.window->reach().finish();
+        QVERIFY(test.canvas().reach() != nullptr);
+    }
+
     void itIsPaintedOverTheLevel() {
         TestWindow test;
         showFan(test);
