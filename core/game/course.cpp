@@ -18,6 +18,12 @@ Session Course::shown() const {
     return session;
 }
 
+void Course::setFocus(Key object) {
+    m_focus = object;
+    m_timeline.setFocus(object);
+    m_paths = nullptr;
+}
+
 void Course::restart() {
     if (m_level != m_start.sharedLevel()) {
         m_start = Session(m_level, m_seed);
@@ -26,6 +32,7 @@ void Course::restart() {
     m_future.reset();
     m_session = m_start;
     m_timeline = Timeline(m_start);
+    m_timeline.setFocus(m_focus);
     m_record.clear();
     countFuture();
     arrive();

@@ -41,6 +41,9 @@ class Course {
     /// Somebody looks at the end of the run, and all of it has been simulated.
     bool isAtEnd() const { return !m_future && m_session.updates() == m_timeline.last(); }
 
+    /// The object that somebody looks at, see Timeline::setFocus; stays over restarts.
+    void setFocus(Key object);
+
     /// How the run goes on: whether sessions explain themselves (Session::setExplains), and who is told the times of
     /// stages; null for nobody, else it must outlive the updates.
     void observe(bool explains, StageTimes* times) {
@@ -92,6 +95,7 @@ class Course {
     void countFuture();
 
     std::uint64_t m_seed;
+    Key m_focus = 0;
     std::shared_ptr<const Level> m_level; // the newest
     bool m_levelGiven = false;            // in this run; otherwise that of the run holds
     Session m_start;

@@ -77,6 +77,8 @@ class Runner {
     void wantSession(bool wanted);
     /// Whether updates are timed, and frames have the figures. It costs looks at the clock.
     void wantProfile(bool wanted);
+    /// The object that somebody looks at, 0 for none: see Timeline::setFocus.
+    void setFocus(Key object);
     /// What the mouse holds from the next update on; none lets go.
     void setGrab(std::optional<Grab> grab);
     /// So many times as fast as the clock, within `slowest` … `fastest`.

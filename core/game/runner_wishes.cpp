@@ -32,6 +32,13 @@ void Runner::wantProfile(bool wanted) {
     });
 }
 
+void Runner::setFocus(Key object) {
+    command([this, object] {
+        m_course->setFocus(object);
+        showAgain();
+    });
+}
+
 template <class T>
 T Runner::answered(std::function<T()> ask) {
     auto promise = std::make_shared<std::promise<T>>();

@@ -95,11 +95,41 @@ void Timeline::forgetOld() {
     std::erase_if(m_near, [this](const Saved& one) { return one.update < first(); });
     m_tracks.forgetBefore(first());
     if (m_marks && m_marks->front().update < first()) {
-        std::vector<TimelineMark> left = *m_marks;
-        std::erase_if(left, [this](const TimelineMark& mark) { return mark.update < first(); });
-        m_marks = left.empty() ? nullptr : std::make_shared<const std::vector<TimelineMark>>(std::move(left));
+        keepMarks([this](const TimelineMark& mark) { return mark.update >= first(); });
     }
     std::erase_if(m_ghosts, [this](const auto& ghost) { return ghost->from < first(); });
+}
+
+template <class Keep>
+void Timeline::keepMarks(const Keep& keep) {
+    std::vector<TimelineMark> left = m_marks ? *m_marks : std::vector<TimelineMark>();
+    if (std::erase_if(left, [&keep](const TimelineMark& mark) { return !keep(mark); }) > 0) {
+        m_marks = left.empty() ? nullptr : std::make_shared<const std::vector<TimelineMark>>(std::move(left));
+    }
+}
+
+void Timeline::setFocus(Key object) {
+    if (object == m_focus) {
+        return;
+    }
+    m_focus = object;
+    m_lastFocus = m_last - touchPause - 1;
+    m_tracks.setFocus(object);
+    keepMarks(
+        [](const TimelineMark& mark) { return mark.kind != MarkKind::FocusTouch && mark.kind != MarkKind::FocusPart; });
+}
+
+/// Of ship and payload there are marks in any case.
+std::optional<MarkKind> Timeline::focusMark(const Session& after) const {
+    const std::optional<BodyId> body = m_focus != 0 ? after.bodyOf(m_focus) : std::nullopt;
+    if (!body || m_lastFocus + touchPause >= m_last || body == after.shipBody() || body == after.payloadBody()) {
+        return {};
+    }
+    const auto isOfIt = [&](const TouchEvent& touch) { return touch.solid && (touch.a == *body || touch.b == *body); };
+    const Events& events = after.world().events();
+    return std::ranges::any_of(events.began, isOfIt)   ? std::optional(MarkKind::FocusTouch)
+           : std::ranges::any_of(events.ended, isOfIt) ? std::optional(MarkKind::FocusPart)
+                                                       : std::nullopt;
 }
 
 void Timeline::mark(const StepInput& input, const Session& after) {
@@ -113,6 +143,10 @@ void Timeline::mark(const StepInput& input, const Session& after) {
     } else if (m_lastTouch + touchPause < m_last && touchesBegan(after)) {
         fresh.push_back({m_last, MarkKind::Touch});
         m_lastTouch = m_last;
+    }
+    if (const std::optional<MarkKind> touch = focusMark(after)) {
+        fresh.push_back({m_last, *touch});
+        m_lastFocus = m_last;
     }
     if (!fresh.empty()) {
         std::vector<TimelineMark> marks = m_marks ? *m_marks : std::vector<TimelineMark>();
@@ -229,13 +263,9 @@ void Timeline::goOnFrom(const Session& session, bool withGhost) {
         m_inputs.pop_back();
     }
     m_tracks.forgetAfter(now);
-    if (m_marks) {
-        std::vector<TimelineMark> left = *m_marks;
-        std::erase_if(left, [now](const TimelineMark& mark) { return mark.update > now; });
-        m_marks = left.empty() ? nullptr : std::make_shared<const std::vector<TimelineMark>>(std::move(left));
-    }
+    keepMarks([now](const TimelineMark& mark) { return mark.update <= now; });
     m_last = now;
-    m_lastTouch = now - touchPause - 1;
+    m_lastTouch = m_lastFocus = now - touchPause - 1;
     m_phase = session.phase();
     m_updateSeconds = session.updateSeconds();
 }

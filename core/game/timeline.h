@@ -14,11 +14,12 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace spacetow {
 
-enum class MarkKind : std::uint8_t { Touch, Tow, LetGo, Crash, Attempt, Win, Edit };
+enum class MarkKind : std::uint8_t { Touch, Tow, LetGo, Crash, Attempt, Win, Edit, FocusTouch, FocusPart };
 
 /// Something that happened in the update that led to this number of updates.
 struct TimelineMark {
@@ -65,6 +66,10 @@ class Timeline {
     /// How far back one can go from now on.
     void setSeconds(double seconds) { m_limits.seconds = seconds; }
 
+    /// The object that somebody looks at, 0 for none: its touches are marked from the next update on, those of another
+    /// one are no longer, and its way is shown before others.
+    void setFocus(Key object);
+
     /// In order. Null when there are none.
     const std::shared_ptr<const std::vector<TimelineMark>>& marks() const { return m_marks; }
     /// Of futures that were given up, the newest last.
@@ -99,6 +104,10 @@ class Timeline {
     void save(const Session& session);
     void forgetOld();
     void mark(const StepInput& input, const Session& after);
+    std::optional<MarkKind> focusMark(const Session& after) const;
+    /// Leaves those for which this holds.
+    template <class Keep>
+    void keepMarks(const Keep& keep);
 
     Limits m_limits;
     std::deque<Saved> m_saved;
@@ -107,6 +116,8 @@ class Timeline {
     std::int64_t m_last = 0;
     std::int64_t m_looked = 0;        // the moment that was looked at last
     std::int64_t m_lastTouch = -1000; // update of the last mark of one
+    std::int64_t m_lastFocus = -1000; // likewise, of what is looked at
+    Key m_focus = 0;
     double m_updateSeconds = 0.02;
     Phase m_phase = Phase::Sandbox; // at the end
     std::shared_ptr<const std::vector<TimelineMark>> m_marks;

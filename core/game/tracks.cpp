@@ -9,6 +9,11 @@
 namespace spacetow {
 namespace {
 
+bool moves(const Object& object) {
+    const auto* body = std::get_if<BodyObject>(&object.data);
+    return body != nullptr && body->kind != BodyKind::Static;
+}
+
 void addPath(std::vector<TracedPath>& paths, Key object, const std::vector<Vec2>& points) {
     if (points.size() < 2) {
         return;
@@ -20,6 +25,11 @@ void addPath(std::vector<TracedPath>& paths, Key object, const std::vector<Vec2>
 }
 
 } // namespace
+
+void Tracks::setFocus(Key object) {
+    m_focus = object;
+    m_level = nullptr; // bodies are chosen anew
+}
 
 void Tracks::add(const Session& session) {
     if (session.sharedLevel() != m_level) {
@@ -70,11 +80,15 @@ void Tracks::choose(const Session& session) {
     if (ship != nullptr) {
         return;
     }
+    if (const auto* focus = m_level->objects.find(m_focus); focus != nullptr && moves(*focus)) {
+        follow(m_focus, session.updates());
+    }
     const auto gone = static_cast<std::size_t>(std::ranges::count_if(m_tracks, isGone));
     for (const Object& object : m_level->objects) {
         const auto* body = std::get_if<BodyObject>(&object.data);
         const bool isNew = before != nullptr && before->objects.find(object.key) == nullptr; // somebody looks at it
-        if (m_tracks.size() - gone < (isNew ? 2 : 1) * mostBodies && body != nullptr && body->kind != BodyKind::Static) {
+        if (m_tracks.size() - gone < (isNew ? 2 : 1) * mostBodies && body != nullptr &&
+            body->kind != BodyKind::Static) {
             follow(object.key, session.updates());
         }
     }

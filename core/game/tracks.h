@@ -28,6 +28,8 @@ class Tracks {
     static constexpr double tolerance = 0.01;         // m, of thinned paths
     static constexpr std::size_t mostPoints = 12'000; // of one body; of more, every other one goes
 
+    /// The object that somebody looks at, 0 for none: it is followed in any case, from the next update on.
+    void setFocus(Key object);
     /// After this update.
     void add(const Session& session);
     void forgetBefore(std::int64_t update);
@@ -49,6 +51,7 @@ class Tracks {
     void doubleStride();
 
     std::vector<Track> m_tracks;
+    Key m_focus = 0;
     std::int64_t m_stride = 1;            // updates; there are points of its multiples
     std::shared_ptr<const Level> m_level; // for which they were chosen
 };

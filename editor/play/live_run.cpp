@@ -59,6 +59,7 @@ void LiveRun::begin(std::shared_ptr<const Level> level, const Recorded* recorded
     }
     m_runner->wantSession(!m_sessionWanted.empty());
     m_runner->wantProfile(m_profile);
+    m_runner->setFocus(m_focus);
     if (recorded != nullptr) {
         m_runner->open(recorded->replay, recorded->then);
         m_runner->watch();
@@ -256,6 +257,12 @@ void LiveRun::setSpeed(double speed) {
         m_runner->setSpeed(next);
     }
     Q_EMIT speedChanged();
+}
+
+void LiveRun::setFocus(Key object) {
+    if (std::exchange(m_focus, object) != object && m_runner) {
+        m_runner->setFocus(object);
+    }
 }
 
 void LiveRun::setGrab(const std::optional<Grab>& grab) {

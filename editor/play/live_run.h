@@ -78,6 +78,8 @@ class LiveRun : public QObject {
     double speed() const { return m_speed; }
     void setSpeed(double speed);
     void changeSpeed(bool faster) { setSpeed(faster ? 2 * m_speed : m_speed / 2); }
+    /// The object that somebody looks at, 0 for none, in this run and the next ones: its touches are marked.
+    void setFocus(Key object);
     /// What the mouse holds; none lets go.
     void setGrab(const std::optional<Grab>& grab);
     /// The level as it has been edited, from now on.
@@ -151,6 +153,7 @@ class LiveRun : public QObject {
     HeldKeys m_held;
     std::set<const void*> m_sessionWanted; // who wants it
     double m_speed = 1;
+    Key m_focus = 0;
     std::shared_ptr<const Frame> m_seen; // the last that was told of
     bool m_watching = false;
     bool m_rewinding = false;

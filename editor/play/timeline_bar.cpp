@@ -42,6 +42,8 @@ QColor colorOf(MarkKind kind, Shade shade) {
     case MarkKind::Attempt:
     case MarkKind::LetGo:
         return dark ? QColor(150, 190, 255) : QColor(36, 92, 200);
+    case MarkKind::FocusTouch:
+    case MarkKind::FocusPart:
     case MarkKind::Touch:
         break;
     }
@@ -64,6 +66,10 @@ QString markName(MarkKind kind) {
     switch (kind) {
     case MarkKind::Touch:
         return TimelineScale::tr("Touch");
+    case MarkKind::FocusTouch:
+        return TimelineScale::tr("The selected body touches something");
+    case MarkKind::FocusPart:
+        return TimelineScale::tr("The selected body parts from something");
     case MarkKind::Tow:
         return TimelineScale::tr("Payload taken in tow");
     case MarkKind::LetGo:
@@ -132,8 +138,14 @@ bool TimelineScale::event(QEvent* event) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const std::optional<TimelineMark> mark = markAt(help->pos().x());
         const std::int64_t update = mark ? mark->update : updateAt(help->pos().x());
-        QToolTip::showText(help->globalPos(),
-                           mark ? tr("%1, at %2").arg(markName(mark->kind), timeText(update)) : timeText(update), this);
+        QString words = mark ? tr("%1, at %2").arg(markName(mark->kind), timeText(update)) : timeText(update);
+        if (m_state.hasGhosts) {
+            words +=
+                QLatin1Char('\n') + tr("Dashed on the canvas: what was to come before the run was changed. Without a "
+                                       "ship these are the ways of the selected body and of up to %1 others.")
+                                        .arg(Tracks::mostBodies);
+        }
+        QToolTip::showText(help->globalPos(), words, this);
         return true;
     }
     if (event->type() == QEvent::ShortcutOverride) {
@@ -154,9 +166,13 @@ void TimelineScale::paintMarks(QPainter& painter) const {
             continue;
         }
         const double x = std::round(xOf(mark.update)) + 0.5;
-        const bool small = mark.kind == MarkKind::Touch;
+        const bool ends = mark.kind == MarkKind::FocusPart;
+        const bool small = ends || mark.kind == MarkKind::Touch || mark.kind == MarkKind::FocusTouch;
         painter.setPen(stroke(colorOf(mark.kind, shade), small ? 1 : 2));
-        painter.drawLine(QPointF(x, small ? barTop - 3 : barTop - 6), QPointF(x, barTop + barHigh));
+        painter.drawLine(QPointF(x, ends    ? barTop
+                                    : small ? barTop - 3
+                                            : barTop - 6),
+                         QPointF(x, barTop + barHigh + (ends ? 3 : 0))); // what ends goes down
         if (!small) {
             painter.setBrush(colorOf(mark.kind, shade));
             painter.drawEllipse(QPointF(x, barTop - 6), 2.5, 2.5);

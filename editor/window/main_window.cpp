@@ -349,6 +349,7 @@ void MainWindow::updateSelection() {
     const std::vector<Key>& keys = shown.selection.keys();
     const Aabb box =
         isPlaying() && !keys.empty() ? boundsOf(m_live.posedShown(keys), keys) : boundsOf(*shown.level, keys);
+    m_run.setFocus(keys.size() == 1 ? keys.front() : 0);
     m_status.setSelection(shown.selection.size(), box);
     m_frame.setExtent(box);
 }

@@ -226,7 +226,7 @@ void MainWindow::listenToRun() {
 void MainWindow::updateTimeline() {
     if (const auto timeline = m_run.timeline(); timeline && isPlaying()) {
         m_timeline.showState({timeline->first, timeline->last, timeline->shown, timeline->goal, timeline->updateSeconds,
-                              timeline->marks});
+                              timeline->marks, !timeline->ghosts.empty()});
     }
 }
 
