@@ -3,12 +3,12 @@
 #include "editor/canvas/icons.h"
 #include "editor/canvas/overlay_table.h"
 #include "editor/canvas/painter_draw.h"
+#include "editor/canvas/swatch.h"
 #include "editor/canvas/tag_text.h"
 
 #include <QCoreApplication>
 #include <QEvent>
 #include <QLabel>
-#include <QPainter>
 #include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -30,19 +30,6 @@ QString words(const char* text) {
 QString titleOf(const OverlayRow& row) {
     QString title = QCoreApplication::translate("Actions", row.text);
     return title.remove(QLatin1Char('&'));
-}
-
-QIcon swatch(const std::array<Color, 6>& colors, int count, int side) {
-    QPixmap pixmap(side, side);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    const double wide = static_cast<double>(side) / count;
-    for (int i = 0; i < count; ++i) {
-        painter.fillRect(QRectF(i * wide, 0, wide, side), toQColor(colors[static_cast<std::size_t>(i)]));
-    }
-    painter.setPen(QColor(128, 128, 128));
-    painter.drawRect(0, 0, side - 1, side - 1);
-    return pixmap;
 }
 
 /// A button beside what it means; the words take as many lines as there is room for.
@@ -147,7 +134,7 @@ void Legend::addOverlay(QVBoxLayout& list, int index) {
     }
     if (row.flag == &OverlayFlags::islands) {
         auto* colors = new QToolButton;
-        colors->setIcon(swatch(overlayColors(m_shown->palette, m_shown->ground).islands, 6, 18));
+        colors->setIcon(swatch(overlayColors(m_shown->palette, m_shown->ground).islands, 18));
         list.addWidget(lineOf(colors, words(row.remark), margin).all);
     } else if (row.flag == &OverlayFlags::tags) {
         addTags(list);
@@ -156,7 +143,7 @@ void Legend::addOverlay(QVBoxLayout& list, int index) {
 
 void Legend::addInk(QVBoxLayout& list, const OverlayInk& ink) {
     auto* color = new QToolButton;
-    color->setIcon(swatch({overlayColors(m_shown->palette, m_shown->ground).*ink.color}, 1, 14));
+    color->setIcon(swatch(std::array{overlayColors(m_shown->palette, m_shown->ground).*ink.color}, 14));
     color->setToolTip(tr("Choose another color"));
     color->setAccessibleName(words(ink.meaning));
     color->setProperty("ink", QLatin1String(ink.name));
@@ -170,7 +157,7 @@ void Legend::addTags(QVBoxLayout& list) {
     for (int tag = 0; tag < TagTable::size; ++tag) {
         if (!m_shown->tags[tag].name.empty()) {
             auto* color = new QToolButton;
-            color->setIcon(swatch({toColor(QColor::fromRgb(m_shown->tags[tag].color))}, 1, 14));
+            color->setIcon(swatch(std::array{toColor(QColor::fromRgb(m_shown->tags[tag].color))}, 14));
             list.addWidget(lineOf(color, tagText(m_shown->tags, tag), margin).all);
         }
     }

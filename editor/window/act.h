@@ -93,6 +93,7 @@ enum class Act : std::uint8_t {
     OverlaysOff,
     OverlayProblems,
     OverlayLegend,
+    OverlayColors,
     OverlayColorsSafe,
     OverlayColorsReset,
     Reach,

@@ -38,6 +38,7 @@
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QMenu>
+#include <QPointer>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -50,6 +51,7 @@
 namespace spacetow {
 
 class Application;
+class OverlayColorsDialog;
 class WelcomePage;
 
 class MainWindow : public QMainWindow {
@@ -147,6 +149,8 @@ class MainWindow : public QMainWindow {
     const OverlayPalette& overlayPalette() const { return m_overlayPalette; }
     void setOverlayPalette(const OverlayPalette& palette);
     bool isLegendShown() const { return m_legendShown; }
+    /// Beside the window, which goes on.
+    void chooseOverlayColors();
     void setLegendShown(bool shown);
     Legend& legend() { return m_legend; }
 
@@ -329,6 +333,7 @@ class MainWindow : public QMainWindow {
     OverlayPalette m_overlayPalette;
     Legend m_legend; // on the canvas
     bool m_legendShown = true;
+    QPointer<OverlayColorsDialog> m_overlayColors; // null while nobody chooses
     bool m_panelsHidden = false;
     bool m_panelsInGame = false;  // called back
     bool m_inGame = false;        // what runs, or ran last, is a game

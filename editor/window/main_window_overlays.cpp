@@ -2,6 +2,7 @@
 #include "editor/canvas/overlay_table.h"
 #include "editor/canvas/painter_draw.h"
 #include "editor/window/main_window.h"
+#include "editor/window/overlay_colors_dialog.h"
 
 #include <QColorDialog>
 #include <QCoreApplication>
@@ -33,7 +34,23 @@ void MainWindow::setLegendShown(bool shown) {
 void MainWindow::updateLegend() {
     m_legend.showOverlays({m_legendShown ? m_overlays : OverlayFlags(), m_overlayPalette, m_document.level().tags,
                            overlayGround(), isInGame() ? 3 * fontMetrics().height() : 0});
+    if (m_overlayColors != nullptr) {
+        m_overlayColors->showPalette(m_overlayPalette, overlayGround());
+    }
     m_actions.refresh();
+}
+
+void MainWindow::chooseOverlayColors() {
+    if (m_overlayColors == nullptr) {
+        m_overlayColors = new OverlayColorsDialog(this); // goes when it is closed
+        m_overlayColors->setAttribute(Qt::WA_DeleteOnClose);
+        connect(m_overlayColors, &OverlayColorsDialog::chosen, this, &MainWindow::setOverlayPalette);
+        connect(m_overlayColors, &OverlayColorsDialog::colorWanted, this, &MainWindow::chooseOverlayColor);
+        m_overlayColors->showPalette(m_overlayPalette, overlayGround());
+    }
+    m_overlayColors->show();
+    m_overlayColors->raise();
+    m_overlayColors->activateWindow();
 }
 
 /// Space is dark, whatever the panels are.
@@ -55,7 +72,8 @@ void MainWindow::listenToLegend() {
 void MainWindow::chooseOverlayColor(int ink) {
     const OverlayInk& chosen = overlayInks()[static_cast<std::size_t>(ink)];
     const DebugColors colors = overlayColors(m_overlayPalette, overlayGround());
-    auto* dialog = new QColorDialog(toQColor(colors.*chosen.color), this);
+    QWidget* const asker = m_overlayColors != nullptr ? m_overlayColors.data() : static_cast<QWidget*>(this);
+    auto* dialog = new QColorDialog(toQColor(colors.*chosen.color), asker);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(QCoreApplication::translate("Legend", chosen.meaning));
     connect(dialog, &QColorDialog::colorSelected, this, [this, name = std::string(chosen.name)](const QColor& color) {

@@ -3,9 +3,11 @@
 #include "editor/canvas/overlay_table.h"
 #include "editor/canvas/painter_draw.h"
 #include "editor/play/hud.h"
+#include "editor/window/overlay_colors_dialog.h"
 #include "editor/window/preferences.h"
 #include "tests/support/color_vision.h"
 #include "tests/support/game_levels.h"
+#include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
 #include <QColorDialog>
@@ -137,6 +139,44 @@ class LegendTest : public QObject {
         QVERIFY(overlayColors(test.window->overlayPalette(), Shade::Dark) == overlayColors({}, Shade::Dark));
         test.reopen();
         QVERIFY(test.window->overlayPalette().own.empty());
+    }
+
+    void theDialogOfColorsSaysAndChangesWhatTheLegendDoes() {
+        TestWindow test;
+        test.trigger(Act::OverlayVelocity);
+        test.trigger(Act::OverlayColors);
+        auto* const dialog = test.window->findChild<OverlayColorsDialog*>();
+        QVERIFY(dialog != nullptr && dialog->isVisible());
+        const auto button = [dialog](const char* property, const QString& name) -> QToolButton* {
+            for (auto* one : dialog->findChildren<QToolButton*>()) {
+                if (one->property(property).toString() == name) {
+                    return one;
+                }
+            }
+            return nullptr;
+        };
+        for (const OverlayInk& ink : overlayInks()) { // also of overlays that are off
+            QVERIFY2(button("ink", ink.name) != nullptr && !button("reset", ink.name)->isEnabled(), ink.name);
+        }
+        auto* const set = dialog->findChild<QComboBox*>();
+        set->setCurrentIndex(1);
+        Q_EMIT set->activated(1);
+        QVERIFY(test.window->overlayPalette().set == OverlayColorSet::OkabeIto);
+        QVERIFY(test.window->actions()[Act::OverlayColorsSafe].isChecked());
+        button("ink", QStringLiteral("velocity"))->click();
+        auto* const colors = dialog->findChild<QColorDialog*>();
+        QVERIFY(colors != nullptr);
+        colors->setCurrentColor(QColor(1, 2, 3));
+        colors->accept();
+        QVERIFY((overlayColors(test.window->overlayPalette(), Shade::Dark).velocity == Color{1, 2, 3}));
+        QVERIFY(button("reset", QStringLiteral("velocity"))->isEnabled());
+        button("reset", QStringLiteral("velocity"))->click();
+        QVERIFY(test.window->overlayPalette().own.empty());
+        test.trigger(Act::OverlayColorsSafe); // elsewhere
+        QCOMPARE(set->currentIndex(), 0);
+        QCOMPARE(cutOffTexts(*dialog), QStringList());
+        test.trigger(Act::OverlayColors); // is there already
+        QCOMPARE(test.window->findChildren<OverlayColorsDialog*>().size(), 1);
     }
 
     void theSetIsRemembered() {
