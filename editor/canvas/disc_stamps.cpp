@@ -8,7 +8,7 @@ namespace {
 
 constexpr int parts = 4;           // of a device pixel, in which places and radii are told apart
 constexpr std::size_t most = 4096; // pictures
-constexpr double margin = 3;       // px, for the outline
+constexpr double outlineRoom = 3;  // px, for the outline
 
 /// Whole device pixels, and parts of one beyond them.
 struct Place {
@@ -33,7 +33,7 @@ void DiscStamps::paint(const Stage& stage, const QPointF& center, double radius,
     const QPointF moved(stage.painter.worldTransform().dx(), stage.painter.worldTransform().dy());
     const Place x((center.x() + moved.x()) * ratio), y((center.y() + moved.y()) * ratio);
     const auto size = static_cast<int>(std::lround(radius * ratio * parts));
-    const int half = static_cast<int>(std::ceil((radius + margin) * ratio)) + 1; // device pixels
+    const int half = static_cast<int>(std::ceil((radius + outlineRoom) * ratio)) + 1; // device pixels
     const int look = 2 * static_cast<int>(style.kind) + (style.tangible ? 1 : 0);
     QPixmap& stamp = m_stamps[static_cast<std::uint32_t>(((size * 8 + look) * parts + x.part) * parts + y.part)];
     if (stamp.isNull()) {
