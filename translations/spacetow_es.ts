@@ -1929,20 +1929,80 @@
         <translation>gana tras %1 s, con %2 s de propulsión</translation>
     </message>
     <message>
-        <source>is lost at %1</source>
-        <translation>se pierde en %1</translation>
-    </message>
-    <message>
-        <source>goes astray and ends at %1</source>
-        <translation>se desvía y termina en %1</translation>
-    </message>
-    <message>
         <source>cannot be read</source>
         <translation>no se puede leer</translation>
     </message>
     <message>
         <source>is being flown…</source>
         <translation>en vuelo…</translation>
+    </message>
+    <message>
+        <source>still wins, after %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still wins, now after %1 s; before after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crashed before, wins now after %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was not won before, wins now after %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still crashes at %1, after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still crashes, now at %1, after %2 s; before after %3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>won before, crashes now at %1, after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crashes now, at %1, after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crashes at %1, after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>won before, now there is no ship</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>runs to its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is still under way at its end, at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is still under way at its end, now at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>won before, now is under way at its end, at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crashed before, now is under way at its end, at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is under way at its end, at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be flown: too many bodies lie in the same place. Move them apart.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2061,6 +2121,18 @@
     <message>
         <source>In range.</source>
         <translation>Al alcance.</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thrust</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the payload in tow and carry it across the finish.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5374,6 +5446,21 @@
         <source>The run has ended, and nothing of it is left.</source>
         <translation>La ejecución ha terminado y no queda nada de ella.</translation>
     </message>
+    <message>
+        <source>Edits of the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep %n changes</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
@@ -6438,10 +6525,6 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
         <translation>Idio&amp;ma</translation>
     </message>
     <message>
-        <source>Too much for this computer: the game is %1 s behind real time · %2: back to the editor</source>
-        <translation>Demasiado para este equipo: el juego va %1 s por detrás del tiempo real · %2: volver al editor</translation>
-    </message>
-    <message>
         <source>The game was ended: so many bodies lie in the same place that the computer&apos;s memory would not hold what happens between them. Move them apart, and play again.</source>
         <translation>El juego se ha terminado: hay tantos cuerpos en el mismo lugar que la memoria del equipo no alcanzaría para lo que ocurre entre ellos. Sepárelos y juegue de nuevo.</translation>
     </message>
@@ -6468,14 +6551,6 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     <message>
         <source>Flights (*.replay.json)</source>
         <translation>Vuelos (*.replay.json)</translation>
-    </message>
-    <message>
-        <source>1/%1 ×</source>
-        <translation>1/%1 ×</translation>
-    </message>
-    <message>
-        <source>%1 ×</source>
-        <translation>%1 ×</translation>
     </message>
     <message>
         <source>%1 fps</source>
@@ -6512,6 +6587,44 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     <message>
         <source>Simulation running · click: select · drag: pull a body, move what stands still · %1: hold · %2: back to the editor</source>
         <translation>Simulación en marcha · clic: seleccionar · arrastrar: tirar de un cuerpo, mover lo que está quieto · %1: pausar · %2: volver al editor</translation>
+    </message>
+    <message>
+        <source>Here begins a new level.
+%1: draw the walls of a cave, anticlockwise
+%2: place ship, payload and finish
+%3: play
+%4, %5: draw boxes and balls
+%6: simulate
+%7: find everything else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simulating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held within an update, after iteration %1 of %2 · %3: next iteration · %4: go on from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held · %1: go on from here · %2: next frame · %3: previous frame · %4: back to the editor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · it will move; walls and lines stand still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Getting ready to run: %1 s so far · %2: leave it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too much for this computer: %1 s behind real time · %2: back to the editor</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6917,8 +7030,8 @@ La lista muestra primero lo que se dibuja encima.</translation>
         <translation>No hay nada en marcha.</translation>
     </message>
     <message>
-        <source>Energy %1 J, drift %2 · momentum %3 kg m/s, drift %4</source>
-        <translation>Energía %1 J, deriva %2 · momento lineal %3 kg m/s, deriva %4</translation>
+        <source>Energy %1 J, %2 J since the start (drift %3) · momentum %4 kg m/s (drift %5)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7216,6 +7329,10 @@ La lista muestra primero lo que se dibuja encima.</translation>
         <source>Nothing waits to be kept. What is changed in a level while it runs is listed here when the run ends.</source>
         <translation>No hay nada pendiente de conservar. Lo que se cambia en un nivel en marcha aparece aquí al terminar la ejecución.</translation>
     </message>
+    <message>
+        <source>Makes all of these changes in the level, as one step that can be undone</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ScrubLabel</name>
@@ -7429,6 +7546,18 @@ La lista muestra primero lo que se dibuja encima.</translation>
     <message>
         <source>%1 / %2 s</source>
         <translation>%1 / %2 s</translation>
+    </message>
+    <message>
+        <source>1/%1 ×</source>
+        <translation>1/%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>How fast time runs</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -1929,20 +1929,80 @@
         <translation>%1 s 后获胜，推进 %2 s</translation>
     </message>
     <message>
-        <source>is lost at %1</source>
-        <translation>在 %1 处失败</translation>
-    </message>
-    <message>
-        <source>goes astray and ends at %1</source>
-        <translation>偏离了原航线，结束于 %1 处</translation>
-    </message>
-    <message>
         <source>cannot be read</source>
         <translation>无法读取</translation>
     </message>
     <message>
         <source>is being flown…</source>
         <translation>正在飞行…</translation>
+    </message>
+    <message>
+        <source>still wins, after %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still wins, now after %1 s; before after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crashed before, wins now after %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was not won before, wins now after %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still crashes at %1, after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still crashes, now at %1, after %2 s; before after %3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>won before, crashes now at %1, after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crashes now, at %1, after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crashes at %1, after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>won before, now there is no ship</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>runs to its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is still under way at its end, at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is still under way at its end, now at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>won before, now is under way at its end, at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crashed before, now is under way at its end, at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is under way at its end, at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be flown: too many bodies lie in the same place. Move them apart.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2061,6 +2121,18 @@
     <message>
         <source>In range.</source>
         <translation>在范围内。</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thrust</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the payload in tow and carry it across the finish.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5339,6 +5411,20 @@
         <source>The run has ended, and nothing of it is left.</source>
         <translation>运行已结束，没有留下任何内容。</translation>
     </message>
+    <message>
+        <source>Edits of the run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep %n changes</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>
@@ -6396,10 +6482,6 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
         <translation>语言(&amp;G)</translation>
     </message>
     <message>
-        <source>Too much for this computer: the game is %1 s behind real time · %2: back to the editor</source>
-        <translation>超出此计算机的能力：游戏落后实际时间 %1 秒 · %2：返回编辑器</translation>
-    </message>
-    <message>
         <source>The game was ended: so many bodies lie in the same place that the computer&apos;s memory would not hold what happens between them. Move them apart, and play again.</source>
         <translation>游戏已结束：同一位置的物体过多，计算机内存无法容纳它们之间的相互作用。请将它们分开后再玩。</translation>
     </message>
@@ -6426,14 +6508,6 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     <message>
         <source>Flights (*.replay.json)</source>
         <translation>飞行记录 (*.replay.json)</translation>
-    </message>
-    <message>
-        <source>1/%1 ×</source>
-        <translation>1/%1 ×</translation>
-    </message>
-    <message>
-        <source>%1 ×</source>
-        <translation>%1 ×</translation>
     </message>
     <message>
         <source>%1 fps</source>
@@ -6470,6 +6544,44 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     <message>
         <source>Simulation running · click: select · drag: pull a body, move what stands still · %1: hold · %2: back to the editor</source>
         <translation>模拟运行中 · 单击：选择 · 拖动：拉动物体，移动静止的对象 · %1：暂停 · %2：返回编辑器</translation>
+    </message>
+    <message>
+        <source>Here begins a new level.
+%1: draw the walls of a cave, anticlockwise
+%2: place ship, payload and finish
+%3: play
+%4, %5: draw boxes and balls
+%6: simulate
+%7: find everything else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simulating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held within an update, after iteration %1 of %2 · %3: next iteration · %4: go on from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held · %1: go on from here · %2: next frame · %3: previous frame · %4: back to the editor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · it will move; walls and lines stand still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Getting ready to run: %1 s so far · %2: leave it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too much for this computer: %1 s behind real time · %2: back to the editor</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6875,8 +6987,8 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
         <translation>没有正在运行的内容。</translation>
     </message>
     <message>
-        <source>Energy %1 J, drift %2 · momentum %3 kg m/s, drift %4</source>
-        <translation>能量 %1 J，漂移 %2 · 动量 %3 kg m/s，漂移 %4</translation>
+        <source>Energy %1 J, %2 J since the start (drift %3) · momentum %4 kg m/s (drift %5)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7172,6 +7284,10 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
         <source>Nothing waits to be kept. What is changed in a level while it runs is listed here when the run ends.</source>
         <translation>没有等待保留的更改。关卡运行时所做的更改会在运行结束后列在这里。</translation>
     </message>
+    <message>
+        <source>Makes all of these changes in the level, as one step that can be undone</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ScrubLabel</name>
@@ -7381,6 +7497,18 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     <message>
         <source>%1 / %2 s</source>
         <translation>%1 / %2 s</translation>
+    </message>
+    <message>
+        <source>1/%1 ×</source>
+        <translation>1/%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>How fast time runs</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

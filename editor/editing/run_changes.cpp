@@ -211,6 +211,9 @@ void RunChanges::keepAll() {
 }
 
 void RunChanges::keep(const std::vector<int>& places) {
+    if (!areWaiting()) {
+        return;
+    }
     m_committing = true;
     const std::shared_ptr<const Level> now = m_document.current().level; // with the edits of a run that goes on
     const auto step = [&](const Label& label, Level kept) {

@@ -30,7 +30,8 @@ class WholeFileTest : public QObject {
     void init() { m_folder.emplace(); }
 
     void aTextComesBackWithTheStampOfItsFile() {
-        const std::string text = std::string("a\0b\n", 4) + std::string(200'000, 'x');
+        std::string text("a\0b\n", 4);
+        text.append(200'000, 'x');
         const Result<FileStamp> written = writeFile(path("file"), text);
         QCOMPARE(codeOf(written), std::string("written"));
         const Result<ReadText> read = readFile(path("file"), text.size());

@@ -23,7 +23,7 @@ T anyOf(Random& random, const T (&list)[n]) {
     return list[random.below(n)];
 }
 
-QString described(const JointedFloor& floor, const Passage& passage, const Felt& felt) {
+QString described(const JointedFloor& floor, const Crossing& passage, const Felt& felt) {
     return QString("%1%2 at %3°, missing by (%4, %5) m; %6 corner at %7 m, %8 m/s, %9 iterations: ")
                .arg(floor.then.isEmpty() ? floor.walls : floor.walls + ", then " + floor.then,
                     floor.oneBody ? " of one body" : "")
@@ -84,7 +84,7 @@ void JointSweepTest::noJointIsFelt() {
         if (!exact) {
             floor.miss = {tiny(random, -16, -6), tiny(random, -16, -6)};
         }
-        Passage passage{.outline = lyingShapeOf(what, random), .leading = random.below(2) == 0};
+        Crossing passage{.outline = lyingShapeOf(what, random), .leading = random.below(2) == 0};
         passage.beside = tiny(random, -16, -4);
         passage.speed = anyOf(random, speeds);
         passage.iterations = anyOf(random, counts);

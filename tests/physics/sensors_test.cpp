@@ -48,15 +48,15 @@ Heard flown(World& world, int updates) {
 }
 
 /// A sensor at the origin that moves with its own speed, or stands still, and something that passes it.
-struct Passage {
+struct SensorPass {
     World world;
     int updates = 0;
     double speed = 0; // m/s, of each towards the other
 };
 
 /// The centre of what passes comes by at the distance `aside`.
-Passage passage(Random& random, double aside) {
-    Passage p{World(withIterations(static_cast<int>(1 + random.below(4) * random.below(8)), {0, 0}))};
+SensorPass passage(Random& random, double aside) {
+    SensorPass p{World(withIterations(static_cast<int>(1 + random.below(4) * random.below(8)), {0, 0}))};
     p.speed = std::pow(10, random.uniform(-0.5, 3.5));
     const Vec2 along = Rot::fromAngle(random.uniform(-pi, pi)) * Vec2(1, 0);
     const Vec2 common(random.uniform(-50, 50), random.uniform(-50, 50));
@@ -85,7 +85,7 @@ class SensorsTest : public QObject {
     void whatPassesASensorBeginsAndEndsOnceHoweverFast() {
         for (std::uint64_t seed = 1; seed <= fullOrQuick(100000U, usualOrThin(2000U, 300U)); ++seed) {
             Random random(seed);
-            Passage p = passage(random, random.uniform(-0.004, 0.004));
+            SensorPass p = passage(random, random.uniform(-0.004, 0.004));
             const Heard heard = flown(p.world, p.updates);
             QVERIFY2(heard.began == 1 && heard.ended == 1 && heard.inTurn, seedText(seed) + ": " + heard.text());
         }
@@ -94,7 +94,7 @@ class SensorsTest : public QObject {
     void whatFliesPastASensorIsNotFelt() {
         for (std::uint64_t seed = 1; seed <= fullOrQuick(20000U, usualOrThin(500U, 100U)); ++seed) {
             Random random(seed);
-            Passage p = passage(random, random.uniform(0.7, 0.9));
+            SensorPass p = passage(random, random.uniform(0.7, 0.9));
             const Heard heard = flown(p.world, p.updates);
             QVERIFY2(heard.began == 0 && heard.ended == 0, seedText(seed) + ": " + heard.text());
         }
@@ -104,7 +104,7 @@ class SensorsTest : public QObject {
     void whatTumblesPastASensorEndsAsOftenAsItBegins() {
         for (std::uint64_t seed = 1; seed <= fullOrQuick(50000U, usualOrThin(1000U, 200U)); ++seed) {
             Random random(seed);
-            Passage p = passage(random, 0);
+            SensorPass p = passage(random, 0);
             const std::vector<BodyId> bodies = p.world.bodies();
             const Vec2 velocity = p.world.body(bodies[1]).velocity;
             p.world.setVelocity(bodies[1], velocity, random.uniform(-100, 100));

@@ -115,7 +115,7 @@ inline Polygon lyingShapeOf(const QString& what, Random& random) {
 }
 
 /// How a corner of the base passes the joint.
-struct Passage {
+struct Crossing {
     Polygon outline;
     bool leading = false; // its right corner
     double beside = 0;    // m: there it is at the beginning of an iteration
@@ -130,7 +130,7 @@ struct Felt {
     double hop = 0;   // m
 };
 
-inline Felt passed(const JointedFloor& floor, const Passage& passage, const Lying& body) {
+inline Felt passed(const JointedFloor& floor, const Crossing& passage, const Lying& body) {
     const Rot rotation = Rot::fromAngle(floor.angle);
     World world(withIterations(passage.iterations, rotation * Vec2(0, -9.81)));
     addJointedFloor(world, floor);

@@ -22,8 +22,8 @@ Level crowdedYard(Random& random) {
     level.objects.append({group, "", GroupObject{}, {}});
     for (Key i = 0; i < 60; ++i) {
         const double x = static_cast<double>(random.below(160)) / 10 - 8;
-        Object ball{firstBall + i, "", ballAt(Vec2(x, 1 + 0.1 * static_cast<double>(i))), {}};
-        ball.group = i % 4 == 0 ? group : 0;
+        Object ball{firstBall + i, "", test::ballAt(Vec2(x, 1 + 0.1 * static_cast<double>(i))), {}};
+        ball.parent = i % 4 == 0 ? group : 0;
         level.objects.append(ball);
     }
     for (Key i = 0; i < 8; ++i) {
