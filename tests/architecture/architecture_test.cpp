@@ -69,6 +69,7 @@ class ArchitectureTest : public QObject {
     void theTableNamesEveryFolderOfSources();
     void everyIncludePointsDown();
     void everyFileKeepsItsForm();
+    void noStageTakesAWholeWorld();
     void unnamedNamesOfAFolderDiffer();
     void theRootHoldsOnlyWhatIsExpected();
     void aToolIsRegisteredOnceInALayer();
@@ -117,6 +118,18 @@ void ArchitectureTest::everyFileKeepsItsForm() {
     std::vector<std::string> problems;
     for (const Source& source : sourcesUnder({"core", "editor", "app", "tests"})) {
         append(problems, formProblems(source));
+    }
+    expectNone(problems);
+}
+
+void ArchitectureTest::noStageTakesAWholeWorld() {
+    const std::string function = "\nvoid solve(WorldData& data);\n";
+    QCOMPARE(wholeWorldProblems({"core/physics/solver/solve.h", function}).size(), std::size_t{1});
+    QVERIFY(wholeWorldProblems({"core/physics/step/update.h", function}).empty());
+    QVERIFY(wholeWorldProblems({"core/physics/solver/solve.h", "    SolverStage(WorldData& data)"}).empty());
+    std::vector<std::string> problems;
+    for (const Source& source : sourcesUnder({"core"})) {
+        append(problems, wholeWorldProblems(source));
     }
     expectNone(problems);
 }

@@ -155,6 +155,27 @@ inline std::vector<std::string> includeProblems(const Source& source, const Laye
     return problems;
 }
 
+/// Sentences about functions of the engine's stages that take all of a world: a stage takes what it touches, or a view
+/// of that, which is made from the whole.
+inline std::vector<std::string> wholeWorldProblems(const Source& source) {
+    std::vector<std::string> problems;
+    for (const char* room : {"sleep", "solver", "contacts", "broad_phase", "state", "lanes", "def"}) {
+        if (!source.path.starts_with(std::string("core/physics/") + room + '/')) {
+            continue;
+        }
+        int number = 0;
+        for (const std::string& line : linesOf(source.text)) {
+            ++number;
+            if (line.find("WorldData&") != std::string::npos &&
+                line.find("Stage(WorldData& data)") == std::string::npos) {
+                problems.push_back(source.path + ":" + std::to_string(number) +
+                                   ": a stage takes what it touches, not all of WorldData");
+            }
+        }
+    }
+    return problems;
+}
+
 constexpr std::size_t mostLines = 400;
 
 /// Sentences about the form of this file.

@@ -148,8 +148,8 @@ bool haveSameParts(const Twins& twins) {
     const WorldData& patched = twins.patched.data();
     const WorldData& anew = twins.anew.data();
     for (const StaticGeometry::Collider& expected : anew.broadPhase.statics->colliders) {
-        const StaticGeometry::Collider& got =
-            patched.broadPhase.staticCollider(staticIndex(patched, expected.body, expected.part));
+        const StaticGeometry::Collider& got = patched.broadPhase.staticCollider(
+            staticIndex(patched.bodies, patched.broadPhase, expected.body, expected.part));
         if (got.body != expected.body || got.part != expected.part || got.bounds != expected.bounds ||
             !isSameWall(got.shape, expected.shape) || !isSameConvex(got.shape, expected.shape)) {
             return false;

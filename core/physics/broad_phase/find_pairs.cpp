@@ -63,11 +63,11 @@ void forProxiesOf(const BroadPhase& broadPhase, Slot slot, const Visit& visit) {
     }
 }
 
-void add(WorldData& data, const MovingProxy& a, const MovingProxy& b) {
+void add(const PairStage& stage, const MovingProxy& a, const MovingProxy& b) {
     const bool ordered = a.body < b.body;
     const MovingProxy& first = ordered ? a : b;
     const MovingProxy& second = ordered ? b : a;
-    data.scratch.search.foundPairs.emplace_back(first.body, second.body, first.part, second.part);
+    stage.search.foundPairs.emplace_back(first.body, second.body, first.part, second.part);
 }
 
 /// Whether the box of another stays clear of a long part.
@@ -83,13 +83,13 @@ bool isCrowded(StepFlags& flags, const PairSearch& search) {
     return many;
 }
 
-void consider(WorldData& data, std::uint32_t index, std::uint32_t other) {
-    const MovingProxy& a = data.broadPhase.proxies[index];
-    const MovingProxy& b = data.broadPhase.proxies[other];
-    if (a.body != b.body && !isCrowded(data.flags, data.scratch.search) &&
-        !staysClear(data.bodies, a, data.broadPhase.boxes[other]) &&
-        !staysClear(data.bodies, b, data.broadPhase.boxes[index])) {
-        add(data, a, b);
+void consider(const PairStage& stage, std::uint32_t index, std::uint32_t other) {
+    const MovingProxy& a = stage.broadPhase.proxies[index];
+    const MovingProxy& b = stage.broadPhase.proxies[other];
+    if (a.body != b.body && !isCrowded(stage.flags, stage.search) &&
+        !staysClear(stage.bodies, a, stage.broadPhase.boxes[other]) &&
+        !staysClear(stage.bodies, b, stage.broadPhase.boxes[index])) {
+        add(stage, a, b);
     }
 }
 
@@ -98,32 +98,32 @@ bool isFoundBy(const BroadPhase& broadPhase, std::uint32_t index, std::uint32_t 
     return other < index || !broadPhase.proxies[other].movedProxy;
 }
 
-void findMovingOf(WorldData& data, std::uint32_t index) {
-    if (isCrowded(data.flags, data.scratch.search)) {
+void findMovingOf(const PairStage& stage, std::uint32_t index) {
+    if (isCrowded(stage.flags, stage.search)) {
         return;
     }
-    const Aabb& box = data.broadPhase.boxes[index];
-    data.scratch.search.found.clear();
-    data.broadPhase.tree.query(box, data.scratch.search.found);
-    for (const std::uint32_t other : data.scratch.search.found) {
-        if (!data.broadPhase.proxies[other].isStaleInTree && isFoundBy(data.broadPhase, index, other)) {
-            consider(data, index, other);
+    const Aabb& box = stage.broadPhase.boxes[index];
+    stage.search.found.clear();
+    stage.broadPhase.tree.query(box, stage.search.found);
+    for (const std::uint32_t other : stage.search.found) {
+        if (!stage.broadPhase.proxies[other].isStaleInTree && isFoundBy(stage.broadPhase, index, other)) {
+            consider(stage, index, other);
         }
     }
-    for (const std::uint32_t other : data.broadPhase.staleProxies) {
-        if (data.broadPhase.boxes[other].overlaps(box) && isFoundBy(data.broadPhase, index, other)) {
-            consider(data, index, other);
+    for (const std::uint32_t other : stage.broadPhase.staleProxies) {
+        if (stage.broadPhase.boxes[other].overlaps(box) && isFoundBy(stage.broadPhase, index, other)) {
+            consider(stage, index, other);
         }
     }
 }
 
 /// The tree has all where they are.
-void findAllMoving(WorldData& data) {
-    data.scratch.search.overlapping.clear();
-    data.broadPhase.tree.queryAll(data.scratch.search.overlapping, data.scratch.search.mostFound);
-    for (const auto& [a, b] : data.scratch.search.overlapping) {
-        if (data.broadPhase.proxies[a].movedProxy || data.broadPhase.proxies[b].movedProxy) {
-            consider(data, a, b);
+void findAllMoving(const PairStage& stage) {
+    stage.search.overlapping.clear();
+    stage.broadPhase.tree.queryAll(stage.search.overlapping, stage.search.mostFound);
+    for (const auto& [a, b] : stage.search.overlapping) {
+        if (stage.broadPhase.proxies[a].movedProxy || stage.broadPhase.proxies[b].movedProxy) {
+            consider(stage, a, b);
         }
     }
 }
@@ -252,28 +252,28 @@ std::size_t mostPairs(const BroadPhase& broadPhase) {
     return (std::size_t{1} << 18) + 64 * broadPhase.proxies.size();
 }
 
-void collectPairs(WorldData& data) {
-    data.scratch.search.mostFound =
-        mostPairs(data.broadPhase) -
-        (data.flags.pairsStale ? 0 : std::min(data.contacts.table.size(), mostPairs(data.broadPhase)) / 2);
-    refreshTree(data.broadPhase, data.flags, data.scratch.search);
-    markMovedProxies(data.broadPhase, data.scratch.search, true);
-    data.scratch.search.foundPairs.clear();
+void collectPairs(const PairStage& stage) {
+    stage.search.mostFound =
+        mostPairs(stage.broadPhase) -
+        (stage.flags.pairsStale ? 0 : std::min(stage.contacts.table.size(), mostPairs(stage.broadPhase)) / 2);
+    refreshTree(stage.broadPhase, stage.flags, stage.search);
+    markMovedProxies(stage.broadPhase, stage.search, true);
+    stage.search.foundPairs.clear();
     const bool most =
-        data.broadPhase.staleProxies.empty() && 2 * data.scratch.search.movedBodies.size() > data.bodies.moving.size();
+        stage.broadPhase.staleProxies.empty() && 2 * stage.search.movedBodies.size() > stage.bodies.moving.size();
     if (most) {
-        findAllMoving(data);
+        findAllMoving(stage);
     }
-    for (const Slot slot : data.scratch.search.movedBodies) {
-        forProxiesOf(data.broadPhase, slot, [&](std::uint32_t i) {
+    for (const Slot slot : stage.search.movedBodies) {
+        forProxiesOf(stage.broadPhase, slot, [&](std::uint32_t i) {
             if (!most) {
-                findMovingOf(data, i);
+                findMovingOf(stage, i);
             }
-            findStaticsOf(data.broadPhase, data.scratch.search, i);
+            findStaticsOf(stage.broadPhase, stage.search, i);
         });
     }
-    markMovedProxies(data.broadPhase, data.scratch.search, false);
-    sortFound(data.bodies, data.scratch.search);
+    markMovedProxies(stage.broadPhase, stage.search, false);
+    sortFound(stage.bodies, stage.search);
 }
 
 } // namespace spacetow

@@ -1,7 +1,7 @@
 #pragma once
 // The search of the broad phase: which parts of the bodies that have left their fat AABBs are near which others.
 
-#include "core/physics/state/world_data.h"
+#include "core/physics/broad_phase/pair_stage.h"
 
 namespace spacetow {
 
@@ -17,6 +17,6 @@ std::size_t mostPairs(const BroadPhase& broadPhase);
 
 /// Fills `foundPairs` with all pairs of those, sorted as the table is; with as many as are kept when the place is
 /// `crowded`.
-void collectPairs(WorldData& data);
+void collectPairs(const PairStage& stage);
 
 } // namespace spacetow

@@ -36,9 +36,9 @@ PairKind kindOf(const Bodies& bodies, const Pair& pair) {
     return PairKind::General;
 }
 
-Pair makePair(const WorldData& data, const FoundPair& found) {
-    const BodyRecord& ra = data.bodies.records[found.bodyA];
-    const BodyRecord& rb = data.bodies.records[found.bodyB];
+Pair makePair(const Bodies& bodies, const BroadPhase& broadPhase, const FoundPair& found) {
+    const BodyRecord& ra = bodies.records[found.bodyA];
+    const BodyRecord& rb = bodies.records[found.bodyB];
     Pair pair;
     pair.staticB = rb.kind == BodyKind::Static;
     pair.bodyA = found.bodyA;
@@ -47,12 +47,12 @@ Pair makePair(const WorldData& data, const FoundPair& found) {
     pair.partB = found.partB;
     pair.shapeA = &(*ra.parts)[pair.partA];
     if (pair.staticB) {
-        pair.collider = staticIndex(data, pair.bodyB, pair.partB);
-        pair.shapeB = &data.broadPhase.staticCollider(pair.collider).shape;
+        pair.collider = staticIndex(bodies, broadPhase, pair.bodyB, pair.partB);
+        pair.shapeB = &broadPhase.staticCollider(pair.collider).shape;
     } else {
         pair.shapeB = &(*rb.parts)[pair.partB];
     }
-    pair.kind = kindOf(data.bodies, pair);
+    pair.kind = kindOf(bodies, pair);
     pair.unmergeable = !pair.staticB && ra.parts->size() == 1 && rb.parts->size() == 1;
     return pair;
 }
@@ -72,22 +72,22 @@ void noteDropped(const Contacts& contacts, PairChanges& changes, std::size_t ind
 }
 
 /// All pairs have been found: they make a new table. What is known of their contacts remains.
-void fillNewTable(WorldData& data) {
-    const PairTable& old = data.contacts.table;
-    PairTable& renewed = data.scratch.changes.newTable;
+void fillNewTable(const PairStage& stage) {
+    const PairTable& old = stage.contacts.table;
+    PairTable& renewed = stage.changes.newTable;
     renewed.clear();
-    data.scratch.changes.dropped.clear();
-    data.scratch.changes.runs.clear();
+    stage.changes.dropped.clear();
+    stage.changes.runs.clear();
     std::size_t i = 0;
-    for (const FoundPair& found : data.scratch.search.foundPairs) {
-        if (!shouldCollide(data.bodies, data.forces, found.bodyA, found.bodyB)) {
+    for (const FoundPair& found : stage.search.foundPairs) {
+        if (!shouldCollide(stage.bodies, stage.forces, found.bodyA, found.bodyB)) {
             continue;
         }
         for (; i < old.size() && FoundPair(old.pairs[i]) < found; ++i) {
-            noteDropped(data.contacts, data.scratch.changes, i);
+            noteDropped(stage.contacts, stage.changes, i);
         }
-        renewed.add(makePair(data, found));
-        const bool covered = limitsFraction(data.bodies, renewed.pairs.back());
+        renewed.add(makePair(stage.bodies, stage.broadPhase, found));
+        const bool covered = limitsFraction(stage.bodies, renewed.pairs.back());
         renewed.flags.back().limitsFraction = covered;
         if (i == old.size() || found < FoundPair(old.pairs[i])) {
             continue;
@@ -95,14 +95,14 @@ void fillNewTable(WorldData& data) {
         if (renewed.pairs.back().kind == old.pairs[i].kind) {
             renewed.pairs.back().contact = old.pairs[i].contact;
         } else {
-            data.scratch.changes.dropped.push_back(static_cast<std::uint32_t>(i)); // but its touch goes on
+            stage.changes.dropped.push_back(static_cast<std::uint32_t>(i)); // but its touch goes on
         }
         renewed.flags.back() = old.flags[i++];
         renewed.flags.back().limitsFraction = covered;
         renewed.flags.back().passed = false; // it may have become solid since
     }
     for (; i < old.size(); ++i) {
-        noteDropped(data.contacts, data.scratch.changes, i);
+        noteDropped(stage.contacts, stage.changes, i);
     }
 }
 
@@ -128,35 +128,33 @@ void listMovedPairs(const Contacts& contacts, const PairSearch& search, PairChan
 }
 
 /// What is to change in the table: `dropped` by index, and new pairs with the indices before which they belong.
-void diffPairs(WorldData& data) {
-    const std::vector<Pair>& pairs = data.contacts.table.pairs;
-    data.scratch.changes.dropped.clear();
-    data.scratch.changes.newPairs.clear();
-    data.scratch.changes.newPlaces.clear();
+void diffPairs(const PairStage& stage) {
+    const std::vector<Pair>& pairs = stage.contacts.table.pairs;
+    stage.changes.dropped.clear();
+    stage.changes.newPairs.clear();
+    stage.changes.newPlaces.clear();
     std::size_t i = 0;
     std::size_t first = 0; // no new pair belongs before that
-    for (const FoundPair& found : data.scratch.search.foundPairs) {
-        for (;
-             i < data.scratch.changes.movedPairs.size() && FoundPair(pairs[data.scratch.changes.movedPairs[i]]) < found;
-             first = data.scratch.changes.movedPairs[i++] + 1) {
-            noteDropped(data.contacts, data.scratch.changes, data.scratch.changes.movedPairs[i]);
+    for (const FoundPair& found : stage.search.foundPairs) {
+        for (; i < stage.changes.movedPairs.size() && FoundPair(pairs[stage.changes.movedPairs[i]]) < found;
+             first = stage.changes.movedPairs[i++] + 1) {
+            noteDropped(stage.contacts, stage.changes, stage.changes.movedPairs[i]);
         }
-        const std::size_t end =
-            i < data.scratch.changes.movedPairs.size() ? data.scratch.changes.movedPairs[i] : pairs.size();
+        const std::size_t end = i < stage.changes.movedPairs.size() ? stage.changes.movedPairs[i] : pairs.size();
         if (end < pairs.size() && !(found < FoundPair(pairs[end]))) {
-            first = data.scratch.changes.movedPairs[i++] + 1;
-        } else if (shouldCollide(data.bodies, data.forces, found.bodyA, found.bodyB)) {
+            first = stage.changes.movedPairs[i++] + 1;
+        } else if (shouldCollide(stage.bodies, stage.forces, found.bodyA, found.bodyB)) {
             const auto begin = pairs.begin();
             const auto place =
                 std::lower_bound(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end),
                                  found, [](const Pair& a, const FoundPair& b) { return FoundPair(a) < b; });
             first = static_cast<std::size_t>(place - begin);
-            data.scratch.changes.newPlaces.push_back(static_cast<std::uint32_t>(first));
-            data.scratch.changes.newPairs.push_back(makePair(data, found));
+            stage.changes.newPlaces.push_back(static_cast<std::uint32_t>(first));
+            stage.changes.newPairs.push_back(makePair(stage.bodies, stage.broadPhase, found));
         }
     }
-    for (; i < data.scratch.changes.movedPairs.size(); ++i) {
-        noteDropped(data.contacts, data.scratch.changes, data.scratch.changes.movedPairs[i]);
+    for (; i < stage.changes.movedPairs.size(); ++i) {
+        noteDropped(stage.contacts, stage.changes, stage.changes.movedPairs[i]);
     }
 }
 
@@ -221,18 +219,18 @@ void rearrangeTable(const Bodies& bodies, Contacts& contacts, const PairChanges&
 
 } // namespace
 
-bool comparePairs(WorldData& data) {
-    if (data.flags.pairsStale) {
-        fillNewTable(data);
+bool comparePairs(const PairStage& stage) {
+    if (stage.flags.pairsStale) {
+        fillNewTable(stage);
         return true;
     }
-    data.scratch.changes.isMovedProxy.resize(data.bodies.records.size());
-    listMovedPairs(data.contacts, data.scratch.search, data.scratch.changes);
-    diffPairs(data);
-    if (data.scratch.changes.dropped.empty() && data.scratch.changes.newPairs.empty()) {
+    stage.changes.isMovedProxy.resize(stage.bodies.records.size());
+    listMovedPairs(stage.contacts, stage.search, stage.changes);
+    diffPairs(stage);
+    if (stage.changes.dropped.empty() && stage.changes.newPairs.empty()) {
         return false;
     }
-    listRuns(data.contacts, data.scratch.changes);
+    listRuns(stage.contacts, stage.changes);
     return true;
 }
 

@@ -40,44 +40,6 @@ void clearBySlot(Scratch& scratch, const std::vector<Slot>& moved) {
     }
 }
 
-// Up to so many are put into the lists one by one.
-constexpr std::size_t fewBodies = 64;
-
-bool isNonStatic(const BodyRecord& record) {
-    return record.used && record.kind != BodyKind::Static;
-}
-
-/// In a sorted list, or not.
-void put(std::vector<Slot>& list, Slot slot, bool in) {
-    const auto at = std::lower_bound(list.begin(), list.end(), slot);
-    const bool listed = at != list.end() && *at == slot;
-    if (in && !listed) {
-        list.insert(at, slot);
-    } else if (!in && listed) {
-        list.erase(at);
-    }
-}
-
-void relist(Bodies& bodies, Slot slot) {
-    const BodyRecord& record = bodies.records[slot];
-    put(bodies.nonStatic, slot, isNonStatic(record));
-    put(bodies.reporters, slot, record.used && record.reportsTouches);
-}
-
-void listBodies(Bodies& bodies) {
-    bodies.nonStatic.clear();
-    bodies.reporters.clear();
-    for (Slot slot = 0; slot < bodies.records.size(); ++slot) {
-        const BodyRecord& record = bodies.records[slot];
-        if (isNonStatic(record)) {
-            bodies.nonStatic.push_back(slot);
-        }
-        if (record.used && record.reportsTouches) {
-            bodies.reporters.push_back(slot);
-        }
-    }
-}
-
 } // namespace
 
 void listSensors(Contacts& contacts, StepFlags& flags) {
@@ -90,51 +52,17 @@ void listSensors(Contacts& contacts, StepFlags& flags) {
     flags.islandsStale = true;
 }
 
-void listMoving(WorldData& data) {
-    clearBySlot(data.scratch, data.bodies.moving);
-    data.bodies.moving.clear();
+void listMoving(Bodies& bodies, Scratch& scratch) {
+    clearBySlot(scratch, bodies.moving);
+    bodies.moving.clear();
     for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
-        for (const Slot slot : data.bodies.nonStatic) {
-            const BodyRecord& record = data.bodies.records[slot];
+        for (const Slot slot : bodies.nonStatic) {
+            const BodyRecord& record = bodies.records[slot];
             if (record.active && !record.asleep && record.kind == kind) {
-                data.bodies.moving.push_back(slot);
+                bodies.moving.push_back(slot);
             }
         }
     }
-}
-
-void prepareStructure(WorldData& data) {
-    refreshStatics(data);
-    data.flags.pairsStale |= std::exchange(data.flags.crowded, false);
-    const std::size_t count = data.bodies.records.size();
-    data.bodies.motionBounds.resize(count);
-    data.bodies.mayNeedToi.resize(count);
-    data.bodies.plannedMotions.resize(count);
-    data.bodies.extents.resize(count);
-    data.bodies.touchedTags.resize(count);
-    if (data.sleep.allowed) {
-        data.scratch.sleep.parents.resize(count);
-        data.scratch.sleep.marked.resize(count);
-    }
-    if (data.bodies.changedBodies.empty()) {
-        return;
-    }
-    if (data.bodies.changedBodies.size() <= fewBodies) {
-        std::for_each(data.bodies.changedBodies.begin(), data.bodies.changedBodies.end(),
-                      [&](Slot slot) { relist(data.bodies, slot); });
-    } else {
-        listBodies(data.bodies);
-    }
-    listMoving(data);
-    for (const Slot slot : data.bodies.changedBodies) {
-        data.bodies.motionBounds[slot] = data.bodies.records[slot].asleep ? data.bodies.steps[slot].motionBound : 0;
-        data.bodies.mayNeedToi[slot] = 0;
-        data.bodies.touchedTags[slot] = TagMask{};
-    }
-    data.bodies.renewed.insert(data.bodies.renewed.end(), data.bodies.changedBodies.begin(),
-                               data.bodies.changedBodies.end());
-    data.bodies.changedBodies.clear();
-    data.flags.pairsStale = true;
 }
 
 void measureMotion(Bodies& bodies, StepFlags& flags, PairSearch& search, double ahead) {
@@ -161,14 +89,14 @@ void measureMotion(Bodies& bodies, StepFlags& flags, PairSearch& search, double 
     flags.anyMovedProxy |= !search.movedBodies.empty();
 }
 
-bool findPairs(WorldData& data, const IterationStep& step) {
-    if (data.flags.pairsStale) {
-        listProxies(data.bodies, data.broadPhase, data.sleep, data.scratch.search);
+bool findPairs(const PairStage& stage, const IterationStep& step) {
+    if (stage.flags.pairsStale) {
+        listProxies(stage.bodies, stage.broadPhase, stage.sleep, stage.search);
     }
-    enlargeAabbs(data.bodies, data.broadPhase, data.scratch.search, step.remaining);
-    collectPairs(data);
-    data.flags.anyMovedProxy = false;
-    return comparePairs(data);
+    enlargeAabbs(stage.bodies, stage.broadPhase, stage.search, step.remaining);
+    collectPairs(stage);
+    stage.flags.anyMovedProxy = false;
+    return comparePairs(stage);
 }
 
 void changePairs(const Bodies& bodies, Contacts& contacts, StepFlags& flags, PairChanges& changes) {

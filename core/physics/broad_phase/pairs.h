@@ -2,15 +2,13 @@
 // The broad phase: which parts may meet. A moving body has a fat AABB, larger than its motion in the update; its pairs
 // are found again only when it leaves that.
 
+#include "core/physics/broad_phase/pair_stage.h"
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// Lists the moving bodies and, when static bodies have changed, builds their tree anew.
-void prepareStructure(WorldData& data);
-
-/// Lists the active bodies that are awake, and the pairs of sensors. For stages that change these themselves.
-void listMoving(WorldData& data);
+/// Lists the active bodies that are awake, and the pairs of sensors.
+void listMoving(Bodies& bodies, Scratch& scratch);
 void listSensors(Contacts& contacts, StepFlags& flags);
 
 /// How far each moving body would go in this iteration: notes which bodies are fast, and which would leave their fat
@@ -19,7 +17,7 @@ void measureMotion(Bodies& bodies, StepFlags& flags, PairSearch& search, double 
 
 /// Finds the pairs of the bodies that have left their fat AABBs, or all pairs when they are stale. Whether the table
 /// has to change. It does not yet: `dropped` has the pairs whose contacts are to be forgotten before.
-bool findPairs(WorldData& data, const IterationStep& step);
+bool findPairs(const PairStage& stage, const IterationStep& step);
 
 /// Changes the table, which stays sorted and unique; pairs that remain keep what is known of their contacts. Those
 /// in `runs` have other indices from now on.

@@ -11,11 +11,11 @@ namespace spacetow {
 namespace {
 
 /// Where the shapes of static bodies lie now.
-void renewSleepingPairs(WorldData& data) {
-    for (Pair& pair : data.sleep.table.pairs) {
+void renewSleepingPairs(const Bodies& bodies, const BroadPhase& broadPhase, PairTable& asleep) {
+    for (Pair& pair : asleep.pairs) {
         if (pair.staticB) {
-            pair.collider = staticIndex(data, pair.bodyB, pair.partB);
-            pair.shapeB = &data.broadPhase.staticCollider(pair.collider).shape;
+            pair.collider = staticIndex(bodies, broadPhase, pair.bodyB, pair.partB);
+            pair.shapeB = &broadPhase.staticCollider(pair.collider).shape;
         }
     }
 }
@@ -79,32 +79,32 @@ void findInBoth(const BroadPhase& broadPhase, std::vector<std::uint32_t>& out, c
 
 } // namespace
 
-void refreshStatics(WorldData& data) {
-    if (!data.flags.staticsChanged && data.broadPhase.statics) {
+void refreshStatics(Bodies& bodies, BroadPhase& broadPhase, PairTable& asleep, StepFlags& flags) {
+    if (!flags.staticsChanged && broadPhase.statics) {
         return;
     }
-    if (!data.broadPhase.statics || !patchStatics(data.bodies, data.broadPhase)) {
-        makeAllAnew(data.bodies, data.broadPhase);
+    if (!broadPhase.statics || !patchStatics(bodies, broadPhase)) {
+        makeAllAnew(bodies, broadPhase);
     }
-    data.broadPhase.changedStatics.clear();
-    data.flags.staticsChanged = false;
-    renewSleepingPairs(data);
-    data.flags.pairsStale = true;
+    broadPhase.changedStatics.clear();
+    flags.staticsChanged = false;
+    renewSleepingPairs(bodies, broadPhase, asleep);
+    flags.pairsStale = true;
 }
 
-std::uint32_t staticIndex(const WorldData& data, Slot body, std::uint32_t part) {
-    if (data.broadPhase.staticChanges) {
-        const std::vector<StaticGeometry::Collider>& changed = data.broadPhase.staticChanges->geometry.colliders;
+std::uint32_t staticIndex(const Bodies& bodies, const BroadPhase& broadPhase, Slot body, std::uint32_t part) {
+    if (broadPhase.staticChanges) {
+        const std::vector<StaticGeometry::Collider>& changed = broadPhase.staticChanges->geometry.colliders;
         const std::pair key(body, part);
         const auto at = std::lower_bound(changed.begin(), changed.end(), key, [](const auto& collider, const auto& k) {
             return std::pair(collider.body, collider.part) < k;
         });
         if (at != changed.end() && std::pair(at->body, at->part) == key) {
-            return static_cast<std::uint32_t>(data.broadPhase.statics->colliders.size() +
+            return static_cast<std::uint32_t>(broadPhase.statics->colliders.size() +
                                               static_cast<std::size_t>(at - changed.begin()));
         }
     }
-    return data.bodies.records[body].firstStatic + part;
+    return bodies.records[body].firstStatic + part;
 }
 
 void findStatics(const BroadPhase& broadPhase, const Aabb& box, std::vector<std::uint32_t>& out) {

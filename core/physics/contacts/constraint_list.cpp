@@ -25,29 +25,29 @@ Lane openLane(const Bodies& bodies, Batches<Batch>& batches, Slot a, Slot b) {
     return lane;
 }
 
-CircleContact& openCircleLane(WorldData& data, std::uint32_t index) {
-    const Pair& pair = data.contacts.table.pairs[index];
-    Contact& kept = data.contacts.pool[pair.contact];
-    Batches<CircleBatch>& batches = data.constraints.batches.circles;
-    const Lane lane = openLane(data.bodies, batches, pair.bodyA, pair.bodyB);
-    kept.constraintIndex = static_cast<std::uint32_t>(data.constraints.circleContacts.size());
-    data.contacts.table.flags[index].inSolver = true;
-    data.contacts.table.bounds[index].exclude();
-    CircleContact& c = data.constraints.circleContacts.emplace_back();
+CircleContact& openCircleLane(const ContactStage& stage, std::uint32_t index) {
+    const Pair& pair = stage.contacts.table.pairs[index];
+    Contact& kept = stage.contacts.pool[pair.contact];
+    Batches<CircleBatch>& batches = stage.constraints.batches.circles;
+    const Lane lane = openLane(stage.bodies, batches, pair.bodyA, pair.bodyB);
+    kept.constraintIndex = static_cast<std::uint32_t>(stage.constraints.circleContacts.size());
+    stage.contacts.table.flags[index].inSolver = true;
+    stage.contacts.table.bounds[index].exclude();
+    CircleContact& c = stage.constraints.circleContacts.emplace_back();
     c = {pair.bodyA, pair.bodyB, index, pair.contact, lane, pair.staticB || kept.restitution > 0, false};
     CircleAnchors& anchors = batches.anchors(lane.batch);
     anchors.owner[lane.lane] = kept.constraintIndex;
-    anchors.radiusA[lane.lane] = data.bodies.steps[c.a].outerRadius;
-    anchors.radiusB[lane.lane] = data.bodies.steps[c.b].outerRadius;
+    anchors.radiusA[lane.lane] = stage.bodies.steps[c.a].outerRadius;
+    anchors.radiusB[lane.lane] = stage.bodies.steps[c.b].outerRadius;
     setLane(anchors.wideUpdate, lane.lane, !pair.staticB);
     CircleBatch& batch = batches[lane.batch];
-    const double inverseMass = data.bodies.motions[c.a].inverseMass + data.bodies.motions[c.b].inverseMass;
+    const double inverseMass = stage.bodies.motions[c.a].inverseMass + stage.bodies.motions[c.b].inverseMass;
     batch.normalMass[lane.lane] = inverseMass > 0 ? 1 / inverseMass : 0;
     batch.friction[lane.lane] = kept.friction;
     batch.normalImpulse[lane.lane] = kept.points[0].normalImpulse;
     batch.tangentImpulse[lane.lane] = kept.tangentImpulse;
-    data.flags.anyScalarUpdate |= c.scalarUpdate;
-    ++data.constraints.constraintChanges;
+    stage.flags.anyScalarUpdate |= c.scalarUpdate;
+    ++stage.constraints.constraintChanges;
     return c;
 }
 
@@ -90,35 +90,36 @@ void closeLane(Contacts& contacts, std::vector<Kind>& list, Batches<Batch>& batc
     list.pop_back();
 }
 
-void remapPairs(WorldData& data, std::uint32_t begin, std::uint32_t end) {
+void remapPairs(const ContactStage& stage, std::uint32_t begin, std::uint32_t end) {
     constexpr std::uint32_t ahead = 8;
     for (std::uint32_t i = begin; i < end; ++i) {
-        if (i + ahead < end && data.contacts.table.flags[i + ahead].inSolver) {
-            prefetch(data.contacts.pool[data.contacts.table.pairs[i + ahead].contact].constraintIndex);
+        if (i + ahead < end && stage.contacts.table.flags[i + ahead].inSolver) {
+            prefetch(stage.contacts.pool[stage.contacts.table.pairs[i + ahead].contact].constraintIndex);
         }
-        if (!data.contacts.table.flags[i].inSolver) {
+        if (!stage.contacts.table.flags[i].inSolver) {
             continue;
         }
-        const Pair& pair = data.contacts.table.pairs[i];
-        const std::uint32_t place = data.contacts.pool[pair.contact].constraintIndex;
+        const Pair& pair = stage.contacts.table.pairs[i];
+        const std::uint32_t place = stage.contacts.pool[pair.contact].constraintIndex;
         if (pair.kind == PairKind::General) {
-            data.constraints.generalContacts[place].points[0].pair =
-                data.constraints.generalContacts[place].points[1].pair = i;
+            stage.constraints.generalContacts[place].points[0].pair =
+                stage.constraints.generalContacts[place].points[1].pair = i;
         } else {
-            data.constraints.circleContacts[place].pair = i;
+            stage.constraints.circleContacts[place].pair = i;
         }
     }
 }
 
 } // namespace
 
-void addCircleConstraint(WorldData& data, std::uint32_t pair, const CircleTouch& touch, const CircleTarget& target) {
-    Contact& kept = data.contacts.pool[data.contacts.table.pairs[pair].contact];
-    const bool listed = data.contacts.table.flags[pair].inSolver;
-    CircleContact& c = listed ? data.constraints.circleContacts[kept.constraintIndex] : openCircleLane(data, pair);
-    const BodyMotion& a = data.bodies.motions[c.a];
-    const BodyMotion& b = data.bodies.motions[c.b];
-    CircleBatch& batch = data.constraints.batches.circles[c.lane.batch];
+void addCircleConstraint(const ContactStage& stage, std::uint32_t pair, const CircleTouch& touch,
+                         const CircleTarget& target) {
+    Contact& kept = stage.contacts.pool[stage.contacts.table.pairs[pair].contact];
+    const bool listed = stage.contacts.table.flags[pair].inSolver;
+    CircleContact& c = listed ? stage.constraints.circleContacts[kept.constraintIndex] : openCircleLane(stage, pair);
+    const BodyMotion& a = stage.bodies.motions[c.a];
+    const BodyMotion& b = stage.bodies.motions[c.b];
+    CircleBatch& batch = stage.constraints.batches.circles[c.lane.batch];
     const std::uint32_t i = c.lane.lane;
     const double leverA = touch.radiusA + 0.5 * touch.separation;
     const double leverB = -touch.radiusB - 0.5 * touch.separation;
@@ -134,29 +135,31 @@ void addCircleConstraint(WorldData& data, std::uint32_t pair, const CircleTouch&
         batch.normalImpulse[i] = batch.tangentImpulse[i] = 0;
     }
     c.bounces = target.bounces;
-    data.flags.anyBounce |= c.bounces;
+    stage.flags.anyBounce |= c.bounces;
 }
 
-void addManifoldConstraint(WorldData& data, const Constraint& constraint, double perSecond) {
+void addManifoldConstraint(const ContactStage& stage, const Constraint& constraint, double perSecond) {
     const ConstraintPoint& p = constraint.points[0];
-    data.contacts.table.flags[p.pair].inSolver = true;
-    data.contacts.table.bounds[p.pair].exclude();
-    data.contacts.pool[p.contact].constraintIndex = static_cast<std::uint32_t>(data.constraints.generalContacts.size());
-    GeneralContact& c = data.constraints.generalContacts.emplace_back();
+    stage.contacts.table.flags[p.pair].inSolver = true;
+    stage.contacts.table.bounds[p.pair].exclude();
+    stage.contacts.pool[p.contact].constraintIndex =
+        static_cast<std::uint32_t>(stage.constraints.generalContacts.size());
+    GeneralContact& c = stage.constraints.generalContacts.emplace_back();
     c.a = constraint.a;
     c.b = constraint.b;
     c.mergeable = !constraint.unmergeable;
-    ++data.constraints.constraintChanges;
-    data.constraints.mergeableContacts[c.a] += c.mergeable ? 1 : 0;
-    c.lane = openLane(data.bodies, data.constraints.batches.general, c.a, c.b);
-    data.constraints.batches.general.anchors(c.lane.batch).owner[c.lane.lane] =
-        data.contacts.pool[p.contact].constraintIndex;
-    pack(data, constraint, c, perSecond);
+    ++stage.constraints.constraintChanges;
+    stage.constraints.mergeableContacts[c.a] += c.mergeable ? 1 : 0;
+    c.lane = openLane(stage.bodies, stage.constraints.batches.general, c.a, c.b);
+    stage.constraints.batches.general.anchors(c.lane.batch).owner[c.lane.lane] =
+        stage.contacts.pool[p.contact].constraintIndex;
+    pack(stage, constraint, c, perSecond);
 }
 
-void rewriteConstraint(WorldData& data, const Constraint& constraint, double perSecond) {
-    pack(data, constraint,
-         data.constraints.generalContacts[data.contacts.pool[constraint.points[0].contact].constraintIndex], perSecond);
+void rewriteConstraint(const ContactStage& stage, const Constraint& constraint, double perSecond) {
+    pack(stage, constraint,
+         stage.constraints.generalContacts[stage.contacts.pool[constraint.points[0].contact].constraintIndex],
+         perSecond);
 }
 
 void updateSingular(Constraints& constraints) {
@@ -256,13 +259,13 @@ void saveAllImpulses(Contacts& contacts, const Constraints& constraints, const S
     }
 }
 
-void remapPairs(WorldData& data) {
-    if (!data.flags.constraintsValid) {
+void remapPairs(const ContactStage& stage) {
+    if (!stage.flags.constraintsValid) {
         return;
     }
-    for (const Run& s : data.scratch.changes.runs) {
+    for (const Run& s : stage.changes.runs) {
         if (s.to != s.begin) {
-            remapPairs(data, s.to, s.to + s.end - s.begin);
+            remapPairs(stage, s.to, s.to + s.end - s.begin);
         }
     }
 }

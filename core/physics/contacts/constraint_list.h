@@ -3,7 +3,7 @@
 // each other to that in which they part. Meanwhile its impulses are in the lane; the contact gets a copy when the lane
 // is closed, or at the end of an update.
 
-#include "core/physics/state/world_data.h"
+#include "core/physics/contacts/contact_stage.h"
 
 namespace spacetow {
 
@@ -23,13 +23,14 @@ struct CircleTarget {
 };
 
 /// Gives a circle contact a lane, or updates the lane that it has.
-void addCircleConstraint(WorldData& data, std::uint32_t pair, const CircleTouch& touch, const CircleTarget& target);
+void addCircleConstraint(const ContactStage& stage, std::uint32_t pair, const CircleTouch& touch,
+                         const CircleTarget& target);
 
 /// Gives a general contact a lane.
-void addManifoldConstraint(WorldData& data, const Constraint& constraint, double perSecond);
+void addManifoldConstraint(const ContactStage& stage, const Constraint& constraint, double perSecond);
 
 /// Writes the lane of a general contact anew; its pair is that of the constraint.
-void rewriteConstraint(WorldData& data, const Constraint& constraint, double perSecond);
+void rewriteConstraint(const ContactStage& stage, const Constraint& constraint, double perSecond);
 
 /// Where the point that acts for both points of singular contacts may have changed.
 void updateSingular(Constraints& constraints);
@@ -53,7 +54,7 @@ void findMergeCandidatesOfLast(const Bodies& bodies, Constraints& constraints);
 bool anyInOnePlane(const Contacts& contacts, const Constraints& constraints);
 
 /// Contacts keep their lanes when `runs` of pairs have moved in the table.
-void remapPairs(WorldData& data);
+void remapPairs(const ContactStage& stage);
 
 /// Saves all impulses and gives up all lanes; the next iteration rebuilds the constraints. To be called before pairs
 /// change in another way than by removal.

@@ -56,12 +56,12 @@ void freeContact(Contacts& contacts, NarrowPhase& narrow, Pair& pair) {
     }
 }
 
-void freeContactsOfDropped(WorldData& data) {
-    for (const std::uint32_t i : data.scratch.changes.dropped) {
-        if (data.flags.constraintsValid && data.contacts.table.flags[i].inSolver) {
-            removeConstraint(data.contacts, data.constraints, i);
+void freeContactsOfDropped(const ContactStage& stage) {
+    for (const std::uint32_t i : stage.changes.dropped) {
+        if (stage.flags.constraintsValid && stage.contacts.table.flags[i].inSolver) {
+            removeConstraint(stage.contacts, stage.constraints, i);
         }
-        freeContact(data.contacts, data.scratch.narrow, data.contacts.table.pairs[i]);
+        freeContact(stage.contacts, stage.narrow, stage.contacts.table.pairs[i]);
     }
 }
 
@@ -71,11 +71,11 @@ void resetManifolds(Contacts& contacts) {
     }
 }
 
-void beginPart(WorldData& data, double share) {
-    releaseConstraints(data.contacts, data.constraints, data.flags);
-    data.scratch.narrow.wholeImpulses.clear();
-    for (Contact& contact : data.contacts.pool) {
-        data.scratch.narrow.wholeImpulses.push_back(
+void beginPart(const ContactStage& stage, double share) {
+    releaseConstraints(stage.contacts, stage.constraints, stage.flags);
+    stage.narrow.wholeImpulses.clear();
+    for (Contact& contact : stage.contacts.pool) {
+        stage.narrow.wholeImpulses.push_back(
             {contact.tangentImpulse, contact.points[0].normalImpulse, contact.points[1].normalImpulse});
         contact.tangentImpulse *= share;
         contact.points[0].normalImpulse *= share;
@@ -83,16 +83,16 @@ void beginPart(WorldData& data, double share) {
     }
 }
 
-void endPart(WorldData& data, double share) {
-    releaseConstraints(data.contacts, data.constraints, data.flags);
-    for (std::size_t i = 0; i < data.scratch.narrow.wholeImpulses.size(); ++i) {
-        Contact& contact = data.contacts.pool[i];
-        const auto& whole = data.scratch.narrow.wholeImpulses[i];
+void endPart(const ContactStage& stage, double share) {
+    releaseConstraints(stage.contacts, stage.constraints, stage.flags);
+    for (std::size_t i = 0; i < stage.narrow.wholeImpulses.size(); ++i) {
+        Contact& contact = stage.contacts.pool[i];
+        const auto& whole = stage.narrow.wholeImpulses[i];
         contact.tangentImpulse += (1 - share) * whole[0];
         contact.points[0].normalImpulse += (1 - share) * whole[1];
         contact.points[1].normalImpulse += (1 - share) * whole[2];
     }
-    data.scratch.narrow.wholeImpulses.clear();
+    stage.narrow.wholeImpulses.clear();
 }
 
 } // namespace spacetow

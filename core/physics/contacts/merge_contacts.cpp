@@ -76,19 +76,19 @@ void shut(Contacts& contacts, Constraints& constraints, std::uint32_t pair) {
 }
 
 /// Both stand for one from now on.
-void noteMerge(WorldData& data, Constraint& c, const Constraint& d) {
-    c.tolerance = std::min(toleranceOf(data.bodies, data.contacts, c), toleranceOf(data.bodies, data.contacts, d));
+void noteMerge(const ContactStage& stage, Constraint& c, const Constraint& d) {
+    c.tolerance = std::min(toleranceOf(stage.bodies, stage.contacts, c), toleranceOf(stage.bodies, stage.contacts, d));
     if (!c.merged) {
-        shut(data.contacts, data.constraints, c.points[0].pair);
+        shut(stage.contacts, stage.constraints, c.points[0].pair);
     }
-    shut(data.contacts, data.constraints, d.points[0].pair);
+    shut(stage.contacts, stage.constraints, d.points[0].pair);
     c.merged = true;
 }
 
 /// Keeps the outermost two of the points of both; where two coincide, that of the contact with more points, which will
 /// still be there when the body has turned a little, with the impulses of both.
-void mergeInto(WorldData& data, Constraint& c, Constraint& d) {
-    noteMerge(data, c, d);
+void mergeInto(const ContactStage& stage, Constraint& c, Constraint& d) {
+    noteMerge(stage, c, d);
     const Vec2 tangent = leftOf(c.normal);
     std::array<ConstraintPoint, 4> all;
     std::array<double, 4> places;
@@ -105,9 +105,9 @@ void mergeInto(WorldData& data, Constraint& c, Constraint& d) {
     std::size_t most = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const ConstraintPoint& p = all[i];
-        data.contacts.table.flags[p.pair].touching |= p.separation <= linearSlop;
-        keptPoint(data.contacts, p).normalImpulse = 0;
-        data.contacts.pool[p.contact].tangentImpulse = 0;
+        stage.contacts.table.flags[p.pair].touching |= p.separation <= linearSlop;
+        keptPoint(stage.contacts, p).normalImpulse = 0;
+        stage.contacts.pool[p.contact].tangentImpulse = 0;
         least = places[i] < places[least] - coincident ? i : least;
         most = places[i] > places[most] + coincident ? i : most;
     }
@@ -131,20 +131,20 @@ void mergeInto(WorldData& data, Constraint& c, Constraint& d) {
 
 } // namespace
 
-void mergeContacts(WorldData& data) {
-    std::vector<Constraint>& all = data.scratch.narrow.constraints;
+void mergeContacts(const ContactStage& stage) {
+    std::vector<Constraint>& all = stage.narrow.constraints;
     for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
         for (end = first + 1; end < all.size() && all[end].a == all[first].a; ++end) {
             for (std::size_t i = first; i < end && !all[end].unmergeable; ++i) {
-                if (all[i].count > 0 && samePlane(data.bodies, all[i], all[end]) && isFlat(all[i], all[end])) {
-                    mergeInto(data, all[i], all[end]);
-                    prepareAgain(data.bodies, all[i]);
+                if (all[i].count > 0 && samePlane(stage.bodies, all[i], all[end]) && isFlat(all[i], all[end])) {
+                    mergeInto(stage, all[i], all[end]);
+                    prepareAgain(stage.bodies, all[i]);
                     break;
                 }
             }
         }
     }
-    if (!data.constraints.mergedPairs.empty()) {
+    if (!stage.constraints.mergedPairs.empty()) {
         std::erase_if(all, [](const Constraint& c) { return c.count == 0; });
     }
 }

@@ -20,14 +20,14 @@ namespace spacetow {
 namespace {
 
 /// The parts are apart: the pair gets a separation bound.
-void separate(WorldData& data, std::uint32_t index, double separation) {
-    Pair& pair = data.contacts.table.pairs[index];
-    if (data.contacts.table.flags[index].inSolver) {
-        removeConstraint(data.contacts, data.constraints, index);
+void separate(const ContactStage& stage, std::uint32_t index, double separation) {
+    Pair& pair = stage.contacts.table.pairs[index];
+    if (stage.contacts.table.flags[index].inSolver) {
+        removeConstraint(stage.contacts, stage.constraints, index);
     }
-    freeContact(data.contacts, data.scratch.narrow, pair);
-    PairBound& bound = data.contacts.table.bounds[index];
-    bound.separationBound = data.bodies.motionOf(bound) + separation;
+    freeContact(stage.contacts, stage.narrow, pair);
+    PairBound& bound = stage.contacts.table.bounds[index];
+    bound.separationBound = stage.bodies.motionOf(bound) + separation;
 }
 
 Approach approach(const Bodies& bodies, const Pair& pair, const Vec2& normal) {
@@ -37,61 +37,61 @@ Approach approach(const Bodies& bodies, const Pair& pair, const Vec2& normal) {
 }
 
 /// Parts that are to bounce where they meet have no contact until then.
-void sweepCircles(WorldData& data, std::uint32_t index, std::uint32_t feature) {
-    Pair& pair = data.contacts.table.pairs[index];
-    if (data.contacts.table.flags[index].inSolver) {
-        saveImpulses(data.contacts, data.constraints,
-                     data.constraints.circleContacts[data.contacts.pool[pair.contact].constraintIndex]);
-        removeConstraint(data.contacts, data.constraints, index);
+void sweepCircles(const ContactStage& stage, std::uint32_t index, std::uint32_t feature) {
+    Pair& pair = stage.contacts.table.pairs[index];
+    if (stage.contacts.table.flags[index].inSolver) {
+        saveImpulses(stage.contacts, stage.constraints,
+                     stage.constraints.circleContacts[stage.contacts.pool[pair.contact].constraintIndex]);
+        removeConstraint(stage.contacts, stage.constraints, index);
     }
-    matchFeature(data.contacts.pool[pair.contact], feature);
+    matchFeature(stage.contacts.pool[pair.contact], feature);
     pair.sweep = true;
-    data.flags.anySweep = true;
-    data.bodies.steps[pair.bodyA].bouncing = data.bodies.steps[pair.bodyB].bouncing = true;
+    stage.flags.anySweep = true;
+    stage.bodies.steps[pair.bodyA].bouncing = stage.bodies.steps[pair.bodyB].bouncing = true;
 }
 
-void addCircleContact(WorldData& data, std::uint32_t index, const CircleTouch& touch, double perSecond) {
-    Pair& pair = data.contacts.table.pairs[index];
-    const Contact& kept = contactOf(data.bodies, data.contacts, pair);
+void addCircleContact(const ContactStage& stage, std::uint32_t index, const CircleTouch& touch, double perSecond) {
+    Pair& pair = stage.contacts.table.pairs[index];
+    const Contact& kept = contactOf(stage.bodies, stage.contacts, pair);
     const double closing = formulas::closingLimit(touch.separation, perSecond);
     CircleTarget aim{formulas::targetVelocity(touch.separation, perSecond), closing, false};
     if (kept.restitution > 0) {
         const Target target =
-            targetOf(approach(data.bodies, pair, touch.normal), touch.separation, kept.restitution, perSecond);
+            targetOf(approach(stage.bodies, pair, touch.normal), touch.separation, kept.restitution, perSecond);
         if (target.meeting == Meeting::WillBounce) {
-            sweepCircles(data, index, touch.feature);
+            sweepCircles(stage, index, touch.feature);
             return;
         }
         const double limit = closingLimit(touch.separation, target.velocity, kept.restitution, perSecond);
         aim = {target.velocity, limit, target.meeting == Meeting::Bounces};
     }
-    addCircleConstraint(data, index, touch, aim);
+    addCircleConstraint(stage, index, touch, aim);
 }
 
-void updateCircles(WorldData& data, std::uint32_t index, double perSecond) {
-    const Pair& pair = data.contacts.table.pairs[index];
-    const PlannedMotion& a = data.bodies.plannedMotions[pair.bodyA];
-    const PlannedMotion& b = data.bodies.plannedMotions[pair.bodyB];
-    const double radiusA = data.bodies.extents[pair.bodyA].outerRadius;
-    const double radiusB = data.bodies.extents[pair.bodyB].outerRadius;
+void updateCircles(const ContactStage& stage, std::uint32_t index, double perSecond) {
+    const Pair& pair = stage.contacts.table.pairs[index];
+    const PlannedMotion& a = stage.bodies.plannedMotions[pair.bodyA];
+    const PlannedMotion& b = stage.bodies.plannedMotions[pair.bodyB];
+    const double radiusA = stage.bodies.extents[pair.bodyA].outerRadius;
+    const double radiusB = stage.bodies.extents[pair.bodyB].outerRadius;
     const Vec2 apart = b.center - a.center;
     const double margin = speculativeMargin(a, b);
     const double reach = radiusA + radiusB + margin;
     const double squared = apart.squaredNorm();
     const double distance = std::sqrt(squared);
     if (squared > reach * reach) {
-        separate(data, index, distance - radiusA - radiusB);
+        separate(stage, index, distance - radiusA - radiusB);
         return;
     }
     const Vec2 normal = distance > 0 ? Vec2(apart / distance) : Vec2(0, 1);
-    addCircleContact(data, index, {normal, distance - radiusA - radiusB, radiusA, radiusB, 0}, perSecond);
+    addCircleContact(stage, index, {normal, distance - radiusA - radiusB, radiusA, radiusB, 0}, perSecond);
 }
 
 /// Of a static edge and a circle; notes the passage, and of an open edge only the ends count.
-Manifold edgeManifold(WorldData& data, std::uint32_t index, const Circle& circle, double margin) {
-    const Pair& pair = data.contacts.table.pairs[index];
-    const WallSide& side = data.broadPhase.staticCollider(pair.collider).side;
-    Passage& passage = data.contacts.table.flags[index].passage;
+Manifold edgeManifold(const ContactStage& stage, std::uint32_t index, const Circle& circle, double margin) {
+    const Pair& pair = stage.contacts.table.pairs[index];
+    const WallSide& side = stage.broadPhase.staticCollider(pair.collider).side;
+    Passage& passage = stage.contacts.table.flags[index].passage;
     passage = nextPassage(passage, side, circle);
     if (passage != Passage::Between) {
         return sideAgainstCircle(side, circle, margin);
@@ -101,19 +101,19 @@ Manifold edgeManifold(WorldData& data, std::uint32_t index, const Circle& circle
     return manifold;
 }
 
-void updateCircleAtStatic(WorldData& data, std::uint32_t index, double perSecond) {
-    Pair& pair = data.contacts.table.pairs[index];
-    const PlannedMotion& way = data.bodies.plannedMotions[pair.bodyA];
+void updateCircleAtStatic(const ContactStage& stage, std::uint32_t index, double perSecond) {
+    Pair& pair = stage.contacts.table.pairs[index];
+    const PlannedMotion& way = stage.bodies.plannedMotions[pair.bodyA];
     const Circle circle{way.center, std::get<Circle>(*pair.shapeA).radius};
     const double margin = speculativeMargin(way);
-    const Manifold manifold = pair.kind == PairKind::CircleEdge ? edgeManifold(data, index, circle, margin)
+    const Manifold manifold = pair.kind == PairKind::CircleEdge ? edgeManifold(stage, index, circle, margin)
                                                                 : collideCircle(*pair.shapeB, circle, margin);
     if (manifold.count == 0) {
-        separate(data, index, manifold.apart);
+        separate(stage, index, manifold.apart);
         return;
     }
     const ManifoldPoint& point = manifold.points[0];
-    addCircleContact(data, index, {-manifold.normal, point.separation, circle.radius, 0, point.feature}, perSecond);
+    addCircleContact(stage, index, {-manifold.normal, point.separation, circle.radius, 0, point.feature}, perSecond);
 }
 
 SPACETOW_PREFETCHES void prefetchWall(const BroadPhase& broadPhase, const Pair& pair) {
@@ -180,14 +180,14 @@ std::size_t mostConstraintChanges(const Constraints& constraints) {
     return (constraints.circleContacts.size() + constraints.generalContacts.size()) / 8;
 }
 
-void updatePair(WorldData& data, std::uint32_t index, double perSecond) {
-    const PairKind kind = data.contacts.table.pairs[index].kind;
+void updatePair(const ContactStage& stage, std::uint32_t index, double perSecond) {
+    const PairKind kind = stage.contacts.table.pairs[index].kind;
     if (kind == PairKind::CircleCircle) {
-        updateCircles(data, index, perSecond);
+        updateCircles(stage, index, perSecond);
     } else if (kind == PairKind::CircleEdge || kind == PairKind::CircleStatic) {
-        updateCircleAtStatic(data, index, perSecond);
+        updateCircleAtStatic(stage, index, perSecond);
     } else {
-        updateManifold(data, index, perSecond);
+        updateManifold(stage, index, perSecond);
     }
 }
 
@@ -197,45 +197,46 @@ void resetPair(Contacts& contacts, std::uint32_t index) {
 }
 
 /// Updates the pairs that have no constraint and may have come into contact.
-void updateCandidates(WorldData& data, double perSecond) {
-    listCandidates(data.bodies, data.contacts, data.scratch.narrow);
-    for (std::size_t k = 0; k < data.scratch.narrow.candidates.size(); ++k) {
-        prefetchAhead(data.contacts, data.scratch.narrow.candidates, k);
-        const std::uint32_t i = data.scratch.narrow.candidates[k];
-        if (data.contacts.table.pairs[i].kind != PairKind::Sensor) {
-            resetPair(data.contacts, i);
-            updatePair(data, i, perSecond);
+void updateCandidates(const ContactStage& stage, double perSecond) {
+    listCandidates(stage.bodies, stage.contacts, stage.narrow);
+    for (std::size_t k = 0; k < stage.narrow.candidates.size(); ++k) {
+        prefetchAhead(stage.contacts, stage.narrow.candidates, k);
+        const std::uint32_t i = stage.narrow.candidates[k];
+        if (stage.contacts.table.pairs[i].kind != PairKind::Sensor) {
+            resetPair(stage.contacts, i);
+            updatePair(stage, i, perSecond);
         }
     }
 }
 
-void rebuildConstraints(WorldData& data, double perSecond) {
-    releaseConstraints(data.contacts, data.constraints, data.flags);
-    resetConstraints(data.bodies, data.constraints, data.flags, data.scratch.narrow);
-    data.flags.anySweep = false;
-    updateCandidates(data, perSecond);
-    mergeContacts(data);
-    orderConstraints(data.bodies, data.scratch.narrow);
-    for (const Constraint& constraint : data.scratch.narrow.constraints) {
-        addManifoldConstraint(data, constraint, perSecond);
+void rebuildConstraints(const ContactStage& stage, double perSecond) {
+    releaseConstraints(stage.contacts, stage.constraints, stage.flags);
+    resetConstraints(stage.bodies, stage.constraints, stage.flags, stage.narrow);
+    stage.flags.anySweep = false;
+    updateCandidates(stage, perSecond);
+    mergeContacts(stage);
+    orderConstraints(stage.bodies, stage.narrow);
+    for (const Constraint& constraint : stage.narrow.constraints) {
+        addManifoldConstraint(stage, constraint, perSecond);
     }
-    findMergeCandidates(data.bodies, data.constraints);
-    data.constraints.constraintChanges = 0;
-    data.flags.constraintsRebuilt = true;
+    findMergeCandidates(stage.bodies, stage.constraints);
+    stage.constraints.constraintChanges = 0;
+    stage.flags.constraintsRebuilt = true;
 }
 
 /// Contacts that the kernels do not update.
-void updateScalar(WorldData& data, double perSecond) {
+void updateScalar(const ContactStage& stage, double perSecond) {
     constexpr std::size_t ahead = 8;
-    for (std::size_t i = data.constraints.circleContacts.size(); data.flags.anyScalarUpdate && i-- > 0;) {
+    for (std::size_t i = stage.constraints.circleContacts.size(); stage.flags.anyScalarUpdate && i-- > 0;) {
         if (i >= 2 * ahead) {
-            __builtin_prefetch(&data.contacts.table.pairs[data.constraints.circleContacts[i - 2 * ahead].pair]);
+            __builtin_prefetch(&stage.contacts.table.pairs[stage.constraints.circleContacts[i - 2 * ahead].pair]);
         }
         if (i >= ahead) {
-            prefetchWall(data.broadPhase, data.contacts.table.pairs[data.constraints.circleContacts[i - ahead].pair]);
+            prefetchWall(stage.broadPhase,
+                         stage.contacts.table.pairs[stage.constraints.circleContacts[i - ahead].pair]);
         }
-        if (data.constraints.circleContacts[i].scalarUpdate) {
-            updatePair(data, data.constraints.circleContacts[i].pair, perSecond);
+        if (stage.constraints.circleContacts[i].scalarUpdate) {
+            updatePair(stage, stage.constraints.circleContacts[i].pair, perSecond);
         }
     }
 }
@@ -247,18 +248,18 @@ void listOutdated(NarrowPhase& narrow, const std::vector<Kind>& list, const Batc
              [&](Lane at) { narrow.candidates.push_back(pairOf(list[batches.anchors(at.batch).owner[at.lane]])); });
 }
 
-void updateOutdated(WorldData& data, double perSecond) {
-    data.scratch.narrow.candidates.clear();
-    listOutdated(data.scratch.narrow, data.constraints.circleContacts, data.constraints.batches.circles);
-    listOutdated(data.scratch.narrow, data.constraints.generalContacts, data.constraints.batches.general);
-    for (std::size_t k = 0; k < data.scratch.narrow.candidates.size(); ++k) {
-        prefetchAhead(data.contacts, data.scratch.narrow.candidates, k);
-        prefetchShapes(data.bodies, data.contacts, data.scratch.narrow.candidates, k);
-        const std::uint32_t pair = data.scratch.narrow.candidates[k];
-        if (data.contacts.table.pairs[pair].kind == PairKind::General) {
-            remakeManifold(data, pair, perSecond);
+void updateOutdated(const ContactStage& stage, double perSecond) {
+    stage.narrow.candidates.clear();
+    listOutdated(stage.narrow, stage.constraints.circleContacts, stage.constraints.batches.circles);
+    listOutdated(stage.narrow, stage.constraints.generalContacts, stage.constraints.batches.general);
+    for (std::size_t k = 0; k < stage.narrow.candidates.size(); ++k) {
+        prefetchAhead(stage.contacts, stage.narrow.candidates, k);
+        prefetchShapes(stage.bodies, stage.contacts, stage.narrow.candidates, k);
+        const std::uint32_t pair = stage.narrow.candidates[k];
+        if (stage.contacts.table.pairs[pair].kind == PairKind::General) {
+            remakeManifold(stage, pair, perSecond);
         } else {
-            updateCircles(data, pair, perSecond);
+            updateCircles(stage, pair, perSecond);
         }
     }
 }
@@ -272,39 +273,39 @@ bool anyMergedOutdated(const Constraints& constraints) {
 
 /// The contacts that there are, from where the bodies are now; then what may have come or gone. False when there are
 /// too many changes, or contacts may lie in one plane in another way than before.
-bool updateConstraints(WorldData& data, double perSecond) {
-    if (!data.flags.constraintsValid || data.flags.mergeStale) {
+bool updateConstraints(const ContactStage& stage, double perSecond) {
+    if (!stage.flags.constraintsValid || stage.flags.mergeStale) {
         return false;
     }
-    data.flags.anySweep = data.flags.anyBounce = data.flags.constraintsRebuilt = false;
-    data.scratch.narrow.constraints.clear();
-    const PlannedMotion* first = data.bodies.plannedMotions.bodies();
-    refreshContacts(data.constraints.batches,
+    stage.flags.anySweep = stage.flags.anyBounce = stage.flags.constraintsRebuilt = false;
+    stage.narrow.constraints.clear();
+    const PlannedMotion* first = stage.bodies.plannedMotions.bodies();
+    refreshContacts(stage.constraints.batches,
                     {{&first->center, sizeof(PlannedMotion)}, {&first->deltaPosition, sizeof(PlannedMotion)}},
                     perSecond);
-    if (!data.constraints.mergedPairs.empty() && anyMergedOutdated(data.constraints)) {
+    if (!stage.constraints.mergedPairs.empty() && anyMergedOutdated(stage.constraints)) {
         return false;
     }
-    updateOutdated(data, perSecond);
-    updateScalar(data, perSecond);
-    updateCandidates(data, perSecond);
-    if (data.flags.anySingular) {
-        updateSingular(data.constraints);
+    updateOutdated(stage, perSecond);
+    updateScalar(stage, perSecond);
+    updateCandidates(stage, perSecond);
+    if (stage.flags.anySingular) {
+        updateSingular(stage.constraints);
     }
-    for (const Constraint& constraint : data.scratch.narrow.constraints) {
-        addManifoldConstraint(data, constraint, perSecond);
-        findMergeCandidatesOfLast(data.bodies, data.constraints);
+    for (const Constraint& constraint : stage.narrow.constraints) {
+        addManifoldConstraint(stage, constraint, perSecond);
+        findMergeCandidatesOfLast(stage.bodies, stage.constraints);
     }
-    return data.constraints.constraintChanges <= mostConstraintChanges(data.constraints) &&
-           !anyInOnePlane(data.contacts, data.constraints);
+    return stage.constraints.constraintChanges <= mostConstraintChanges(stage.constraints) &&
+           !anyInOnePlane(stage.contacts, stage.constraints);
 }
 
 } // namespace
 
-void findContacts(WorldData& data, const IterationStep& step) {
+void findContacts(const ContactStage& stage, const IterationStep& step) {
     const double perSecond = 1 / step.dt;
-    if (!updateConstraints(data, perSecond)) {
-        rebuildConstraints(data, perSecond);
+    if (!updateConstraints(stage, perSecond)) {
+        rebuildConstraints(stage, perSecond);
     }
 }
 

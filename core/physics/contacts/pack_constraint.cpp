@@ -70,10 +70,10 @@ Frame mergedFrame(const Bodies& bodies, const Constraint& c, bool still, bool no
     return {(normalOnA ? poseA : poseB).rotation.inverse() * c.normal, relative(poseA, poseB), c.tolerance};
 }
 
-void packAnchors(const WorldData& data, const Constraint& c, ContactAnchors& anchors, std::uint32_t i) {
-    const bool still = data.contacts.table.pairs[c.points[0].pair].staticB;
-    const KeptManifold& kept = manifoldOf(data.contacts, c.points[0]);
-    const Frame frame = c.merged ? mergedFrame(data.bodies, c, still, kept.normalOnA) //
+void packAnchors(const ContactStage& stage, const Constraint& c, ContactAnchors& anchors, std::uint32_t i) {
+    const bool still = stage.contacts.table.pairs[c.points[0].pair].staticB;
+    const KeptManifold& kept = manifoldOf(stage.contacts, c.points[0]);
+    const Frame frame = c.merged ? mergedFrame(stage.bodies, c, still, kept.normalOnA) //
                                  : Frame{kept.normal, kept.relative, kept.tolerance};
     setLane(anchors.staticB, i, still);
     setLane(anchors.normalOnA, i, kept.normalOnA);
@@ -89,7 +89,7 @@ void packAnchors(const WorldData& data, const Constraint& c, ContactAnchors& anc
     anchors.onB1X[i] = p.onB.x();
     anchors.onB1Y[i] = p.onB.y();
     const ConstraintPoint& last = c.points[c.count == 2 ? 1 : 0];
-    const KeptManifold::Point& q = manifoldOf(data.contacts, last).points[last.index];
+    const KeptManifold::Point& q = manifoldOf(stage.contacts, last).points[last.index];
     anchors.onA2X[i] = q.onA.x();
     anchors.onA2Y[i] = q.onA.y();
     anchors.onB2X[i] = q.onB.x();
@@ -99,8 +99,8 @@ void packAnchors(const WorldData& data, const Constraint& c, ContactAnchors& anc
     anchors.cosine[i] = frame.relative.rotation.c;
     anchors.sine[i] = frame.relative.rotation.s;
     anchors.tolerance[i] = frame.tolerance;
-    anchors.radiusA[i] = data.bodies.steps[c.a].isCircle ? 0 : data.bodies.steps[c.a].outerRadius;
-    anchors.leastInverseMass[i] = leastInverseMass(data.bodies, c.a, c.b);
+    anchors.radiusA[i] = stage.bodies.steps[c.a].isCircle ? 0 : stage.bodies.steps[c.a].outerRadius;
+    anchors.leastInverseMass[i] = leastInverseMass(stage.bodies, c.a, c.b);
 }
 
 } // namespace
@@ -113,9 +113,9 @@ void keepDeeperPoint(ConstraintBatch& batch, std::uint32_t i) {
     (first ? batch.impulse2 : batch.impulse1)[i] = 0;
 }
 
-void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double perSecond) {
+void pack(const ContactStage& stage, const Constraint& c, GeneralContact& contact, double perSecond) {
     const std::uint32_t i = contact.lane.lane;
-    ConstraintBatch& batch = data.constraints.batches.general[contact.lane.batch];
+    ConstraintBatch& batch = stage.constraints.batches.general[contact.lane.batch];
     batch.normalX[i] = c.normal.x();
     batch.normalY[i] = c.normal.y();
     batch.tangentLeverA[i] = c.tangentLeverA;
@@ -126,10 +126,10 @@ void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double 
     contact.singular = packBlock(c, batch, i, perSecond);
     if (contact.singular) {
         keepDeeperPoint(batch, i);
-        data.flags.anySingular = true;
+        stage.flags.anySingular = true;
     }
-    setLane(data.constraints.batches.general.anchors(contact.lane.batch).singular, i, contact.singular);
-    packAnchors(data, c, data.constraints.batches.general.anchors(contact.lane.batch), i);
+    setLane(stage.constraints.batches.general.anchors(contact.lane.batch).singular, i, contact.singular);
+    packAnchors(stage, c, stage.constraints.batches.general.anchors(contact.lane.batch), i);
     contact.merged = c.merged;
     contact.count = static_cast<std::uint32_t>(c.count);
     contact.bounces = false;
@@ -138,7 +138,7 @@ void pack(WorldData& data, const Constraint& c, GeneralContact& contact, double 
         contact.points[k] = {p.pair, p.contact, p.index, p.bounces};
         contact.bounces |= p.bounces;
     }
-    data.flags.anyBounce |= contact.bounces;
+    stage.flags.anyBounce |= contact.bounces;
 }
 
 } // namespace spacetow

@@ -1,8 +1,8 @@
 #pragma once
 // From a constraint to its lane.
 
+#include "core/physics/contacts/contact_stage.h"
 #include "core/physics/state/contact_data.h"
-#include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
@@ -11,7 +11,7 @@ inline void setLane(Mask& mask, std::uint32_t lane, bool value) {
 }
 
 /// Writes all that the solver needs of a constraint to the contact's lane.
-void pack(WorldData& data, const Constraint& constraint, GeneralContact& contact, double perSecond);
+void pack(const ContactStage& stage, const Constraint& constraint, GeneralContact& contact, double perSecond);
 
 /// Of the singular contact in lane i, whose points have nearly the same effect, the one that overlaps more acts for
 /// both.

@@ -90,12 +90,12 @@ Manifold manifoldOf(PairTable& table, std::uint32_t index, const Poses& poses, d
 }
 
 /// A new manifold; without a point in it the parts are let go until they may have met.
-void makeManifold(WorldData& data, std::uint32_t index, const Poses& poses, double margin) {
-    const Pair& pair = data.contacts.table.pairs[index];
-    Contact& contact = data.contacts.pool[pair.contact];
-    KeptManifold& kept = data.contacts.manifolds[contact.manifold];
-    const PlannedMotion& a = data.bodies.plannedMotions[pair.bodyA];
-    const PlannedMotion& b = data.bodies.plannedMotions[pair.bodyB];
+void makeManifold(const ContactStage& stage, std::uint32_t index, const Poses& poses, double margin) {
+    const Pair& pair = stage.contacts.table.pairs[index];
+    Contact& contact = stage.contacts.pool[pair.contact];
+    KeptManifold& kept = stage.contacts.manifolds[contact.manifold];
+    const PlannedMotion& a = stage.bodies.plannedMotions[pair.bodyA];
+    const PlannedMotion& b = stage.bodies.plannedMotions[pair.bodyB];
     kept.tolerance =
         margin + (pair.staticB ? toleranceShareAtWalls * a.innerRadius
                                : std::max(toleranceShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
@@ -137,15 +137,15 @@ Approach approach(const Bodies& bodies, const Constraint& c, const ConstraintPoi
 }
 
 /// Sets what the normal velocity at a point is to be; false when it is to be swept instead.
-bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double perSecond) {
+bool setTarget(const ContactStage& stage, const Constraint& c, ConstraintPoint& p, double perSecond) {
     p.bounces = false;
     p.target = formulas::targetVelocity(p.separation, perSecond);
     if (c.restitution > 0) {
-        const Target target = targetOf(approach(data.bodies, c, p), p.separation, c.restitution, perSecond);
+        const Target target = targetOf(approach(stage.bodies, c, p), p.separation, c.restitution, perSecond);
         if (target.meeting == Meeting::WillBounce) {
-            data.contacts.table.pairs[p.pair].sweep = true;
-            data.flags.anySweep = true;
-            data.bodies.steps[c.a].bouncing = data.bodies.steps[c.b].bouncing = true;
+            stage.contacts.table.pairs[p.pair].sweep = true;
+            stage.flags.anySweep = true;
+            stage.bodies.steps[c.a].bouncing = stage.bodies.steps[c.b].bouncing = true;
             return false;
         }
         p.target = target.velocity;
@@ -155,13 +155,13 @@ bool setTarget(WorldData& data, const Constraint& c, ConstraintPoint& p, double 
 }
 
 /// False when there is none, as all of its points will bounce.
-bool prepareConstraint(WorldData& data, std::uint32_t index, double perSecond) {
-    Pair& pair = data.contacts.table.pairs[index];
-    const Transform poseA = data.bodies.plannedMotions[pair.bodyA].pose();
-    const Transform poseB = pair.staticB ? Transform{} : data.bodies.plannedMotions[pair.bodyB].pose();
-    const Contact& contact = data.contacts.pool[pair.contact];
-    const KeptManifold& kept = data.contacts.manifolds[contact.manifold];
-    Constraint& c = data.scratch.narrow.constraints.emplace_back();
+bool prepareConstraint(const ContactStage& stage, std::uint32_t index, double perSecond) {
+    Pair& pair = stage.contacts.table.pairs[index];
+    const Transform poseA = stage.bodies.plannedMotions[pair.bodyA].pose();
+    const Transform poseB = pair.staticB ? Transform{} : stage.bodies.plannedMotions[pair.bodyB].pose();
+    const Contact& contact = stage.contacts.pool[pair.contact];
+    const KeptManifold& kept = stage.contacts.manifolds[contact.manifold];
+    Constraint& c = stage.narrow.constraints.emplace_back();
     c.a = pair.bodyA;
     c.b = pair.bodyB;
     c.unmergeable = pair.unmergeable;
@@ -176,18 +176,18 @@ bool prepareConstraint(WorldData& data, std::uint32_t index, double perSecond) {
         ConstraintPoint& p = c.points[static_cast<std::size_t>(c.count)];
         p.separation = (onB - onA).dot(c.normal);
         p.armA = 0.5 * (onA + onB) - poseA.position;
-        setLevers(data.bodies, c, p);
+        setLevers(stage.bodies, c, p);
         p.normalImpulse = contact.points[i].normalImpulse;
         p.pair = index;
         p.contact = pair.contact;
         p.index = i;
-        c.count += setTarget(data, c, p, perSecond) ? 1 : 0;
+        c.count += setTarget(stage, c, p, perSecond) ? 1 : 0;
     }
     if (c.count == 0) {
-        data.scratch.narrow.constraints.pop_back();
+        stage.narrow.constraints.pop_back();
         return false;
     }
-    couple(data.bodies, c);
+    couple(stage.bodies, c);
     return true;
 }
 
@@ -197,17 +197,17 @@ double marginOf(const Bodies& bodies, const Pair& pair) {
 }
 
 /// Makes the manifold anew unless the one that is kept still holds.
-void updateKeptManifold(WorldData& data, std::uint32_t index) {
-    const Pair& pair = data.contacts.table.pairs[index];
-    const KeptManifold& kept = data.contacts.manifolds[data.contacts.pool[pair.contact].manifold];
-    const double margin = marginOf(data.bodies, pair);
-    const Poses poses = posesOf(data.bodies, pair);
-    double left = toleranceLeft(kept, poses.relative, data.bodies.extents[pair.bodyA].outerRadius);
+void updateKeptManifold(const ContactStage& stage, std::uint32_t index) {
+    const Pair& pair = stage.contacts.table.pairs[index];
+    const KeptManifold& kept = stage.contacts.manifolds[stage.contacts.pool[pair.contact].manifold];
+    const double margin = marginOf(stage.bodies, pair);
+    const Poses poses = posesOf(stage.bodies, pair);
+    double left = toleranceLeft(kept, poses.relative, stage.bodies.extents[pair.bodyA].outerRadius);
     if (left < margin) {
-        makeManifold(data, index, poses, margin);
+        makeManifold(stage, index, poses, margin);
         left = kept.tolerance;
     }
-    boundSeparation(data.bodies, data.contacts, index, left);
+    boundSeparation(stage.bodies, stage.contacts, index, left);
 }
 
 } // namespace
@@ -224,37 +224,37 @@ double separationBoundOf(const Bodies& bodies, const Contacts& contacts, const P
     return std::max(toleranceLeftOf(bodies, contacts, pair), 0.0);
 }
 
-void updateManifold(WorldData& data, std::uint32_t index, double perSecond) {
-    Pair& pair = data.contacts.table.pairs[index];
-    const bool unknown = pair.contact == Pair::none || data.contacts.pool[pair.contact].count == 0;
+void updateManifold(const ContactStage& stage, std::uint32_t index, double perSecond) {
+    Pair& pair = stage.contacts.table.pairs[index];
+    const bool unknown = pair.contact == Pair::none || stage.contacts.pool[pair.contact].count == 0;
     if (unknown && !pair.staticB) {
-        PairBound& bound = data.contacts.table.bounds[index];
-        const Discs discs = discsOf(data.bodies, bound);
+        PairBound& bound = stage.contacts.table.bounds[index];
+        const Discs discs = discsOf(stage.bodies, bound);
         if (discs.areApart()) {
-            freeContact(data.contacts, data.scratch.narrow, pair);
-            bound.separationBound = data.bodies.motionOf(bound) + discs.gap();
+            freeContact(stage.contacts, stage.narrow, pair);
+            bound.separationBound = stage.bodies.motionOf(bound) + discs.gap();
             return;
         }
     }
-    const Contact& contact = contactOf(data.bodies, data.contacts, pair);
-    updateKeptManifold(data, index);
+    const Contact& contact = contactOf(stage.bodies, stage.contacts, pair);
+    updateKeptManifold(stage, index);
     if (contact.count > 0) {
-        prepareConstraint(data, index, perSecond);
+        prepareConstraint(stage, index, perSecond);
     }
 }
 
-void remakeManifold(WorldData& data, std::uint32_t index, double perSecond) {
-    Pair& pair = data.contacts.table.pairs[index];
-    const Contact& contact = data.contacts.pool[pair.contact];
+void remakeManifold(const ContactStage& stage, std::uint32_t index, double perSecond) {
+    Pair& pair = stage.contacts.table.pairs[index];
+    const Contact& contact = stage.contacts.pool[pair.contact];
     pair.sweep = false;
-    saveImpulses(data.contacts, data.constraints, data.constraints.generalContacts[contact.constraintIndex]);
-    makeManifold(data, index, posesOf(data.bodies, pair), marginOf(data.bodies, pair));
-    if (contact.count > 0 && prepareConstraint(data, index, perSecond)) {
-        rewriteConstraint(data, data.scratch.narrow.constraints.back(), perSecond);
-        data.scratch.narrow.constraints.pop_back();
+    saveImpulses(stage.contacts, stage.constraints, stage.constraints.generalContacts[contact.constraintIndex]);
+    makeManifold(stage, index, posesOf(stage.bodies, pair), marginOf(stage.bodies, pair));
+    if (contact.count > 0 && prepareConstraint(stage, index, perSecond)) {
+        rewriteConstraint(stage, stage.narrow.constraints.back(), perSecond);
+        stage.narrow.constraints.pop_back();
     } else {
-        removeConstraint(data.contacts, data.constraints, index);
-        boundSeparation(data.bodies, data.contacts, index, data.contacts.manifolds[contact.manifold].tolerance);
+        removeConstraint(stage.contacts, stage.constraints, index);
+        boundSeparation(stage.bodies, stage.contacts, index, stage.contacts.manifolds[contact.manifold].tolerance);
     }
 }
 

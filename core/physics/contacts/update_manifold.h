@@ -2,15 +2,15 @@
 // Contacts of one or two points between parts of any shape. A manifold is kept while its parts move little against each
 // other: its points stay with their bodies, and what changes is how far apart they are.
 
-#include "core/physics/state/world_data.h"
+#include "core/physics/contacts/contact_stage.h"
 
 namespace spacetow {
 
 /// Adds the contact of a pair to `constraints`, from its kept manifold or from a new one.
-void updateManifold(WorldData& data, std::uint32_t index, double perSecond);
+void updateManifold(const ContactStage& stage, std::uint32_t index, double perSecond);
 
 /// Makes the manifold of a contact that has a lane anew.
-void remakeManifold(WorldData& data, std::uint32_t index, double perSecond);
+void remakeManifold(const ContactStage& stage, std::uint32_t index, double perSecond);
 
 /// How much nearer the parts of a pair may come before their kept manifold is out of date, m.
 double toleranceLeftOf(const Bodies& bodies, const Contacts& contacts, const Pair& pair);

@@ -40,61 +40,61 @@ bool sleeps(const Bodies& bodies, const Pair& pair) {
 }
 
 /// Pairs nobody of which moves on one side, the others on the other.
-void partitionPairs(WorldData& data) {
-    Sleep& sleep = data.sleep;
-    data.scratch.changes.newTable.clear();
-    data.scratch.sleep.newTable.clear();
-    for (std::size_t i = 0, j = 0; i < data.contacts.table.size() || j < sleep.table.size();) {
+void partitionPairs(const SleepStage& stage) {
+    Sleep& sleep = stage.sleep;
+    stage.scratch.changes.newTable.clear();
+    stage.search.newTable.clear();
+    for (std::size_t i = 0, j = 0; i < stage.contacts.table.size() || j < sleep.table.size();) {
         const bool first = j == sleep.table.size() ||
-                           (i < data.contacts.table.size() && data.contacts.table.pairs[i] < sleep.table.pairs[j]);
-        const PairTable& from = first ? data.contacts.table : sleep.table;
+                           (i < stage.contacts.table.size() && stage.contacts.table.pairs[i] < sleep.table.pairs[j]);
+        const PairTable& from = first ? stage.contacts.table : sleep.table;
         const std::size_t index = first ? i++ : j++;
-        (sleeps(data.bodies, from.pairs[index]) ? data.scratch.sleep.newTable : data.scratch.changes.newTable)
+        (sleeps(stage.bodies, from.pairs[index]) ? stage.search.newTable : stage.scratch.changes.newTable)
             .addFrom(from, index);
     }
-    std::swap(data.contacts.table, data.scratch.changes.newTable);
-    std::swap(sleep.table, data.scratch.sleep.newTable);
+    std::swap(stage.contacts.table, stage.scratch.changes.newTable);
+    std::swap(sleep.table, stage.search.newTable);
 }
 
 /// All lists that depend on who sleeps.
-void rebuildLists(WorldData& data) {
-    releaseConstraints(data.contacts, data.constraints, data.flags);
-    Sleep& sleep = data.sleep;
+void rebuildLists(const SleepStage& stage) {
+    releaseConstraints(stage.contacts, stage.constraints, stage.flags);
+    Sleep& sleep = stage.sleep;
     sleep.sleepers.clear();
-    for (const Slot slot : data.bodies.nonStatic) {
-        if (data.bodies.records[slot].asleep) {
+    for (const Slot slot : stage.bodies.nonStatic) {
+        if (stage.bodies.records[slot].asleep) {
             sleep.sleepers.push_back(slot);
         }
     }
-    partitionPairs(data);
-    listMoving(data);
-    listSensors(data.contacts, data.flags);
-    relistTouchedTags(data.bodies, data.sleep);
+    partitionPairs(stage);
+    listMoving(stage.bodies, stage.scratch);
+    listSensors(stage.contacts, stage.flags);
+    relistTouchedTags(stage.bodies, stage.sleep);
 }
 
-void wake(WorldData& data, Slot slot, int iteration) {
-    BodyRecord& record = data.bodies.records[slot];
-    BodyStep& s = data.bodies.steps[slot];
+void wake(const SleepStage& stage, Slot slot, int iteration) {
+    BodyRecord& record = stage.bodies.records[slot];
+    BodyStep& s = stage.bodies.steps[slot];
     record.asleep = false;
     record.stillTime = 0;
     const bool falls = record.kind == BodyKind::Dynamic && !record.positionFrozen;
-    s.acceleration = falls ? data.sleep.gravity : Vec2(0, 0);
+    s.acceleration = falls ? stage.sleep.gravity : Vec2(0, 0);
     s.angularAcceleration = 0;
-    data.events.wokeUp.push_back({iteration, data.bodies.idOf(slot)});
+    stage.events.wokeUp.push_back({iteration, stage.bodies.idOf(slot)});
 }
 
 /// Everybody whose island is marked.
-void wakeMarked(WorldData& data, int iteration) {
-    const std::vector<std::uint8_t>& marked = data.scratch.sleep.marked;
+void wakeMarked(const SleepStage& stage, int iteration) {
+    const std::vector<std::uint8_t>& marked = stage.search.marked;
     bool any = false;
-    for (const Slot slot : data.sleep.sleepers) {
-        if (marked[data.bodies.records[slot].island] != 0) {
-            wake(data, slot, iteration);
+    for (const Slot slot : stage.sleep.sleepers) {
+        if (marked[stage.bodies.records[slot].island] != 0) {
+            wake(stage, slot, iteration);
             any = true;
         }
     }
     if (any) {
-        rebuildLists(data);
+        rebuildLists(stage);
     }
 }
 
@@ -125,23 +125,23 @@ void markNear(const Bodies& bodies, const Sleep& sleep, SleepSearch& sleepSearch
 }
 
 /// The islands of those that are in a pair with a disturbed anchor.
-void markPartners(WorldData& data, const std::vector<Slot>& disturbed) {
+void markPartners(const SleepStage& stage, const std::vector<Slot>& disturbed) {
     const auto isDisturbed = [&](Slot slot) {
-        return isAnchor(data.bodies, slot) && std::binary_search(disturbed.begin(), disturbed.end(), slot);
+        return isAnchor(stage.bodies, slot) && std::binary_search(disturbed.begin(), disturbed.end(), slot);
     };
-    for (const Pair& pair : data.sleep.table.pairs) {
+    for (const Pair& pair : stage.sleep.table.pairs) {
         if (isDisturbed(pair.bodyA)) {
-            markIsland(data.bodies, data.scratch.sleep, pair.bodyB);
+            markIsland(stage.bodies, stage.search, pair.bodyB);
         }
         if (isDisturbed(pair.bodyB)) {
-            markIsland(data.bodies, data.scratch.sleep, pair.bodyA);
+            markIsland(stage.bodies, stage.search, pair.bodyA);
         }
     }
-    for (const ConnectorRecord& c : data.forces.connectors) {
+    for (const ConnectorRecord& c : stage.forces.connectors) {
         if (c.used && (std::binary_search(disturbed.begin(), disturbed.end(), c.a) ||
                        std::binary_search(disturbed.begin(), disturbed.end(), c.b))) {
-            markIsland(data.bodies, data.scratch.sleep, c.a);
-            markIsland(data.bodies, data.scratch.sleep, c.b);
+            markIsland(stage.bodies, stage.search, c.a);
+            markIsland(stage.bodies, stage.search, c.b);
         }
     }
 }
@@ -196,10 +196,10 @@ void joinIslands(const Bodies& bodies, const Forces& forces, const Contacts& con
     }
 }
 
-void putToSleep(WorldData& data, Slot slot, Slot island, int iteration) {
-    BodyRecord& record = data.bodies.records[slot];
-    BodyMotion& m = data.bodies.motions[slot];
-    BodyStep& s = data.bodies.steps[slot];
+void putToSleep(const SleepStage& stage, Slot slot, Slot island, int iteration) {
+    BodyRecord& record = stage.bodies.records[slot];
+    BodyMotion& m = stage.bodies.motions[slot];
+    BodyStep& s = stage.bodies.steps[slot];
     record.asleep = true;
     record.island = island;
     m.velocity.setZero();
@@ -212,9 +212,9 @@ void putToSleep(WorldData& data, Slot slot, Slot island, int iteration) {
     s.angleCorrection = 0;
     s.fraction = 1;
     s.movedProxy = s.pushed = s.bounced = false;
-    data.bodies.motionBounds[slot] = s.motionBound;
-    data.bodies.notePlannedMotion(slot);
-    data.events.fellAsleep.push_back({iteration, data.bodies.idOf(slot)});
+    stage.bodies.motionBounds[slot] = s.motionBound;
+    stage.bodies.notePlannedMotion(slot);
+    stage.events.fellAsleep.push_back({iteration, stage.bodies.idOf(slot)});
 }
 
 } // namespace
@@ -228,99 +228,99 @@ void disturb(Bodies& bodies, Sleep& sleep, Slot slot) {
     }
 }
 
-void wakeDisturbed(WorldData& data, int iteration) {
-    std::vector<Slot>& disturbed = data.sleep.disturbed;
+void wakeDisturbed(const SleepStage& stage, int iteration) {
+    std::vector<Slot>& disturbed = stage.sleep.disturbed;
     if (disturbed.empty()) {
         return;
     }
     std::sort(disturbed.begin(), disturbed.end());
     disturbed.erase(std::unique(disturbed.begin(), disturbed.end()), disturbed.end());
-    clearMarks(data.bodies, data.sleep, data.scratch.sleep);
+    clearMarks(stage.bodies, stage.sleep, stage.search);
     for (const Slot slot : disturbed) {
-        markIsland(data.bodies, data.scratch.sleep, slot);
-        if (data.bodies.records[slot].used && data.bodies.records[slot].kind == BodyKind::Static) {
-            markNear(data.bodies, data.sleep, data.scratch.sleep, slot);
+        markIsland(stage.bodies, stage.search, slot);
+        if (stage.bodies.records[slot].used && stage.bodies.records[slot].kind == BodyKind::Static) {
+            markNear(stage.bodies, stage.sleep, stage.search, slot);
         }
     }
-    markPartners(data, disturbed);
-    wakeMarked(data, iteration);
+    markPartners(stage, disturbed);
+    wakeMarked(stage, iteration);
     disturbed.clear();
 }
 
-void beginSleep(WorldData& data, const Vec2& gravity) {
-    Sleep& sleep = data.sleep;
+void beginSleep(const SleepStage& stage, const Vec2& gravity) {
+    Sleep& sleep = stage.sleep;
     const bool all = !sleep.sleepers.empty() && (!sleep.allowed || gravity != sleep.gravity);
     sleep.gravity = sleep.allowed ? gravity : Vec2(0, 0);
     if (all) {
-        data.scratch.sleep.marked.assign(data.bodies.records.size(), 1);
-        wakeMarked(data, -1);
+        stage.search.marked.assign(stage.bodies.records.size(), 1);
+        wakeMarked(stage, -1);
         sleep.disturbed.clear();
     }
-    wakeDisturbed(data, -1);
+    wakeDisturbed(stage, -1);
 }
 
-bool wakeTouched(WorldData& data, const IterationStep& step) {
-    if (data.sleep.sleepers.empty()) {
+bool wakeTouched(const SleepStage& stage, const IterationStep& step) {
+    if (stage.sleep.sleepers.empty()) {
         return false;
     }
     bool any = false;
     const auto touch = [&](Slot slot) {
-        if (data.bodies.records[slot].asleep && !isAnchor(data.bodies, slot)) {
+        if (stage.bodies.records[slot].asleep && !isAnchor(stage.bodies, slot)) {
             if (!any) {
-                clearMarks(data.bodies, data.sleep, data.scratch.sleep);
+                clearMarks(stage.bodies, stage.sleep, stage.search);
             }
-            markIsland(data.bodies, data.scratch.sleep, slot);
+            markIsland(stage.bodies, stage.search, slot);
             any = true;
         }
     };
-    for (const CircleContact& c : data.constraints.circleContacts) {
+    for (const CircleContact& c : stage.constraints.circleContacts) {
         touch(c.a);
         touch(c.b);
     }
-    for (const GeneralContact& c : data.constraints.generalContacts) {
+    for (const GeneralContact& c : stage.constraints.generalContacts) {
         touch(c.a);
         touch(c.b);
     }
     if (any) {
-        restoreVelocities(data.bodies);
-        wakeMarked(data, step.index);
-        prepareSteps(data.bodies, step);
+        restoreVelocities(stage.bodies);
+        wakeMarked(stage, step.index);
+        prepareSteps(stage.bodies, step);
     }
     return any;
 }
 
-void fallAsleep(WorldData& data, double seconds, int iteration) {
-    if (!data.sleep.allowed) {
+void fallAsleep(const SleepStage& stage, double seconds, int iteration) {
+    if (!stage.sleep.allowed) {
         return;
     }
     bool anyReady = false;
-    for (const Slot slot : data.bodies.moving) {
-        double& stillTime = data.bodies.records[slot].stillTime;
-        stillTime = isStill(data.bodies, slot) ? stillTime + seconds : 0;
+    for (const Slot slot : stage.bodies.moving) {
+        double& stillTime = stage.bodies.records[slot].stillTime;
+        stillTime = isStill(stage.bodies, slot) ? stillTime + seconds : 0;
         anyReady |= stillTime >= sleepDelay;
     }
     if (!anyReady) {
         return;
     }
-    beginSets(data.bodies, data.forces, data.contacts, data.scratch.sleep); // and mark who stays awake
-    joinIslands(data.bodies, data.forces, data.contacts, data.scratch.sleep);
-    std::vector<Slot>& parents = data.scratch.sleep.parents;
-    std::vector<std::uint8_t>& marked = data.scratch.sleep.marked;
-    for (const Slot slot : data.bodies.moving) {
-        if (marked[slot] != 0 || !maySleep(data.bodies, slot)) {
+    beginSets(stage.bodies, stage.forces, stage.contacts, stage.search); // and mark who stays awake
+    joinIslands(stage.bodies, stage.forces, stage.contacts, stage.search);
+    std::vector<Slot>& parents = stage.search.parents;
+    std::vector<std::uint8_t>& marked = stage.search.marked;
+    for (const Slot slot : stage.bodies.moving) {
+        if (marked[slot] != 0 || !maySleep(stage.bodies, slot)) {
             marked[rootOf(parents, slot)] = 1;
         }
     }
     bool any = false;
-    for (const Slot slot : data.bodies.moving) {
+    for (const Slot slot : stage.bodies.moving) {
         const Slot island = rootOf(parents, slot);
         if (marked[island] == 0) {
-            putToSleep(data, slot, island, iteration);
+            putToSleep(stage, slot, island, iteration);
             any = true;
         }
     }
     if (any) {
-        rebuildLists(data);
+        rebuildLists(stage);
     }
 }
 

@@ -7,22 +7,40 @@
 
 namespace spacetow {
 
+/// A view, as a span is: what it shows may be changed unless it is const here.
+struct SleepStage {
+    Bodies& bodies;
+    const Forces& forces;
+    Contacts& contacts;
+    Constraints& constraints;
+    Sleep& sleep;
+    Events& events;
+    StepFlags& flags;
+    SleepSearch& search;
+    Scratch& scratch; // which all bodies that no longer move leave
+
+    SleepStage(WorldData& data)
+        : bodies(data.bodies), forces(data.forces), contacts(data.contacts), constraints(data.constraints),
+          sleep(data.sleep), events(data.events), flags(data.flags), search(data.scratch.sleep), scratch(data.scratch) {
+    }
+};
+
 /// The body, or something about it, is about to change: with the next wakeDisturbed() its island wakes, and, when it is
 /// an anchor, all that is near it; near its new place, too, when it is static. Costs nothing while nobody sleeps.
 void disturb(Bodies& bodies, Sleep& sleep, Slot slot);
 
 /// `iteration` dates the events, here and below.
-void wakeDisturbed(WorldData& data, int iteration);
+void wakeDisturbed(const SleepStage& stage, int iteration);
 
 /// At the start of an update: wakes the disturbed, and everybody when sleep is no longer allowed or gravity has
 /// changed.
-void beginSleep(WorldData& data, const Vec2& gravity);
+void beginSleep(const SleepStage& stage, const Vec2& gravity);
 
 /// Wakes the islands that contacts have just been found with. If there are any, velocities are those of the start of
 /// the iteration once more, and it is to be begun anew with everybody who takes part.
-bool wakeTouched(WorldData& data, const IterationStep& step);
+bool wakeTouched(const SleepStage& stage, const IterationStep& step);
 
 /// At the end of an update of so many seconds: islands that have been slow for long enough fall asleep.
-void fallAsleep(WorldData& data, double seconds, int iteration);
+void fallAsleep(const SleepStage& stage, double seconds, int iteration);
 
 } // namespace spacetow

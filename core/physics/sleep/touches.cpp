@@ -38,51 +38,51 @@ Group groupAround(const Contacts& contacts, std::size_t index) {
 }
 
 /// What is passed between two iterations begins and ends in the same one.
-void report(WorldData& data, const Group& group, int iteration) {
+void report(const TouchStage& stage, const Group& group, int iteration) {
     bool now = false;
     bool passed = false;
     bool before = false;
     for (std::size_t i = group.first; i < group.end; ++i) {
-        PairFlags& flags = data.contacts.table.flags[i];
+        PairFlags& flags = stage.contacts.table.flags[i];
         now |= flags.touching;
         passed |= flags.passed;
         before |= flags.reported;
         flags.reported = flags.touching;
     }
     if (!before && (now || passed)) {
-        data.events.began.push_back(touchEvent(data.bodies, group.bodies, iteration));
+        stage.events.began.push_back(touchEvent(stage.bodies, group.bodies, iteration));
     }
     if (!now && (before || passed)) {
-        data.events.ended.push_back(touchEvent(data.bodies, group.bodies, iteration));
+        stage.events.ended.push_back(touchEvent(stage.bodies, group.bodies, iteration));
     }
 }
 
 /// Pairs whose boxes have parted are no longer in the table. Where others of the same bodies are, these may still
 /// touch: one of them takes the place of what was dropped.
-void reportDropped(WorldData& data, int iteration) {
-    std::vector<std::uint64_t>& dropped = data.scratch.changes.droppedTouches;
+void reportDropped(const TouchStage& stage, int iteration) {
+    std::vector<std::uint64_t>& dropped = stage.changes.droppedTouches;
     std::sort(dropped.begin(), dropped.end());
     dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
     for (const std::uint64_t bodyPair : dropped) {
         const auto found =
-            std::lower_bound(data.contacts.table.pairs.begin(), data.contacts.table.pairs.end(), bodyPair,
+            std::lower_bound(stage.contacts.table.pairs.begin(), stage.contacts.table.pairs.end(), bodyPair,
                              [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });
-        if (found != data.contacts.table.pairs.end() && found->bodies() == bodyPair) {
-            data.contacts.table.flags[static_cast<std::size_t>(found - data.contacts.table.pairs.begin())].reported =
+        if (found != stage.contacts.table.pairs.end() && found->bodies() == bodyPair) {
+            stage.contacts.table.flags[static_cast<std::size_t>(found - stage.contacts.table.pairs.begin())].reported =
                 true;
         } else {
-            data.events.ended.push_back(touchEvent(data.bodies, bodyPair, iteration));
+            stage.events.ended.push_back(touchEvent(stage.bodies, bodyPair, iteration));
         }
     }
     dropped.clear();
 }
 
-void reportChanged(WorldData& data, int iteration) {
-    for (std::size_t i = 0; i < data.contacts.table.size(); ++i) {
-        const PairFlags& flags = data.contacts.table.flags[i];
+void reportChanged(const TouchStage& stage, int iteration) {
+    for (std::size_t i = 0; i < stage.contacts.table.size(); ++i) {
+        const PairFlags& flags = stage.contacts.table.flags[i];
         if (flags.touching != flags.reported || flags.passed) {
-            const Group group = groupAround(data.contacts, i);
-            report(data, group, iteration);
+            const Group group = groupAround(stage.contacts, i);
+            report(stage, group, iteration);
             i = group.end - 1;
         }
     }
@@ -121,16 +121,16 @@ void forTouching(const Bodies& bodies, const PairTable& table, const Visit& visi
 
 } // namespace
 
-void reportTouches(WorldData& data, int iteration) {
-    reportDropped(data, iteration);
-    reportChanged(data, iteration);
-    if (data.bodies.reporters.empty()) {
+void reportTouches(const TouchStage& stage, int iteration) {
+    reportDropped(stage, iteration);
+    reportChanged(stage, iteration);
+    if (stage.bodies.reporters.empty()) {
         return;
     }
-    collectTouchedTags(data.bodies, data.contacts, data.sleep);
-    for (const Slot slot : data.bodies.reporters) {
-        if (data.bodies.touchedTags[slot].bits != 0) {
-            data.events.tagsTouched.push_back({iteration, data.bodies.idOf(slot), data.bodies.touchedTags[slot]});
+    collectTouchedTags(stage.bodies, stage.contacts, stage.sleep);
+    for (const Slot slot : stage.bodies.reporters) {
+        if (stage.bodies.touchedTags[slot].bits != 0) {
+            stage.events.tagsTouched.push_back({iteration, stage.bodies.idOf(slot), stage.bodies.touchedTags[slot]});
         }
     }
 }
@@ -189,17 +189,17 @@ void relistTouchedTags(Bodies& bodies, Sleep& sleep) {
     bodies.tagged.insert(bodies.tagged.end(), bodies.nonStatic.begin(), bodies.nonStatic.end());
 }
 
-void endTouches(WorldData& data, Slot slot, int iteration) {
-    releaseConstraints(data.contacts, data.constraints, data.flags);
-    for (std::size_t i = 0; i < data.contacts.table.size(); ++i) {
-        const Pair& pair = data.contacts.table.pairs[i];
+void endTouches(const TouchStage& stage, NarrowPhase& narrow, Slot slot, int iteration) {
+    PairTable& table = stage.contacts.table;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const Pair& pair = table.pairs[i];
         if (pair.bodyA == slot || pair.bodyB == slot) {
-            for (const Group group = groupAround(data.contacts, i); i < group.end; ++i) {
-                data.contacts.table.flags[i].touching = data.contacts.table.flags[i].passed = false;
-                freeContact(data.contacts, data.scratch.narrow, data.contacts.table.pairs[i]);
+            for (const Group group = groupAround(stage.contacts, i); i < group.end; ++i) {
+                table.flags[i].touching = table.flags[i].passed = false;
+                freeContact(stage.contacts, narrow, table.pairs[i]);
             }
             --i;
-            report(data, groupAround(data.contacts, i), iteration);
+            report(stage, groupAround(stage.contacts, i), iteration);
         }
     }
 }

@@ -5,9 +5,22 @@
 
 namespace spacetow {
 
+/// A view, as a span is: what it shows may be changed unless it is const here.
+struct TouchStage {
+    Bodies& bodies;
+    Contacts& contacts;
+    const Sleep& sleep;
+    Events& events;
+    PairChanges& changes;
+
+    TouchStage(WorldData& data)
+        : bodies(data.bodies), contacts(data.contacts), sleep(data.sleep), events(data.events),
+          changes(data.scratch.changes) {}
+};
+
 /// Events of the pairs whose marks have changed since they were last reported, in the order of the table, and the tags
 /// that the bodies which ask for them touched in this iteration.
-void reportTouches(WorldData& data, int iteration);
+void reportTouches(const TouchStage& stage, int iteration);
 
 /// Makes the tag reports from this index on, all of one iteration, one report of each body.
 void joinTagReports(Events& events, std::size_t first);
@@ -18,7 +31,7 @@ void collectTouchedTags(Bodies& bodies, const Contacts& contacts, const Sleep& s
 /// Those of the pairs of sleepers, when these or who sleeps have changed.
 void relistTouchedTags(Bodies& bodies, Sleep& sleep);
 
-/// Ends all touches of a body that is about to leave or to be switched off.
-void endTouches(WorldData& data, Slot slot, int iteration);
+/// Ends all touches of a body that is about to leave or to be switched off. No contact has a lane meanwhile.
+void endTouches(const TouchStage& stage, NarrowPhase& narrow, Slot slot, int iteration);
 
 } // namespace spacetow

@@ -4,15 +4,17 @@ namespace spacetow {
 
 namespace {
 
-void findCarrier(WorldData& data, Slot a, Slot b, std::uint32_t pair) {
-    if ((data.bodies.movable[a] & data.bodies.movable[b]) != 0 || !data.contacts.table.flags[pair].touching ||
-        data.contacts.table.pairs[pair].staticB) {
+/// Of a pair that touches.
+void findCarrier(Bodies& bodies, const Pair& pair) {
+    const Slot a = pair.bodyA;
+    const Slot b = pair.bodyB;
+    if ((bodies.movable[a] & bodies.movable[b]) != 0 || pair.staticB) {
         return;
     }
-    if (!data.bodies.motions[a].isMovable()) {
-        data.bodies.steps[b].carrier = a;
-    } else if (!data.bodies.motions[b].isMovable()) {
-        data.bodies.steps[a].carrier = b;
+    if (!bodies.motions[a].isMovable()) {
+        bodies.steps[b].carrier = a;
+    } else if (!bodies.motions[b].isMovable()) {
+        bodies.steps[a].carrier = b;
     }
 }
 
@@ -35,15 +37,20 @@ void carry(Bodies& bodies, Slot slot) {
 
 } // namespace
 
-void findCarriers(WorldData& data) {
-    if (!anyKinematic(data.bodies)) {
+void findCarriers(Bodies& bodies, const PairTable& table, const Constraints& constraints) {
+    if (!anyKinematic(bodies)) {
         return;
     }
-    for (const CircleContact& c : data.constraints.circleContacts) {
-        findCarrier(data, c.a, c.b, c.pair);
+    const auto find = [&](std::uint32_t pair) {
+        if (table.flags[pair].touching) {
+            findCarrier(bodies, table.pairs[pair]);
+        }
+    };
+    for (const CircleContact& c : constraints.circleContacts) {
+        find(c.pair);
     }
-    for (const GeneralContact& c : data.constraints.generalContacts) {
-        findCarrier(data, c.a, c.b, c.points[0].pair);
+    for (const GeneralContact& c : constraints.generalContacts) {
+        find(c.points[0].pair);
     }
 }
 

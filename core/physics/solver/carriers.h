@@ -6,7 +6,7 @@
 namespace spacetow {
 
 /// Whatever stops a body that touches a kinematic one stops it on its way with that.
-void findCarriers(WorldData& data);
+void findCarriers(Bodies& bodies, const PairTable& table, const Constraints& constraints);
 
 /// What was stopped by a kinematic body stays where it is on it while that goes on.
 void carryStopped(Bodies& bodies);

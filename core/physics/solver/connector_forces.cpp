@@ -114,20 +114,19 @@ void findAnticipated(const Bodies& bodies, const Forces& forces, Substeps& subst
     }
 }
 
-void applyConnectorForces(WorldData& data, double h, Kick kick) {
-    for (ConnectorRecord& c : data.forces.connectors) {
-        if (!c.used || sleeps(data.bodies, c)) {
+void applyConnectorForces(const ForceStage& stage, double h, Kick kick) {
+    for (ConnectorRecord& c : stage.forces.connectors) {
+        if (!c.used || sleeps(stage.bodies, c)) {
             continue;
         }
         c.tension = 0;
-        const std::optional<Pull> p =
-            acts(data.bodies, c) ? pullOf(data.bodies, data.scratch.substeps, c) : std::nullopt;
+        const std::optional<Pull> p = acts(stage.bodies, c) ? pullOf(stage.bodies, stage.substeps, c) : std::nullopt;
         if (!p) {
             continue;
         }
         const double impulse = pull(c, p->stretch, h, kick);
-        BodyMotion& a = data.bodies.motions[c.a];
-        BodyMotion& b = data.bodies.motions[c.b];
+        BodyMotion& a = stage.bodies.motions[c.a];
+        BodyMotion& b = stage.bodies.motions[c.b];
         a.velocity += impulse * a.inverseMass * p->u;
         a.angularVelocity += impulse * a.inverseInertia * p->leverA;
         b.velocity -= impulse * b.inverseMass * p->u;

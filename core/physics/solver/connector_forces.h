@@ -1,7 +1,7 @@
 #pragma once
 // The tension of connectors, applied as impulses before each sub-step.
 
-#include "core/physics/state/world_data.h"
+#include "core/physics/solver/force_stage.h"
 
 namespace spacetow {
 
@@ -25,6 +25,6 @@ void findAnticipated(const Bodies& bodies, const Forces& forces, Substeps& subst
 /// The impulses for sub-steps of `h` seconds at the trial poses; changes velocities only. Damping, and the spring
 /// itself where it is too stiff for the sub-step, are taken implicitly, so that the result stays finite and gains no
 /// energy.
-void applyConnectorForces(WorldData& data, double h, Kick kick);
+void applyConnectorForces(const ForceStage& stage, double h, Kick kick);
 
 } // namespace spacetow

@@ -109,10 +109,14 @@ void halt(BodyStep& s) {
     s.correction.setZero();
 }
 
-Transform poseAfterStop(const Bodies& bodies, Slot slot) {
-    const BodyMotion& m = bodies.motions[slot];
+Vec2 centerAfterStop(const Bodies& bodies, Slot slot) {
     const BodyStep& s = bodies.steps[slot];
-    return {m.center + s.fraction * s.deltaPosition, turned(m.rotation, s.fraction * s.deltaAngle)};
+    return bodies.motions[slot].center + s.fraction * s.deltaPosition;
+}
+
+Transform poseAfterStop(const Bodies& bodies, Slot slot) {
+    const BodyStep& s = bodies.steps[slot];
+    return {centerAfterStop(bodies, slot), turned(bodies.motions[slot].rotation, s.fraction * s.deltaAngle)};
 }
 
 bool isPushed(const Bodies& bodies, const SolverScratch& solver, Slot slot) {
@@ -159,15 +163,15 @@ void stopPushed(Bodies& bodies, const Contacts& contacts, const SolverScratch& s
 }
 
 /// What is kept out of one thing and would go into another goes nowhere.
-void stopWedged(WorldData& data, const std::vector<Slot>& kept) {
-    forSights(data.bodies, data.constraints, data.scratch.solver, [&](const Sight& at) {
-        if (stands(data.bodies, at.other) && excess(data.bodies, at) > linearSlop) {
-            halt(data.bodies.steps[at.body]);
+void stopWedged(const CrushStage& stage, const std::vector<Slot>& kept) {
+    forSights(stage.bodies, stage.constraints, stage.solver, [&](const Sight& at) {
+        if (stands(stage.bodies, at.other) && excess(stage.bodies, at) > linearSlop) {
+            halt(stage.bodies.steps[at.body]);
         }
     });
-    forUnmet(data.bodies, data.contacts, data.scratch.solver, [&](const Pair& pair) {
-        BodyStep& s = data.bodies.steps[pair.bodyA];
-        const Motion way{.start = data.bodies.pose(pair.bodyA),
+    forUnmet(stage.bodies, stage.contacts, stage.solver, [&](const Pair& pair) {
+        BodyStep& s = stage.bodies.steps[pair.bodyA];
+        const Motion way{.start = stage.bodies.pose(pair.bodyA),
                          .translation = s.fraction * s.deltaPosition + s.correction,
                          .turn = s.fraction * s.deltaAngle + s.angleCorrection};
         if (std::find(kept.begin(), kept.end(), pair.bodyA) != kept.end() && freeShare(pair, way) < 1) {
@@ -199,34 +203,36 @@ void sortOut(std::vector<Squeeze>& squeezes) {
 
 /// Of those that were kept out or stopped in this iteration, and those that have been crushed before: they are until
 /// they are free on one side.
-void reportCrushed(WorldData& data, std::vector<Squeeze>& squeezes, int iteration) {
-    for (const BodyId body : data.crushed) {
+void reportCrushed(const CrushStage& stage, std::vector<Squeeze>& squeezes, int iteration) {
+    for (const BodyId body : stage.crushed) {
         squeezes.push_back({body.index});
     }
     sortOut(squeezes);
     for (Squeeze& squeeze : squeezes) {
-        squeeze.depth = std::max(crushShare * data.bodies.steps[squeeze.body].innerRadius, crushDepth);
+        squeeze.depth = std::max(crushShare * stage.bodies.steps[squeeze.body].innerRadius, crushDepth);
     }
-    forSights(data.bodies, data.constraints, data.scratch.solver, [&](const Sight& at) {
+    forSights(stage.bodies, stage.constraints, stage.solver, [&](const Sight& at) {
         const auto found = std::lower_bound(squeezes.begin(), squeezes.end(), at.body,
                                             [](const Squeeze& squeeze, Slot body) { return squeeze.body < body; });
         if (found != squeezes.end() && found->body == at.body) {
-            noteSqueeze(data.bodies, at, *found);
+            noteSqueeze(stage.bodies, at, *found);
         }
     });
-    const std::vector<BodyId> before = std::exchange(data.crushed, {});
+    const std::vector<BodyId> before = std::exchange(stage.crushed, {});
     for (const Squeeze& squeeze : squeezes) {
-        const BodyId body = data.bodies.idOf(squeeze.body);
+        const BodyId body = stage.bodies.idOf(squeeze.body);
         if (squeeze.by == noSlot || squeeze.against == noSlot) {
             continue;
         }
-        data.crushed.push_back(body);
+        stage.crushed.push_back(body);
         if (std::find(before.begin(), before.end(), body) == before.end()) {
-            data.events.crushed.push_back(
-                {iteration, body, data.bodies.idOf(squeeze.by), data.bodies.idOf(squeeze.against)});
+            stage.events.crushed.push_back(
+                {iteration, body, stage.bodies.idOf(squeeze.by), stage.bodies.idOf(squeeze.against)});
         }
     }
 }
+
+} // namespace
 
 bool anyDriven(const Bodies& bodies, const SolverScratch& solver) {
     const std::vector<std::uint8_t>& driven = solver.driven;
@@ -234,47 +240,37 @@ bool anyDriven(const Bodies& bodies, const SolverScratch& solver) {
                        [&driven](Slot slot) { return slot < driven.size() && driven[slot] != 0; });
 }
 
-} // namespace
-
-void measureCorrections(WorldData& data) {
-    data.flags.anyMovedProxy = false;
-    if (!anyDriven(data.bodies, data.scratch.solver)) {
-        return;
-    }
-    data.scratch.search.movedBodies.clear();
-    for (const Slot slot : data.bodies.moving) {
-        BodyStep& s = data.bodies.steps[slot];
-        const Vec2 end = poseAfterStop(data.bodies, slot).position + s.correction;
-        s.movedProxy = isPushed(data.bodies, data.scratch.solver, slot) &&
+void measureCorrections(Bodies& bodies, StepFlags& flags, const SolverScratch& solver, PairSearch& search) {
+    search.movedBodies.clear();
+    for (const Slot slot : bodies.moving) {
+        BodyStep& s = bodies.steps[slot];
+        const Vec2 end = centerAfterStop(bodies, slot) + s.correction;
+        s.movedProxy = isPushed(bodies, solver, slot) &&
                        (!s.fat.centers.contains(end) ||
                         std::abs(s.fraction * s.deltaAngle) + std::abs(s.angleCorrection) > s.fat.angleLeft);
         if (s.movedProxy) {
-            data.scratch.search.movedBodies.push_back(slot);
+            search.movedBodies.push_back(slot);
         }
     }
-    data.flags.anyMovedProxy = !data.scratch.search.movedBodies.empty();
+    flags.anyMovedProxy = !search.movedBodies.empty();
 }
 
-void keepOutOfStatics(WorldData& data, int iteration) {
-    if (!anyDriven(data.bodies, data.scratch.solver)) {
-        data.crushed.clear();
-        return;
-    }
+void keepOutOfStatics(const CrushStage& stage, int iteration) {
     std::vector<Squeeze> squeezes;
-    stopPushed(data.bodies, data.contacts, data.scratch.solver, squeezes);
+    stopPushed(stage.bodies, stage.contacts, stage.solver, squeezes);
     std::vector<Slot> kept;
     bool changed = true;
     for (int round = 0; round < roundsOfKeeping && changed; ++round) {
-        changed = keepOutOnce(data.bodies, data.constraints, data.scratch.solver, kept);
+        changed = keepOutOnce(stage.bodies, stage.constraints, stage.solver, kept);
     }
     if (!kept.empty()) {
-        stopWedged(data, kept);
+        stopWedged(stage, kept);
     }
     for (const Slot slot : kept) {
         squeezes.push_back({slot});
     }
-    if (!squeezes.empty() || !data.crushed.empty()) {
-        reportCrushed(data, squeezes, iteration);
+    if (!squeezes.empty() || !stage.crushed.empty()) {
+        reportCrushed(stage, squeezes, iteration);
     }
 }
 

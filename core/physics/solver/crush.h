@@ -6,13 +6,29 @@
 
 namespace spacetow {
 
-/// Notes who is taken out of its fat AABB by pushes out of overlaps, or by what carries him along: for bodies that
-/// something drives which cannot be stopped.
-void measureCorrections(WorldData& data);
+/// A view, as a span is: what it shows may be changed unless it is const here.
+struct CrushStage {
+    Bodies& bodies;
+    const Contacts& contacts;
+    const Constraints& constraints;
+    const SolverScratch& solver;
+    std::vector<BodyId>& crushed;
+    Events& events;
 
-/// Limits the ways of such bodies, pushes out of overlaps included: none goes
-/// further into what stands still than the slop. Who is crushed thereby and was not in the iteration before is among
-/// the events. To be called when the motion is about to be carried out.
-void keepOutOfStatics(WorldData& data, int iteration);
+    CrushStage(WorldData& data)
+        : bodies(data.bodies), contacts(data.contacts), constraints(data.constraints), solver(data.scratch.solver),
+          crushed(data.crushed), events(data.events) {}
+};
+
+/// Whether anything that cannot be stopped drives a body. Else nothing is crushed, and the others need not be called.
+bool anyDriven(const Bodies& bodies, const SolverScratch& solver);
+
+/// Notes which driven bodies position corrections, or what carries them along, take out of their fat AABBs.
+void measureCorrections(Bodies& bodies, StepFlags& flags, const SolverScratch& solver, PairSearch& search);
+
+/// Limits the motion of driven bodies, position corrections included: none goes further into what stands still than the
+/// slop. A body that is crushed thereby, and was not in the iteration before, is among the events. To be called when
+/// the motion is about to be carried out.
+void keepOutOfStatics(const CrushStage& stage, int iteration);
 
 } // namespace spacetow

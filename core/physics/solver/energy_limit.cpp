@@ -40,35 +40,35 @@ EnergyBalance& balanceOf(const Islands& islands, SolverScratch& solver, Slot slo
 /// With a share x of its impulses an iteration changes a body's energy by a·x²/2 + b·x + c: a velocity v after it costs
 /// m·(v²/2 − d·v), where d is what the forces added to the velocity v₀ that it began with; their work on the way v·dt
 /// is in it.
-void measureBody(const WorldData& data, Slot slot, EnergyChange& change) {
-    const Wide planned = WideVelocity(data.scratch.solver.plannedVelocities[slot]).value;
-    const Wide push = WideVelocity(data.scratch.solver.velocities[slot]).value - planned;
-    if (!isPush({push[0], push[1]}, push[2] * data.bodies.steps[slot].outerRadius)) {
+void measureBody(const SolverStage& stage, Slot slot, EnergyChange& change) {
+    const Wide planned = WideVelocity(stage.solver.plannedVelocities[slot]).value;
+    const Wide push = WideVelocity(stage.solver.velocities[slot]).value - planned;
+    if (!isPush({push[0], push[1]}, push[2] * stage.bodies.steps[slot].outerRadius)) {
         return;
     }
-    const Wide start = WideVelocity(data.scratch.solver.startVelocities[slot]).value;
+    const Wide start = WideVelocity(stage.solver.startVelocities[slot]).value;
     const Wide forced = planned - start;
-    const Wide inertia = WideVelocity(data.islands.inertias[slot]).value;
+    const Wide inertia = WideVelocity(stage.islands.inertias[slot]).value;
     change.a += inertia * push * push;
     change.b += inertia * push * start;
     change.c -= 0.5 * inertia * forced * forced;
 }
 
 /// The sum of an island stays in registers while the bodies are its: through memory each would wait for the last.
-void measureBodies(WorldData& data) {
-    std::vector<EnergyChange>& changes = data.scratch.solver.changes;
+void measureBodies(const SolverStage& stage) {
+    std::vector<EnergyChange>& changes = stage.solver.changes;
     EnergyChange sum;
     Slot root = noSlot;
-    for (const Slot slot : data.bodies.moving) {
-        if (data.islands.roots[slot] != root) {
+    for (const Slot slot : stage.bodies.moving) {
+        if (stage.islands.roots[slot] != root) {
             if (root != noSlot) {
                 changes[root] = sum;
             }
-            root = data.islands.roots[slot];
+            root = stage.islands.roots[slot];
             sum = changes[root];
         }
-        if (data.scratch.solver.driven[root] == 0) { // what is driven may gain what it likes
-            measureBody(data, slot, sum);
+        if (stage.solver.driven[root] == 0) { // what is driven may gain what it likes
+            measureBody(stage, slot, sum);
         }
     }
     if (root != noSlot) {
@@ -85,17 +85,17 @@ Gain gainOf(const EnergyBalance& e) {
 }
 
 /// Returns the worst of all islands.
-Gain measureIslands(WorldData& data) {
-    for (const Slot root : data.islands.islandRoots) {
-        data.scratch.solver.changes[root] = {};
+Gain measureIslands(const SolverStage& stage) {
+    for (const Slot root : stage.islands.islandRoots) {
+        stage.solver.changes[root] = {};
     }
-    measureBodies(data);
+    measureBodies(stage);
     Gain worst = Gain::None;
-    for (const Slot root : data.islands.islandRoots) {
-        const EnergyChange& change = data.scratch.solver.changes[root];
-        EnergyBalance& balance = data.scratch.solver.balances[root];
+    for (const Slot root : stage.islands.islandRoots) {
+        const EnergyChange& change = stage.solver.changes[root];
+        EnergyBalance& balance = stage.solver.balances[root];
         balance = {sum(change.a), sum(change.b), sum(change.c), 0};
-        if (data.scratch.solver.driven[root] != 0) {
+        if (stage.solver.driven[root] != 0) {
             balance = {0, 0, -infinite, 0};
         }
         worst = std::max(worst, gainOf(balance));
@@ -113,12 +113,12 @@ bool costsTooMuch(const EnergyBalance& e) {
 }
 
 /// More passes over these islands alone.
-void solveIslandsWhere(WorldData& data, Question which) {
-    settleAll(data.bodies, data.islands, data.sleep, data.scratch.solver);
-    for (const Slot root : data.islands.islandRoots) {
-        data.scratch.solver.unconverged[root] = which(data.scratch.solver.balances[root]) ? 1 : 0;
+void solveIslandsWhere(const SolverStage& stage, Question which) {
+    settleAll(stage.bodies, stage.islands, stage.sleep, stage.solver);
+    for (const Slot root : stage.islands.islandRoots) {
+        stage.solver.unconverged[root] = which(stage.solver.balances[root]) ? 1 : 0;
     }
-    solveUnconverged(data, extraPasses);
+    solveUnconverged(stage, extraPasses);
 }
 
 void soften(CircleBatch& batch, std::uint32_t lane, bool& any) {
@@ -194,63 +194,63 @@ void allowDeep(const Islands& islands, SolverScratch& solver, const Batches<Batc
 }
 
 /// What the corrections cost: the work against the forces that act on the bodies.
-void measureCorrections(WorldData& data, double dt) {
-    for (const Slot slot : data.bodies.moving) {
-        const BodyVelocity& push = data.scratch.solver.corrections[slot];
+void measureCorrections(const SolverStage& stage, double dt) {
+    for (const Slot slot : stage.bodies.moving) {
+        const BodyVelocity& push = stage.solver.corrections[slot];
         if (push.x == 0 && push.y == 0 && push.angular == 0) {
             continue;
         }
-        const BodyVelocity& start = data.scratch.solver.startVelocities[slot];
-        const BodyVelocity& planned = data.scratch.solver.plannedVelocities[slot];
+        const BodyVelocity& start = stage.solver.startVelocities[slot];
+        const BodyVelocity& planned = stage.solver.plannedVelocities[slot];
         const double along = push.x * (start.x - planned.x) + push.y * (start.y - planned.y);
-        balanceOf(data.islands, data.scratch.solver, slot).corrections += data.islands.inertias[slot].x * along / dt;
-        data.bodies.steps[slot].correction = {push.x, push.y};
-        data.bodies.steps[slot].angleCorrection = push.angular;
+        balanceOf(stage.islands, stage.solver, slot).corrections += stage.islands.inertias[slot].x * along / dt;
+        stage.bodies.steps[slot].correction = {push.x, push.y};
+        stage.bodies.steps[slot].angleCorrection = push.angular;
     }
 }
 
 } // namespace
 
-bool limitEnergyGain(WorldData& data) {
-    data.scratch.solver.changes.resize(data.bodies.motions.size());
-    data.scratch.solver.balances.resize(data.bodies.motions.size());
-    Gain gain = measureIslands(data);
+bool limitEnergyGain(const SolverStage& stage) {
+    stage.solver.changes.resize(stage.bodies.motions.size());
+    stage.solver.balances.resize(stage.bodies.motions.size());
+    Gain gain = measureIslands(stage);
     bool changed = false;
     for (int round = 0; round < extraRounds && gain == Gain::Much; ++round) {
-        solveIslandsWhere(data, gainsMuch);
-        gain = measureIslands(data);
+        solveIslandsWhere(stage, gainsMuch);
+        gain = measureIslands(stage);
         changed = true;
     }
-    for (int round = 0; round < softerBounces && gain == Gain::Much &&
-                        softenBounces(data.constraints, data.islands, data.scratch.solver);
+    for (int round = 0;
+         round < softerBounces && gain == Gain::Much && softenBounces(stage.constraints, stage.islands, stage.solver);
          ++round) {
-        solveIslandsWhere(data, gainsMuch);
-        gain = measureIslands(data);
+        solveIslandsWhere(stage, gainsMuch);
+        gain = measureIslands(stage);
         changed = true;
     }
     if (gain != Gain::None) {
-        scaleImpulses(data.bodies, data.islands, data.scratch.solver);
-        measureIslands(data);
+        scaleImpulses(stage.bodies, stage.islands, stage.solver);
+        measureIslands(stage);
         changed = true;
     }
     return changed;
 }
 
-void applyCorrections(WorldData& data, double dt) {
-    measureCorrections(data, dt);
-    const std::vector<EnergyBalance>& balances = data.scratch.solver.balances;
-    if (std::none_of(data.islands.islandRoots.begin(), data.islands.islandRoots.end(),
+void applyCorrections(const SolverStage& stage, double dt) {
+    measureCorrections(stage, dt);
+    const std::vector<EnergyBalance>& balances = stage.solver.balances;
+    if (std::none_of(stage.islands.islandRoots.begin(), stage.islands.islandRoots.end(),
                      [&](Slot root) { return costsTooMuch(balances[root]); })) {
         return;
     }
-    allowDeep(data.islands, data.scratch.solver, data.constraints.batches.circles);
-    allowDeep(data.islands, data.scratch.solver, data.constraints.batches.general);
-    for (const Slot slot : data.bodies.moving) {
-        const EnergyBalance& balance = balanceOf(data.islands, data.scratch.solver, slot);
+    allowDeep(stage.islands, stage.solver, stage.constraints.batches.circles);
+    allowDeep(stage.islands, stage.solver, stage.constraints.batches.general);
+    for (const Slot slot : stage.bodies.moving) {
+        const EnergyBalance& balance = balanceOf(stage.islands, stage.solver, slot);
         if (costsTooMuch(balance)) {
             const double share = std::max(-balance.gain(), 0.0) / balance.corrections;
-            data.bodies.steps[slot].correction *= share;
-            data.bodies.steps[slot].angleCorrection *= share;
+            stage.bodies.steps[slot].correction *= share;
+            stage.bodies.steps[slot].angleCorrection *= share;
         }
     }
 }

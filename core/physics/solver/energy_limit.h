@@ -3,17 +3,17 @@
 // together with friction, and pushing bodies out of overlaps could otherwise lift a pile or drive a jammed body. What
 // an island does depends on no other.
 
-#include "core/physics/state/world_data.h"
+#include "core/physics/solver/solver_stage.h"
 
 namespace spacetow {
 
 /// After the passes, for islands to which the contacts' impulses add energy: makes more passes, then makes bounces
 /// softer, then takes back a share of the impulses. Islands that a moving kinematic body may push are left alone, as
 /// that may do any work. Leaves momentum as it is. True when velocities have changed.
-bool limitEnergyGain(WorldData& data);
+bool limitEnergyGain(const SolverStage& stage);
 
 /// Applies the position corrections, but those of shallow overlaps with no more energy than contacts took from
 /// their island in this iteration of `dt` seconds.
-void applyCorrections(WorldData& data, double dt);
+void applyCorrections(const SolverStage& stage, double dt);
 
 } // namespace spacetow

@@ -18,11 +18,11 @@ bool isSound(const FieldForce& f) {
 }
 
 /// One event an update for each field, naming the first body.
-void refuse(WorldData& data, std::uint32_t index, Slot slot, int iteration) {
-    const FieldId field{index, data.forces.fields[index].generation};
-    std::vector<FieldFaultEvent>& faults = data.events.fieldFaults;
+void refuse(const ForceStage& stage, std::uint32_t index, Slot slot, int iteration) {
+    const FieldId field{index, stage.forces.fields[index].generation};
+    std::vector<FieldFaultEvent>& faults = stage.events.fieldFaults;
     if (std::none_of(faults.begin(), faults.end(), [field](const auto& fault) { return fault.field == field; })) {
-        faults.push_back({iteration, field, data.bodies.idOf(slot)});
+        faults.push_back({iteration, field, stage.bodies.idOf(slot)});
     }
 }
 
@@ -49,20 +49,20 @@ struct FieldGain {
     double angularVelocity = 0;
 };
 
-FieldGain gainOf(WorldData& data, Slot slot, const FieldSample& sample, const FieldTime& time) {
+FieldGain gainOf(const ForceStage& stage, Slot slot, const FieldSample& sample, const FieldTime& time) {
     FieldForce sum;
-    for (std::uint32_t i = 0; i < data.forces.fields.size(); ++i) {
-        if (actsOn(data.bodies, data.forces.fields[i], slot)) {
-            const FieldForce f = data.forces.fields[i].def->force(sample);
+    for (std::uint32_t i = 0; i < stage.forces.fields.size(); ++i) {
+        if (actsOn(stage.bodies, stage.forces.fields[i], slot)) {
+            const FieldForce f = stage.forces.fields[i].def->force(sample);
             if (isSound(f)) {
                 sum.force += f.force;
                 sum.torque += f.torque;
             } else {
-                refuse(data, i, slot, time.iteration);
+                refuse(stage, i, slot, time.iteration);
             }
         }
     }
-    const BodyRecord& record = data.bodies.records[slot];
+    const BodyRecord& record = stage.bodies.records[slot];
     FieldGain gain;
     if (!record.positionFrozen) {
         gain.velocity = time.seconds * sum.force / record.mass;
@@ -111,22 +111,22 @@ void refreshFieldsOf(Bodies& bodies, Forces& forces, Slot slot) {
     }
 }
 
-void applyFields(WorldData& data, double seconds, int iteration) {
+void applyFields(const ForceStage& stage, double seconds, int iteration) {
     if (seconds == 0) {
         return;
     }
-    for (const Slot slot : data.forces.fieldBodies) {
-        if (data.bodies.records[slot].asleep) {
+    for (const Slot slot : stage.forces.fieldBodies) {
+        if (stage.bodies.records[slot].asleep) {
             continue;
         }
         // The midpoint rule: second order for what depends on the velocity, too.
-        FieldSample sample = sampleOf(data.bodies, data.scratch.substeps, slot);
-        const FieldGain first = gainOf(data, slot, sample, {seconds, iteration});
+        FieldSample sample = sampleOf(stage.bodies, stage.substeps, slot);
+        const FieldGain first = gainOf(stage, slot, sample, {seconds, iteration});
         sample.velocity += 0.5 * first.velocity;
         sample.angularVelocity += 0.5 * first.angularVelocity;
-        const FieldGain gain = gainOf(data, slot, sample, {seconds, iteration});
-        data.bodies.motions[slot].velocity += gain.velocity;
-        data.bodies.motions[slot].angularVelocity += gain.angularVelocity;
+        const FieldGain gain = gainOf(stage, slot, sample, {seconds, iteration});
+        stage.bodies.motions[slot].velocity += gain.velocity;
+        stage.bodies.motions[slot].angularVelocity += gain.angularVelocity;
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // The forces of fields, applied as impulses before each sub-step.
 
-#include "core/physics/state/world_data.h"
+#include "core/physics/solver/force_stage.h"
 
 namespace spacetow {
 
@@ -18,7 +18,7 @@ void refreshFieldsOf(Bodies& bodies, Forces& forces, Slot slot);
 
 /// The impulses of all fields during `seconds` at the trial poses; changes velocities only. Each body feels the sum of
 /// its fields at once, so that their order does not matter; values that are not finite are left out and reported.
-void applyFields(WorldData& data, double seconds, int iteration);
+void applyFields(const ForceStage& stage, double seconds, int iteration);
 
 /// Removes the fields that act on this body alone.
 void removeFieldsOf(const Bodies& bodies, Forces& forces, Slot slot);

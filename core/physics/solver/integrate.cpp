@@ -66,59 +66,61 @@ void shorten(BodyMotion& m, const BodyStep& s, double dt) {
     }
 }
 
-void kick(WorldData& data, const IterationStep& step, Kick kick) {
-    applyConnectorForces(data, step.substep, kick);
-    applyFields(data, kickTime(step.substep, kick), step.index);
+void kick(const ForceStage& stage, const IterationStep& step, Kick kick) {
+    applyConnectorForces(stage, step.substep, kick);
+    applyFields(stage, kickTime(step.substep, kick), step.index);
 }
 
 /// With as much of a sub-step as the connectors have in this kick, and before they look: what hangs at rest they then
 /// find about to fall by what they are to hold, however stiff or damped they are.
-void accelerate(WorldData& data, Slot slot, double h, Kick kick) {
-    const double time = kickTime(h, kick, data.scratch.substeps.anticipated[slot] != 0);
-    data.bodies.motions[slot].velocity += time * data.bodies.steps[slot].acceleration;
-    data.bodies.motions[slot].angularVelocity += time * data.bodies.steps[slot].angularAcceleration;
+void accelerate(Bodies& bodies, Slot slot, double time) {
+    bodies.motions[slot].velocity += time * bodies.steps[slot].acceleration;
+    bodies.motions[slot].angularVelocity += time * bodies.steps[slot].angularAcceleration;
 }
 
 bool anySubstepped(const Forces& forces) {
     return forces.connectors.size() != forces.freeConnectors.size() || !forces.fieldBodies.empty();
 }
 
-void integrateInSubsteps(WorldData& data, const IterationStep& step) {
-    if (!anySubstepped(data.forces)) {
+void integrateInSubsteps(const ForceStage& stage, const IterationStep& step) {
+    if (!anySubstepped(stage.forces)) {
         return;
     }
-    const auto substepped = [&](Slot slot) { return data.bodies.records[slot].substepped; };
-    if (!data.sleep.sleepers.empty() &&
-        std::none_of(data.bodies.moving.begin(), data.bodies.moving.end(), substepped)) {
+    Bodies& bodies = stage.bodies;
+    Substeps& substeps = stage.substeps;
+    const auto substepped = [&](Slot slot) { return bodies.records[slot].substepped; };
+    if (!stage.sleep.sleepers.empty() && std::none_of(bodies.moving.begin(), bodies.moving.end(), substepped)) {
         return;
     }
-    data.scratch.substeps.trial.resize(data.bodies.motions.size());
-    for (const Slot slot : data.forces.substepped) {
-        data.scratch.substeps.trial[slot] = data.bodies.pose(slot);
+    substeps.trial.resize(bodies.motions.size());
+    for (const Slot slot : stage.forces.substepped) {
+        substeps.trial[slot] = bodies.pose(slot);
     }
-    findAnticipated(data.bodies, data.forces, data.scratch.substeps, step.substep);
-    for (const Slot slot : data.bodies.moving) {
-        if (data.bodies.records[slot].substepped) {
-            accelerate(data, slot, step.substep, Kick::First);
+    findAnticipated(bodies, stage.forces, substeps, step.substep);
+    const auto timeOf = [&](Kick kick, Slot slot) {
+        return kickTime(step.substep, kick, substeps.anticipated[slot] != 0);
+    };
+    for (const Slot slot : bodies.moving) {
+        if (bodies.records[slot].substepped) {
+            accelerate(bodies, slot, timeOf(Kick::First, slot));
         }
     }
     for (int i = 0; i < step.substeps; ++i) {
         const Kick next = i + 1 < step.substeps ? Kick::Between : Kick::Last;
-        kick(data, step, i == 0 ? Kick::First : Kick::Between);
-        for (const Slot slot : data.bodies.moving) {
-            if (!data.bodies.records[slot].substepped) {
+        kick(stage, step, i == 0 ? Kick::First : Kick::Between);
+        for (const Slot slot : bodies.moving) {
+            if (!bodies.records[slot].substepped) {
                 continue;
             }
-            const Change change = coasted(data.bodies.motions[slot], data.bodies.steps[slot]);
-            data.bodies.steps[slot].deltaPosition += change.deltaPosition;
-            data.bodies.steps[slot].deltaAngle += change.deltaAngle;
-            data.scratch.substeps.trial[slot].position += change.deltaPosition;
-            data.scratch.substeps.trial[slot].rotation =
-                turned(data.scratch.substeps.trial[slot].rotation, change.deltaAngle);
-            accelerate(data, slot, step.substep, next);
+            const Change change = coasted(bodies.motions[slot], bodies.steps[slot]);
+            bodies.steps[slot].deltaPosition += change.deltaPosition;
+            bodies.steps[slot].deltaAngle += change.deltaAngle;
+            substeps.trial[slot].position += change.deltaPosition;
+            substeps.trial[slot].rotation = turned(substeps.trial[slot].rotation, change.deltaAngle);
+            accelerate(bodies, slot, timeOf(next, slot));
         }
     }
-    kick(data, step, Kick::Last);
+    kick(stage, step, Kick::Last);
 }
 
 } // namespace
@@ -154,11 +156,12 @@ void prepareSteps(Bodies& bodies, const IterationStep& step) {
     }
 }
 
-void integrateVelocities(WorldData& data, const IterationStep& step) {
-    const bool substeps = anySubstepped(data.forces); // else there is no need to look at the records
-    for (const Slot slot : data.bodies.moving) {
-        BodyMotion& m = data.bodies.motions[slot];
-        BodyStep& s = data.bodies.steps[slot];
+void integrateVelocities(const ForceStage& stage, const IterationStep& step) {
+    Bodies& bodies = stage.bodies;
+    const bool substeps = anySubstepped(stage.forces); // else there is no need to look at the records
+    for (const Slot slot : bodies.moving) {
+        BodyMotion& m = bodies.motions[slot];
+        BodyStep& s = bodies.steps[slot];
         s.startVelocity = m.velocity;
         s.startAngularVelocity = m.angularVelocity;
         s.deltaPosition.setZero();
@@ -168,13 +171,13 @@ void integrateVelocities(WorldData& data, const IterationStep& step) {
         s.correction.setZero();
         s.angleCorrection = 0;
         s.pushed = s.bounced = s.bouncing = s.deflected = false;
-        if (!substeps || !data.bodies.records[slot].substepped) {
+        if (!substeps || !bodies.records[slot].substepped) {
             const Change change = integrated(m, s);
             s.deltaPosition = change.deltaPosition;
             s.deltaAngle = change.deltaAngle;
         }
     }
-    integrateInSubsteps(data, step);
+    integrateInSubsteps(stage, step);
 }
 
 void restoreVelocities(Bodies& bodies) {

@@ -2,7 +2,7 @@
 // Motion without contacts: forces, gravity, damping and connectors change the velocities and say how far each body
 // would go; after the contacts are solved the bodies are advanced.
 
-#include "core/physics/state/world_data.h"
+#include "core/physics/solver/force_stage.h"
 
 namespace spacetow {
 
@@ -14,7 +14,7 @@ void prepareMotion(Bodies& bodies, const IterationStep& step, const Vec2& gravit
 void prepareSteps(Bodies& bodies, const IterationStep& step);
 
 /// Velocities at the end of the iteration, and delta position and angle on the way there, as if nothing were touched.
-void integrateVelocities(WorldData& data, const IterationStep& step);
+void integrateVelocities(const ForceStage& stage, const IterationStep& step);
 
 /// Undoes integrateVelocities.
 void restoreVelocities(Bodies& bodies);

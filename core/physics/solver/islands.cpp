@@ -93,23 +93,23 @@ void joinSets(std::vector<Slot>& parents, Slot a, Slot b) {
     parents[a] = parents[b] = root; // so that most of the others that join them see it at once
 }
 
-void findIslands(WorldData& data) {
-    if (!data.flags.islandsStale) {
+void findIslands(const SolverStage& stage) {
+    if (!stage.flags.islandsStale) {
         return;
     }
-    data.flags.islandsStale = false;
-    beginRoots(data.bodies, data.contacts, data.islands, data.sleep);
-    std::vector<Slot>& roots = data.islands.roots;
-    std::vector<Islands::Driver>& drivers = data.islands.drivers;
-    forgetDrivers(data.islands, data.scratch.solver);
-    data.islands.drivenStale = true;
+    stage.flags.islandsStale = false;
+    beginRoots(stage.bodies, stage.contacts, stage.islands, stage.sleep);
+    std::vector<Slot>& roots = stage.islands.roots;
+    std::vector<Islands::Driver>& drivers = stage.islands.drivers;
+    forgetDrivers(stage.islands, stage.solver);
+    stage.islands.drivenStale = true;
     drivers.clear();
-    joinPairs(data.bodies, data.contacts, data.islands);
-    data.islands.islandRoots.clear();
-    for (const Slot slot : data.bodies.moving) {
+    joinPairs(stage.bodies, stage.contacts, stage.islands);
+    stage.islands.islandRoots.clear();
+    for (const Slot slot : stage.bodies.moving) {
         roots[slot] = rootOf(roots, slot);
         if (roots[slot] == slot) {
-            data.islands.islandRoots.push_back(slot);
+            stage.islands.islandRoots.push_back(slot);
         }
     }
     for (Islands::Driver& driver : drivers) {
@@ -120,39 +120,38 @@ void findIslands(WorldData& data) {
     drivers.erase(std::unique(drivers.begin(), drivers.end()), drivers.end());
 }
 
-void findDriven(WorldData& data) {
-    Islands& islands = data.islands;
-    std::vector<std::uint8_t>& driven = data.scratch.solver.driven;
-    beginBySlot(driven, data.bodies.motions.size() + 1, std::uint8_t{0});
+void findDriven(const Bodies& bodies, Islands& islands, SolverScratch& solver) {
+    std::vector<std::uint8_t>& driven = solver.driven;
+    beginBySlot(driven, bodies.motions.size() + 1, std::uint8_t{0});
     for (const Slot root : islands.islandRoots) {
         driven[root] = 0;
     }
-    forgetDrivers(data.islands, data.scratch.solver);
+    forgetDrivers(islands, solver);
     bool any = false;
     for (const Islands::Driver& driver : islands.drivers) {
-        if (data.bodies.motions[driver.slot].isMoving()) {
+        if (bodies.motions[driver.slot].isMoving()) {
             driven[driver.pushed] = 1;
             any = true;
         }
     }
     if (any || islands.drivenStale) {
-        for (const Slot slot : data.bodies.moving) {
+        for (const Slot slot : bodies.moving) {
             driven[slot] = driven[islands.roots[slot]];
         }
     }
     islands.drivenStale = any;
 }
 
-void renewSlots(WorldData& data, std::span<const Slot> slots) {
-    const std::size_t count = data.bodies.motions.size();
-    data.islands.roots.resize(count);
-    data.islands.inertias.resize(count);
-    data.bodies.movable.resize(count);
-    data.constraints.mergeableContacts.resize(count);
+void renewSlots(const SolverStage& stage, std::span<const Slot> slots) {
+    const std::size_t count = stage.bodies.motions.size();
+    stage.islands.roots.resize(count);
+    stage.islands.inertias.resize(count);
+    stage.bodies.movable.resize(count);
+    stage.constraints.mergeableContacts.resize(count);
     for (const Slot slot : slots) {
-        renewSlot(data.bodies, data.constraints, data.islands, slot);
+        renewSlot(stage.bodies, stage.constraints, stage.islands, slot);
     }
-    data.flags.islandsStale = true;
+    stage.flags.islandsStale = true;
 }
 
 } // namespace spacetow

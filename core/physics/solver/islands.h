@@ -1,7 +1,7 @@
 #pragma once
 // Islands: bodies that may push each other, directly or through others.
 
-#include "core/physics/state/world_data.h"
+#include "core/physics/solver/solver_stage.h"
 
 #include <span>
 
@@ -13,7 +13,7 @@ void joinSets(std::vector<Slot>& parents, Slot a, Slot b);
 
 /// Begins what is kept of bodies by slot anew for those that are new or have changed: their inertia, whether they can
 /// be moved, and what iterations write.
-void renewSlots(WorldData& data, std::span<const Slot> slots);
+void renewSlots(const SolverStage& stage, std::span<const Slot> slots);
 
 /// What an iteration keeps by slot, before it begins with the bodies that move: new ones get the initial value. Those
 /// that no longer move have got it when the list of those that do was made.
@@ -25,10 +25,10 @@ void beginBySlot(std::vector<T>& list, std::size_t size, const T& initial) {
 }
 
 /// By the pairs there are, when these have changed since the last time.
-void findIslands(WorldData& data);
+void findIslands(const SolverStage& stage);
 
 /// Marks the bodies of islands that a moving body pushes which nothing can stop.
-void findDriven(WorldData& data);
+void findDriven(const Bodies& bodies, Islands& islands, SolverScratch& solver);
 
 /// The island of a contact's bodies.
 template <class Batch>

@@ -125,19 +125,19 @@ void finishBounces(Bodies& bodies, Constraints& constraints) {
 }
 
 /// What is held back has less energy; and what has less energy may have to be held back.
-void converge(WorldData& data, double dt) {
-    reserveForUnconverged(data);
+void converge(const SolverStage& stage, double dt) {
+    reserveForUnconverged(stage);
     for (int round = 0; round < roundsOfConverging; ++round) {
-        const bool closes = measureVelocities(data.constraints.batches, data.scratch.solver.velocities);
-        const bool holds = closes && (round > 0 || solveClosingIslands(data));
+        const bool closes = measureVelocities(stage.constraints.batches, stage.solver.velocities);
+        const bool holds = closes && (round > 0 || solveClosingIslands(stage));
         if (holds) {
-            limitPenetration(data.bodies, data.constraints, data.scratch.solver, dt);
+            limitPenetration(stage.bodies, stage.constraints, stage.solver, dt);
         }
-        if ((round > 0 && !holds) || !limitEnergyGain(data)) {
+        if ((round > 0 && !holds) || !limitEnergyGain(stage)) {
             return;
         }
     }
-    measureVelocities(data.constraints.batches, data.scratch.solver.velocities);
+    measureVelocities(stage.constraints.batches, stage.solver.velocities);
 }
 
 /// Bodies that the contacts pushed go where their new velocity takes them.
@@ -169,28 +169,28 @@ void applyVelocities(Bodies& bodies, StepFlags& flags, const SolverScratch& solv
 
 } // namespace
 
-void solveVelocities(WorldData& data, const IterationStep& step) {
-    gatherVelocities(data.bodies, data.scratch.solver);
-    warmStart(data.constraints.batches, data.scratch.solver.velocities);
+void solveVelocities(const SolverStage& stage, const IterationStep& step) {
+    gatherVelocities(stage.bodies, stage.solver);
+    warmStart(stage.constraints.batches, stage.solver.velocities);
     for (int pass = 0; pass < step.passes; ++pass) {
-        solvePass(data.constraints.batches, data.scratch.solver.velocities);
+        solvePass(stage.constraints.batches, stage.solver.velocities);
     }
-    converge(data, step.dt);
-    markTouches(data.contacts, data.constraints.batches.circles, data.constraints.circleContacts);
-    markTouches(data.contacts, data.constraints.batches.general, data.constraints.generalContacts);
-    markMerged(data.contacts, data.constraints, data.flags);
-    if (data.impulses.on) {
-        logImpulses(data.bodies, data.constraints, data.impulses);
+    converge(stage, step.dt);
+    markTouches(stage.contacts, stage.constraints.batches.circles, stage.constraints.circleContacts);
+    markTouches(stage.contacts, stage.constraints.batches.general, stage.constraints.generalContacts);
+    markMerged(stage.contacts, stage.constraints, stage.flags);
+    if (stage.impulses.on) {
+        logImpulses(stage.bodies, stage.constraints, stage.impulses);
     }
-    if (data.flags.anyBounce) {
-        finishBounces(data.bodies, data.constraints);
+    if (stage.flags.anyBounce) {
+        finishBounces(stage.bodies, stage.constraints);
     }
     const double share = std::min(correctionShare, correctionRate * step.dt);
-    if (correctPositions(data.constraints.batches, data.scratch.solver.corrections,
+    if (correctPositions(stage.constraints.batches, stage.solver.corrections,
                          {step.dt, share, correctionSpeed * step.dt})) {
-        applyCorrections(data, step.dt);
+        applyCorrections(stage, step.dt);
     }
-    applyVelocities(data.bodies, data.flags, data.scratch.solver, step.dt);
+    applyVelocities(stage.bodies, stage.flags, stage.solver, step.dt);
 }
 
 } // namespace spacetow

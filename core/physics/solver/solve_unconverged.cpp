@@ -18,33 +18,33 @@ bool isUnconverged(const SolverScratch& solver, Slot root) {
 }
 
 template <class Batch>
-void markClosing(WorldData& data, const Batches<Batch>& batches) {
+void markClosing(const SolverStage& stage, const Batches<Batch>& batches) {
     forLanes(batches, &BatchFlags::closes, [&](Lane at) {
-        const Slot root = rootAt(data.islands, batches[at.batch], at.lane);
-        data.scratch.solver.unconverged[root] = data.scratch.solver.driven[root] != 0 ? 0 : 1;
+        const Slot root = rootAt(stage.islands, batches[at.batch], at.lane);
+        stage.solver.unconverged[root] = stage.solver.driven[root] != 0 ? 0 : 1;
     });
 }
 
 /// Marks the islands in which contacts close; whether there are any. Not those that something drives which cannot be
 /// stopped: they are not held back either, and in a turning drum something always closes.
-bool markClosing(WorldData& data) {
-    settleAll(data.bodies, data.islands, data.sleep, data.scratch.solver);
-    markClosing(data, data.constraints.batches.circles);
-    markClosing(data, data.constraints.batches.general);
-    const std::vector<Slot>& roots = data.islands.islandRoots;
-    return std::any_of(roots.begin(), roots.end(), [&](Slot root) { return isUnconverged(data.scratch.solver, root); });
+bool markClosing(const SolverStage& stage) {
+    settleAll(stage.bodies, stage.islands, stage.sleep, stage.solver);
+    markClosing(stage, stage.constraints.batches.circles);
+    markClosing(stage, stage.constraints.batches.general);
+    const std::vector<Slot>& roots = stage.islands.islandRoots;
+    return std::any_of(roots.begin(), roots.end(), [&](Slot root) { return isUnconverged(stage.solver, root); });
 }
 
 template <class Batch>
-void copyThere(WorldData& data, const Batches<Batch>& from, Batches<Batch>& to) {
+void copyThere(const SolverStage& stage, const Batches<Batch>& from, Batches<Batch>& to) {
     forLanes(from, &BatchFlags::occupied, [&](Lane at) {
         const Batch& batch = from[at.batch];
-        if (isUnconverged(data.scratch.solver, rootAt(data.islands, batch, at.lane))) {
+        if (isUnconverged(stage.solver, rootAt(stage.islands, batch, at.lane))) {
             const Slot a = batch.a[at.lane];
             const Slot b = batch.b[at.lane];
-            const Lane lane = to.open(a, data.bodies.motions[a].isMovable(), b, data.bodies.motions[b].isMovable());
+            const Lane lane = to.open(a, stage.bodies.motions[a].isMovable(), b, stage.bodies.motions[b].isMovable());
             copyLane(batch, at.lane, to[lane.batch], lane.lane);
-            data.scratch.solver.lanes.push_back({at, lane});
+            stage.solver.lanes.push_back({at, lane});
         }
     });
 }
@@ -78,43 +78,43 @@ void settleAll(const Bodies& bodies, const Islands& islands, const Sleep& sleep,
     }
 }
 
-void solveUnconverged(WorldData& data, int passes) {
-    SolverScratch& scratch = data.scratch.solver;
-    const std::vector<Slot>& roots = data.islands.islandRoots;
-    if (std::all_of(roots.begin(), roots.end(), [&](Slot root) { return isUnconverged(data.scratch.solver, root); })) {
-        relaxPasses(data.constraints.batches, scratch.velocities, passes);
+void solveUnconverged(const SolverStage& stage, int passes) {
+    SolverScratch& scratch = stage.solver;
+    const std::vector<Slot>& roots = stage.islands.islandRoots;
+    if (std::all_of(roots.begin(), roots.end(), [&](Slot root) { return isUnconverged(stage.solver, root); })) {
+        relaxPasses(stage.constraints.batches, scratch.velocities, passes);
         return;
     }
     ContactBatches& part = scratch.islandBatches;
-    part.circles.reset(data.bodies.motions.size());
-    part.general.reset(data.bodies.motions.size());
+    part.circles.reset(stage.bodies.motions.size());
+    part.general.reset(stage.bodies.motions.size());
     scratch.lanes.clear();
-    copyThere(data, data.constraints.batches.circles, part.circles);
+    copyThere(stage, stage.constraints.batches.circles, part.circles);
     const std::size_t firstGeneral = scratch.lanes.size();
-    copyThere(data, data.constraints.batches.general, part.general);
+    copyThere(stage, stage.constraints.batches.general, part.general);
     relaxPasses(part, scratch.velocities, passes);
     const std::span<const SolverScratch::SameLane> lanes(scratch.lanes);
-    copyBack(part.circles, data.constraints.batches.circles, lanes.first(firstGeneral));
-    copyBack(part.general, data.constraints.batches.general, lanes.subspan(firstGeneral));
+    copyBack(part.circles, stage.constraints.batches.circles, lanes.first(firstGeneral));
+    copyBack(part.general, stage.constraints.batches.general, lanes.subspan(firstGeneral));
 }
 
-bool solveClosingIslands(WorldData& data) {
+bool solveClosingIslands(const SolverStage& stage) {
     bool closes = true;
-    for (int round = 0; round < rounds && closes && markClosing(data); ++round) {
-        solveUnconverged(data, passesInRound);
-        closes = measureVelocities(data.constraints.batches, data.scratch.solver.velocities);
+    for (int round = 0; round < rounds && closes && markClosing(stage); ++round) {
+        solveUnconverged(stage, passesInRound);
+        closes = measureVelocities(stage.constraints.batches, stage.solver.velocities);
     }
     return closes;
 }
 
-void reserveForUnconverged(WorldData& data) {
-    SolverScratch& scratch = data.scratch.solver;
-    scratch.unconverged.resize(data.bodies.motions.size());
-    const std::size_t most = data.constraints.circleContacts.capacity() + data.constraints.generalContacts.capacity();
+void reserveForUnconverged(const SolverStage& stage) {
+    SolverScratch& scratch = stage.solver;
+    scratch.unconverged.resize(stage.bodies.motions.size());
+    const std::size_t most = stage.constraints.circleContacts.capacity() + stage.constraints.generalContacts.capacity();
     if (scratch.lanes.capacity() < most) {
         scratch.lanes.reserve(most);
-        scratch.islandBatches.circles.reserve(data.constraints.batches.circles);
-        scratch.islandBatches.general.reserve(data.constraints.batches.general);
+        scratch.islandBatches.circles.reserve(stage.constraints.batches.circles);
+        scratch.islandBatches.general.reserve(stage.constraints.batches.general);
     }
 }
 

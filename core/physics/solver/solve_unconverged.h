@@ -2,7 +2,7 @@
 // Solves some islands further than others. Each keeps its order of contacts, so that the rest of the world makes no
 // difference to it.
 
-#include "core/physics/state/world_data.h"
+#include "core/physics/solver/solver_stage.h"
 
 namespace spacetow {
 
@@ -11,13 +11,13 @@ void settleAll(const Bodies& bodies, const Islands& islands, const Sleep& sleep,
 
 /// More passes, at least one, over the contacts of the islands that are marked in `islands.unsettled`; all but the last
 /// are over-relaxed.
-void solveUnconverged(WorldData& data, int passes);
+void solveUnconverged(const SolverStage& stage, int passes);
 
 /// More passes over islands in which contacts close faster than they may: an impact has to reach the ground through all
 /// that is between. Takes what has been measured at the contacts; false when none of them closes any more.
-bool solveClosingIslands(WorldData& data);
+bool solveClosingIslands(const SolverStage& stage);
 
 /// Whenever there is something to solve again, it is not to allocate.
-void reserveForUnconverged(WorldData& data);
+void reserveForUnconverged(const SolverStage& stage);
 
 } // namespace spacetow

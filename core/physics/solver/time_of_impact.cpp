@@ -117,14 +117,14 @@ struct Fractions {
 };
 
 /// True when the motion of either body was cut short.
-bool stop(WorldData& data, const Pair& pair, const Stoppable& which, const Fractions& left) {
+bool stop(const ToiStage& stage, const Pair& pair, const Stoppable& which, const Fractions& left) {
     bool changed = false;
-    if (which.a && shorten(data.bodies.steps[pair.bodyA], left.a, which.carrierOfA)) {
-        data.scratch.toi.shortenedAt[pair.bodyA] = data.scratch.toi.visits;
+    if (which.a && shorten(stage.bodies.steps[pair.bodyA], left.a, which.carrierOfA)) {
+        stage.toi.shortenedAt[pair.bodyA] = stage.toi.visits;
         changed = true;
     }
-    if (which.b && shorten(data.bodies.steps[pair.bodyB], left.b, which.carrierOfB)) {
-        data.scratch.toi.shortenedAt[pair.bodyB] = data.scratch.toi.visits;
+    if (which.b && shorten(stage.bodies.steps[pair.bodyB], left.b, which.carrierOfB)) {
+        stage.toi.shortenedAt[pair.bodyB] = stage.toi.visits;
         changed = true;
     }
     return changed;
@@ -155,9 +155,9 @@ Stoppable sweptOf(const Bodies& bodies, const Contacts& contacts, std::uint32_t 
 }
 
 /// True when the motion of either body was cut short.
-bool limitTurn(WorldData& data, const Pair& pair) {
-    const double covered = safeTurnFraction(data.bodies, pair);
-    return covered < 1 && stop(data, pair, stoppable(data.bodies, pair), {covered, covered});
+bool limitTurn(const ToiStage& stage, const Pair& pair) {
+    const double covered = safeTurnFraction(stage.bodies, pair);
+    return covered < 1 && stop(stage, pair, stoppable(stage.bodies, pair), {covered, covered});
 }
 
 /// How deep the parts are in each other when they have gone this share of what is left of their ways, m.
@@ -175,33 +175,33 @@ double depthAt(const Bodies& bodies, const Pair& pair, double share) {
 
 /// Where one corner touches another may be about to bounce: the solver does not know of it, and a sweep sees the first
 /// alone. Looks where it goes in. True when the motion of either body was cut short.
-bool stopDeepening(WorldData& data, const Pair& pair) {
+bool stopDeepening(const ToiStage& stage, const Pair& pair) {
     constexpr int visits = 16;
-    const double covered = safeTurnFraction(data.bodies, pair);
-    const double most = depthAt(data.bodies, pair, 0) + linearSlop;
+    const double covered = safeTurnFraction(stage.bodies, pair);
+    const double most = depthAt(stage.bodies, pair, 0) + linearSlop;
     int visit = 1; // who goes nowhere would look the same for ever
-    while (visit < visits && depthAt(data.bodies, pair, covered * (visit + 1) / visits) <= most) {
+    while (visit < visits && depthAt(stage.bodies, pair, covered * (visit + 1) / visits) <= most) {
         ++visit;
     }
     const double share = covered * visit / visits;
-    const Stoppable which = stoppable(data.bodies, pair);
+    const Stoppable which = stoppable(stage.bodies, pair);
     return share < 1 &&
-           stop(data, pair, which,
-                {data.bodies.steps[pair.bodyA].fraction * share, data.bodies.steps[pair.bodyB].fraction * share});
+           stop(stage, pair, which,
+                {stage.bodies.steps[pair.bodyA].fraction * share, stage.bodies.steps[pair.bodyB].fraction * share});
 }
 
 /// True when the motion of either body was cut short.
-bool sweepPair(WorldData& data, const Pair& pair, const Stoppable& which) {
-    const std::optional<double> hit = timeOfImpactOf(data.bodies, pair);
-    if (hit && *hit <= 0 && hasContact(data.contacts, pair) && pair.kind == PairKind::General) {
-        return stopDeepening(data, pair);
+bool sweepPair(const ToiStage& stage, const Pair& pair, const Stoppable& which) {
+    const std::optional<double> hit = timeOfImpactOf(stage.bodies, pair);
+    if (hit && *hit <= 0 && hasContact(stage.contacts, pair) && pair.kind == PairKind::General) {
+        return stopDeepening(stage, pair);
     }
     // What is near from the start and yet no contact is a corner that another part or wall answers for.
     if (!hit || *hit <= 0 || *hit >= 1) {
         return false;
     }
-    return stop(data, pair, which,
-                {data.bodies.steps[pair.bodyA].fraction * *hit, data.bodies.steps[pair.bodyB].fraction * *hit});
+    return stop(stage, pair, which,
+                {stage.bodies.steps[pair.bodyA].fraction * *hit, stage.bodies.steps[pair.bodyB].fraction * *hit});
 }
 
 /// Whether the bodies come near each other at any fraction of their motions.
@@ -234,49 +234,49 @@ bool cannotHit(const Bodies& bodies, const Contacts& contacts, std::uint32_t ind
 }
 
 /// The pairs whose bodies may have to be stopped, with all that does not change while they are.
-void listToiCandidates(WorldData& data) {
-    data.scratch.toi.candidates.clear();
-    const bool onlyDeflected = !data.flags.anyFast && !data.flags.anySweep;
-    for (std::uint32_t i = 0; i < data.contacts.table.size(); ++i) {
-        const PairBound& bound = data.contacts.table.bounds[i];
-        if ((data.bodies.mayNeedToi[bound.moverA] | data.bodies.mayNeedToi[bound.moverB]) == 0 ||
-            (onlyDeflected && cannotHit(data.bodies, data.contacts, i))) {
+void listToiCandidates(const ToiStage& stage) {
+    stage.toi.candidates.clear();
+    const bool onlyDeflected = !stage.flags.anyFast && !stage.flags.anySweep;
+    for (std::uint32_t i = 0; i < stage.contacts.table.size(); ++i) {
+        const PairBound& bound = stage.contacts.table.bounds[i];
+        if ((stage.bodies.mayNeedToi[bound.moverA] | stage.bodies.mayNeedToi[bound.moverB]) == 0 ||
+            (onlyDeflected && cannotHit(stage.bodies, stage.contacts, i))) {
             continue;
         }
-        const Pair& pair = data.contacts.table.pairs[i];
+        const Pair& pair = stage.contacts.table.pairs[i];
         if (pair.kind == PairKind::Sensor) {
             continue;
         }
         // The solver keeps those that have a contact from closing their gap.
-        if (!pair.sweep && hasContact(data.contacts, pair)) {
-            if (data.flags.anyFast && pair.kind == PairKind::General) {
-                data.scratch.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, true});
+        if (!pair.sweep && hasContact(stage.contacts, pair)) {
+            if (stage.flags.anyFast && pair.kind == PairKind::General) {
+                stage.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, true});
             }
-        } else if (sweptBoundsOverlap(data.bodies, data.broadPhase, pair)) {
-            const Stoppable which = sweptOf(data.bodies, data.contacts, i);
+        } else if (sweptBoundsOverlap(stage.bodies, stage.broadPhase, pair)) {
+            const Stoppable which = sweptOf(stage.bodies, stage.contacts, i);
             if (which.a || which.b) {
-                data.scratch.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, false, which.a, which.b});
+                stage.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, false, which.a, which.b});
             }
         }
     }
 }
 
 /// True when a motion was cut short.
-bool visit(WorldData& data, ToiCandidate& candidate) {
+bool visit(const ToiStage& stage, ToiCandidate& candidate) {
     const std::uint32_t changed =
-        std::max(data.scratch.toi.shortenedAt[candidate.bodyA], data.scratch.toi.shortenedAt[candidate.bodyB]);
+        std::max(stage.toi.shortenedAt[candidate.bodyA], stage.toi.shortenedAt[candidate.bodyB]);
     if (changed < candidate.visitedAt) {
         return false; // and would find the same
     }
-    candidate.visitedAt = ++data.scratch.toi.visits;
-    const Pair& pair = data.contacts.table.pairs[candidate.pair];
+    candidate.visitedAt = ++stage.toi.visits;
+    const Pair& pair = stage.contacts.table.pairs[candidate.pair];
     if (candidate.touches) {
-        return limitTurn(data, pair);
+        return limitTurn(stage, pair);
     }
-    Stoppable which = stoppable(data.bodies, pair);
+    Stoppable which = stoppable(stage.bodies, pair);
     which.a = candidate.stopsA;
     which.b = candidate.stopsB;
-    return sweepPair(data, pair, which);
+    return sweepPair(stage, pair, which);
 }
 
 } // namespace
@@ -302,21 +302,21 @@ double safeFraction(const Bodies& bodies, const Contacts& contacts, double least
     return std::min(std::max(share, least), impact);
 }
 
-void stopAtImpacts(WorldData& data) {
-    listToiCandidates(data);
-    if (data.scratch.toi.candidates.empty()) {
+void stopAtImpacts(const ToiStage& stage) {
+    listToiCandidates(stage);
+    if (stage.toi.candidates.empty()) {
         return;
     }
-    beginBySlot(data.scratch.toi.shortenedAt, data.bodies.steps.size(), std::uint32_t{0});
-    for (const Slot slot : data.bodies.moving) {
-        data.scratch.toi.shortenedAt[slot] = 0;
+    beginBySlot(stage.toi.shortenedAt, stage.bodies.steps.size(), std::uint32_t{0});
+    for (const Slot slot : stage.bodies.moving) {
+        stage.toi.shortenedAt[slot] = 0;
     }
-    data.scratch.toi.visits = 0;
+    stage.toi.visits = 0;
     bool changed = true;
     for (int round = 0; changed && round < maxRounds; ++round) {
         changed = false;
-        for (ToiCandidate& candidate : data.scratch.toi.candidates) {
-            changed |= visit(data, candidate);
+        for (ToiCandidate& candidate : stage.toi.candidates) {
+            changed |= visit(stage, candidate);
         }
     }
 }

@@ -7,11 +7,24 @@
 
 namespace spacetow {
 
+/// A view, as a span is: what it shows may be changed unless it is const here.
+struct ToiStage {
+    Bodies& bodies;
+    const BroadPhase& broadPhase;
+    const Contacts& contacts;
+    const StepFlags& flags;
+    ToiSearch& toi;
+
+    ToiStage(WorldData& data)
+        : bodies(data.bodies), broadPhase(data.broadPhase), contacts(data.contacts), flags(data.flags),
+          toi(data.scratch.toi) {}
+};
+
 /// How much of the planned motion, up to 1, may be made in one go: until what cannot be stopped has come up to what its
 /// speed would take it past, and as long as the turns of bodies in contact, down to `least`, are covered.
 double safeFraction(const Bodies& bodies, const Contacts& contacts, double least);
 
 /// Shortens the motion (BodyStep::fraction) of swept bodies.
-void stopAtImpacts(WorldData& data);
+void stopAtImpacts(const ToiStage& stage);
 
 } // namespace spacetow

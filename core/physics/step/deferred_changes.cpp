@@ -1,5 +1,6 @@
 #include "core/physics/step/deferred_changes.h"
 
+#include "core/physics/contacts/constraint_list.h"
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/sleep/touches.h"
 #include "core/physics/solver/field_forces.h"
@@ -10,8 +11,13 @@ namespace spacetow {
 
 namespace {
 
+void endTouchesOf(WorldData& data, Slot slot, int iteration) {
+    releaseConstraints(data.contacts, data.constraints, data.flags);
+    endTouches(data, data.scratch.narrow, slot, iteration);
+}
+
 void removeNow(WorldData& data, Slot slot, int iteration) {
-    endTouches(data, slot, iteration);
+    endTouchesOf(data, slot, iteration);
     for (std::uint32_t i = 0; i < data.forces.connectors.size(); ++i) {
         ConnectorRecord& c = data.forces.connectors[i];
         if (c.used && (c.a == slot || c.b == slot)) {
@@ -50,7 +56,7 @@ void setFrozenNow(Bodies& bodies, Slot slot, bool position, bool rotation) {
 void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
     BodyRecord& record = data.bodies.records[slot];
     if (record.active && !active) {
-        endTouches(data, slot, iteration);
+        endTouchesOf(data, slot, iteration);
     }
     if (record.kind == BodyKind::Static && record.active != active) {
         data.noteStaticChange(slot);

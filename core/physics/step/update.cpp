@@ -16,6 +16,7 @@
 #include "core/physics/solver/limit_penetration.h"
 #include "core/physics/solver/solve.h"
 #include "core/physics/solver/time_of_impact.h"
+#include "core/physics/step/body_lists.h"
 #include "core/physics/step/deferred_changes.h"
 
 #include <algorithm>
@@ -23,6 +24,19 @@
 namespace spacetow {
 
 namespace {
+
+/// The views of the stages, made once for each update.
+struct Stages {
+    WorldData& data;
+    PairStage pairs{data};
+    ForceStage forces{data};
+    ContactStage contacts{data};
+    SolverStage solver{data};
+    ToiStage toi{data};
+    CrushStage crush{data};
+    SleepStage sleep{data};
+    TouchStage touches{data};
+};
 
 /// What has been done since the stage before belongs to this one.
 void ended(const WorldData& data, StepStage stage) {
@@ -42,28 +56,30 @@ IterationStep iterationStep(const UpdateParameters& p) {
 constexpr int maxParts = 64;
 
 /// The pairs of bodies that have left their fat AABBs, and what depends on pairs.
-void refreshPairs(WorldData& data, const IterationStep& step) {
+void refreshPairs(const Stages& stages, const IterationStep& step) {
+    WorldData& data = stages.data;
     data.flags.pairsStale |= data.contacts.table.size() >= mostPairs(data.broadPhase);
     if (data.flags.pairsStale || !data.constraints.mergedPairs.empty()) {
         releaseConstraints(data.contacts, data.constraints, data.flags);
     }
     if (data.flags.pairsStale) {
-        renewSlots(data, data.bodies.renewed);
+        renewSlots(stages.solver, data.bodies.renewed);
         data.bodies.renewed.clear();
         resetManifolds(data.contacts);
     }
-    if (findPairs(data, step)) {
-        freeContactsOfDropped(data);
+    if (findPairs(stages.pairs, step)) {
+        freeContactsOfDropped(stages.contacts);
         changePairs(data.bodies, data.contacts, data.flags, data.scratch.changes);
-        remapPairs(data);
+        remapPairs(stages.contacts);
     }
     ended(data, StepStage::Pairs);
 }
 
 /// The motion as if nothing were touched, and the pairs for it. False when something was not finite.
-bool planMotion(WorldData& data, const IterationStep& step, bool first) {
+bool planMotion(const Stages& stages, const IterationStep& step, bool first) {
+    WorldData& data = stages.data;
     const double ahead = first ? step.remaining - step.dt : 0; // fat AABBs for a whole update, if they will do
-    integrateVelocities(data, step);
+    integrateVelocities(stages.forces, step);
     measureMotion(data.bodies, data.flags, data.scratch.search, ahead);
     const bool fault = data.flags.anyFault;
     if (fault) {
@@ -72,49 +88,61 @@ bool planMotion(WorldData& data, const IterationStep& step, bool first) {
     }
     ended(data, StepStage::Motion);
     if (data.flags.anyMovedProxy) {
-        refreshPairs(data, step);
+        refreshPairs(stages, step);
     }
     return !fault;
 }
 
-void stopWhatMeets(WorldData& data, const IterationStep& step) {
+void stopWhatMeets(const Stages& stages, const IterationStep& step) {
+    WorldData& data = stages.data;
     measureMotion(data.bodies, data.flags, data.scratch.search, 0);
     ended(data, StepStage::Impacts);
     if (data.flags.anyMovedProxy) {
-        refreshPairs(data, step);
+        refreshPairs(stages, step);
     }
-    stopAtImpacts(data);
+    stopAtImpacts(stages.toi);
     limitPenetrationOfFollowers(data.bodies, data.constraints, data.scratch.solver, step.dt);
     ended(data, StepStage::Impacts);
 }
 
-void makeMotion(WorldData& data, const IterationStep& step) {
-    findContacts(data, step);
-    while (wakeTouched(data, step)) {
-        planMotion(data, step, false);
-        findContacts(data, step);
+/// What a kinematic body drives is kept out of what stands still.
+void limitDriven(const Stages& stages, const IterationStep& step) {
+    WorldData& data = stages.data;
+    measureCorrections(data.bodies, data.flags, data.scratch.solver, data.scratch.search);
+    if (data.flags.anyMovedProxy) {
+        refreshPairs(stages, step);
+    }
+    keepOutOfStatics(stages.crush, step.index);
+}
+
+void makeMotion(const Stages& stages, const IterationStep& step) {
+    WorldData& data = stages.data;
+    findContacts(stages.contacts, step);
+    while (wakeTouched(stages.sleep, step)) {
+        planMotion(stages, step, false);
+        findContacts(stages.contacts, step);
     }
     ended(data, StepStage::Contacts);
-    findIslands(data);
-    findDriven(data);
-    solveVelocities(data, step);
-    findCarriers(data);
+    findIslands(stages.solver);
+    findDriven(data.bodies, data.islands, data.scratch.solver);
+    solveVelocities(stages.solver, step);
+    findCarriers(data.bodies, data.contacts.table, data.constraints);
     ended(data, StepStage::Solver);
     if (data.flags.anyFast || data.flags.anySweep || data.flags.anyDeflected) {
-        stopWhatMeets(data, step);
+        stopWhatMeets(stages, step);
     }
     carryStopped(data.bodies);
-    measureCorrections(data);
     ended(data, StepStage::Advance);
-    if (data.flags.anyMovedProxy) {
-        refreshPairs(data, step);
+    if (anyDriven(data.bodies, data.scratch.solver)) {
+        limitDriven(stages, step);
+    } else {
+        data.crushed.clear();
     }
-    keepOutOfStatics(data, step.index);
     ended(data, StepStage::Crush);
     advance(data.bodies, step.dt);
     ended(data, StepStage::Advance);
     findOverlaps(data.bodies, data.contacts);
-    reportTouches(data, step.index);
+    reportTouches(stages.touches, step.index);
     ended(data, StepStage::Touches);
 }
 
@@ -124,44 +152,46 @@ void setDuration(Bodies& bodies, IterationStep& step, double dt) {
     prepareSteps(bodies, step);
 }
 
-void makePart(WorldData& data, const IterationStep& step, double whole) {
-    beginPart(data, step.dt / whole);
-    makeMotion(data, step);
-    endPart(data, step.dt / whole);
+void makePart(const Stages& stages, const IterationStep& step, double whole) {
+    beginPart(stages.contacts, step.dt / whole);
+    makeMotion(stages, step);
+    endPart(stages.contacts, step.dt / whole);
 }
 
 /// The iteration as planned is too long: it is made in parts.
-void iterateInParts(WorldData& data, IterationStep step, double share) {
+void iterateInParts(const Stages& stages, IterationStep step, double share) {
+    WorldData& data = stages.data;
     const double whole = step.dt;
     const std::size_t reports = data.events.tagsTouched.size();
     double left = whole;
     for (int parts = maxParts - 1; share < 1; --parts) {
         restoreVelocities(data.bodies);
         setDuration(data.bodies, step, share * left);
-        planMotion(data, step, false);
-        makePart(data, step, whole);
+        planMotion(stages, step, false);
+        makePart(stages, step, whole);
         left -= step.dt;
         step.remaining -= step.dt;
         setDuration(data.bodies, step, left);
-        const bool sound = planMotion(data, step, false);
+        const bool sound = planMotion(stages, step, false);
         share = sound && data.flags.anyFast && parts > 1 ? safeFraction(data.bodies, data.contacts, 1.0 / parts) : 1;
     }
-    makePart(data, step, whole);
+    makePart(stages, step, whole);
     setDuration(data.bodies, step, whole);
     joinTagReports(data.events, reports);
 }
 
-void iterate(WorldData& data, const IterationStep& step) {
+void iterate(const Stages& stages, const IterationStep& step) {
+    WorldData& data = stages.data;
     if (data.bodies.moving.empty() && !data.sleep.sleepers.empty()) {
-        reportTouches(data, step.index);
+        reportTouches(stages.touches, step.index);
         return;
     }
-    const bool sound = planMotion(data, step, step.index == 0);
+    const bool sound = planMotion(stages, step, step.index == 0);
     const double share = sound && data.flags.anyFast ? safeFraction(data.bodies, data.contacts, 1.0 / maxParts) : 1;
     if (share < 1) {
-        iterateInParts(data, step, share);
+        iterateInParts(stages, step, share);
     } else {
-        makeMotion(data, step);
+        makeMotion(stages, step);
     }
 }
 
@@ -171,11 +201,12 @@ void updateWorld(WorldData& data, const UpdateParameters& parameters) {
     if (data.scratch.times != nullptr) {
         data.scratch.times->begin();
     }
+    const Stages stages{data};
     data.events.clear();
     if (data.impulses.on) {
         beginImpulseLog(data.impulses, parameters.seconds);
     }
-    beginSleep(data, parameters.gravity);
+    beginSleep(stages.sleep, parameters.gravity);
     applyPending(data, -1);
     if (data.flags.connectionsStale) {
         refreshConnections(data.bodies, data.forces, data.flags);
@@ -185,7 +216,7 @@ void updateWorld(WorldData& data, const UpdateParameters& parameters) {
     prepareMotion(data.bodies, step, parameters.gravity);
     ended(data, StepStage::Changes);
     for (step.index = 0; step.index < parameters.iterations; ++step.index) {
-        iterate(data, step);
+        iterate(stages, step);
         step.remaining -= step.dt;
         if (applyPending(data, step.index)) {
             prepareStructure(data);
@@ -194,7 +225,7 @@ void updateWorld(WorldData& data, const UpdateParameters& parameters) {
         }
     }
     saveAllImpulses(data.contacts, data.constraints, data.flags);
-    fallAsleep(data, parameters.seconds, parameters.iterations - 1);
+    fallAsleep(stages.sleep, parameters.seconds, parameters.iterations - 1);
     collectTouchedTags(data.bodies, data.contacts, data.sleep);
     ended(data, StepStage::Sleep);
 }

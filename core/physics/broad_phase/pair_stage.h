@@ -1,0 +1,24 @@
+#pragma once
+// What the broad phase works on.
+
+#include "core/physics/state/world_data.h"
+
+namespace spacetow {
+
+/// A view, as a span is: what it shows may be changed unless it is const here.
+struct PairStage {
+    Bodies& bodies;
+    const Forces& forces;
+    BroadPhase& broadPhase;
+    Contacts& contacts;
+    const Sleep& sleep;
+    StepFlags& flags;
+    PairSearch& search;
+    PairChanges& changes;
+
+    PairStage(WorldData& data)
+        : bodies(data.bodies), forces(data.forces), broadPhase(data.broadPhase), contacts(data.contacts),
+          sleep(data.sleep), flags(data.flags), search(data.scratch.search), changes(data.scratch.changes) {}
+};
+
+} // namespace spacetow
