@@ -60,6 +60,14 @@ QString flyingAdvice(const PlayKeys& keys) {
                       {allKeys(keys, PlayKey::Tow), HudWords::tr("tow")}});
 }
 
+/// What a crash has cost.
+QString loss(const HudInput& input) {
+    if (input.shipLost) {
+        return input.payloadLost ? HudWords::tr("Ship and payload are lost.") : HudWords::tr("The ship is lost.");
+    }
+    return input.payloadLost ? HudWords::tr("The payload is lost.") : QString();
+}
+
 Message messageOf(const HudInput& input) {
     if (input.paused) {
         return {}; // nothing covers what one paused to look at; see addPaused
@@ -71,7 +79,8 @@ Message messageOf(const HudInput& input) {
                                       : input.goal) +
                     QLatin1Char('\n') + HudWords::tr("Press a direction to start")};
     case Phase::Crashed:
-        return {HudWords::tr("Crashed"), HudWords::tr("Press any key to try again")};
+        return {HudWords::tr("Crashed"),
+                (loss(input) + QLatin1Char('\n') + HudWords::tr("Press any key to try again")).trimmed()};
     case Phase::GameOver:
         return {HudWords::tr("Game over"), HudWords::tr("No life is left. Press any key to start the level over")};
     case Phase::Won:

@@ -32,6 +32,7 @@ struct HudInput {
     PlayKeys keys = {};  // that the advice names
     QString goal = {};   // what the level says of itself, for who has not begun
     QRectF ship = {};    // where it is in the view
+    bool shipLost = false, payloadLost = false;
 };
 
 /// Where every text goes in a view of this size.

@@ -277,7 +277,13 @@ void LiveView::paintOverlays(const Stage& stage) {
 
 void LiveView::paintWords(const Stage& stage) const {
     constexpr double reach = 0.35; // m, of the ship's hull and a little more
+    const auto isLost = [this](BodyRole role) {
+        return std::ranges::none_of(m_picture.bodies,
+                                    [role](const BodyPicture& one) { return one.look->role == role; });
+    };
     HudInput words{m_picture.phase, m_picture.hud, m_run.isPaused(), m_run.keys(), m_goal};
+    words.shipLost = isLost(BodyRole::Ship);
+    words.payloadLost = isLost(BodyRole::Payload);
     if (const std::optional<Vec2> ship = shipIn(m_picture)) {
         const double half = stage.pixels(reach);
         words.ship = QRectF(stage.at(*ship) - QPointF(half, half), QSizeF(2 * half, 2 * half));

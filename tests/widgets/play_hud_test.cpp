@@ -104,6 +104,20 @@ class PlayHudTest : public QObject {
         input.phase = Phase::Flying;
         QVERIFY2(!words().contains("bats") && !words().contains("turn"), qPrintable(words()));
     }
+    void aCrashSaysWhatIsLost() {
+        HudInput input{Phase::Crashed, {2, 0, 0, false, -1}, false};
+        const auto says = [&](bool ship, bool payload, const QString& words) {
+            input.shipLost = ship;
+            input.payloadLost = payload;
+            return std::ranges::any_of(hudLayout(input, {880, 660}, QFont()), [&](const HudText& text) {
+                return text.role == HudText::Role::Advice && text.text == words + "Press any key to try again";
+            });
+        };
+        QVERIFY(says(true, false, "The ship is lost.\n"));
+        QVERIFY(says(false, true, "The payload is lost.\n"));
+        QVERIFY(says(true, true, "Ship and payload are lost.\n"));
+        QVERIFY(says(false, false, {}));
+    }
     void noWordsCoverTheShip() {
         for (const QSizeF size : {QSizeF(320, 900), QSizeF(880, 660), QSizeF(1920, 1000)}) {
             for (const Phase phase : {Phase::AwaitingInput, Phase::Flying, Phase::Won}) {
