@@ -116,6 +116,33 @@ class ExplainTest : public QObject {
         QVERIFY(explained(world, id).spin < 0);
     }
 
+    void aRopeThatGivesHoldsWhatItTookToStretchIt() {
+        for (const TruncationRule rule : {TruncationRule::Clamp, TruncationRule::Tanh, TruncationRule::PartialTanh}) {
+            World world(withIterations(50, {0, 0}));
+            BodyDef hook = ball({0, 0}, 0.1);
+            hook.kind = BodyKind::Static;
+            const BodyId a = add(world, hook);
+            BodyDef def = ball({0, -1}, 0.2);
+            def.mass = 2;
+            def.velocity = {0, -5}; // 25 J, for which the limit lets the rope go out by more than a metre
+            const BodyId b = add(world, def);
+            const Truncation limit{.rule = rule, .limit = 20, .custom = {}};
+            const ConnectorId rope =
+                world.addConnector({.a = a, .b = b, .length = 1, .stiffness = 2000, .slack = true, .truncation = limit})
+                    .value();
+            double most = 0;
+            for (int i = 0; i < 100; ++i) {
+                world.update();
+                const WorldReading sum = totals(world);
+                QVERIFY2(std::abs(sum.energy() - 25) < 0.25, qPrintable(QString::number(sum.energy())));
+                QVERIFY(std::abs(world.energy() - sum.energy()) < 1e-9);
+                QCOMPARE(explained(world, rope).energy, sum.elastic);
+                most = std::max(most, sum.elastic);
+            }
+            QVERIFY(most > 24); // it has stood still at the end of the rope
+        }
+    }
+
     void energyIsThatOfTheWorld() {
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             Random random(seed);

@@ -89,6 +89,29 @@ class TruncationTest : public QObject {
         }
     }
 
+    void theWorkIsTheIntegralOfTheTension_data() { ruleRows(); }
+    void theWorkIsTheIntegralOfTheTension() {
+        QFETCH(int, rule);
+        QFETCH(double, limit);
+        QFETCH(double, proportion);
+        const Truncation t{static_cast<TruncationRule>(rule), limit, proportion, {}};
+        const double end = 6 * std::max(limit, 1.0);
+        constexpr int steps = 20000;
+        double work = 0;
+        for (int i = 0; i < steps; ++i) {
+            work += expected(t, (i + 0.5) * end / steps) * end / steps;
+            const double at = (i + 1) * end / steps;
+            if (i % 997 == 0 || i + 1 == steps) {
+                QVERIFY2(std::abs(truncatedWork(t, at) - work) <= 1e-6 * std::max(1.0, work),
+                         qPrintable(QString::number(at)));
+                QCOMPARE(truncatedWork(t, -at), truncatedWork(t, at));
+            }
+        }
+        Truncation custom{TruncationRule::Custom, limit, proportion, [t](double x) { return truncated(t, x); }};
+        QVERIFY(std::abs(truncatedWork(custom, end) - work) <= 0.01 * std::max(1.0, work));
+        QVERIFY(std::abs(truncatedWork(custom, -end) - work) <= 0.01 * std::max(1.0, work));
+    }
+
     void aKnownValueOfPartialTanhIsMet() {
         const Truncation t{TruncationRule::PartialTanh, 150, 0.75, {}};
         QVERIFY(std::abs(truncated(t, 120) - 119.9016) < 1e-4);

@@ -18,4 +18,8 @@ struct Truncation {
 /// The truncated tension, in N, of an untruncated one.
 double truncated(const Truncation& truncation, double tension);
 
+/// What stretching to an untruncated tension has put into a spring of 1 N/m, in J: the integral of `truncated` from 0.
+/// For telling, not for the step: it uses the C library's logarithm. By Simpson's rule where the rule is `Custom`.
+double truncatedWork(const Truncation& truncation, double tension);
+
 } // namespace spacetow

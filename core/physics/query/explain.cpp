@@ -124,12 +124,6 @@ BodyEnergy energyOf(const WorldData& data, Slot slot) {
             -r.mass * data.parameters.gravity.dot(m.center)};
 }
 
-/// J, as World::energy has it.
-double elasticEnergy(const ConnectorRecord& c, double distance) {
-    const double stretch = distance - c.length;
-    return c.slack && stretch < 0 ? 0 : 0.5 * c.stiffness * stretch * stretch;
-}
-
 template <class Tree>
 int cellsOf(const Tree& tree) {
     return static_cast<int>(tree.cells().size());
@@ -186,7 +180,7 @@ ConnectorReading explained(const World& world, ConnectorId connector) {
     EXPECTS(world.contains(connector));
     const ConnectorRecord& c = world.data().forces.connectors[connector.index];
     const double distance = stretchOf(world.data().bodies, c).distance;
-    return {distance, c.length, c.tension, elasticEnergy(c, distance)};
+    return {distance, c.length, c.tension, storedEnergy(c, distance)};
 }
 
 WorldReading totals(const World& world) {
@@ -206,7 +200,7 @@ WorldReading totals(const World& world) {
         sum.angularMomentum += record.inertia * m.angularVelocity + record.mass * cross(m.center, m.velocity);
     }
     for (const ConnectorRecord& c : data.forces.connectors) {
-        sum.elastic += c.used ? elasticEnergy(c, stretchOf(data.bodies, c).distance) : 0;
+        sum.elastic += c.used ? storedEnergy(c, stretchOf(data.bodies, c).distance) : 0;
     }
     return sum;
 }

@@ -68,7 +68,7 @@ struct ConnectorReading {
     double distance = 0; // m, between the anchors
     double length = 0;   // m, natural
     double tension = 0;  // N, positive when it pulls
-    double energy = 0;   // J, as if its tension had no limit
+    double energy = 0;   // J, that it took to stretch it so far
 };
 ConnectorReading explained(const World& world, ConnectorId connector);
 

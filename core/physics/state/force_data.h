@@ -27,6 +27,13 @@ struct ConnectorRecord {
     double tension = 0;
 };
 
+/// What the connector holds while its anchors are this far apart, J: the work of its truncated tension.
+inline double storedEnergy(const ConnectorRecord& connector, double distance) {
+    const double stretch = distance - connector.length;
+    const bool isLoose = connector.stiffness == 0 || (connector.slack && stretch < 0);
+    return isLoose ? 0 : truncatedWork(connector.truncation, connector.stiffness * stretch) / connector.stiffness;
+}
+
 struct FieldRecord {
     std::uint32_t generation = 0;
     std::shared_ptr<const ForceFieldDef> def; // none: not used

@@ -99,7 +99,7 @@ class World {
     std::vector<ConnectorId> connectors() const;
     int bodyCount() const;
 
-    /// Kinetic energy plus potential energy in the gravity of `parameters()` plus that of untruncated connectors, J.
+    /// Kinetic energy plus potential energy in the gravity of `parameters()` plus what connectors hold, J.
     double energy() const;
     /// Over everything that decides the future but the shapes and the functions of connectors and fields: worlds made
     /// of the same definitions and with equal hashes have equal futures.

@@ -119,8 +119,7 @@ double World::energy() const {
     for (const ConnectorRecord& c : data.forces.connectors) {
         if (c.used) {
             const Vec2 span = data.bodies.pose(c.b).toWorld(c.anchorB) - data.bodies.pose(c.a).toWorld(c.anchorA);
-            const double stretch = span.norm() - c.length;
-            energy += c.slack && stretch < 0 ? 0 : 0.5 * c.stiffness * stretch * stretch;
+            energy += storedEnergy(c, span.norm());
         }
     }
     return energy;
