@@ -1511,6 +1511,18 @@
         <source>Copy the level and the run up to this moment as text, for a mail or an issue; pasted into a window, it opens at the same moment</source>
         <translation>Level und Lauf bis zu diesem Moment als Text kopieren, für eine E-Mail oder eine Fehlermeldung; in ein Fenster eingefügt, öffnet er sich im selben Moment</translation>
     </message>
+    <message>
+        <source>In a game only while its panels are shown.</source>
+        <translation>In einem Spiel nur, solange seine Paletten gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Overlay Colors…</source>
+        <translation>Farben der Einblendungen …</translation>
+    </message>
+    <message>
+        <source>Choose the set of colors of the overlays, and colors of your own for each</source>
+        <translation>Die Farbpalette der Einblendungen wählen und eigene Farben für jede</translation>
+    </message>
 </context>
 <context>
     <name>BugCapsule</name>
@@ -1921,6 +1933,10 @@
         <source>%1 is saved, but of the version before no backup could be made:</source>
         <translation>%1 ist gespeichert, aber von der Fassung davor konnte keine Sicherung angelegt werden:</translation>
     </message>
+    <message>
+        <source>Compare with level</source>
+        <translation>Mit Level vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>FlightsPanel</name>
@@ -1938,71 +1954,71 @@
     </message>
     <message>
         <source>still wins, after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>gewinnt weiterhin, nach %1 s</translation>
     </message>
     <message>
         <source>still wins, now after %1 s; before after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>gewinnt weiterhin, jetzt nach %1 s; vorher nach %2 s</translation>
     </message>
     <message>
         <source>crashed before, wins now after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>ist vorher abgestürzt, gewinnt jetzt nach %1 s</translation>
     </message>
     <message>
         <source>was not won before, wins now after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>wurde vorher nicht gewonnen, gewinnt jetzt nach %1 s</translation>
     </message>
     <message>
         <source>still crashes at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>stürzt weiterhin bei %1 ab, nach %2 s</translation>
     </message>
     <message>
         <source>still crashes, now at %1, after %2 s; before after %3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>stürzt weiterhin ab, jetzt bei %1, nach %2 s; vorher nach %3 s</translation>
     </message>
     <message>
         <source>won before, crashes now at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>hat vorher gewonnen, stürzt jetzt bei %1 ab, nach %2 s</translation>
     </message>
     <message>
         <source>crashes now, at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>stürzt jetzt ab, bei %1, nach %2 s</translation>
     </message>
     <message>
         <source>crashes at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>stürzt bei %1 ab, nach %2 s</translation>
     </message>
     <message>
         <source>won before, now there is no ship</source>
-        <translation type="unfinished"></translation>
+        <translation>hat vorher gewonnen, jetzt fehlt das Schiff</translation>
     </message>
     <message>
         <source>runs to its end</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft bis zum Ende</translation>
     </message>
     <message>
         <source>is still under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ist am Ende weiterhin unterwegs, bei %1</translation>
     </message>
     <message>
         <source>is still under way at its end, now at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ist am Ende weiterhin unterwegs, jetzt bei %1</translation>
     </message>
     <message>
         <source>won before, now is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>hat vorher gewonnen, ist jetzt am Ende noch unterwegs, bei %1</translation>
     </message>
     <message>
         <source>crashed before, now is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ist vorher abgestürzt, ist jetzt am Ende noch unterwegs, bei %1</translation>
     </message>
     <message>
         <source>is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ist am Ende noch unterwegs, bei %1</translation>
     </message>
     <message>
         <source>cannot be flown: too many bodies lie in the same place. Move them apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>kann nicht geflogen werden: Zu viele Körper liegen an derselben Stelle. Schieben Sie sie auseinander.</translation>
     </message>
 </context>
 <context>
@@ -2124,15 +2140,27 @@
     </message>
     <message>
         <source>turn</source>
-        <translation type="unfinished"></translation>
+        <translation>drehen</translation>
     </message>
     <message>
         <source>thrust</source>
-        <translation type="unfinished"></translation>
+        <translation>Schub</translation>
     </message>
     <message>
         <source>Take the payload in tow and carry it across the finish.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nehmen Sie die Fracht in Schlepp und bringen Sie sie über die Ziellinie.</translation>
+    </message>
+    <message>
+        <source>Ship and payload are lost.</source>
+        <translation>Schiff und Fracht sind verloren.</translation>
+    </message>
+    <message>
+        <source>The ship is lost.</source>
+        <translation>Das Schiff ist verloren.</translation>
+    </message>
+    <message>
+        <source>The payload is lost.</source>
+        <translation>Die Fracht ist verloren.</translation>
     </message>
 </context>
 <context>
@@ -5448,18 +5476,15 @@
     </message>
     <message>
         <source>Edits of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen im Lauf</translation>
     </message>
     <message numerus="yes">
         <source>Keep %n changes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation><numerusform>%n Änderung behalten</numerusform><numerusform>%n Änderungen behalten</numerusform></translation>
     </message>
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Wand ist innen fest, wo Schiff oder Fracht starten: Sie wurde im Uhrzeigersinn gezeichnet. Kehren Sie sie um, damit aus dem Fels eine Höhle wird.</translation>
     </message>
 </context>
 <context>
@@ -6596,35 +6621,41 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
 %4, %5: draw boxes and balls
 %6: simulate
 %7: find everything else</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier beginnt ein neues Level.
+%1: die Wände einer Höhle zeichnen, gegen den Uhrzeigersinn
+%2: Schiff, Fracht und Ziel setzen
+%3: spielen
+%4, %5: Kisten und Bälle zeichnen
+%6: simulieren
+%7: alles andere finden</translation>
     </message>
     <message>
         <source>simulating</source>
-        <translation type="unfinished"></translation>
+        <translation>in Simulation</translation>
     </message>
     <message>
         <source>Simulate</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulieren</translation>
     </message>
     <message>
         <source>Held within an update, after iteration %1 of %2 · %3: next iteration · %4: go on from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten innerhalb einer Aktualisierung, nach Iteration %1 von %2 · %3: nächste Iteration · %4: von hier weiter</translation>
     </message>
     <message>
         <source>Held · %1: go on from here · %2: next frame · %3: previous frame · %4: back to the editor</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten · %1: von hier weiter · %2: nächstes Bild · %3: voriges Bild · %4: zurück zum Editor</translation>
     </message>
     <message>
         <source> · it will move; walls and lines stand still</source>
-        <translation type="unfinished"></translation>
+        <translation> · es wird sich bewegen; Wände und Linien stehen still</translation>
     </message>
     <message>
         <source>Getting ready to run: %1 s so far · %2: leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Lauf wird vorbereitet: bisher %1 s · %2: abbrechen</translation>
     </message>
     <message>
         <source>Too much for this computer: %1 s behind real time · %2: back to the editor</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu viel für diesen Rechner: %1 s hinter der Echtzeit · %2: zurück zum Editor</translation>
     </message>
 </context>
 <context>
@@ -6933,6 +6964,41 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     </message>
 </context>
 <context>
+    <name>spacetow::OverlayColorsDialog</name>
+    <message>
+        <source>&amp;Set of colors:</source>
+        <translation>&amp;Farbpalette:</translation>
+    </message>
+    <message>
+        <source>&amp;Forget Own Colors</source>
+        <translation>Eigene Farben &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>Colors of the overlays</source>
+        <translation>Farben der Einblendungen</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Okabe and Ito, safe with any color vision</source>
+        <translation>Okabe und Ito, für jedes Farbsehen geeignet</translation>
+    </message>
+    <message>
+        <source>Choose another color</source>
+        <translation>Eine andere Farbe wählen</translation>
+    </message>
+    <message>
+        <source>The color of the set again</source>
+        <translation>Wieder die Farbe der Palette</translation>
+    </message>
+    <message>
+        <source>%1: the color of the set again</source>
+        <translation>%1: wieder die Farbe der Palette</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::PauseMenu</name>
     <message>
         <source>Paused</source>
@@ -7031,7 +7097,7 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     </message>
     <message>
         <source>Energy %1 J, %2 J since the start (drift %3) · momentum %4 kg m/s (drift %5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Energie %1 J, %2 J seit dem Start (Drift %3) · Impuls %4 kg m/s (Drift %5)</translation>
     </message>
 </context>
 <context>
@@ -7331,7 +7397,7 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     </message>
     <message>
         <source>Makes all of these changes in the level, as one step that can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt alle diese Änderungen im Level vor, als einen Schritt, der rückgängig gemacht werden kann</translation>
     </message>
 </context>
 <context>
@@ -7557,7 +7623,7 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     </message>
     <message>
         <source>How fast time runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell die Zeit läuft</translation>
     </message>
 </context>
 <context>
@@ -7601,6 +7667,18 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     <message>
         <source>%1, at %2</source>
         <translation>%1, bei %2</translation>
+    </message>
+    <message>
+        <source>The selected body touches something</source>
+        <translation>Der ausgewählte Körper berührt etwas</translation>
+    </message>
+    <message>
+        <source>The selected body parts from something</source>
+        <translation>Der ausgewählte Körper löst sich von etwas</translation>
+    </message>
+    <message>
+        <source>Dashed on the canvas: what was to come before the run was changed. Without a ship these are the ways of the selected body and of up to %1 others.</source>
+        <translation>Gestrichelt auf der Leinwand: was gekommen wäre, bevor der Lauf geändert wurde. Ohne Schiff sind das die Wege des ausgewählten Körpers und von bis zu %1 anderen.</translation>
     </message>
 </context>
 <context>

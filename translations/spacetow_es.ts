@@ -1511,6 +1511,18 @@
         <source>Copy the level and the run up to this moment as text, for a mail or an issue; pasted into a window, it opens at the same moment</source>
         <translation>Copiar el nivel y la ejecución hasta este momento como texto, para un correo o un informe de error; pegado en una ventana, se abre en el mismo momento</translation>
     </message>
+    <message>
+        <source>In a game only while its panels are shown.</source>
+        <translation>En una partida, solo mientras se muestran sus paneles.</translation>
+    </message>
+    <message>
+        <source>Overlay Colors…</source>
+        <translation>Colores de las superposiciones…</translation>
+    </message>
+    <message>
+        <source>Choose the set of colors of the overlays, and colors of your own for each</source>
+        <translation>Elegir el juego de colores de las superposiciones y colores propios para cada una</translation>
+    </message>
 </context>
 <context>
     <name>BugCapsule</name>
@@ -1921,6 +1933,10 @@
         <source>%1 is saved, but of the version before no backup could be made:</source>
         <translation>%1 se ha guardado, pero no se pudo hacer una copia de seguridad de la versión anterior:</translation>
     </message>
+    <message>
+        <source>Compare with level</source>
+        <translation>Comparar con un nivel</translation>
+    </message>
 </context>
 <context>
     <name>FlightsPanel</name>
@@ -1938,71 +1954,71 @@
     </message>
     <message>
         <source>still wins, after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>sigue ganando, a los %1 s</translation>
     </message>
     <message>
         <source>still wins, now after %1 s; before after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>sigue ganando, ahora a los %1 s; antes a los %2 s</translation>
     </message>
     <message>
         <source>crashed before, wins now after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>antes se estrellaba, ahora gana a los %1 s</translation>
     </message>
     <message>
         <source>was not won before, wins now after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>antes no se ganaba, ahora gana a los %1 s</translation>
     </message>
     <message>
         <source>still crashes at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>sigue estrellándose en %1, a los %2 s</translation>
     </message>
     <message>
         <source>still crashes, now at %1, after %2 s; before after %3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>sigue estrellándose, ahora en %1, a los %2 s; antes a los %3 s</translation>
     </message>
     <message>
         <source>won before, crashes now at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>antes ganaba, ahora se estrella en %1, a los %2 s</translation>
     </message>
     <message>
         <source>crashes now, at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>ahora se estrella, en %1, a los %2 s</translation>
     </message>
     <message>
         <source>crashes at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>se estrella en %1, a los %2 s</translation>
     </message>
     <message>
         <source>won before, now there is no ship</source>
-        <translation type="unfinished"></translation>
+        <translation>antes ganaba, ahora no hay nave</translation>
     </message>
     <message>
         <source>runs to its end</source>
-        <translation type="unfinished"></translation>
+        <translation>llega hasta su final</translation>
     </message>
     <message>
         <source>is still under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sigue en camino al final, en %1</translation>
     </message>
     <message>
         <source>is still under way at its end, now at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sigue en camino al final, ahora en %1</translation>
     </message>
     <message>
         <source>won before, now is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>antes ganaba, ahora está en camino al final, en %1</translation>
     </message>
     <message>
         <source>crashed before, now is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>antes se estrellaba, ahora está en camino al final, en %1</translation>
     </message>
     <message>
         <source>is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>está en camino al final, en %1</translation>
     </message>
     <message>
         <source>cannot be flown: too many bodies lie in the same place. Move them apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>no se puede volar: hay demasiados cuerpos en el mismo lugar. Sepárelos.</translation>
     </message>
 </context>
 <context>
@@ -2124,15 +2140,27 @@
     </message>
     <message>
         <source>turn</source>
-        <translation type="unfinished"></translation>
+        <translation>girar</translation>
     </message>
     <message>
         <source>thrust</source>
-        <translation type="unfinished"></translation>
+        <translation>empuje</translation>
     </message>
     <message>
         <source>Take the payload in tow and carry it across the finish.</source>
-        <translation type="unfinished"></translation>
+        <translation>Remolque la carga y llévela al otro lado de la meta.</translation>
+    </message>
+    <message>
+        <source>Ship and payload are lost.</source>
+        <translation>La nave y la carga se han perdido.</translation>
+    </message>
+    <message>
+        <source>The ship is lost.</source>
+        <translation>La nave se ha perdido.</translation>
+    </message>
+    <message>
+        <source>The payload is lost.</source>
+        <translation>La carga se ha perdido.</translation>
     </message>
 </context>
 <context>
@@ -5448,18 +5476,15 @@
     </message>
     <message>
         <source>Edits of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambios durante la ejecución</translation>
     </message>
     <message numerus="yes">
         <source>Keep %n changes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation><numerusform>Conservar %n cambio</numerusform><numerusform>Conservar %n cambios</numerusform></translation>
     </message>
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
-        <translation type="unfinished"></translation>
+        <translation>La pared es sólida por dentro, donde empiezan la nave o la carga: se dibujó en sentido horario. Inviértala para hacer de la roca una cueva.</translation>
     </message>
 </context>
 <context>
@@ -6596,35 +6621,41 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
 %4, %5: draw boxes and balls
 %6: simulate
 %7: find everything else</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí empieza un nuevo nivel.
+%1: dibujar las paredes de una cueva, en sentido antihorario
+%2: colocar nave, carga y meta
+%3: jugar
+%4, %5: dibujar cajas y bolas
+%6: simular
+%7: encontrar todo lo demás</translation>
     </message>
     <message>
         <source>simulating</source>
-        <translation type="unfinished"></translation>
+        <translation>simulando</translation>
     </message>
     <message>
         <source>Simulate</source>
-        <translation type="unfinished"></translation>
+        <translation>Simular</translation>
     </message>
     <message>
         <source>Held within an update, after iteration %1 of %2 · %3: next iteration · %4: go on from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Detenido dentro de una actualización, tras la iteración %1 de %2 · %3: siguiente iteración · %4: seguir desde aquí</translation>
     </message>
     <message>
         <source>Held · %1: go on from here · %2: next frame · %3: previous frame · %4: back to the editor</source>
-        <translation type="unfinished"></translation>
+        <translation>Detenido · %1: seguir desde aquí · %2: fotograma siguiente · %3: fotograma anterior · %4: volver al editor</translation>
     </message>
     <message>
         <source> · it will move; walls and lines stand still</source>
-        <translation type="unfinished"></translation>
+        <translation> · se moverá; paredes y líneas quedan quietas</translation>
     </message>
     <message>
         <source>Getting ready to run: %1 s so far · %2: leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>Preparando la ejecución: %1 s hasta ahora · %2: dejarlo</translation>
     </message>
     <message>
         <source>Too much for this computer: %1 s behind real time · %2: back to the editor</source>
-        <translation type="unfinished"></translation>
+        <translation>Demasiado para este equipo: %1 s de retraso respecto al tiempo real · %2: volver al editor</translation>
     </message>
 </context>
 <context>
@@ -6933,6 +6964,41 @@ La lista muestra primero lo que se dibuja encima.</translation>
     </message>
 </context>
 <context>
+    <name>spacetow::OverlayColorsDialog</name>
+    <message>
+        <source>&amp;Set of colors:</source>
+        <translation>&amp;Juego de colores:</translation>
+    </message>
+    <message>
+        <source>&amp;Forget Own Colors</source>
+        <translation>Olvidar colores p&amp;ropios</translation>
+    </message>
+    <message>
+        <source>Colors of the overlays</source>
+        <translation>Colores de las superposiciones</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Estándar</translation>
+    </message>
+    <message>
+        <source>Okabe and Ito, safe with any color vision</source>
+        <translation>Okabe e Ito, segura con cualquier visión del color</translation>
+    </message>
+    <message>
+        <source>Choose another color</source>
+        <translation>Elegir otro color</translation>
+    </message>
+    <message>
+        <source>The color of the set again</source>
+        <translation>De nuevo el color del juego</translation>
+    </message>
+    <message>
+        <source>%1: the color of the set again</source>
+        <translation>%1: de nuevo el color del juego</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::PauseMenu</name>
     <message>
         <source>You made it!</source>
@@ -7031,7 +7097,7 @@ La lista muestra primero lo que se dibuja encima.</translation>
     </message>
     <message>
         <source>Energy %1 J, %2 J since the start (drift %3) · momentum %4 kg m/s (drift %5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Energía %1 J, %2 J desde el inicio (deriva %3) · momento lineal %4 kg m/s (deriva %5)</translation>
     </message>
 </context>
 <context>
@@ -7331,7 +7397,7 @@ La lista muestra primero lo que se dibuja encima.</translation>
     </message>
     <message>
         <source>Makes all of these changes in the level, as one step that can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Hace todos estos cambios en el nivel, como un paso que se puede deshacer</translation>
     </message>
 </context>
 <context>
@@ -7557,7 +7623,7 @@ La lista muestra primero lo que se dibuja encima.</translation>
     </message>
     <message>
         <source>How fast time runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Con qué rapidez pasa el tiempo</translation>
     </message>
 </context>
 <context>
@@ -7601,6 +7667,18 @@ La lista muestra primero lo que se dibuja encima.</translation>
     <message>
         <source>%1, at %2</source>
         <translation>%1, en %2</translation>
+    </message>
+    <message>
+        <source>The selected body touches something</source>
+        <translation>El cuerpo seleccionado toca algo</translation>
+    </message>
+    <message>
+        <source>The selected body parts from something</source>
+        <translation>El cuerpo seleccionado se separa de algo</translation>
+    </message>
+    <message>
+        <source>Dashed on the canvas: what was to come before the run was changed. Without a ship these are the ways of the selected body and of up to %1 others.</source>
+        <translation>Con trazos en el lienzo: lo que iba a venir antes de que se cambiara la ejecución. Sin nave, son los caminos del cuerpo seleccionado y de hasta %1 más.</translation>
     </message>
 </context>
 <context>

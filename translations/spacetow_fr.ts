@@ -1511,6 +1511,18 @@
         <source>Copy the level and the run up to this moment as text, for a mail or an issue; pasted into a window, it opens at the same moment</source>
         <translation>Copier le niveau et l’exécution jusqu’à ce moment sous forme de texte, pour un courriel ou un rapport de bogue ; collé dans une fenêtre, il s’ouvre au même moment</translation>
     </message>
+    <message>
+        <source>In a game only while its panels are shown.</source>
+        <translation>Dans une partie, seulement tant que ses panneaux sont affichés.</translation>
+    </message>
+    <message>
+        <source>Overlay Colors…</source>
+        <translation>Couleurs des surimpressions…</translation>
+    </message>
+    <message>
+        <source>Choose the set of colors of the overlays, and colors of your own for each</source>
+        <translation>Choisir le jeu de couleurs des surimpressions, et vos propres couleurs pour chacune</translation>
+    </message>
 </context>
 <context>
     <name>BugCapsule</name>
@@ -1921,6 +1933,10 @@
         <source>%1 is saved, but of the version before no backup could be made:</source>
         <translation>%1 est enregistré, mais aucune sauvegarde de la version précédente n’a pu être faite :</translation>
     </message>
+    <message>
+        <source>Compare with level</source>
+        <translation>Comparer avec un niveau</translation>
+    </message>
 </context>
 <context>
     <name>FlightsPanel</name>
@@ -1938,71 +1954,71 @@
     </message>
     <message>
         <source>still wins, after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>gagne toujours, après %1 s</translation>
     </message>
     <message>
         <source>still wins, now after %1 s; before after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>gagne toujours, maintenant après %1 s ; avant après %2 s</translation>
     </message>
     <message>
         <source>crashed before, wins now after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>s’écrasait avant, gagne maintenant après %1 s</translation>
     </message>
     <message>
         <source>was not won before, wins now after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>n’était pas gagné avant, gagne maintenant après %1 s</translation>
     </message>
     <message>
         <source>still crashes at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>s’écrase toujours en %1, après %2 s</translation>
     </message>
     <message>
         <source>still crashes, now at %1, after %2 s; before after %3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>s’écrase toujours, maintenant en %1, après %2 s ; avant après %3 s</translation>
     </message>
     <message>
         <source>won before, crashes now at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>gagnait avant, s’écrase maintenant en %1, après %2 s</translation>
     </message>
     <message>
         <source>crashes now, at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>s’écrase maintenant, en %1, après %2 s</translation>
     </message>
     <message>
         <source>crashes at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>s’écrase en %1, après %2 s</translation>
     </message>
     <message>
         <source>won before, now there is no ship</source>
-        <translation type="unfinished"></translation>
+        <translation>gagnait avant, il n’y a maintenant plus de vaisseau</translation>
     </message>
     <message>
         <source>runs to its end</source>
-        <translation type="unfinished"></translation>
+        <translation>va jusqu’à sa fin</translation>
     </message>
     <message>
         <source>is still under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>est toujours en route à sa fin, en %1</translation>
     </message>
     <message>
         <source>is still under way at its end, now at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>est toujours en route à sa fin, maintenant en %1</translation>
     </message>
     <message>
         <source>won before, now is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>gagnait avant, est maintenant encore en route à sa fin, en %1</translation>
     </message>
     <message>
         <source>crashed before, now is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>s’écrasait avant, est maintenant encore en route à sa fin, en %1</translation>
     </message>
     <message>
         <source>is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>est encore en route à sa fin, en %1</translation>
     </message>
     <message>
         <source>cannot be flown: too many bodies lie in the same place. Move them apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>ne peut pas être volé : trop de corps se trouvent au même endroit. Écartez-les.</translation>
     </message>
 </context>
 <context>
@@ -2124,15 +2140,27 @@
     </message>
     <message>
         <source>turn</source>
-        <translation type="unfinished"></translation>
+        <translation>tourner</translation>
     </message>
     <message>
         <source>thrust</source>
-        <translation type="unfinished"></translation>
+        <translation>poussée</translation>
     </message>
     <message>
         <source>Take the payload in tow and carry it across the finish.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prenez la charge en remorque et portez-la au-delà de la ligne d’arrivée.</translation>
+    </message>
+    <message>
+        <source>Ship and payload are lost.</source>
+        <translation>Le vaisseau et la charge sont perdus.</translation>
+    </message>
+    <message>
+        <source>The ship is lost.</source>
+        <translation>Le vaisseau est perdu.</translation>
+    </message>
+    <message>
+        <source>The payload is lost.</source>
+        <translation>La charge est perdue.</translation>
     </message>
 </context>
 <context>
@@ -5448,18 +5476,15 @@
     </message>
     <message>
         <source>Edits of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifications pendant l’exécution</translation>
     </message>
     <message numerus="yes">
         <source>Keep %n changes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation><numerusform>Garder %n modification</numerusform><numerusform>Garder %n modifications</numerusform></translation>
     </message>
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le mur est plein à l’intérieur, là où commencent le vaisseau ou la charge : il a été dessiné dans le sens horaire. Inversez-le pour faire du rocher une grotte.</translation>
     </message>
 </context>
 <context>
@@ -6596,35 +6621,41 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
 %4, %5: draw boxes and balls
 %6: simulate
 %7: find everything else</source>
-        <translation type="unfinished"></translation>
+        <translation>Ici commence un nouveau niveau.
+%1 : dessiner les murs d’une grotte, dans le sens antihoraire
+%2 : placer le vaisseau, la charge et l’arrivée
+%3 : jouer
+%4, %5 : dessiner des caisses et des balles
+%6 : simuler
+%7 : trouver tout le reste</translation>
     </message>
     <message>
         <source>simulating</source>
-        <translation type="unfinished"></translation>
+        <translation>en simulation</translation>
     </message>
     <message>
         <source>Simulate</source>
-        <translation type="unfinished"></translation>
+        <translation>Simuler</translation>
     </message>
     <message>
         <source>Held within an update, after iteration %1 of %2 · %3: next iteration · %4: go on from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêté dans une mise à jour, après l’itération %1 sur %2 · %3 : itération suivante · %4 : continuer d’ici</translation>
     </message>
     <message>
         <source>Held · %1: go on from here · %2: next frame · %3: previous frame · %4: back to the editor</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêté · %1 : continuer d’ici · %2 : image suivante · %3 : image précédente · %4 : retour à l’éditeur</translation>
     </message>
     <message>
         <source> · it will move; walls and lines stand still</source>
-        <translation type="unfinished"></translation>
+        <translation> · il bougera ; murs et lignes restent immobiles</translation>
     </message>
     <message>
         <source>Getting ready to run: %1 s so far · %2: leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>Préparation de l’exécution : %1 s jusqu’ici · %2 : abandonner</translation>
     </message>
     <message>
         <source>Too much for this computer: %1 s behind real time · %2: back to the editor</source>
-        <translation type="unfinished"></translation>
+        <translation>Trop pour cet ordinateur : %1 s de retard sur le temps réel · %2 : retour à l’éditeur</translation>
     </message>
 </context>
 <context>
@@ -6933,6 +6964,41 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
 </context>
 <context>
+    <name>spacetow::OverlayColorsDialog</name>
+    <message>
+        <source>&amp;Set of colors:</source>
+        <translation>&amp;Jeu de couleurs :</translation>
+    </message>
+    <message>
+        <source>&amp;Forget Own Colors</source>
+        <translation>O&amp;ublier mes couleurs</translation>
+    </message>
+    <message>
+        <source>Colors of the overlays</source>
+        <translation>Couleurs des surimpressions</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Okabe and Ito, safe with any color vision</source>
+        <translation>Okabe et Ito, sûr pour toute vision des couleurs</translation>
+    </message>
+    <message>
+        <source>Choose another color</source>
+        <translation>Choisir une autre couleur</translation>
+    </message>
+    <message>
+        <source>The color of the set again</source>
+        <translation>De nouveau la couleur du jeu</translation>
+    </message>
+    <message>
+        <source>%1: the color of the set again</source>
+        <translation>%1 : de nouveau la couleur du jeu</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::PauseMenu</name>
     <message>
         <source>You made it!</source>
@@ -7031,7 +7097,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Energy %1 J, %2 J since the start (drift %3) · momentum %4 kg m/s (drift %5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Énergie %1 J, %2 J depuis le début (dérive %3) · quantité de mouvement %4 kg m/s (dérive %5)</translation>
     </message>
 </context>
 <context>
@@ -7331,7 +7397,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>Makes all of these changes in the level, as one step that can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Apporte toutes ces modifications au niveau, en une étape annulable</translation>
     </message>
 </context>
 <context>
@@ -7557,7 +7623,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
     <message>
         <source>How fast time runs</source>
-        <translation type="unfinished"></translation>
+        <translation>À quelle vitesse le temps s’écoule</translation>
     </message>
 </context>
 <context>
@@ -7601,6 +7667,18 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <message>
         <source>%1, at %2</source>
         <translation>%1, à %2</translation>
+    </message>
+    <message>
+        <source>The selected body touches something</source>
+        <translation>Le corps sélectionné touche quelque chose</translation>
+    </message>
+    <message>
+        <source>The selected body parts from something</source>
+        <translation>Le corps sélectionné se sépare de quelque chose</translation>
+    </message>
+    <message>
+        <source>Dashed on the canvas: what was to come before the run was changed. Without a ship these are the ways of the selected body and of up to %1 others.</source>
+        <translation>En pointillé sur le canevas : ce qui allait venir avant que l’exécution ne soit changée. Sans vaisseau, ce sont les trajets du corps sélectionné et d’au plus %1 autres.</translation>
     </message>
 </context>
 <context>

@@ -1511,6 +1511,18 @@
         <source>Copy the level and the run up to this moment as text, for a mail or an issue; pasted into a window, it opens at the same moment</source>
         <translation>将关卡和到此刻为止的运行复制为文本，可用于邮件或问题报告；粘贴到窗口中后会在同一时刻打开</translation>
     </message>
+    <message>
+        <source>In a game only while its panels are shown.</source>
+        <translation>在游戏中仅当显示面板时可用。</translation>
+    </message>
+    <message>
+        <source>Overlay Colors…</source>
+        <translation>叠加层颜色…</translation>
+    </message>
+    <message>
+        <source>Choose the set of colors of the overlays, and colors of your own for each</source>
+        <translation>选择叠加层的配色方案，并为每个叠加层选择自己的颜色</translation>
+    </message>
 </context>
 <context>
     <name>BugCapsule</name>
@@ -1921,6 +1933,10 @@
         <source>%1 is saved, but of the version before no backup could be made:</source>
         <translation>%1 已保存，但无法为之前的版本创建备份：</translation>
     </message>
+    <message>
+        <source>Compare with level</source>
+        <translation>与关卡比较</translation>
+    </message>
 </context>
 <context>
     <name>FlightsPanel</name>
@@ -1938,71 +1954,71 @@
     </message>
     <message>
         <source>still wins, after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>仍然获胜，用时 %1 秒</translation>
     </message>
     <message>
         <source>still wins, now after %1 s; before after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>仍然获胜，现在用时 %1 秒；之前为 %2 秒</translation>
     </message>
     <message>
         <source>crashed before, wins now after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>之前坠毁，现在用时 %1 秒获胜</translation>
     </message>
     <message>
         <source>was not won before, wins now after %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>之前未获胜，现在用时 %1 秒获胜</translation>
     </message>
     <message>
         <source>still crashes at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>仍在 %1 处坠毁，%2 秒后</translation>
     </message>
     <message>
         <source>still crashes, now at %1, after %2 s; before after %3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>仍然坠毁，现在在 %1 处，%2 秒后；之前为 %3 秒后</translation>
     </message>
     <message>
         <source>won before, crashes now at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>之前获胜，现在在 %1 处坠毁，%2 秒后</translation>
     </message>
     <message>
         <source>crashes now, at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>现在坠毁，在 %1 处，%2 秒后</translation>
     </message>
     <message>
         <source>crashes at %1, after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 处坠毁，%2 秒后</translation>
     </message>
     <message>
         <source>won before, now there is no ship</source>
-        <translation type="unfinished"></translation>
+        <translation>之前获胜，现在没有飞船</translation>
     </message>
     <message>
         <source>runs to its end</source>
-        <translation type="unfinished"></translation>
+        <translation>运行至结束</translation>
     </message>
     <message>
         <source>is still under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>结束时仍在途中，位于 %1</translation>
     </message>
     <message>
         <source>is still under way at its end, now at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>结束时仍在途中，现在位于 %1</translation>
     </message>
     <message>
         <source>won before, now is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>之前获胜，现在结束时仍在途中，位于 %1</translation>
     </message>
     <message>
         <source>crashed before, now is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>之前坠毁，现在结束时仍在途中，位于 %1</translation>
     </message>
     <message>
         <source>is under way at its end, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>结束时在途中，位于 %1</translation>
     </message>
     <message>
         <source>cannot be flown: too many bodies lie in the same place. Move them apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法飞行：同一位置的物体过多。请将它们移开。</translation>
     </message>
 </context>
 <context>
@@ -2124,15 +2140,27 @@
     </message>
     <message>
         <source>turn</source>
-        <translation type="unfinished"></translation>
+        <translation>转向</translation>
     </message>
     <message>
         <source>thrust</source>
-        <translation type="unfinished"></translation>
+        <translation>推进</translation>
     </message>
     <message>
         <source>Take the payload in tow and carry it across the finish.</source>
-        <translation type="unfinished"></translation>
+        <translation>拖曳货物并将其带过终点线。</translation>
+    </message>
+    <message>
+        <source>Ship and payload are lost.</source>
+        <translation>飞船和货物都已损失。</translation>
+    </message>
+    <message>
+        <source>The ship is lost.</source>
+        <translation>飞船已损失。</translation>
+    </message>
+    <message>
+        <source>The payload is lost.</source>
+        <translation>货物已损失。</translation>
     </message>
 </context>
 <context>
@@ -5413,17 +5441,15 @@
     </message>
     <message>
         <source>Edits of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行中的编辑</translation>
     </message>
     <message numerus="yes">
         <source>Keep %n changes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
+        <translation><numerusform>保留 %n 处更改</numerusform></translation>
     </message>
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
-        <translation type="unfinished"></translation>
+        <translation>墙的内侧是实心的，而飞船或货物从那里出发：它是顺时针绘制的。请将其反转，使岩石变成洞穴。</translation>
     </message>
 </context>
 <context>
@@ -6553,35 +6579,41 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
 %4, %5: draw boxes and balls
 %6: simulate
 %7: find everything else</source>
-        <translation type="unfinished"></translation>
+        <translation>新关卡从这里开始。
+%1：逆时针绘制洞穴的墙
+%2：放置飞船、货物和终点
+%3：游玩
+%4、%5：绘制箱子和球
+%6：模拟
+%7：查找其他一切</translation>
     </message>
     <message>
         <source>simulating</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟中</translation>
     </message>
     <message>
         <source>Simulate</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
     <message>
         <source>Held within an update, after iteration %1 of %2 · %3: next iteration · %4: go on from here</source>
-        <translation type="unfinished"></translation>
+        <translation>在一次更新内暂停，第 %1/%2 次迭代之后 · %3：下一次迭代 · %4：从此处继续</translation>
     </message>
     <message>
         <source>Held · %1: go on from here · %2: next frame · %3: previous frame · %4: back to the editor</source>
-        <translation type="unfinished"></translation>
+        <translation>已暂停 · %1：从此处继续 · %2：下一帧 · %3：上一帧 · %4：返回编辑器</translation>
     </message>
     <message>
         <source> · it will move; walls and lines stand still</source>
-        <translation type="unfinished"></translation>
+        <translation> · 它会移动；墙和线静止不动</translation>
     </message>
     <message>
         <source>Getting ready to run: %1 s so far · %2: leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>正在准备运行：已 %1 秒 · %2：放弃</translation>
     </message>
     <message>
         <source>Too much for this computer: %1 s behind real time · %2: back to the editor</source>
-        <translation type="unfinished"></translation>
+        <translation>对本机来说负担过重：落后实时 %1 秒 · %2：返回编辑器</translation>
     </message>
 </context>
 <context>
@@ -6890,6 +6922,41 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     </message>
 </context>
 <context>
+    <name>spacetow::OverlayColorsDialog</name>
+    <message>
+        <source>&amp;Set of colors:</source>
+        <translation>配色方案(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>&amp;Forget Own Colors</source>
+        <translation>清除自定颜色(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Colors of the overlays</source>
+        <translation>叠加层的颜色</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>标准</translation>
+    </message>
+    <message>
+        <source>Okabe and Ito, safe with any color vision</source>
+        <translation>Okabe 与 Ito，适合任何色觉</translation>
+    </message>
+    <message>
+        <source>Choose another color</source>
+        <translation>选择其他颜色</translation>
+    </message>
+    <message>
+        <source>The color of the set again</source>
+        <translation>恢复方案的颜色</translation>
+    </message>
+    <message>
+        <source>%1: the color of the set again</source>
+        <translation>%1：恢复方案的颜色</translation>
+    </message>
+</context>
+<context>
     <name>spacetow::PauseMenu</name>
     <message>
         <source>You made it!</source>
@@ -6988,7 +7055,7 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     </message>
     <message>
         <source>Energy %1 J, %2 J since the start (drift %3) · momentum %4 kg m/s (drift %5)</source>
-        <translation type="unfinished"></translation>
+        <translation>能量 %1 J，自开始以来 %2 J（漂移 %3）· 动量 %4 kg m/s（漂移 %5）</translation>
     </message>
 </context>
 <context>
@@ -7286,7 +7353,7 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     </message>
     <message>
         <source>Makes all of these changes in the level, as one step that can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>在关卡中进行所有这些更改，作为可撤销的一步</translation>
     </message>
 </context>
 <context>
@@ -7508,7 +7575,7 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     </message>
     <message>
         <source>How fast time runs</source>
-        <translation type="unfinished"></translation>
+        <translation>时间流逝的速度</translation>
     </message>
 </context>
 <context>
@@ -7552,6 +7619,18 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     <message>
         <source>%1, at %2</source>
         <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>The selected body touches something</source>
+        <translation>所选物体接触到某物</translation>
+    </message>
+    <message>
+        <source>The selected body parts from something</source>
+        <translation>所选物体与某物分离</translation>
+    </message>
+    <message>
+        <source>Dashed on the canvas: what was to come before the run was changed. Without a ship these are the ways of the selected body and of up to %1 others.</source>
+        <translation>画布上的虚线：更改运行之前原本会发生的情况。没有飞船时，这是所选物体以及最多 %1 个其他物体的路径。</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,9 @@ namespace spacetow {
 
 namespace {
 
+// m in front of a wall beyond which nothing counts as touching it
+constexpr double clearOfWall = 0.0005;
+
 /// What lies over a wall, in coordinates along it and above it, m.
 struct Profile {
     Extent along;
@@ -43,7 +46,7 @@ bool isOver(const WallSide& side, const Profile& profile) {
 template <class Other>
 Passage passageAt(Passage before, const WallSide& side, const Other& other) {
     const Profile profile = profileOf(side, other);
-    if (profile.lowest >= 0 || profile.along.to <= 0 || profile.along.from >= side.length) {
+    if (profile.lowest > clearOfWall || profile.along.to <= 0 || profile.along.from >= side.length) {
         return Passage::None;
     }
     if (isOver(side, profile) && profile.deepest < -side.depth - onTheFace) {

@@ -42,4 +42,13 @@ std::span<const ToolRow> toolRows();
 /// The things of which a level has one, in the order in which a key goes through them.
 inline constexpr std::array placeTools{ToolId::Ship, ToolId::Payload, ToolId::Finish};
 
+/// What an empty level is begun with: walls, and two things that fall.
+inline constexpr ToolId wallTool = ToolId::Edge;
+inline constexpr std::array solidTools{ToolId::Rectangle, ToolId::Circle};
+
+/// Whether the tool draws bodies that may fall; see Toolbox::drawnSolids.
+constexpr bool drawsSolids(ToolId tool) {
+    return tool == ToolId::Polygon || tool == ToolId::Rectangle || tool == ToolId::Circle;
+}
+
 } // namespace spacetow

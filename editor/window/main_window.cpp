@@ -182,7 +182,7 @@ QString MainWindow::firstSteps() const {
               "%4, %5: draw boxes and balls\n"
               "%6: simulate\n"
               "%7: find everything else")
-        .arg(key(ToolId::Edge), key(Act::PlaceNext), key(Act::Play), key(ToolId::Rectangle), key(ToolId::Circle),
+        .arg(key(wallTool), key(Act::PlaceNext), key(Act::Play), key(solidTools[0]), key(solidTools[1]),
              key(Act::Simulate), key(Act::CommandPalette));
 }
 

@@ -48,10 +48,9 @@ QString MainWindow::heldHint() const {
 
 /// Bodies that are drawn beside a simulation are no part of a cave.
 QString MainWindow::solidHint() const {
-    const ToolId tool = m_toolbox.current();
-    const bool draws = tool == ToolId::Polygon || tool == ToolId::Rectangle || tool == ToolId::Circle;
-    return draws && m_toolbox.drawnSolids == BodyKind::Dynamic ? tr(" · it will move; walls and lines stand still")
-                                                               : QString();
+    return drawsSolids(m_toolbox.current()) && m_toolbox.drawnSolids == BodyKind::Dynamic
+               ? tr(" · it will move; walls and lines stand still")
+               : QString();
 }
 
 /// What keys and mouse do to what runs.

@@ -49,7 +49,7 @@ class PaceWatchTest : public QObject {
         WatchedPace run;
         const double most = run.watch(10.5, 25).most;
         QVERIFY2(most > 4 && most < 6, qPrintable(QString::number(most)));
-        run.watch(1.1, 50);
+        run.watch(2.1, 50);
         QCOMPARE(run.watch(5, 50).most, 0.0);  // as long as it keeps up
         QVERIFY(run.watch(3, 25).most > most); // what was lost stays lost
     }

@@ -99,7 +99,7 @@ void makeManifold(const ContactStage& stage, std::uint32_t index, const Poses& p
     kept.tolerance =
         margin + (pair.staticB ? toleranceShareAtWalls * a.innerRadius
                                : std::max(toleranceShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
-    const Manifold manifold = manifoldOf(data.contacts.table, index, poses, kept.tolerance);
+    const Manifold manifold = manifoldOf(stage.contacts.table, index, poses, kept.tolerance);
     matchPoints(contact, manifold);
     if (manifold.count == 0) {
         kept.relative = poses.relative;
@@ -109,7 +109,7 @@ void makeManifold(const ContactStage& stage, std::uint32_t index, const Poses& p
         keep(poses, manifold, kept);
         // The normal between two corners turns with every move, and a bounce wants the normal of its moment.
         if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0 ||
-            data.contacts.table.flags[index].passage == Passage::Between) {
+            stage.contacts.table.flags[index].passage == Passage::Between) {
             kept.tolerance = -1;
         }
     }
