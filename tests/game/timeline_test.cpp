@@ -233,6 +233,7 @@ class TimelineTest : public QObject {
         for (Key key = 1; key <= Tracks::mostBodies; ++key) {
             addBodyObject(level, key, ballAt(Vec2(2.0 * static_cast<double>(key), 0)));
         }
+        addBodyObject(level, 100, ballAt(Vec2(-5, 0)));
         Session session(level);
         Timeline timeline(session);
         const auto go = [&](const StepInput& first) {
@@ -247,11 +248,12 @@ class TimelineTest : public QObject {
             return std::ranges::any_of(paths, [key](const TracedPath& path) { return path.object == key; });
         };
         go({});
-        Level more = level;
-        addBodyObject(more, 100, ballAt(Vec2(-5, 0)));
-        go(withLevel(std::make_shared<const Level>(more)));
         QVERIFY(follows(1) && !follows(100)); // there are too many
-        const std::shared_ptr<const Level> fewer = without(more, 1);
+        Level more = level;
+        addBodyObject(more, 101, ballAt(Vec2(-9, 0)));
+        go(withLevel(std::make_shared<const Level>(more)));
+        QVERIFY(follows(1) && follows(101));                                      // somebody has just added it
+        const std::shared_ptr<const Level> fewer = without(*without(more, 1), 2); // 101 has the place of one
         go(withLevel(fewer));
         QVERIFY(follows(100));
         QVERIFY(follows(1)); // of the past
