@@ -111,7 +111,7 @@ SPACETOW_INLINE void solveNormals(BatchBodies& bodies, ConstraintBatch& c, doubl
 }
 
 /// Friction first, so that the normal velocities come out right. What is hit in this pass has no normal impulse to
-/// limit its friction before, and rubs afterwards.
+/// limit its friction before, and gets friction afterwards.
 template <class Batch>
 SPACETOW_INLINE void solveOnce(BatchBodies& bodies, Batch& c, double relaxation) {
     const Wide before = normalOf(c);

@@ -82,11 +82,11 @@ ContactReading readingOf(const LoggedImpulse& logged) {
     contact.touching = false; // until one is found that is
     contact.normalImpulse = logged.normal;
     contact.friction = logged.friction;
-    contact.impulse = logged.push + logged.rub;
+    contact.impulse = logged.normalOnB + logged.frictionOnB;
     contact.turnA = logged.turnA;
     contact.turnB = logged.turnB;
-    const double length = logged.push.norm();
-    contact.normal = length > 0 ? Vec2(logged.push / length) : Vec2(0, 1);
+    const double length = logged.normalOnB.norm();
+    contact.normal = length > 0 ? Vec2(logged.normalOnB / length) : Vec2(0, 1);
     if (logged.normal > 0) {
         contact.point = logged.moment / logged.normal;
     }

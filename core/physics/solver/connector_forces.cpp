@@ -1,5 +1,7 @@
 #include "core/physics/solver/connector_forces.h"
 
+#include "core/physics/contacts/effective_mass.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -71,8 +73,8 @@ std::optional<Pull> pullOf(const Bodies& bodies, const Substeps& substeps, const
     p.u = span / distance;
     p.leverA = cross(armA, p.u);
     p.leverB = cross(armB, p.u);
-    const double inverseMass =
-        a.inverseMass + b.inverseMass + a.inverseInertia * p.leverA * p.leverA + b.inverseInertia * p.leverB * p.leverB;
+    const Levers levers{p.leverA, p.leverB};
+    const double inverseMass = formulas::inverseMass(massesOf(a, b), levers, levers);
     const double rate =
         (b.velocity - a.velocity).dot(p.u) + b.angularVelocity * p.leverB - a.angularVelocity * p.leverA;
     // An end whose state has overflowed is not to spoil the other.

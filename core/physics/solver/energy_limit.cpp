@@ -114,7 +114,7 @@ bool costsTooMuch(const EnergyBalance& e) {
 
 /// More passes over these islands alone.
 void solveIslandsWhere(const SolverStage& stage, Question which) {
-    settleAll(stage.bodies, stage.islands, stage.sleep, stage.solver);
+    clearUnconverged(stage.bodies, stage.islands, stage.sleep, stage.solver);
     for (const Slot root : stage.islands.islandRoots) {
         stage.solver.unconverged[root] = which(stage.solver.balances[root]) ? 1 : 0;
     }

@@ -33,8 +33,8 @@ struct Given {
 void addTo(LoggedImpulse& sum, const Given& given) {
     sum.normal += given.normal;
     sum.friction += given.friction;
-    sum.push += given.normal * given.direction;
-    sum.rub += given.friction * leftOf(given.direction);
+    sum.normalOnB += given.normal * given.direction;
+    sum.frictionOnB += given.friction * leftOf(given.direction);
     sum.turnA -= given.turnA;
     sum.turnB += given.turnB;
 }

@@ -28,7 +28,7 @@ void markClosing(const SolverStage& stage, const Batches<Batch>& batches) {
 /// Marks the islands in which contacts close; whether there are any. Not those that something drives which cannot be
 /// stopped: they are not held back either, and in a turning drum something always closes.
 bool markClosing(const SolverStage& stage) {
-    settleAll(stage.bodies, stage.islands, stage.sleep, stage.solver);
+    clearUnconverged(stage.bodies, stage.islands, stage.sleep, stage.solver);
     markClosing(stage, stage.constraints.batches.circles);
     markClosing(stage, stage.constraints.batches.general);
     const std::vector<Slot>& roots = stage.islands.islandRoots;
@@ -65,7 +65,7 @@ void relaxPasses(ContactBatches& batches, std::vector<BodyVelocity>& velocities,
 
 } // namespace
 
-void settleAll(const Bodies& bodies, const Islands& islands, const Sleep& sleep, SolverScratch& solver) {
+void clearUnconverged(const Bodies& bodies, const Islands& islands, const Sleep& sleep, SolverScratch& solver) {
     std::vector<std::uint8_t>& unconverged = solver.unconverged;
     beginBySlot(unconverged, bodies.motions.size(), std::uint8_t{0});
     for (const Slot root : islands.islandRoots) {

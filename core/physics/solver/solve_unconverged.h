@@ -6,11 +6,11 @@
 
 namespace spacetow {
 
-/// Marks no island in `islands.unsettled`.
-void settleAll(const Bodies& bodies, const Islands& islands, const Sleep& sleep, SolverScratch& solver);
+/// No island is marked as `unconverged`.
+void clearUnconverged(const Bodies& bodies, const Islands& islands, const Sleep& sleep, SolverScratch& solver);
 
-/// More passes, at least one, over the contacts of the islands that are marked in `islands.unsettled`; all but the last
-/// are over-relaxed.
+/// More passes, at least one, over the contacts of the islands that are marked as `unconverged`; all but the last are
+/// over-relaxed.
 void solveUnconverged(const SolverStage& stage, int passes);
 
 /// More passes over islands in which contacts close faster than they may: an impact has to reach the ground through all

@@ -13,13 +13,13 @@ namespace spacetow {
 /// The impulses of one contact, over the iterations of an update. SI units.
 struct LoggedImpulse {
     Slot a = 0, b = 0;
-    double normal = 0;   // N s, along the normals of the iterations
-    double friction = 0; // N s, to the left of them
-    Vec2 push{0, 0};     // N s on b, without friction
-    Vec2 rub{0, 0};      // N s on b, of friction
-    double turnA = 0;    // N m s that a gets about its centre of mass
-    double turnB = 0;    // likewise b
-    Vec2 moment{0, 0};   // N s m: the points, weighted by the normal impulses there
+    double normal = 0;      // N s, along the normals of the iterations
+    double friction = 0;    // N s, to the left of them
+    Vec2 normalOnB{0, 0};   // N s, the normal impulses as one
+    Vec2 frictionOnB{0, 0}; // N s, likewise those of friction
+    double turnA = 0;       // N m s that a gets about its centre of mass
+    double turnB = 0;       // likewise b
+    Vec2 moment{0, 0};      // N s m: the points, weighted by the normal impulses there
 };
 
 struct ImpulseLog {

@@ -28,8 +28,7 @@ struct StepFlags {
     // Noticed in the iteration; each is written before it is read.
 
     // By measureMotion: a motion is not finite; a body has left its fat AABB, or all pairs are stale (until findPairs;
-    // measureCorrections looks again);
-    // a motion exceeds the speculative margin (solveVelocities may add one).
+    // measureCorrections writes this one again); a motion exceeds the speculative margin (solveVelocities may add one).
     bool anyFault = false;
     bool anyMovedProxy = false;
     bool anyFast = false;
