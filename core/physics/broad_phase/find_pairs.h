@@ -11,12 +11,13 @@ void listProxies(const Bodies& bodies, BroadPhase& broadPhase, const Sleep& slee
 /// Gives moved bodies new fat AABBs, large enough for so many seconds.
 void enlargeAabbs(Bodies& bodies, BroadPhase& broadPhase, const PairSearch& search, double seconds);
 
-/// So many pairs of moving bodies are kept, many times what the densest heap has. Where thousands of bodies are at one
-/// place there are more, as many as would fill all memory; whoever finds nobody then has to push his way out later.
+/// The most pairs of moving bodies that are kept: many times what the densest heap has. Thousands of bodies at one
+/// place have more pairs, which would fill all memory; the pairs that are left out are found when the crowd has come
+/// apart.
 std::size_t mostPairs(const BroadPhase& broadPhase);
 
-/// Fills `foundPairs` with all pairs of those, sorted as the table is; with as many as are kept when the place is
-/// `crowded`.
+/// Fills `foundPairs` with all pairs of moved bodies, in the order of the table. When there are more than are kept,
+/// finds no more than that and sets `crowded`.
 void collectPairs(const PairStage& stage);
 
 } // namespace spacetow

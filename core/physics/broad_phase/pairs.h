@@ -11,12 +11,12 @@ namespace spacetow {
 void listMoving(Bodies& bodies, Scratch& scratch);
 void listSensors(Contacts& contacts, StepFlags& flags);
 
-/// How far each moving body would go in this iteration: notes which bodies are fast, and which would leave their fat
-/// AABBs now or, as it is going, within `ahead` seconds more.
+/// Measures the planned motion of each moving body. Notes which bodies are fast, and which leave their fat AABBs in
+/// this iteration or, at their present velocity, within `ahead` seconds more.
 void measureMotion(Bodies& bodies, StepFlags& flags, PairSearch& search, double ahead);
 
-/// Finds the pairs of the bodies that have left their fat AABBs, or all pairs when they are stale. Whether the table
-/// has to change. It does not yet: `dropped` has the pairs whose contacts are to be forgotten before.
+/// Finds the pairs of the bodies that have left their fat AABBs, or all pairs when the pairs are stale. Returns whether
+/// the table has to change. The table does not change yet: first the contacts of the `dropped` pairs have to be freed.
 bool findPairs(const PairStage& stage, const IterationStep& step);
 
 /// Changes the table, which stays sorted and unique; pairs that remain keep what is known of their contacts. Those

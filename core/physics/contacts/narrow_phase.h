@@ -10,7 +10,8 @@ namespace spacetow {
 /// that will bounce are marked to be swept instead.
 void findContacts(const ContactStage& stage, const IterationStep& step);
 
-/// Marks the pairs that touch without force at the end of the iteration: intangible bodies, and such as nothing moves.
+/// Marks the pairs that touch without force at the end of the iteration: those of intangible bodies, and of
+/// two bodies that nothing can move.
 void findOverlaps(const Bodies& bodies, Contacts& contacts);
 
 } // namespace spacetow

@@ -17,7 +17,7 @@ struct SleepStage {
     Events& events;
     StepFlags& flags;
     SleepSearch& search;
-    Scratch& scratch; // which all bodies that no longer move leave
+    Scratch& scratch; // cleared of bodies that no longer move
 
     SleepStage(WorldData& data)
         : bodies(data.bodies), forces(data.forces), contacts(data.contacts), constraints(data.constraints),

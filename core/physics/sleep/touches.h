@@ -31,7 +31,8 @@ void collectTouchedTags(Bodies& bodies, const Contacts& contacts, const Sleep& s
 /// Those of the pairs of sleepers, when these or who sleeps have changed.
 void relistTouchedTags(Bodies& bodies, Sleep& sleep);
 
-/// Ends all touches of a body that is about to leave or to be switched off. No contact has a lane meanwhile.
+/// Ends all touches of a body that is about to leave or to be switched off. To be called while no
+/// contact has a lane.
 void endTouches(const TouchStage& stage, NarrowPhase& narrow, Slot slot, int iteration);
 
 } // namespace spacetow

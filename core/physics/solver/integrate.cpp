@@ -71,8 +71,9 @@ void kick(const ForceStage& stage, const IterationStep& step, Kick kick) {
     applyFields(stage, kickTime(step.substep, kick), step.index);
 }
 
-/// With as much of a sub-step as the connectors have in this kick, and before they look: what hangs at rest they then
-/// find about to fall by what they are to hold, however stiff or damped they are.
+/// The kick of forces that are constant in the iteration. It is as long as that of the connectors and comes first: a
+/// body that hangs at rest is then about to fall by what its connectors have to hold, however stiff or damped these
+/// are.
 void accelerate(Bodies& bodies, Slot slot, double time) {
     bodies.motions[slot].velocity += time * bodies.steps[slot].acceleration;
     bodies.motions[slot].angularVelocity += time * bodies.steps[slot].angularAcceleration;

@@ -19,8 +19,8 @@ void integrateVelocities(const ForceStage& stage, const IterationStep& step);
 /// Undoes integrateVelocities.
 void restoreVelocities(Bodies& bodies);
 
-/// Carries out the motion and the displacements out of overlaps. What a body did not travel of its way in an iteration
-/// of `dt` seconds it was not accelerated on either.
+/// Carries out the motion and the displacements out of overlaps. A body that was stopped on its way, in an iteration
+/// of `dt` seconds, gives back the velocity that the rest of the way would have added.
 void advance(Bodies& bodies, double dt);
 
 /// Switches off bodies whose state is not sound, so that they spoil no others.
