@@ -2,6 +2,8 @@
 
 #include "core/base/contract.h"
 
+#include <new>
+#include <stdexcept>
 #include <utility>
 
 namespace spacetow {
@@ -13,7 +15,12 @@ BackgroundTask::~BackgroundTask() {
 void BackgroundTask::start(Work work) {
     EXPECTS(!isRunning());
     m_thread = std::jthread([this, doWork = std::move(work)](const std::stop_token& stop) {
-        Then then = doWork(stop);
+        Then then = [] {};
+        try {
+            then = doWork(stop);
+        } catch (const std::bad_alloc&) { // there is no result, but there still is a program
+        } catch (const std::length_error&) {
+        }
         {
             const std::lock_guard lock(m_mutex);
             m_then = std::move(then);

@@ -14,7 +14,7 @@ class BackgroundTask : public QObject {
   public:
     using Then = std::function<void()>;
     /// Runs in the other thread and returns what is to be done with its result in this one. It should return early,
-    /// with whatever, when a stop is requested.
+    /// with whatever, when a stop is requested. Where the memory does not do, nothing follows.
     using Work = std::function<Then(const std::stop_token&)>;
 
     explicit BackgroundTask(QObject* parent = nullptr) : QObject(parent) {}

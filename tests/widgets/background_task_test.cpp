@@ -5,6 +5,8 @@
 #include <QThread>
 
 #include <atomic>
+#include <new>
+#include <stdexcept>
 
 using namespace spacetow;
 
@@ -63,6 +65,19 @@ class BackgroundTaskTest : public QObject {
         task.requestStop();
         QTRY_VERIFY(concluded);
         QVERIFY(!task.isRunning());
+    }
+
+    void whatTheMemoryDoesNotHoldEndsTheWorkAndNothingElse() {
+        BackgroundTask task;
+        task.start([](const std::stop_token&) -> BackgroundTask::Then { throw std::bad_alloc(); });
+        QTRY_VERIFY(!task.isRunning());
+        task.start([](const std::stop_token&) -> BackgroundTask::Then { throw std::length_error("too long"); });
+        task.finish();
+        QVERIFY(!task.isRunning());
+        bool concluded = false;
+        task.start([&](const std::stop_token&) -> BackgroundTask::Then { return [&] { concluded = true; }; });
+        task.finish();
+        QVERIFY(concluded);
     }
 
     void whatNobodyWaitsForIsAskedToStop() {
