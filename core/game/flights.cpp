@@ -16,6 +16,19 @@ bool isOfLevel(const std::string& name, const std::string& stem) {
     return name.ends_with(ending) && name.starts_with(stem + '.') && name.size() >= stem.size() + ending.size();
 }
 
+/// There is a level with more of the file's name: cave.2.replay.json is beside cave.2.json rather than cave.json.
+bool isOfAnother(const std::filesystem::path& flight, const std::string& stem) {
+    std::string name = flight.filename().string();
+    name.resize(name.size() - ending.size());
+    for (; name.size() > stem.size(); name.resize(name.rfind('.'))) {
+        std::error_code error;
+        if (std::filesystem::exists(flight.parent_path() / (name + ".json"), error)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool isSamePlace(const std::optional<Vec2>& a, const std::optional<Vec2>& b) {
     constexpr double near = 1e-3; // m; less is nothing to speak of
     return a.has_value() == b.has_value() && (!a || (*a - *b).norm() <= near);
@@ -29,7 +42,8 @@ std::vector<StoredFlight> flightsBeside(const std::filesystem::path& level) {
     const std::filesystem::path folder = level.has_parent_path() ? level.parent_path() : std::filesystem::path(".");
     for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error)) {
-        if (isOfLevel(entry->path().filename().string(), level.stem().string())) {
+        const std::string stem = level.stem().string();
+        if (isOfLevel(entry->path().filename().string(), stem) && !isOfAnother(entry->path(), stem)) {
             Result<Replay> replay = readReplay(entry->path());
             flights.push_back({entry->path(), replay ? std::make_shared<const Replay>(std::move(replay).value())
                                                      : std::shared_ptr<const Replay>()});

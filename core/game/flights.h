@@ -1,6 +1,6 @@
 #pragma once
 // The flights that are stored beside a level, and what becomes of each in the level as it is now. Beside cave.json they
-// are cave.replay.json and cave.NAME.replay.json.
+// are cave.replay.json and cave.NAME.replay.json, unless these are beside a level cave.NAME.json.
 
 #include "core/game/replay.h"
 

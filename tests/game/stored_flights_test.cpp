@@ -148,6 +148,12 @@ class StoredFlightsTest : public QObject {
         QCOMPARE(found[0].path.filename().string(), std::string("cave.broken.replay.json"));
         QVERIFY(found[0].replay == nullptr && found[1].replay != nullptr && found[2].replay != nullptr);
         QVERIFY(flightsBeside(place / "nowhere" / "cave.json").empty());
+        QVERIFY(!writeReplay(place / "cave.2.replay.json", haulFlight()));
+        QVERIFY(!writeReplay(place / "cave.2.slow.replay.json", haulFlight()));
+        QCOMPARE(flightsBeside(place / "cave.json").size(), std::size_t(5));
+        std::ofstream(place / "cave.2.json") << "{}";
+        QCOMPARE(flightsBeside(place / "cave.json").size(), std::size_t(3));
+        QCOMPARE(flightsBeside(place / "cave.2.json").size(), std::size_t(2));
     }
 };
 
