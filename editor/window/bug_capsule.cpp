@@ -105,6 +105,8 @@ void BugCapsule::open(std::string text) {
     if (isBusy()) {
         return;
     }
+    m_window.messageBar().say(MessageBar::Tone::Info,
+                              CapsuleWords::tr("The run of the bug capsule is being simulated up to its moment…"));
     m_task.start([this, text = std::move(text)](const std::stop_token& stop) -> BackgroundTask::Then {
         Result<Capsule> read = capsuleFromText(text);
         if (!read) {
@@ -131,6 +133,7 @@ MainWindow* BugCapsule::windowFor(const Capsule& capsule) {
 }
 
 void BugCapsule::opened(const std::shared_ptr<const Capsule>& capsule, const Opening& opening) {
+    m_window.messageBar().dismiss();
     MainWindow* const place = windowFor(*capsule);
     if (place == nullptr) {
         return;

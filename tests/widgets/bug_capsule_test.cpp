@@ -209,6 +209,17 @@ class BugCapsuleTest : public QObject {
         QVERIFY(test.window->isPlaying());
     }
 
+    void whileItsRunIsSimulatedTheWindowSaysSo() {
+        ReportedRun from;
+        const QString text = from.copied();
+        TestWindow to;
+        to.window->bugCapsule().open(text.toStdString());
+        QVERIFY(to.window->messageBar().text().contains("simulated"));
+        to.window->bugCapsule().finish();
+        QVERIFY(to.window->isPlaying());
+        QVERIFY2(to.window->messageBar().text().isEmpty(), qPrintable(to.window->messageBar().text()));
+    }
+
     void whatIsNotSavedIsNotLostByIt() {
         ReportedRun run;
         QTRY_VERIFY(run.shown() > 2);
