@@ -67,6 +67,9 @@ class RunChangesTest : public QObject {
         desk.changes.end();
         QVERIFY(!desk.changes.areWaiting());
         QCOMPARE(desk.document.historySize(), 0);
+        desk.changes.keepAll(); // as when the window is closed
+        desk.changes.keepTicked();
+        QCOMPARE(desk.document.historySize(), 0);
     }
 
     void onStopTheLevelIsAsBeforeAndTheChangesWait() {
