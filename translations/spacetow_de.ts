@@ -1538,6 +1538,10 @@
         <source>The run comes out otherwise here than where the bug capsule was made, with %1 on %2.</source>
         <translation>Der Lauf verläuft hier anders als dort, wo die Fehlerkapsel entstand, mit %1 auf %2.</translation>
     </message>
+    <message>
+        <source>The run of the bug capsule is being simulated up to its moment…</source>
+        <translation>Der Lauf der Fehlerkapsel wird bis zu seinem Augenblick simuliert …</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -5480,7 +5484,10 @@
     </message>
     <message numerus="yes">
         <source>Keep %n changes</source>
-        <translation><numerusform>%n Änderung behalten</numerusform><numerusform>%n Änderungen behalten</numerusform></translation>
+        <translation>
+            <numerusform>%n Änderung behalten</numerusform>
+            <numerusform>%n Änderungen behalten</numerusform>
+        </translation>
     </message>
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>

@@ -250,9 +250,9 @@
     </message>
     <message numerus="yes">
         <source>Keep %n changes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Keep %n change</numerusform>
+            <numerusform>Keep %n changes</numerusform>
         </translation>
     </message>
 </context>

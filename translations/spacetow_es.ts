@@ -1538,6 +1538,10 @@
         <source>The run comes out otherwise here than where the bug capsule was made, with %1 on %2.</source>
         <translation>La ejecución resulta aquí distinta de la de donde se creó la cápsula de error, con %1 en %2.</translation>
     </message>
+    <message>
+        <source>The run of the bug capsule is being simulated up to its moment…</source>
+        <translation>La ejecución de la cápsula de error se simula hasta su momento…</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -5480,7 +5484,10 @@
     </message>
     <message numerus="yes">
         <source>Keep %n changes</source>
-        <translation><numerusform>Conservar %n cambio</numerusform><numerusform>Conservar %n cambios</numerusform></translation>
+        <translation>
+            <numerusform>Conservar %n cambio</numerusform>
+            <numerusform>Conservar %n cambios</numerusform>
+        </translation>
     </message>
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>

@@ -1538,6 +1538,10 @@
         <source>The run comes out otherwise here than where the bug capsule was made, with %1 on %2.</source>
         <translation>L’exécution se déroule ici autrement que là où la capsule de bogue a été créée, avec %1 sous %2.</translation>
     </message>
+    <message>
+        <source>The run of the bug capsule is being simulated up to its moment…</source>
+        <translation>L’exécution de la capsule de bogue est simulée jusqu’à son instant…</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -5480,7 +5484,10 @@
     </message>
     <message numerus="yes">
         <source>Keep %n changes</source>
-        <translation><numerusform>Garder %n modification</numerusform><numerusform>Garder %n modifications</numerusform></translation>
+        <translation>
+            <numerusform>Garder %n modification</numerusform>
+            <numerusform>Garder %n modifications</numerusform>
+        </translation>
     </message>
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>

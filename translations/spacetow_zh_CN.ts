@@ -1538,6 +1538,10 @@
         <source>The run comes out otherwise here than where the bug capsule was made, with %1 on %2.</source>
         <translation>此处的运行结果与创建错误胶囊时（%2 上的 %1）不同。</translation>
     </message>
+    <message>
+        <source>The run of the bug capsule is being simulated up to its moment…</source>
+        <translation>正在将错误胶囊的运行模拟到其时刻…</translation>
+    </message>
 </context>
 <context>
     <name>Compare</name>
@@ -5445,7 +5449,9 @@
     </message>
     <message numerus="yes">
         <source>Keep %n changes</source>
-        <translation><numerusform>保留 %n 处更改</numerusform></translation>
+        <translation>
+            <numerusform>保留 %n 处更改</numerusform>
+        </translation>
     </message>
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
