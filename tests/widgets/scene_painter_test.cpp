@@ -2,7 +2,6 @@
 
 #include "core/level/edits.h"
 #include "editor/canvas/body_painter.h"
-#include "editor/canvas/disc_stamps.h"
 #include "editor/canvas/grid_painter.h"
 #include "editor/canvas/overlay_painter.h"
 #include "tests/support/board.h"
@@ -77,60 +76,12 @@ Level mixedLevel() {
     return level;
 }
 
-/// Balls of two sizes in places of all kinds.
-Snapshot crowdOfDiscs(int count) {
-    Snapshot crowd;
-    for (int i = 0; i < count; ++i) {
-        const auto look =
-            std::make_shared<const BodyLook>(BodyLook{.id = static_cast<std::uint64_t>(i) + 1,
-                                                      .key = static_cast<Key>(i + 1),
-                                                      .role = BodyRole::Object,
-                                                      .kind = i % 5 == 0 ? BodyKind::Kinematic : BodyKind::Dynamic,
-                                                      .tangible = i % 7 != 0,
-                                                      .tags = 0,
-                                                      .shapes = {Circle{{0, 0}, i % 3 == 0 ? 0.13 : 0.2}}});
-        const double row = i / 20; // NOLINT(bugprone-integer-division)
-        crowd.bodies.push_back(
-            {look, {Vec2(-4.5 + 0.457 * (i % 20), -4.5 + 0.463 * row), Rot::fromAngle(0.1 * i)}, {0, 0}, 0});
-    }
-    return crowd;
-}
-
 } // namespace
 
 class ScenePainterTest : public QObject {
     Q_OBJECT
 
   private slots:
-    void aCrowdOfDiscsIsStampedAndLooksAsIfEachWerePainted() {
-        const Snapshot crowd = crowdOfDiscs(400);
-        DiscStamps stamps;
-        for (const double scale : {20.0, 37.0}) {
-            Viewport view = sceneView();
-            view.scale = scale;
-            const QImage each = paintedScene(view, [&](const Stage& stage) { paintMoving(stage, crowd); });
-            const QImage stamped = paintedScene(view, [&](const Stage& stage) { paintMoving(stage, crowd, &stamps); });
-            QVERIFY(each != stamped);
-            double sum = 0;
-            for (int y = 0; y < each.height(); ++y) {
-                for (int x = 0; x < each.width(); ++x) {
-                    const QColor a = each.pixelColor(x, y), b = stamped.pixelColor(x, y);
-                    sum += std::abs(a.lightness() - b.lightness());
-                }
-            }
-            const double mean = sum / (each.width() * each.height());
-            QVERIFY2(mean < 3, qPrintable(QString::number(mean)));
-        }
-        QVERIFY(stamps.size() > 10 &&
-                stamps.size() <= 2 * 2 * 2 * 16 * 2); // sizes, kinds, tangible or not, places, scales
-    }
-    void aFewDiscsArePaintedEach() {
-        const Snapshot few = crowdOfDiscs(40);
-        DiscStamps stamps;
-        const QImage each = paintedScene(sceneView(), [&](const Stage& stage) { paintMoving(stage, few); });
-        QCOMPARE(paintedScene(sceneView(), [&](const Stage& stage) { paintMoving(stage, few, &stamps); }), each);
-        QCOMPARE(stamps.size(), std::size_t(0));
-    }
     void theSolidSideOfAWallIsMarked_data() {
         QTest::addColumn<double>("depth");
         QTest::addColumn<double>("behind"); // m, where the band must be seen
