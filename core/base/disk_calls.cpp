@@ -114,9 +114,9 @@ Descriptor::~Descriptor() {
     }
 }
 
-int openAt(Descriptor& out, const Descriptor& folder, const std::string& name, int flags, mode_t mode) {
-    return codeOf((flags & O_CREAT) != 0 ? "create" : "open", [&] {
-        out = Descriptor(::openat(folder.number(), name.c_str(), flags | O_CLOEXEC, mode));
+int openAt(Descriptor& out, const Descriptor& folder, const std::string& name, const OpenMode& mode) {
+    return codeOf((mode.flags & O_CREAT) != 0 ? "create" : "open", [&] {
+        out = Descriptor(::openat(folder.number(), name.c_str(), mode.flags | O_CLOEXEC, mode.permissions));
         return out.number();
     });
 }

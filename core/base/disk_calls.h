@@ -34,8 +34,14 @@ class Descriptor {
     int m_number;
 };
 
+/// As of open(2); permissions are those of a file that is created.
+struct OpenMode {
+    int flags = 0;
+    mode_t permissions = 0;
+};
+
 /// Relative to the folder; closed on exec.
-int openAt(Descriptor& out, const Descriptor& folder, const std::string& name, int flags, mode_t mode = 0);
+int openAt(Descriptor& out, const Descriptor& folder, const std::string& name, const OpenMode& mode);
 int writeAll(const Descriptor& file, std::string_view text, off_t at);
 /// For what has no places: pipes and devices.
 int writeOn(const Descriptor& stream, std::string_view text);

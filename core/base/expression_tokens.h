@@ -18,6 +18,6 @@ struct Token {
 };
 
 /// The last one is the end.
-Result<std::vector<Token>> expressionTokens(std::string_view text);
+Result<std::vector<Token>> expressionTokens(std::string_view typed);
 
 } // namespace spacetow

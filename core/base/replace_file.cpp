@@ -124,7 +124,7 @@ class Replacement {
         }
         if (m_exists && !inPlace) {
             Descriptor old;
-            inPlace = openAt(old, m_folder, m_name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK) != 0 ||
+            inPlace = openAt(old, m_folder, m_name, {O_RDONLY | O_NOFOLLOW | O_NONBLOCK}) != 0 ||
                       keepAttributes(file, old, m_info) != 0;
         }
         int code = writeAll(file, m_text, 0);
@@ -148,7 +148,7 @@ class Replacement {
         for (int i = 0; i < attempts && code == EEXIST; ++i) {
             const std::string name =
                 m_beside + std::to_string(::getpid()) + '-' + std::to_string(++count) + std::string(temporaryEnd);
-            code = openAt(file, m_folder, name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, mode);
+            code = openAt(file, m_folder, name, {O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, mode});
             if (code != 0) {
                 continue;
             }
@@ -179,14 +179,14 @@ class Replacement {
 
     void writeInPlace() {
         Descriptor file;
-        if (const int code = openAt(file, m_folder, m_name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK); code != 0) {
+        if (const int code = openAt(file, m_folder, m_name, {O_WRONLY | O_NOFOLLOW | O_NONBLOCK}); code != 0) {
             fail(Step::File, code);
             return;
         }
         std::string old;
         Descriptor reader;
         constexpr std::size_t most = 1u << 30u;
-        const bool known = openAt(reader, m_folder, m_name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK) == 0 &&
+        const bool known = openAt(reader, m_folder, m_name, {O_RDONLY | O_NOFOLLOW | O_NONBLOCK}) == 0 &&
                            readAll(old, reader, most) == 0 && old.size() <= most;
         // Room is made before anything is touched.
         int code = reserve(file, static_cast<off_t>(m_text.size()));
@@ -217,7 +217,7 @@ class Replacement {
             }
             Descriptor file;
             struct stat info {};
-            if (openAt(file, m_folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK) == 0 &&
+            if (openAt(file, m_folder, name, {O_RDONLY | O_NOFOLLOW | O_NONBLOCK}) == 0 &&
                 ::fstat(file.number(), &info) == 0 && S_ISREG(info.st_mode) && info.st_uid == ::geteuid() &&
                 info.st_nlink == 1 && locked(file, LOCK_NB)) {
                 removeAt(m_folder, name);

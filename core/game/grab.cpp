@@ -17,9 +17,16 @@ Vec2 solved(double xx, double xy, double yy, const Vec2& v) {
     return {(yy * v.x() - xy * v.y()) / determinant, (xx * v.y() - xy * v.x()) / determinant};
 }
 
-/// m/s², from the velocity of the anchor and its way from the target.
-Vec2 springAcceleration(const BodyState& state, const Vec2& lever, const Vec2& velocity, const Vec2& stretch,
-                        double h) {
+/// Where the spring is fixed to the body: in m and m/s, lever from the centre of mass, stretch from the target.
+struct Anchor {
+    Vec2 lever;
+    Vec2 velocity;
+    Vec2 stretch;
+};
+
+/// m/s²; h is one update, in s.
+Vec2 springAcceleration(const BodyState& state, const Anchor& anchor, double h) {
+    const Vec2& lever = anchor.lever;
     constexpr double omega = 2 * std::numbers::pi * grab::frequency;
     const double softness = 1 / (h * (2 * grab::dampingRatio * omega + h * omega * omega));
     const double linear = (state.positionFrozen ? 0 : 1) + softness;
@@ -27,7 +34,7 @@ Vec2 springAcceleration(const BodyState& state, const Vec2& lever, const Vec2& v
     const double xx = linear + turning * lever.y() * lever.y();
     const double xy = -turning * lever.x() * lever.y();
     const double yy = linear + turning * lever.x() * lever.x();
-    const Vec2 wanted = velocity + h * omega * omega * softness * stretch;
+    const Vec2 wanted = anchor.velocity + h * omega * omega * softness * anchor.stretch;
     return solved(xx, xy, yy, wanted) / -h;
 }
 
@@ -50,7 +57,7 @@ std::optional<GrabForce> pull(World& world, BodyId body, const Grab& grab) {
     const Vec2 velocity = state.velocity + turning + h * gravity;
     const Vec2 stretch = withinLength(anchor - grab.target, grab::longest);
     const double strongest = grab::strength + std::sqrt(state.velocity.squaredNorm()) / (4 * h);
-    const Vec2 acceleration = withinLength(springAcceleration(state, lever, velocity, stretch, h), strongest);
+    const Vec2 acceleration = withinLength(springAcceleration(state, {lever, velocity, stretch}, h), strongest);
     const Vec2 force = state.mass * acceleration;
     const double torque = -state.inertia * state.angularVelocity * grab::turnDamping / (1 + h * grab::turnDamping);
     if (!isFinite(force) || !std::isfinite(torque) || !world.applyForceAt(body, force, anchor)) {

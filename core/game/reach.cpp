@@ -192,7 +192,7 @@ class Fan {
             const std::size_t next = (i + 1) % directions;
             const Vec2 a = m_normal[i], b = m_normal[next];
             const Vec2 corner((far[i] * b.y() - far[next] * a.y()) / sine, (far[next] * a.x() - far[i] * b.x()) / sine);
-            corners.push_back(m_flyer.position + corner);
+            corners.emplace_back(m_flyer.position + corner);
         }
         return corners;
     }

@@ -185,7 +185,7 @@ void Runner::beginAnew() {
     showAgain();
 }
 
-void Runner::setGrab(std::optional<Grab> grab) {
+void Runner::setGrab(const std::optional<Grab>& grab) {
     command([this, grab] { m_grab = grab; });
 }
 

@@ -80,7 +80,7 @@ class Runner {
     /// The object that somebody looks at, 0 for none: see Timeline::setFocus.
     void setFocus(Key object);
     /// What the mouse holds from the next update on; none lets go.
-    void setGrab(std::optional<Grab> grab);
+    void setGrab(const std::optional<Grab>& grab);
     /// So many times as fast as the clock, within `slowest` … `fastest`.
     void setSpeed(double speed);
     static constexpr double slowest = 1.0 / 16, fastest = 8;
