@@ -1,6 +1,7 @@
 #include "core/game/timeline.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spacetow {
 namespace {
@@ -81,7 +82,7 @@ void Timeline::save(const Session& session) {
 
 /// One saved session stays from before the time that can be gone back.
 void Timeline::forgetOld() {
-    const auto window = static_cast<std::int64_t>(m_limits.seconds / m_updateSeconds + 0.5);
+    const std::int64_t window = std::llround(m_limits.seconds / m_updateSeconds);
     const std::int64_t before = first();
     while (m_saved.size() > 1 && m_saved[1].update <= m_last - window) {
         m_saved.pop_front();

@@ -306,7 +306,7 @@ Manifold frontManifold(const Pair& pair) {
     if (choice.face >= 0 && clearlyAbove(choice.separation, above)) {
         return underFaceManifold(pair, *choice.end, choice.face);
     }
-    const Manifold manifold = faceManifold(pair);
+    Manifold manifold = faceManifold(pair);
     if (manifold.count > 0) {
         return manifold;
     }
