@@ -1617,7 +1617,7 @@
         <translation>Merkmal „%1“: umbenannt in „%2“</translation>
     </message>
     <message>
-        <source>Tag “%1”: colour %2 → %3</source>
+        <source>Tag “%1”: color %2 → %3</source>
         <translation>Merkmal „%1“: Farbe %2 → %3</translation>
     </message>
     <message>
@@ -1751,7 +1751,7 @@
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>Together</source>
+        <source>Total</source>
         <translation>Zusammen</translation>
     </message>
     <message>
@@ -1839,7 +1839,7 @@
         <translation>Alle Körper</translation>
     </message>
     <message>
-        <source>Energy together</source>
+        <source>Total energy</source>
         <translation>Gesamtenergie</translation>
     </message>
 </context>
@@ -2506,7 +2506,7 @@
         <translation>Reibungszahl: Kraft entlang einer Fläche je Kraft auf sie</translation>
     </message>
     <message>
-        <source>Of the centre of mass at the start</source>
+        <source>Of the center of mass at the start</source>
         <translation>Des Schwerpunkts beim Start</translation>
     </message>
     <message>
@@ -3370,7 +3370,7 @@
         <translation>Radius %1 m · Klick oder Loslassen: fertig · Strg: Einrasten aus/ein · Esc: abbrechen</translation>
     </message>
     <message>
-        <source>A circle needs a radius: move away from the centre before you click</source>
+        <source>A circle needs a radius: move away from the center before you click</source>
         <translation>Ein Kreis braucht einen Radius: vor dem Klick vom Mittelpunkt wegbewegen</translation>
     </message>
     <message>
@@ -3694,7 +3694,7 @@
         <translation>Ein Merkmal kann nicht „%1“ heißen: So wird ein Merkmal ohne Namen geschrieben.</translation>
     </message>
     <message>
-        <source>“%1” must be a colour such as &quot;#4cc9f0&quot;, not %2.</source>
+        <source>“%1” must be a color such as &quot;#4cc9f0&quot;, not %2.</source>
         <translation>„%1“ muss eine Farbe wie &quot;#4cc9f0&quot; sein, nicht %2.</translation>
     </message>
     <message>
@@ -4433,7 +4433,7 @@
         <translation>„%1“ ist zu klein: Eine Größe muss mehr als nichts sein</translation>
     </message>
     <message>
-        <source>Circle · drag from the centre, or click it and then click or type the radius · Ctrl: snap off/on</source>
+        <source>Circle · drag from the center, or click it and then click or type the radius · Ctrl: snap off/on</source>
         <translation>Kreis · von der Mitte aus ziehen oder sie anklicken und dann den Radius anklicken oder eingeben · Strg: Einrasten aus/ein</translation>
     </message>
     <message>
@@ -7210,7 +7210,7 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
         <translation>Zeiten der letzten Zeitschritte</translation>
     </message>
     <message>
-        <source>The last updates, newest at the right; the colours are those of the stages below</source>
+        <source>The last updates, newest at the right; the colors are those of the stages below</source>
         <translation>Die letzten Zeitschritte, der neueste rechts; die Farben sind die der Abschnitte unten</translation>
     </message>
     <message>
@@ -7245,7 +7245,7 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
         <translation>Zeiten und Zähler</translation>
     </message>
     <message>
-        <source>Together</source>
+        <source>Total</source>
         <translation>Zusammen</translation>
     </message>
 </context>

@@ -1617,7 +1617,7 @@
         <translation>Etiqueta «%1»: renombrada a «%2»</translation>
     </message>
     <message>
-        <source>Tag “%1”: colour %2 → %3</source>
+        <source>Tag “%1”: color %2 → %3</source>
         <translation>Etiqueta «%1»: color %2 → %3</translation>
     </message>
     <message>
@@ -1751,7 +1751,7 @@
         <translation>Amortiguación</translation>
     </message>
     <message>
-        <source>Together</source>
+        <source>Total</source>
         <translation>Total</translation>
     </message>
     <message>
@@ -1839,7 +1839,7 @@
         <translation>Todos los cuerpos</translation>
     </message>
     <message>
-        <source>Energy together</source>
+        <source>Total energy</source>
         <translation>Energía total</translation>
     </message>
 </context>
@@ -2390,7 +2390,7 @@
         <translation>Velocidad</translation>
     </message>
     <message>
-        <source>Of the centre of mass at the start</source>
+        <source>Of the center of mass at the start</source>
         <translation>Del centro de masa al principio</translation>
     </message>
     <message>
@@ -3722,7 +3722,7 @@
         <translation>«%1» es demasiado pequeño: un tamaño debe ser mayor que cero</translation>
     </message>
     <message>
-        <source>Circle · drag from the centre, or click it and then click or type the radius · Ctrl: snap off/on</source>
+        <source>Circle · drag from the center, or click it and then click or type the radius · Ctrl: snap off/on</source>
         <translation>Círculo · arrastre desde el centro, o haga clic en él y después haga clic o escriba el radio · Ctrl: ajuste no/sí</translation>
     </message>
     <message>
@@ -3730,7 +3730,7 @@
         <translation>Radio %1 m · clic o soltar: listo · Ctrl: ajuste no/sí · Esc: cancelar</translation>
     </message>
     <message>
-        <source>A circle needs a radius: move away from the centre before you click</source>
+        <source>A circle needs a radius: move away from the center before you click</source>
         <translation>Un círculo necesita un radio: aléjese del centro antes de hacer clic</translation>
     </message>
     <message>
@@ -4796,7 +4796,7 @@
         <translation>Una etiqueta no puede llamarse «%1»: así se escribe una etiqueta sin nombre.</translation>
     </message>
     <message>
-        <source>“%1” must be a colour such as &quot;#4cc9f0&quot;, not %2.</source>
+        <source>“%1” must be a color such as &quot;#4cc9f0&quot;, not %2.</source>
         <translation>«%1» debe ser un color como &quot;#4cc9f0&quot;, no %2.</translation>
     </message>
     <message>
@@ -7210,7 +7210,7 @@ La lista muestra primero lo que se dibuja encima.</translation>
         <translation>Tiempos de las últimas actualizaciones</translation>
     </message>
     <message>
-        <source>The last updates, newest at the right; the colours are those of the stages below</source>
+        <source>The last updates, newest at the right; the colors are those of the stages below</source>
         <translation>Las últimas actualizaciones, la más nueva a la derecha; los colores son los de las etapas de abajo</translation>
     </message>
     <message>
@@ -7245,7 +7245,7 @@ La lista muestra primero lo que se dibuja encima.</translation>
         <translation>Tiempos y contadores</translation>
     </message>
     <message>
-        <source>Together</source>
+        <source>Total</source>
         <translation>Total</translation>
     </message>
 </context>

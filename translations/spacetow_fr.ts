@@ -1617,7 +1617,7 @@
         <translation>Étiquette «&#xa0;%1&#xa0;»&#xa0;: renommée en «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
-        <source>Tag “%1”: colour %2 → %3</source>
+        <source>Tag “%1”: color %2 → %3</source>
         <translation>Étiquette «&#xa0;%1&#xa0;»&#xa0;: couleur %2 → %3</translation>
     </message>
     <message>
@@ -1751,7 +1751,7 @@
         <translation>Amortissement</translation>
     </message>
     <message>
-        <source>Together</source>
+        <source>Total</source>
         <translation>Total</translation>
     </message>
     <message>
@@ -1839,7 +1839,7 @@
         <translation>Tous les corps</translation>
     </message>
     <message>
-        <source>Energy together</source>
+        <source>Total energy</source>
         <translation>Énergie totale</translation>
     </message>
 </context>
@@ -2390,7 +2390,7 @@
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>Of the centre of mass at the start</source>
+        <source>Of the center of mass at the start</source>
         <translation>Du centre de masse au départ</translation>
     </message>
     <message>
@@ -3722,7 +3722,7 @@
         <translation>«&#xa0;%1&#xa0;» est trop petit&#xa0;: une taille doit être plus que rien</translation>
     </message>
     <message>
-        <source>Circle · drag from the centre, or click it and then click or type the radius · Ctrl: snap off/on</source>
+        <source>Circle · drag from the center, or click it and then click or type the radius · Ctrl: snap off/on</source>
         <translation>Cercle · glisser depuis le centre, ou le cliquer puis cliquer ou saisir le rayon · Ctrl&#xa0;: aimant non/oui</translation>
     </message>
     <message>
@@ -3730,7 +3730,7 @@
         <translation>Rayon %1 m · clic ou relâcher&#xa0;: fini · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
-        <source>A circle needs a radius: move away from the centre before you click</source>
+        <source>A circle needs a radius: move away from the center before you click</source>
         <translation>Un cercle demande un rayon&#xa0;: éloignez-vous du centre avant de cliquer</translation>
     </message>
     <message>
@@ -4796,7 +4796,7 @@
         <translation>Une étiquette ne peut se nommer «&#xa0;%1&#xa0;»&#xa0;: c’est ainsi que s’écrit une étiquette sans nom.</translation>
     </message>
     <message>
-        <source>“%1” must be a colour such as &quot;#4cc9f0&quot;, not %2.</source>
+        <source>“%1” must be a color such as &quot;#4cc9f0&quot;, not %2.</source>
         <translation>«&#xa0;%1&#xa0;» doit être une couleur comme &quot;#4cc9f0&quot;, pas %2.</translation>
     </message>
     <message>
@@ -7210,7 +7210,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
         <translation>Temps des derniers pas</translation>
     </message>
     <message>
-        <source>The last updates, newest at the right; the colours are those of the stages below</source>
+        <source>The last updates, newest at the right; the colors are those of the stages below</source>
         <translation>Les derniers pas, le plus récent à droite&#xa0;; les couleurs sont celles des étapes ci-dessous</translation>
     </message>
     <message>
@@ -7245,7 +7245,7 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
         <translation>Temps et compteurs</translation>
     </message>
     <message>
-        <source>Together</source>
+        <source>Total</source>
         <translation>Total</translation>
     </message>
 </context>

@@ -1617,7 +1617,7 @@
         <translation>标签“%1”：已重命名为“%2”</translation>
     </message>
     <message>
-        <source>Tag “%1”: colour %2 → %3</source>
+        <source>Tag “%1”: color %2 → %3</source>
         <translation>标签“%1”：颜色 %2 → %3</translation>
     </message>
     <message>
@@ -1751,7 +1751,7 @@
         <translation>阻尼</translation>
     </message>
     <message>
-        <source>Together</source>
+        <source>Total</source>
         <translation>合计</translation>
     </message>
     <message>
@@ -1839,7 +1839,7 @@
         <translation>所有物体</translation>
     </message>
     <message>
-        <source>Energy together</source>
+        <source>Total energy</source>
         <translation>总能量</translation>
     </message>
 </context>
@@ -2390,7 +2390,7 @@
         <translation>速度</translation>
     </message>
     <message>
-        <source>Of the centre of mass at the start</source>
+        <source>Of the center of mass at the start</source>
         <translation>质心的初始速度</translation>
     </message>
     <message>
@@ -3722,7 +3722,7 @@
         <translation>“%1”太小：大小必须大于零</translation>
     </message>
     <message>
-        <source>Circle · drag from the centre, or click it and then click or type the radius · Ctrl: snap off/on</source>
+        <source>Circle · drag from the center, or click it and then click or type the radius · Ctrl: snap off/on</source>
         <translation>圆 · 从中心拖动，或单击中心再单击或输入半径 · Ctrl：切换吸附</translation>
     </message>
     <message>
@@ -3730,7 +3730,7 @@
         <translation>半径 %1 m · 单击或松开：完成 · Ctrl：切换吸附 · Esc：取消</translation>
     </message>
     <message>
-        <source>A circle needs a radius: move away from the centre before you click</source>
+        <source>A circle needs a radius: move away from the center before you click</source>
         <translation>圆需要半径：请先离开中心再单击</translation>
     </message>
     <message>
@@ -4762,7 +4762,7 @@
         <translation>标签不能命名为“%1”：这是无名标签的写法。</translation>
     </message>
     <message>
-        <source>“%1” must be a colour such as &quot;#4cc9f0&quot;, not %2.</source>
+        <source>“%1” must be a color such as &quot;#4cc9f0&quot;, not %2.</source>
         <translation>“%1”必须是颜色，例如 &quot;#4cc9f0&quot;，而不是 %2。</translation>
     </message>
     <message>
@@ -7167,7 +7167,7 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
         <translation>最近时间步的耗时</translation>
     </message>
     <message>
-        <source>The last updates, newest at the right; the colours are those of the stages below</source>
+        <source>The last updates, newest at the right; the colors are those of the stages below</source>
         <translation>最近的时间步，最新的在右侧；颜色与下方各阶段对应</translation>
     </message>
     <message>
@@ -7202,7 +7202,7 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
         <translation>耗时和计数</translation>
     </message>
     <message>
-        <source>Together</source>
+        <source>Total</source>
         <translation>合计</translation>
     </message>
 </context>

@@ -69,7 +69,7 @@ ExplainSection forceSection(const Session& session, BodyId body, const BodyForce
     add(QT_TRANSLATE_NOOP("Explain", "Fields"), forces.fields);
     add(QT_TRANSLATE_NOOP("Explain", "Contacts"), forces.contacts);
     add(QT_TRANSLATE_NOOP("Explain", "Damping"), forces.damping);
-    add(QT_TRANSLATE_NOOP("Explain", "Together"), forces.sum());
+    add(QT_TRANSLATE_NOOP("Explain", "Total"), forces.sum());
     return section;
 }
 
@@ -170,7 +170,7 @@ std::vector<ExplainSection> worldSections(const Session& session) {
     add(QT_TRANSLATE_NOOP("Explain", "Kinetic energy"), withUnit(sum.kinetic, "J"));
     add(QT_TRANSLATE_NOOP("Explain", "Potential energy"), withUnit(sum.potential, "J"));
     add(QT_TRANSLATE_NOOP("Explain", "Elastic energy"), withUnit(sum.elastic, "J"));
-    add(QT_TRANSLATE_NOOP("Explain", "Energy together"), withUnit(sum.energy(), "J"));
+    add(QT_TRANSLATE_NOOP("Explain", "Total energy"), withUnit(sum.energy(), "J"));
     add(QT_TRANSLATE_NOOP("Explain", "Momentum"), vectorText(sum.momentum, QStringLiteral("kg m/s")));
     add(QT_TRANSLATE_NOOP("Explain", "Angular momentum"), withUnit(sum.angularMomentum, "kg m²/s"));
     return {energy};

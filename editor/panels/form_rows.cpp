@@ -57,7 +57,7 @@ constexpr std::array rowsOfObjects{
     FormRow{matter, QT_TRANSLATE_NOOP("Inspector", "Density"), "density", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Counts while no mass is given; a metre of wall weighs 1 kg times the density"), 0.1},
     FormRow{matter, QT_TRANSLATE_NOOP("Inspector", "Restitution"), "restitution", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Share of the speed that is left after a bounce"), 0.05},
     FormRow{matter, QT_TRANSLATE_NOOP("Inspector", "Friction"), "friction", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Coefficient of friction: force along a surface per force on it"), 0.05},
-    FormRow{motion, QT_TRANSLATE_NOOP("Inspector", "Velocity"), "velocity.x", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Of the centre of mass at the start"), 0.1},
+    FormRow{motion, QT_TRANSLATE_NOOP("Inspector", "Velocity"), "velocity.x", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Of the center of mass at the start"), 0.1},
     FormRow{motion, "", "velocity.y", RowKind::Number, "", 0.1},
     FormRow{motion, QT_TRANSLATE_NOOP("Inspector", "Spin"), "angularVelocity", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Turning at the start, anticlockwise"), 5},
     FormRow{motion, QT_TRANSLATE_NOOP("Inspector", "Linear damping"), "linearDamping", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Share of the velocity that is lost each second"), 0.05},

@@ -60,7 +60,7 @@ StepStage stageAt(std::size_t i) {
 
 ProfileChart::ProfileChart(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Times of the last updates"));
-    setToolTip(tr("The last updates, newest at the right; the colours are those of the stages below"));
+    setToolTip(tr("The last updates, newest at the right; the colors are those of the stages below"));
 }
 
 void ProfileChart::setProfile(std::shared_ptr<const StepProfile> profile, double period) {
@@ -146,7 +146,7 @@ void ProfilePanel::fill() {
     for (std::size_t i = 0; i < stepStageCount; ++i) {
         addRow(stageName(stageAt(i)));
     }
-    m_together = addRow(tr("Together"));
+    m_total = addRow(tr("Total"));
     for (const char* name : counterNames) {
         addRow(tr(name));
     }
@@ -187,11 +187,11 @@ void ProfilePanel::showTimes() {
     for (std::size_t i = 0; i < stepStageCount; ++i) {
         show(*m_rows.topLevelItem(static_cast<int>(i)), m_profile ? m_profile->of(stageAt(i)) : StepProfile::Figures{});
     }
-    show(*m_together, m_profile ? m_profile->together() : StepProfile::Figures{});
+    show(*m_total, m_profile ? m_profile->together() : StepProfile::Figures{});
 }
 
 void ProfilePanel::showCounters() {
-    const int first = m_rows.indexOfTopLevelItem(m_together) + 1;
+    const int first = m_rows.indexOfTopLevelItem(m_total) + 1;
     const std::array<int, counterCount> figures =
         m_session ? figuresOf(counters(m_session->world())) : std::array<int, counterCount>{};
     for (int i = 0; i < counterCount; ++i) {

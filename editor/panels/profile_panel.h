@@ -70,7 +70,7 @@ class ProfilePanel : public QWidget {
     QVBoxLayout m_column;
     ProfileChart m_chart;
     QTreeWidget m_rows;
-    QTreeWidgetItem* m_together = nullptr; // owned by the tree
+    QTreeWidgetItem* m_total = nullptr; // owned by the tree
     QTimer m_pause;
     bool m_stale = false;
     std::shared_ptr<const Session> m_session;

@@ -169,7 +169,7 @@ class Speaker {
         }
         return tag.before.name != tag.after.name
                    ? Compared::tr("Tag “%1”: renamed to “%2”").arg(QString::fromStdString(tag.before.name), name)
-                   : Compared::tr("Tag “%1”: colour %2 → %3")
+                   : Compared::tr("Tag “%1”: color %2 → %3")
                          .arg(name, QString::fromStdString(colorText(tag.before.color)),
                               QString::fromStdString(colorText(tag.after.color)));
     }

@@ -147,11 +147,11 @@ constexpr MessageText drawHintTexts[] = {
     {"draw-circle.start",
      QT_TRANSLATE_NOOP(
          "messages",
-         "Circle · drag from the centre, or click it and then click or type the radius · Ctrl: snap off/on")},
+         "Circle · drag from the center, or click it and then click or type the radius · Ctrl: snap off/on")},
     {"draw-circle.radius",
      QT_TRANSLATE_NOOP("messages", "Radius %1 m · click or release: done · Ctrl: snap off/on · Escape: cancel")},
     {"draw-circle.too-small",
-     QT_TRANSLATE_NOOP("messages", "A circle needs a radius: move away from the centre before you click")},
+     QT_TRANSLATE_NOOP("messages", "A circle needs a radius: move away from the center before you click")},
 };
 
 } // namespace

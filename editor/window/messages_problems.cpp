@@ -106,7 +106,7 @@ constexpr MessageText problems[] = {
     {"bad-tag-index", QT_TRANSLATE_NOOP("messages", "“%1” must be a whole number from 0 to 31, not %2.")},
     {"bad-tag-name",
      QT_TRANSLATE_NOOP("messages", "A tag cannot be named “%1”: that is how a tag without a name is written.")},
-    {"bad-color", QT_TRANSLATE_NOOP("messages", "“%1” must be a colour such as \"#4cc9f0\", not %2.")},
+    {"bad-color", QT_TRANSLATE_NOOP("messages", "“%1” must be a color such as \"#4cc9f0\", not %2.")},
     {"more-problems", QT_TRANSLATE_NOOP("messages", "There are %1 more problems, which are not listed.")},
     {"ship-missing",
      QT_TRANSLATE_NOOP("messages",

@@ -123,7 +123,7 @@ class ExplainPanelTest : public QObject {
     void withNothingSelectedItTellsTheTotals() {
         ExplainFixture test(explainedLevel());
         test.run(5);
-        QVERIFY(test.row("All bodies", "Energy together") != nullptr);
+        QVERIFY(test.row("All bodies", "Total energy") != nullptr);
         QCOMPARE(test.panel.explained(), Key(0));
         test.panel.showSession(nullptr);
         test.panel.refresh();
