@@ -1,6 +1,7 @@
 #include "editor/window/panels.h"
 
 #include "editor/window/finder_rows.h"
+#include "editor/window/key_bindings.h"
 #include "editor/window/messages.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
@@ -68,6 +69,16 @@ class PanelsTest : public QObject {
             QVERIFY2(times == 1, row.name);
             QVERIFY2(!dockOf(test, row.name).windowTitle().isEmpty(), row.name);
             QVERIFY2(dockOf(test, row.name).isVisible() == row.shownAtFirst, row.name);
+        }
+    }
+
+    void everyPanelHasAKeyOfItsOwn() {
+        TestWindow test;
+        for (const PanelRow& row : panelRows()) {
+            const QKeySequence key = dockOf(test, row.name).toggleViewAction()->shortcut();
+            QVERIFY2(!key.isEmpty(), row.name);
+            const KeyOwner* owner = KeyBindings().ownerOf(key);
+            QVERIFY2(owner != nullptr && owner->code == codeOf(row), row.name);
         }
     }
 
