@@ -83,15 +83,15 @@ std::int64_t arraySize(const Level& level, std::span<const Key> keys, const Arra
     return static_cast<std::int64_t>(originalsOf(level, keys).size()) * copiesOf(spec);
 }
 
-Level arrayed(Level level, std::span<const Key> keys, const ArraySpec& spec, std::uint64_t seed,
-              std::vector<Key>& copies) {
+Level arrayed(Level level, std::span<const Key> keys, const ArrayPlace& place, std::vector<Key>& copies) {
+    const ArraySpec& spec = place.spec;
     EXPECTS(arraySize(level, keys, spec) <= maxArrayObjects);
     copies.clear();
     const std::vector<Object> originals = originalsOf(level, keys);
     const Aabb box = placedBounds(level, keys);
     const Vec2 middle = box.isEmpty() ? Vec2(0, 0) : box.center();
     const Level before = level;
-    FreshKeys fresh(before, seed);
+    FreshKeys fresh(before, place.seed);
     for (int number = 1; number <= copiesOf(spec); ++number) {
         const Affine map = mapOf(spec, number, middle);
         std::map<Key, Key> copyOf;

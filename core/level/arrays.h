@@ -34,13 +34,17 @@ using ArraySpec = std::variant<LinearArray, RadialArray>;
 
 constexpr int maxArrayObjects = 20'000; // that one array may add
 
+struct ArrayPlace {
+    ArraySpec spec;
+    std::uint64_t seed; // of the keys of the copies
+};
+
 /// How many objects the array would add: none of a ship, a payload and a finish.
 std::int64_t arraySize(const Level& level, std::span<const Key> keys, const ArraySpec& spec);
 
-/// With fresh keys, made from `seed`, groups and connectors as `duplicated` has them, drawn above everything. The keys
+/// With fresh keys, groups and connectors as `duplicated` has them, drawn above everything. The keys
 /// of the copies, without members of groups that are copied, come out in `copies`. The array is no larger than
 /// maxArrayObjects.
-Level arrayed(Level level, std::span<const Key> keys, const ArraySpec& spec, std::uint64_t seed,
-              std::vector<Key>& copies);
+Level arrayed(Level level, std::span<const Key> keys, const ArrayPlace& place, std::vector<Key>& copies);
 
 } // namespace spacetow

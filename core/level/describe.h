@@ -12,7 +12,7 @@ namespace spacetow {
 /// object and each type of shape.
 std::vector<std::string_view> describedParts();
 /// Markdown: | field | meaning | range | default |, a line each, newline at the end. Empty for an unknown part.
-std::string fieldTable(std::string_view part);
+std::string fieldTable(std::string_view name);
 /// JSON Schema, draft 2020-12, newline at the end.
 std::string levelSchemaText();
 

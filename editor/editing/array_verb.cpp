@@ -12,7 +12,7 @@ std::optional<FinishedEdit> arraySelected(const ToolContext& context, const Arra
         return {};
     }
     std::vector<Key> keys;
-    Level level = arrayed(before, selection.keys(), spec, context.seed, keys);
+    Level level = arrayed(before, selection.keys(), {spec, context.seed}, keys);
     const Label label{"array", static_cast<int>(keys.size())};
     keys.insert(keys.end(), selection.keys().begin(), selection.keys().end());
     return FinishedEdit{

@@ -175,16 +175,16 @@ class ArrangeTest : public QObject {
 
     void arraysStandInARowOrRoundACentre() {
         std::vector<Key> copies;
-        const Level row = arrayed(arrangedBoxes(), ArrangeKeys{1, 2}, LinearArray{3, {0, 2}}, 1, copies);
+        const Level row = arrayed(arrangedBoxes(), ArrangeKeys{1, 2}, {LinearArray{3, {0, 2}}, 1}, copies);
         QCOMPARE(copies.size(), std::size_t{6});
         QVERIFY(boxOf(row, copies[4]).min == Vec2(0, 6));
         QVERIFY(boxOf(row, copies[5]).min == Vec2(2, 7));
         const double quarter = std::numbers::pi / 2;
-        const Level ring = arrayed(arrangedBoxes(), ArrangeKeys{1}, RadialArray{3, quarter, {0, 0}, true}, 1, copies);
+        const Level ring = arrayed(arrangedBoxes(), ArrangeKeys{1}, {RadialArray{3, quarter, {0, 0}, true}, 1}, copies);
         QVERIFY((boxOf(ring, copies[1]).min - Vec2(-1, -1)).norm() < 1e-9);
         QVERIFY(std::abs(std::get<BodyObject>(ring.objects.find(copies[0])->data).angle - quarter) < 1e-12);
         const Level upright =
-            arrayed(arrangedBoxes(), ArrangeKeys{1}, RadialArray{1, 2 * quarter, {0, 0}, false}, 1, copies);
+            arrayed(arrangedBoxes(), ArrangeKeys{1}, {RadialArray{1, 2 * quarter, {0, 0}, false}, 1}, copies);
         QVERIFY(boxOf(upright, copies[0]).min == Vec2(-1, -1));
         QVERIFY(std::get<BodyObject>(upright.objects.find(copies[0])->data).angle == 0);
     }
@@ -196,7 +196,7 @@ class ArrangeTest : public QObject {
         connector.b = 2;
         level.objects.append({5, "rope", connector, {}, 9});
         std::vector<Key> copies;
-        const Level row = arrayed(level, ArrangeKeys{9}, LinearArray{2, {0, 2}}, 1, copies);
+        const Level row = arrayed(level, ArrangeKeys{9}, {LinearArray{2, {0, 2}}, 1}, copies);
         QCOMPARE(copies.size(), std::size_t{2});
         QCOMPARE(row.objects.size(), level.objects.size() + 8);
         QCOMPARE(arraySize(level, ArrangeKeys{9}, LinearArray{1'000'000, {0, 2}}), std::int64_t{4'000'000});
@@ -234,8 +234,8 @@ class ArrangeTest : public QObject {
             results.push_back(flipped(level, keys, FlipAxis::Horizontal));
             results.push_back(flipped(level, keys, FlipAxis::Vertical));
             results.push_back(isolated(level, keys));
-            results.push_back(arrayed(level, keys, LinearArray{3, {1, 2}}, seed, copies));
-            results.push_back(arrayed(level, keys, RadialArray{3, 1, {1, 2}, seed % 2 == 0}, seed, copies));
+            results.push_back(arrayed(level, keys, {LinearArray{3, {1, 2}}, seed}, copies));
+            results.push_back(arrayed(level, keys, {RadialArray{3, 1, {1, 2}, seed % 2 == 0}, seed}, copies));
             for (const Level& result : results) {
                 const LevelFile read = parseLevel(levelText(result));
                 QVERIFY2(read.level == result, qPrintable(QString("seed %1").arg(seed)));

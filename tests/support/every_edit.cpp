@@ -153,7 +153,7 @@ Level editsMerged(EditTask& task) {
 Level arrayMade(EditTask& task) {
     const ArraySpec spec = task.chance() ? ArraySpec(LinearArray{1 + task.below(3), task.point()})
                                          : ArraySpec(RadialArray{1 + task.below(3), task.number(), task.point()});
-    return arrayed(task.level, task.keys, spec, task.random.next(), task.copies);
+    return arrayed(task.level, task.keys, {spec, task.random.next()}, task.copies);
 }
 
 /// What somebody else has made of the level.
