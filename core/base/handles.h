@@ -16,7 +16,7 @@ struct Id {
     std::uint32_t generation = 0;
 
     explicit operator bool() const { return index != none; }
-    auto operator<=>(const Id&) const = default;
+    auto operator<=>(const Id&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
 };
 
 } // namespace spacetow

@@ -58,7 +58,7 @@ struct PlotSource {
     Key object = 0; // 0: of all
     PlotQuantity quantity = PlotQuantity::Energy;
 
-    auto operator<=>(const PlotSource&) const = default;
+    auto operator<=>(const PlotSource&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
 };
 
 /// Nothing while the object is not in the world. Drifts are of one moment against another, see PlotHistory.

@@ -277,7 +277,7 @@ Level takenOver(Level level, const Level& other, std::span<const Key> keys) {
     append(behind[0]);
     for (const Object& object : adopted.level.objects) {
         const auto found = instead.find(object.key);
-        objects.append(found == instead.end() ? object : std::move(found->second));
+        objects.append(found == instead.end() ? Object(object) : std::move(found->second));
         if (const auto after = behind.find(object.key); after != behind.end()) {
             append(after->second);
         }

@@ -149,7 +149,9 @@ class Describer {
         range += f.most > 0 ? ", ≤ " + std::to_string(f.most) : "";
         add(f, range + " points [x, y], each " + rangeText(f), std::move(schema), {});
     }
-    void tags(const Field& f, TagMask, TagMask) { add(f, "names of tags", names(), {}, "the tag of index 0"); }
+    void tags(const Field& f, TagMask, TagMask) {
+        add(f, "names of tags", names(), {}).byDefault = "the tag of index 0";
+    }
     void touches(const Field& f, TagMask) {
         JsonText both = JsonText::array();
         both.append(constant("all"));
@@ -191,20 +193,19 @@ class Describer {
         schema.append("items", typed("string"));
         return schema;
     }
-    /// Without words for it, the default is spelled as in the file.
-    void add(const Field& f, std::string range, JsonText schema, std::optional<JsonText> byDefault,
-             std::string words = {}) {
-        Row row{f.name, f.meaning, std::move(range), std::move(words), std::move(schema), false};
+    /// The default is spelled as in the file.
+    Row& add(const Field& f, std::string range, JsonText schema, std::optional<JsonText> byDefault) {
+        Row row{f.name, f.meaning, std::move(range), "", std::move(schema), false};
         row.written = f.presence == Presence::Written;
         if (byDefault && f.presence != Presence::Required) {
             const std::string spelled = byDefault->onOneLine();
             row.byDefault = spelled.front() == '"' ? code(spelled) : spelled;
             row.schema.append("default", std::move(*byDefault));
         }
-        rows.push_back(std::move(row));
+        return rows.emplace_back(std::move(row));
     }
     void addUnset(const Field& f, std::string range, JsonText schema) {
-        add(f, std::move(range), std::move(schema), {}, "none");
+        add(f, std::move(range), std::move(schema), {}).byDefault = "none";
     }
 };
 

@@ -14,7 +14,7 @@ struct ShapeRef {
     Key key = 0;
     int shape = 0;
 
-    auto operator<=>(const ShapeRef&) const = default;
+    auto operator<=>(const ShapeRef&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
 };
 
 /// Which objects are meant, and of which of them only some shapes. Both ascending.

@@ -16,8 +16,6 @@ struct LevelChange {
     /// Places in the list of those that have to be kept with it, ascending: a connector needs the bodies that it holds,
     /// a body the group that it is in. Theirs have to be looked up as well, see `keptTogether`.
     std::vector<int> needs;
-
-    bool operator==(const LevelChange&) const = default;
 };
 
 /// Empty exactly when the levels are equal. What belongs together is one: both coordinates of a point, place and angle,

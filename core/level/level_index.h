@@ -22,7 +22,7 @@ struct SegmentRef {
     int shape = 0;
     int segment = 0;
 
-    auto operator<=>(const SegmentRef&) const = default;
+    auto operator<=>(const SegmentRef&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
 };
 
 /// Likewise for a vertex.
@@ -31,7 +31,7 @@ struct VertexRef {
     int shape = 0;
     int vertex = 0;
 
-    auto operator<=>(const VertexRef&) const = default;
+    auto operator<=>(const VertexRef&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
 };
 
 class LevelIndex {

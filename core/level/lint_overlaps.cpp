@@ -21,7 +21,7 @@ struct SegmentMark {
     int party = 0;                   // what moves together; −1 for all that stands still
     bool oneWay = false;
 
-    auto operator<=>(const SegmentMark&) const = default;
+    auto operator<=>(const SegmentMark&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
 };
 
 struct MarkedSegment {
@@ -29,6 +29,7 @@ struct MarkedSegment {
     int chain = 0;
     int segment = 0;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
     auto operator<=>(const MarkedSegment&) const = default;
 };
 

@@ -16,7 +16,7 @@ struct NodeRef {
     int shape = 0;
     int vertex = 0;
 
-    auto operator<=>(const NodeRef&) const = default;
+    auto operator<=>(const NodeRef&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
 };
 
 /// The nodes of one shape in the order of its vertices.
