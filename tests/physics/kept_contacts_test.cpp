@@ -65,7 +65,8 @@ struct Ride {
     Vec2 carrierFromRider() const { return world.body(carrier).massCenter - world.body(rider).massCenter; }
     /// The same when the manifold between them was made, where there is one: it alone has something below it.
     std::optional<Vec2> whenManifoldWasMade() const {
-        for (const KeptManifold& manifold : world.data().contacts.manifolds) {
+        for (const Contact& contact : world.data().contacts.pool) {
+            const KeptManifold& manifold = contact.manifold;
             if (manifold.tolerance >= 0 && manifold.relative.position.y() < 0) {
                 return manifold.relative.position;
             }

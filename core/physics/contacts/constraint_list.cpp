@@ -71,7 +71,7 @@ void saveAll(Contacts& contacts, const Constraints& constraints, const std::vect
     constexpr std::size_t ahead = 8;
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (i + ahead < list.size()) {
-            prefetch(contacts.pool[keptIn(list[i + ahead])]);
+            prefetch(contacts.pool[keptIn(list[i + ahead])].points);
         }
         saveImpulses(contacts, constraints, list[i]);
     }
@@ -181,22 +181,23 @@ bool matchFeature(Contact& contact, std::uint32_t feature) {
 }
 
 void removeConstraint(Contacts& contacts, Constraints& constraints, std::uint32_t pair) {
-    const Contact& kept = contacts.pool[contacts.table.pairs[pair].contact];
+    const PairKind kind = contacts.table.pairs[pair].kind;
+    const std::uint32_t place = contacts.pool[contacts.table.pairs[pair].contact].constraintIndex;
     contacts.table.flags[pair].inSolver = contacts.table.flags[pair].touching = false;
     contacts.table.bounds[pair].reset();
     ++constraints.constraintChanges;
-    if (kept.manifold == Pair::none) {
-        closeLane(contacts, constraints.circleContacts, constraints.batches.circles, kept.constraintIndex);
+    if (kind != PairKind::General) {
+        closeLane(contacts, constraints.circleContacts, constraints.batches.circles, place);
         return;
     }
-    const GeneralContact& c = constraints.generalContacts[kept.constraintIndex];
+    const GeneralContact& c = constraints.generalContacts[place];
     if (c.mergeable) {
         --constraints.mergeableContacts[c.a];
         const std::uint32_t gone = c.points[0].contact;
         std::erase_if(constraints.mergeCandidates,
                       [&](const auto& both) { return both.first == gone || both.second == gone; });
     }
-    closeLane(contacts, constraints.generalContacts, constraints.batches.general, kept.constraintIndex);
+    closeLane(contacts, constraints.generalContacts, constraints.batches.general, place);
 }
 
 void findMergeCandidates(const Bodies& bodies, Constraints& constraints) {

@@ -4,21 +4,6 @@
 
 namespace spacetow {
 
-namespace {
-
-std::uint32_t newManifold(Contacts& contacts) {
-    if (contacts.freeManifolds.empty()) {
-        contacts.manifolds.emplace_back();
-        return static_cast<std::uint32_t>(contacts.manifolds.size() - 1);
-    }
-    const std::uint32_t index = contacts.freeManifolds.back();
-    contacts.freeManifolds.pop_back();
-    contacts.manifolds[index] = KeptManifold{};
-    return index;
-}
-
-} // namespace
-
 Contact& contactOf(const Bodies& bodies, Contacts& contacts, Pair& pair) {
     if (pair.contact != Pair::none) {
         return contacts.pool[pair.contact];
@@ -34,9 +19,6 @@ Contact& contactOf(const Bodies& bodies, Contacts& contacts, Pair& pair) {
     const BodyRecord& b = bodies.records[pair.bodyB];
     Contact& contact = contacts.pool[pair.contact];
     contact = Contact{};
-    if (pair.kind == PairKind::General) {
-        contact.manifold = newManifold(contacts);
-    }
     contact.friction = std::sqrt(a.friction * b.friction);
     contact.restitution = std::clamp(0.5 * (a.restitution + b.restitution), 0.0, 1.0);
     return contact;
@@ -44,10 +26,6 @@ Contact& contactOf(const Bodies& bodies, Contacts& contacts, Pair& pair) {
 
 void freeContact(Contacts& contacts, NarrowPhase& narrow, Pair& pair) {
     if (pair.contact != Pair::none) {
-        const std::uint32_t manifold = contacts.pool[pair.contact].manifold;
-        if (manifold != Pair::none) {
-            contacts.freeManifolds.push_back(manifold);
-        }
         if (pair.contact < narrow.wholeImpulses.size()) {
             narrow.wholeImpulses[pair.contact] = {};
         }
@@ -66,8 +44,8 @@ void freeContactsOfDropped(const ContactStage& stage) {
 }
 
 void resetManifolds(Contacts& contacts) {
-    for (KeptManifold& manifold : contacts.manifolds) {
-        manifold.tolerance = -1;
+    for (Contact& contact : contacts.pool) {
+        contact.manifold.tolerance = -1;
     }
 }
 

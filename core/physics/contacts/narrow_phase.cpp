@@ -123,7 +123,7 @@ SPACETOW_PREFETCHES void prefetchWall(const BroadPhase& broadPhase, const Pair& 
 }
 
 /// What is known of contacts lies in the order in which they came about, so the processor has to be told early what
-/// will be looked at: first the pair, then its contact, then its manifold.
+/// will be looked at: first the pair, then its contact, of general ones with the manifold.
 SPACETOW_PREFETCHES void prefetchAhead(const Contacts& contacts, const std::vector<std::uint32_t>& candidates,
                                        std::size_t at) {
     constexpr std::size_t ahead = 6;
@@ -131,15 +131,13 @@ SPACETOW_PREFETCHES void prefetchAhead(const Contacts& contacts, const std::vect
     if (at + 3 * ahead < candidates.size()) {
         __builtin_prefetch(&pairs[candidates[at + 3 * ahead]]);
     }
-    const auto contactAt = [&](std::size_t index) {
-        return index < candidates.size() ? pairs[candidates[index]].contact : Pair::none;
-    };
-    if (const std::uint32_t contact = contactAt(at + 2 * ahead); contact != Pair::none) {
-        __builtin_prefetch(&contacts.pool[contact]);
+    if (at + 2 * ahead >= candidates.size()) {
+        return;
     }
-    const std::uint32_t contact = contactAt(at + ahead);
-    if (contact != Pair::none && contacts.pool[contact].manifold != Pair::none) {
-        prefetch(contacts.manifolds[contacts.pool[contact].manifold]);
+    const Pair& pair = pairs[candidates[at + 2 * ahead]];
+    if (pair.contact != Pair::none) {
+        const Contact& contact = contacts.pool[pair.contact];
+        pair.kind == PairKind::General ? prefetch(contact) : __builtin_prefetch(&contact);
     }
 }
 

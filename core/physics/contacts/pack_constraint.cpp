@@ -53,7 +53,7 @@ bool packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, dou
 }
 
 const KeptManifold& manifoldOf(const Contacts& contacts, const ConstraintPoint& point) {
-    return contacts.manifolds[contacts.pool[point.contact].manifold];
+    return contacts.pool[point.contact].manifold;
 }
 
 /// What of kept manifolds is the same for all points.

@@ -93,7 +93,7 @@ Manifold manifoldOf(PairTable& table, std::uint32_t index, const Poses& poses, d
 void makeManifold(const ContactStage& stage, std::uint32_t index, const Poses& poses, double margin) {
     const Pair& pair = stage.contacts.table.pairs[index];
     Contact& contact = stage.contacts.pool[pair.contact];
-    KeptManifold& kept = stage.contacts.manifolds[contact.manifold];
+    KeptManifold& kept = contact.manifold;
     const PlannedMotion& a = stage.bodies.plannedMotions[pair.bodyA];
     const PlannedMotion& b = stage.bodies.plannedMotions[pair.bodyB];
     kept.tolerance =
@@ -160,7 +160,7 @@ bool prepareConstraint(const ContactStage& stage, std::uint32_t index, double pe
     const Transform poseA = stage.bodies.plannedMotions[pair.bodyA].pose();
     const Transform poseB = pair.staticB ? Transform{} : stage.bodies.plannedMotions[pair.bodyB].pose();
     const Contact& contact = stage.contacts.pool[pair.contact];
-    const KeptManifold& kept = stage.contacts.manifolds[contact.manifold];
+    const KeptManifold& kept = contact.manifold;
     Constraint& c = stage.narrow.constraints.emplace_back();
     c.a = pair.bodyA;
     c.b = pair.bodyB;
@@ -199,7 +199,7 @@ double marginOf(const Bodies& bodies, const Pair& pair) {
 /// Makes the manifold anew unless the one that is kept still holds.
 void updateKeptManifold(const ContactStage& stage, std::uint32_t index) {
     const Pair& pair = stage.contacts.table.pairs[index];
-    const KeptManifold& kept = stage.contacts.manifolds[stage.contacts.pool[pair.contact].manifold];
+    const KeptManifold& kept = stage.contacts.pool[pair.contact].manifold;
     const double margin = marginOf(stage.bodies, pair);
     const Poses poses = posesOf(stage.bodies, pair);
     double left = toleranceLeft(kept, poses.relative, stage.bodies.extents[pair.bodyA].outerRadius);
@@ -213,7 +213,7 @@ void updateKeptManifold(const ContactStage& stage, std::uint32_t index) {
 } // namespace
 
 double toleranceLeftOf(const Bodies& bodies, const Contacts& contacts, const Pair& pair) {
-    const KeptManifold& kept = contacts.manifolds[contacts.pool[pair.contact].manifold];
+    const KeptManifold& kept = contacts.pool[pair.contact].manifold;
     return toleranceLeft(kept, posesOf(bodies, pair).relative, bodies.extents[pair.bodyA].outerRadius);
 }
 
@@ -254,7 +254,7 @@ void remakeManifold(const ContactStage& stage, std::uint32_t index, double perSe
         stage.narrow.constraints.pop_back();
     } else {
         removeConstraint(stage.contacts, stage.constraints, index);
-        boundSeparation(stage.bodies, stage.contacts, index, stage.contacts.manifolds[contact.manifold].tolerance);
+        boundSeparation(stage.bodies, stage.contacts, index, contact.manifold.tolerance);
     }
 }
 

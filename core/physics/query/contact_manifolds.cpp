@@ -15,7 +15,7 @@ constexpr double farthest = 1000;
 /// From the manifold that the solver keeps, carried along with both bodies.
 void readKept(const Bodies& bodies, const Contacts& contacts, const Pair& pair, ContactManifold& reading) {
     const Contact& contact = contacts.pool[pair.contact];
-    const KeptManifold& kept = contacts.manifolds[contact.manifold];
+    const KeptManifold& kept = contact.manifold;
     const Transform a = bodies.pose(pair.bodyA);
     const Transform b = bodies.poseOfB(pair);
     reading.normal = (kept.normalOnA ? a : b).rotation * kept.normal;
@@ -57,9 +57,8 @@ void readTable(const WorldData& data, const PairTable& table, const std::optiona
         reading.b = data.bodies.idOf(pair.bodyB);
         reading.touching = table.flags[i].touching;
         reading.tangentImpulse = contact.tangentImpulse;
-        const bool isKept = contact.manifold != Pair::none && data.contacts.manifolds[contact.manifold].tolerance >= 0;
-        isKept ? readKept(data.bodies, data.contacts, pair, reading)
-               : readAnew(data.bodies, data.contacts, pair, reading);
+        contact.manifold.tolerance >= 0 ? readKept(data.bodies, data.contacts, pair, reading)
+                                        : readAnew(data.bodies, data.contacts, pair, reading);
         const auto pushes = [](const ContactManifold::Point& point) { return point.normalImpulse > 0; };
         reading.touching = reading.touching || std::ranges::any_of(reading.points, pushes);
         if (reading.count > 0 && isIn(area, reading)) {

@@ -30,9 +30,9 @@ std::size_t copyBytes(const World& world) {
     constexpr std::size_t places = sizeof(Aabb) + 4 * sizeof(std::uint32_t); // in the tree
     const std::size_t proxies =
         bytesOf(data.broadPhase.proxies) + bytesOf(data.broadPhase.boxes) + data.broadPhase.proxies.size() * places;
-    const std::size_t contacts = bytesOf(data.contacts.pool) + bytesOf(data.contacts.manifolds) +
-                                 bytesOf(data.constraints.circleContacts) + bytesOf(data.constraints.generalContacts) +
-                                 bytesOf(data.constraints.batches.circles) + bytesOf(data.constraints.batches.general);
+    const std::size_t contacts = bytesOf(data.contacts.pool) + bytesOf(data.constraints.circleContacts) +
+                                 bytesOf(data.constraints.generalContacts) + bytesOf(data.constraints.batches.circles) +
+                                 bytesOf(data.constraints.batches.general);
     const std::size_t events = bytesOf(data.events.began) + bytesOf(data.events.ended) +
                                bytesOf(data.events.tagsTouched) + bytesOf(data.impulses.impulses) +
                                bytesOf(data.impulses.places) + bytesOf(data.impulses.placed);

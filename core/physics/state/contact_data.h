@@ -80,15 +80,16 @@ struct KeptManifold {
     std::array<Point, 2> points;
 };
 
-/// What is known of a pair's contact, and its impulses while the solver does not have it.
+/// What a pair's contact is from one update to the next: its points, their impulses while the solver does not have it,
+/// and its manifold.
 struct Contact {
-    std::int32_t count = 0;               // of points
-    std::uint32_t manifold = 0xffffffffu; // index of the kept one, of general pairs
-    std::uint32_t constraintIndex = 0;    // index among the contacts that the solver has, while it has it
+    std::int32_t count = 0;            // of points
+    std::uint32_t constraintIndex = 0; // index among the contacts that the solver has, while it has it
     double friction = 0;
     double restitution = 0;
     double tangentImpulse = 0; // N s, of the last iteration
     std::array<ContactPoint, 2> points;
+    KeptManifold manifold; // of general pairs; the others are compared anew in each iteration
 };
 
 /// The pairs and what belongs to each, by the same index; sorted by bodies and parts.

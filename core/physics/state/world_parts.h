@@ -96,8 +96,6 @@ struct Contacts {
     std::vector<std::uint32_t> sensors; // indices of the pairs of sensors
     std::vector<Contact> pool;          // of the pairs that have come near each other
     std::vector<std::uint32_t> freeInPool;
-    std::vector<KeptManifold> manifolds; // of the general ones
-    std::vector<std::uint32_t> freeManifolds;
 
     /// Whether the parts of the pair may meet in this iteration.
     bool mayTouchNow(const Bodies& bodies, std::uint32_t pair) const {

@@ -62,8 +62,8 @@ void addPairState(StateHash& hash, const WorldData& data, const PairTable& table
         hash.add(std::uint64_t{point.feature});
         hash.add(point.normalImpulse);
     }
-    if (contact.manifold != Pair::none) {
-        const KeptManifold& kept = data.contacts.manifolds[contact.manifold];
+    if (pair.kind == PairKind::General) {
+        const KeptManifold& kept = contact.manifold;
         hash.add(kept.tolerance);
         add(hash, kept.relative.position);
         hash.add(kept.relative.rotation.s);
