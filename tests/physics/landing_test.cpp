@@ -92,12 +92,12 @@ void verifyKeepsMomentum(World& world, int updates) {
     QVERIFY(Momentum(world).scale < 0.9 * before.scale); // they did meet
 }
 
-/// Of the bodies of an island, in which all have the same mass: twice their kinetic energy for each kilogram.
+/// Of the bodies of a component, in which all have the same mass: twice their kinetic energy for each kilogram.
 double liveliness(const WorldData& data, const std::vector<BodyVelocity>& velocities, Slot root) {
     double sum = 0;
     for (const Slot slot : data.bodies.moving) {
         const BodyVelocity& v = velocities[slot];
-        sum += data.islands.roots[slot] == root ? v.x * v.x + v.y * v.y : 0;
+        sum += data.contactGraph.roots[slot] == root ? v.x * v.x + v.y * v.y : 0;
     }
     return sum;
 }
@@ -185,7 +185,7 @@ class LandingTest : public QObject {
         verifyKeepsMomentum(world, 50);
     }
 
-    void anIslandIsSolvedOnAsIfAllWere() {
+    void aComponentIsSolvedOnAsIfAllWere() {
         Silos silo;
         silo.addSilo(20, 8);
         silo.addSilo(20, 8, 10);
@@ -193,8 +193,8 @@ class LandingTest : public QObject {
         WorldData some = silo.world.data();
         WorldData all = silo.world.data();
         const SolverScratch& last = silo.world.data().scratch.solver;
-        const Slot here = some.islands.roots[silo.balls.front().index];
-        const Slot there = some.islands.roots[silo.balls.back().index];
+        const Slot here = some.contactGraph.roots[silo.balls.front().index];
+        const Slot there = some.contactGraph.roots[silo.balls.back().index];
         QVERIFY(here != there && some.constraints.circleContacts.size() > 50);
         some.scratch.solver.unconverged.assign(some.bodies.motions.size(), 0);
         some.scratch.solver.unconverged[here] = 1;
@@ -213,7 +213,7 @@ class LandingTest : public QObject {
         solveUnconverged(all, 3);
         for (const BodyId id : silo.balls) {
             const Slot slot = id.index;
-            const bool solved = some.islands.roots[slot] == here;
+            const bool solved = some.contactGraph.roots[slot] == here;
             const WorldData& expected = solved ? all : some;
             const BodyVelocity& velocity =
                 solved ? expected.scratch.solver.velocities[slot] : last.plannedVelocities[slot];

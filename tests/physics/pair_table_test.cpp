@@ -4,7 +4,7 @@
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/overlaps.h"
 #include "core/physics/broad_phase/separating_face.h"
-#include "core/physics/solver/islands.h"
+#include "core/physics/solver/contact_graph.h"
 #include "core/physics/state/world_data.h"
 
 #include <algorithm>
@@ -113,14 +113,15 @@ bool belongTogether(const WorldData& data) {
            data.contacts.table.flags.size() == data.contacts.table.size();
 }
 
-bool islandsAreThoseOfThePairs(const WorldData& data) {
+bool componentsAreThoseOfThePairs(const WorldData& data) {
     WorldData asTheyAre = data;
     WorldData anew = data;
-    findIslands(asTheyAre);
-    anew.flags.islandsStale = true;
-    findIslands(anew);
-    return asTheyAre.islands.roots == anew.islands.roots && asTheyAre.islands.islandRoots == anew.islands.islandRoots &&
-           asTheyAre.islands.drivers == anew.islands.drivers;
+    findComponents(asTheyAre);
+    anew.flags.contactGraphStale = true;
+    findComponents(anew);
+    return asTheyAre.contactGraph.roots == anew.contactGraph.roots &&
+           asTheyAre.contactGraph.componentRoots == anew.contactGraph.componentRoots &&
+           asTheyAre.contactGraph.kinematicEdges == anew.contactGraph.kinematicEdges;
 }
 
 } // namespace
@@ -172,7 +173,7 @@ class PairTableTest : public QObject {
                 QVERIFY2(isSortedAndUnique(data.contacts.table.pairs), seedText(seed));
                 QVERIFY2(belongTogether(data), seedText(seed));
                 QVERIFY2(holdsAllThatMeet(data), seedText(seed));
-                QVERIFY2(islandsAreThoseOfThePairs(data), seedText(seed));
+                QVERIFY2(componentsAreThoseOfThePairs(data), seedText(seed));
                 changes += data.scratch.changes.runs.size();
             }
         }

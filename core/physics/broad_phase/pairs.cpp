@@ -49,7 +49,7 @@ void listSensors(Contacts& contacts, StepFlags& flags) {
             contacts.sensors.push_back(i);
         }
     }
-    flags.islandsStale = true;
+    flags.contactGraphStale = true;
 }
 
 void listMoving(Bodies& bodies, Scratch& scratch) {
@@ -101,7 +101,7 @@ bool findPairs(const PairStage& stage, const IterationStep& step) {
 
 void changePairs(const Bodies& bodies, Contacts& contacts, StepFlags& flags, PairChanges& changes) {
     changeTable(bodies, contacts, flags, changes);
-    flags.islandsStale = true;
+    flags.contactGraphStale = true;
     if (flags.pairsStale || !contacts.sensors.empty() ||
         std::any_of(changes.newPairs.begin(), changes.newPairs.end(), isSensor)) {
         listSensors(contacts, flags);

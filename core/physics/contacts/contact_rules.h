@@ -54,8 +54,8 @@ inline Discs discsOf(const Bodies& bodies, const PairBound& bound) {
     return {radii, radii + speculativeMargin(a, b), (b.center - a.center).squaredNorm()};
 }
 
-/// From which velocity on surfaces close faster than they may, so that their island is solved on, m/s. Where something
-/// bounces each wants what it aims at: a hit on what touches something else would lose energy.
+/// From which velocity on surfaces close faster than they may, so that their component is solved on, m/s. Where
+/// something bounces each wants what it aims at: a hit on what touches something else would lose energy.
 inline double closingLimit(double separation, double target, double restitution, double perSecond) {
     constexpr double tolerance = 0.001; // m/s
     const double closing = formulas::closingLimit(separation, perSecond);

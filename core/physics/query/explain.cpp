@@ -222,7 +222,7 @@ WorldCounters counters(const World& world) {
     if (data.broadPhase.staticChanges) {
         count.treeCells += cellsOf(data.broadPhase.staticChanges->geometry.tree);
     }
-    count.islands = static_cast<int>(data.bodies.moving.empty() ? 0 : data.islands.islandRoots.size());
+    count.islands = static_cast<int>(data.bodies.moving.empty() ? 0 : data.contactGraph.componentRoots.size());
     count.connectors = static_cast<int>(data.forces.connectors.size() - data.forces.freeConnectors.size());
     return count;
 }

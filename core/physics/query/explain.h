@@ -79,7 +79,7 @@ struct WorldCounters {
     int pairs = 0;                                 // of parts that may meet
     int contacts = 0;                              // pairs that touch
     int treeCells = 0;                             // leaves of the quadtrees
-    int islands = 0;                               // of bodies that are awake
+    int islands = 0;                               // components of the contact graph, of bodies that are awake
     int connectors = 0;
 };
 

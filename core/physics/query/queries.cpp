@@ -210,7 +210,7 @@ std::optional<std::uint32_t> islandOf(const World& world, BodyId body) {
     if (record.asleep) {
         return record.island;
     }
-    const std::vector<Slot>& roots = data.islands.roots;
+    const std::vector<Slot>& roots = data.contactGraph.roots;
     const bool isKnown = body.index < roots.size() && data.bodies.motions[body.index].isMovable() && record.active;
     return isKnown ? std::optional(roots[body.index]) : std::nullopt;
 }

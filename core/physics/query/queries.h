@@ -56,9 +56,9 @@ struct QuadtreeCell {
 /// Those that overlap `area`, with what they hold: linear in these.
 std::vector<QuadtreeCell> occupiedCells(const World& world, const std::optional<Aabb>& area = {});
 
-/// The island of a body: bodies with the same number may push each other (core/physics/solver/islands.h), or sleep and
-/// wake together (core/physics/sleep/sleep.h). As the last update had it; none for what nothing can move, and for what
-/// is new.
+/// What a body belongs to: bodies that are awake and have the same number may push each other, those that sleep wake
+/// together; see core/physics/solver/contact_graph.h. As the last update had it; none for what nothing can move, and
+/// for what is new.
 std::optional<std::uint32_t> islandOf(const World& world, BodyId body);
 
 } // namespace spacetow

@@ -4,8 +4,8 @@
 #include "core/physics/broad_phase/pairs.h"
 #include "core/physics/contacts/constraint_list.h"
 #include "core/physics/sleep/touches.h"
+#include "core/physics/solver/contact_graph.h"
 #include "core/physics/solver/integrate.h"
-#include "core/physics/solver/islands.h"
 
 #include <algorithm>
 
@@ -17,17 +17,12 @@ namespace {
 constexpr double sleepSpeed = 0.01;
 constexpr double sleepDelay = 0.5;
 
-/// Bodies that no contact can move join nothing and are not woken by contacts.
-bool isAnchor(const Bodies& bodies, Slot slot) {
-    return bodies.motions[slot].inverseMass == 0 && bodies.motions[slot].inverseInertia == 0;
-}
-
-/// Anchors move as they are told, however slowly.
+/// Kinematic bodies move as they are told, however slowly.
 bool isStill(const Bodies& bodies, Slot slot) {
     const BodyMotion& m = bodies.motions[slot];
     const double speed =
         std::sqrt(m.velocity.squaredNorm()) + std::abs(m.angularVelocity) * bodies.steps[slot].outerRadius;
-    return isAnchor(bodies, slot) ? speed == 0 : speed < sleepSpeed;
+    return bodies.motions[slot].isMovable() ? speed < sleepSpeed : speed == 0;
 }
 
 bool maySleep(const Bodies& bodies, Slot slot) {
@@ -112,10 +107,10 @@ void markIsland(const Bodies& bodies, SleepSearch& sleepSearch, Slot slot) {
     }
 }
 
-void markNear(const Bodies& bodies, const Sleep& sleep, SleepSearch& sleepSearch, Slot anchor) {
+void markNear(const Bodies& bodies, const Sleep& sleep, SleepSearch& sleepSearch, Slot wall) {
     Aabb box;
-    for (const Part& part : *bodies.records[anchor].parts) {
-        box.include(boundsOf(part, bodies.pose(anchor)));
+    for (const Part& part : *bodies.records[wall].parts) {
+        box.include(boundsOf(part, bodies.pose(wall)));
     }
     for (const Slot slot : sleep.sleepers) {
         if (bodies.records[slot].bounds.overlaps(box)) {
@@ -124,10 +119,10 @@ void markNear(const Bodies& bodies, const Sleep& sleep, SleepSearch& sleepSearch
     }
 }
 
-/// The islands of those that are in a pair with a disturbed anchor.
+/// The islands of those that are in a pair with a disturbed body that cannot be moved.
 void markPartners(const SleepStage& stage, const std::vector<Slot>& disturbed) {
     const auto isDisturbed = [&](Slot slot) {
-        return isAnchor(stage.bodies, slot) && std::binary_search(disturbed.begin(), disturbed.end(), slot);
+        return !stage.bodies.motions[slot].isMovable() && std::binary_search(disturbed.begin(), disturbed.end(), slot);
     };
     for (const Pair& pair : stage.sleep.table.pairs) {
         if (isDisturbed(pair.bodyA)) {
@@ -146,21 +141,17 @@ void markPartners(const SleepStage& stage, const std::vector<Slot>& disturbed) {
     }
 }
 
-/// Joins two bodies, or lets an anchor that is not at rest keep the other awake.
+/// A body that cannot be moved and is not at rest keeps the other awake.
 void join(const Bodies& bodies, SleepSearch& sleepSearch, Slot a, Slot b) {
-    std::vector<Slot>& parents = sleepSearch.parents;
-    const bool anchorA = isAnchor(bodies, a);
-    const bool anchorB = isAnchor(bodies, b);
-    if (!anchorA && !anchorB) {
-        joinSets(parents, a, b);
-    } else if (!anchorA && !maySleep(bodies, b)) {
-        sleepSearch.marked[a] = 1;
-    } else if (!anchorB && !maySleep(bodies, a)) {
-        sleepSearch.marked[b] = 1;
-    }
+    const auto end = [&](Slot slot) { return EdgeEnd{slot, bodies.motions[slot].isMovable()}; };
+    addEdge(sleepSearch.parents, end(a), end(b), [&](Slot immovable, Slot other) {
+        if (!maySleep(bodies, immovable)) {
+            sleepSearch.marked[other] = 1;
+        }
+    });
 }
 
-/// Each body that may be joined to others by itself, and not marked.
+/// Each body that may be united with others by itself, and not marked.
 void beginSets(const Bodies& bodies, const Forces& forces, const Contacts& contacts, SleepSearch& sleepSearch) {
     SleepSearch& sleep = sleepSearch;
     sleep.parents.resize(bodies.records.size());
@@ -182,7 +173,7 @@ void beginSets(const Bodies& bodies, const Forces& forces, const Contacts& conta
     }
 }
 
-void joinIslands(const Bodies& bodies, const Forces& forces, const Contacts& contacts, SleepSearch& sleepSearch) {
+void findIslands(const Bodies& bodies, const Forces& forces, const Contacts& contacts, SleepSearch& sleepSearch) {
     for (const Pair& pair : contacts.table.pairs) {
         const bool touches = pair.contact != Pair::none && contacts.pool[pair.contact].count > 0;
         if (pair.kind != PairKind::Sensor && touches) {
@@ -265,7 +256,7 @@ bool wakeTouched(const SleepStage& stage, const IterationStep& step) {
     }
     bool any = false;
     const auto touch = [&](Slot slot) {
-        if (stage.bodies.records[slot].asleep && !isAnchor(stage.bodies, slot)) {
+        if (stage.bodies.records[slot].asleep && stage.bodies.motions[slot].isMovable()) {
             if (!any) {
                 clearMarks(stage.bodies, stage.sleep, stage.search);
             }
@@ -303,7 +294,7 @@ void fallAsleep(const SleepStage& stage, double seconds, int iteration) {
         return;
     }
     beginSets(stage.bodies, stage.forces, stage.contacts, stage.search); // and mark who stays awake
-    joinIslands(stage.bodies, stage.forces, stage.contacts, stage.search);
+    findIslands(stage.bodies, stage.forces, stage.contacts, stage.search);
     std::vector<Slot>& parents = stage.search.parents;
     std::vector<std::uint8_t>& marked = stage.search.marked;
     for (const Slot slot : stage.bodies.moving) {

@@ -1,7 +1,8 @@
 #pragma once
-// Sleep: islands of bodies that have come to rest cost nothing until something disturbs them. An island is what
-// touching solid pairs and connectors join; static bodies, still kinematic ones and wholly frozen ones join nothing. It
-// falls asleep when all of its bodies have been slow for half a second, and wakes as a whole. See WorldData::sleep.
+// Sleep: islands of bodies that have come to rest cost nothing until something disturbs them. An island is
+// what touching solid pairs and connectors join (see core/physics/solver/contact_graph.h for the rule); static bodies,
+// kinematic ones and wholly frozen ones join nothing. It falls asleep when all of its bodies have been slow for half a
+// second, and wakes as a whole. See WorldData::sleep.
 
 #include "core/physics/state/world_data.h"
 
@@ -25,8 +26,8 @@ struct SleepStage {
     }
 };
 
-/// The body, or something about it, is about to change: with the next wakeDisturbed() its island wakes, and, when it is
-/// an anchor, all that is near it; near its new place, too, when it is static. Costs nothing while nobody sleeps.
+/// The body, or something about it, is about to change: with the next wakeDisturbed() its island wakes, and, when it
+/// cannot be moved, all that is near it; near its new place, too, when it is static. Costs nothing while nobody sleeps.
 void disturb(Bodies& bodies, Sleep& sleep, Slot slot);
 
 /// `iteration` dates the events, here and below.

@@ -1,7 +1,7 @@
 #include "core/physics/solver/energy_limit.h"
 
 #include "core/physics/contacts/contact_rules.h"
-#include "core/physics/solver/islands.h"
+#include "core/physics/solver/contact_graph.h"
 #include "core/physics/solver/solve_unconverged.h"
 
 #include <algorithm>
@@ -33,8 +33,8 @@ double sum(const Wide& w) {
     return w[0] + w[1] + w[2];
 }
 
-EnergyBalance& balanceOf(const Islands& islands, SolverScratch& solver, Slot slot) {
-    return solver.balances[islands.roots[slot]];
+EnergyBalance& balanceOf(const ContactGraph& graph, SolverScratch& solver, Slot slot) {
+    return solver.balances[graph.roots[slot]];
 }
 
 /// With a share x of its impulses an iteration changes a body's energy by a·x²/2 + b·x + c: a velocity v after it costs
@@ -48,23 +48,23 @@ void measureBody(const SolverStage& stage, Slot slot, EnergyChange& change) {
     }
     const Wide start = WideVelocity(stage.solver.startVelocities[slot]).value;
     const Wide forced = planned - start;
-    const Wide inertia = WideVelocity(stage.islands.inertias[slot]).value;
+    const Wide inertia = WideVelocity(stage.graph.inertias[slot]).value;
     change.a += inertia * push * push;
     change.b += inertia * push * start;
     change.c -= 0.5 * inertia * forced * forced;
 }
 
-/// The sum of an island stays in registers while the bodies are its: through memory each would wait for the last.
+/// The sum of a component stays in registers while the bodies are its: through memory each would wait for the last.
 void measureBodies(const SolverStage& stage) {
     std::vector<EnergyChange>& changes = stage.solver.changes;
     EnergyChange sum;
     Slot root = noSlot;
     for (const Slot slot : stage.bodies.moving) {
-        if (stage.islands.roots[slot] != root) {
+        if (stage.graph.roots[slot] != root) {
             if (root != noSlot) {
                 changes[root] = sum;
             }
-            root = stage.islands.roots[slot];
+            root = stage.graph.roots[slot];
             sum = changes[root];
         }
         if (stage.solver.driven[root] == 0) { // what is driven may gain what it likes
@@ -84,14 +84,14 @@ Gain gainOf(const EnergyBalance& e) {
     return gain <= tolerance * e.a ? Gain::None : gain <= 0.01 * e.a ? Gain::Little : Gain::Much;
 }
 
-/// Returns the worst of all islands.
-Gain measureIslands(const SolverStage& stage) {
-    for (const Slot root : stage.islands.islandRoots) {
+/// Returns the worst of all components.
+Gain measureComponents(const SolverStage& stage) {
+    for (const Slot root : stage.graph.componentRoots) {
         stage.solver.changes[root] = {};
     }
     measureBodies(stage);
     Gain worst = Gain::None;
-    for (const Slot root : stage.islands.islandRoots) {
+    for (const Slot root : stage.graph.componentRoots) {
         const EnergyChange& change = stage.solver.changes[root];
         EnergyBalance& balance = stage.solver.balances[root];
         balance = {sum(change.a), sum(change.b), sum(change.c), 0};
@@ -112,10 +112,10 @@ bool costsTooMuch(const EnergyBalance& e) {
     return e.corrections > 0 && e.corrections > -e.gain();
 }
 
-/// More passes over these islands alone.
-void solveIslandsWhere(const SolverStage& stage, Question which) {
-    clearUnconverged(stage.bodies, stage.islands, stage.sleep, stage.solver);
-    for (const Slot root : stage.islands.islandRoots) {
+/// More passes over these components alone.
+void solveComponentsWhere(const SolverStage& stage, Question which) {
+    clearUnconverged(stage.bodies, stage.graph, stage.sleep, stage.solver);
+    for (const Slot root : stage.graph.componentRoots) {
         stage.solver.unconverged[root] = which(stage.solver.balances[root]) ? 1 : 0;
     }
     solveUnconverged(stage, extraPasses);
@@ -138,11 +138,11 @@ void soften(ConstraintBatch& batch, std::uint32_t lane, bool& any) {
 }
 
 template <class Batch>
-bool soften(const Islands& islands, SolverScratch& solver, Batches<Batch>& batches) {
+bool soften(const ContactGraph& graph, SolverScratch& solver, Batches<Batch>& batches) {
     bool any = false;
     forLanes(batches, &BatchFlags::occupied, [&](Lane at) {
         Batch& batch = batches[at.batch];
-        if (gainsMuch(solver.balances[rootAt(islands, batch, at.lane)])) {
+        if (gainsMuch(solver.balances[rootAt(graph, batch, at.lane)])) {
             soften(batch, at.lane, any);
         }
     });
@@ -150,9 +150,9 @@ bool soften(const Islands& islands, SolverScratch& solver, Batches<Batch>& batch
 }
 
 /// Restitution and friction together may add energy: what gains it bounces half as fast. Whether anything does.
-bool softenBounces(Constraints& constraints, const Islands& islands, SolverScratch& solver) {
-    const bool round = soften(islands, solver, constraints.batches.circles);
-    return soften(islands, solver, constraints.batches.general) || round;
+bool softenBounces(Constraints& constraints, const ContactGraph& graph, SolverScratch& solver) {
+    const bool round = soften(graph, solver, constraints.batches.circles);
+    return soften(graph, solver, constraints.batches.general) || round;
 }
 
 /// The greatest share of the impulses with which the energy does not rise.
@@ -160,9 +160,9 @@ double shareOf(const EnergyBalance& e) {
     return std::clamp((-e.b + std::sqrt(std::max(e.b * e.b - 2 * e.a * e.c, 0.0))) / e.a, 0.0, 1.0);
 }
 
-void scaleImpulses(const Bodies& bodies, const Islands& islands, SolverScratch& solver) {
+void scaleImpulses(const Bodies& bodies, const ContactGraph& graph, SolverScratch& solver) {
     for (const Slot slot : bodies.moving) {
-        const EnergyBalance& balance = balanceOf(islands, solver, slot);
+        const EnergyBalance& balance = balanceOf(graph, solver, slot);
         if (gainOf(balance) != Gain::None) {
             const double share = shareOf(balance);
             const BodyVelocity& without = solver.plannedVelocities[slot];
@@ -182,12 +182,12 @@ bool isDeep(const ConstraintBatch& batch, std::uint32_t lane) {
     return batch.separation1[lane] < -deepOverlap || batch.separation2[lane] < -deepOverlap;
 }
 
-/// Lets the islands of deep contacts pay whatever the corrections cost.
+/// Lets the components of deep contacts pay whatever the corrections cost.
 template <class Batch>
-void allowDeep(const Islands& islands, SolverScratch& solver, const Batches<Batch>& batches) {
+void allowDeep(const ContactGraph& graph, SolverScratch& solver, const Batches<Batch>& batches) {
     forLanes(batches, &BatchFlags::occupied, [&](Lane at) {
         if (isDeep(batches[at.batch], at.lane)) {
-            EnergyBalance& balance = solver.balances[rootAt(islands, batches[at.batch], at.lane)];
+            EnergyBalance& balance = solver.balances[rootAt(graph, batches[at.batch], at.lane)];
             balance.c = costsTooMuch(balance) ? -infinite : balance.c;
         }
     });
@@ -203,7 +203,7 @@ void measureCorrections(const SolverStage& stage, double dt) {
         const BodyVelocity& start = stage.solver.startVelocities[slot];
         const BodyVelocity& planned = stage.solver.plannedVelocities[slot];
         const double along = push.x * (start.x - planned.x) + push.y * (start.y - planned.y);
-        balanceOf(stage.islands, stage.solver, slot).corrections += stage.islands.inertias[slot].x * along / dt;
+        balanceOf(stage.graph, stage.solver, slot).corrections += stage.graph.inertias[slot].x * along / dt;
         stage.bodies.steps[slot].correction = {push.x, push.y};
         stage.bodies.steps[slot].angleCorrection = push.angular;
     }
@@ -214,23 +214,23 @@ void measureCorrections(const SolverStage& stage, double dt) {
 bool limitEnergyGain(const SolverStage& stage) {
     stage.solver.changes.resize(stage.bodies.motions.size());
     stage.solver.balances.resize(stage.bodies.motions.size());
-    Gain gain = measureIslands(stage);
+    Gain gain = measureComponents(stage);
     bool changed = false;
     for (int round = 0; round < extraRounds && gain == Gain::Much; ++round) {
-        solveIslandsWhere(stage, gainsMuch);
-        gain = measureIslands(stage);
+        solveComponentsWhere(stage, gainsMuch);
+        gain = measureComponents(stage);
         changed = true;
     }
     for (int round = 0;
-         round < softerBounces && gain == Gain::Much && softenBounces(stage.constraints, stage.islands, stage.solver);
+         round < softerBounces && gain == Gain::Much && softenBounces(stage.constraints, stage.graph, stage.solver);
          ++round) {
-        solveIslandsWhere(stage, gainsMuch);
-        gain = measureIslands(stage);
+        solveComponentsWhere(stage, gainsMuch);
+        gain = measureComponents(stage);
         changed = true;
     }
     if (gain != Gain::None) {
-        scaleImpulses(stage.bodies, stage.islands, stage.solver);
-        measureIslands(stage);
+        scaleImpulses(stage.bodies, stage.graph, stage.solver);
+        measureComponents(stage);
         changed = true;
     }
     return changed;
@@ -239,14 +239,14 @@ bool limitEnergyGain(const SolverStage& stage) {
 void applyCorrections(const SolverStage& stage, double dt) {
     measureCorrections(stage, dt);
     const std::vector<EnergyBalance>& balances = stage.solver.balances;
-    if (std::none_of(stage.islands.islandRoots.begin(), stage.islands.islandRoots.end(),
+    if (std::none_of(stage.graph.componentRoots.begin(), stage.graph.componentRoots.end(),
                      [&](Slot root) { return costsTooMuch(balances[root]); })) {
         return;
     }
-    allowDeep(stage.islands, stage.solver, stage.constraints.batches.circles);
-    allowDeep(stage.islands, stage.solver, stage.constraints.batches.general);
+    allowDeep(stage.graph, stage.solver, stage.constraints.batches.circles);
+    allowDeep(stage.graph, stage.solver, stage.constraints.batches.general);
     for (const Slot slot : stage.bodies.moving) {
-        const EnergyBalance& balance = balanceOf(stage.islands, stage.solver, slot);
+        const EnergyBalance& balance = balanceOf(stage.graph, stage.solver, slot);
         if (costsTooMuch(balance)) {
             const double share = std::max(-balance.gain(), 0.0) / balance.corrections;
             stage.bodies.steps[slot].correction *= share;

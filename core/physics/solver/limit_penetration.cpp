@@ -1,7 +1,7 @@
 #include "core/physics/solver/limit_penetration.h"
 
 #include "core/physics/contacts/contact_rules.h"
-#include "core/physics/solver/islands.h"
+#include "core/physics/solver/contact_graph.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -102,7 +102,7 @@ bool limitContactAt(const std::vector<BodyVelocity>& velocities, const Penetrati
     return limitAt(batch.leverA2[i], batch.leverB2[i], batch.separation2[i]) || changed;
 }
 
-/// Whether no contact closes too fast, but in islands that something drives.
+/// Whether no contact closes too fast, but in components that something drives.
 template <class Batch>
 bool noneCloses(const std::vector<std::uint8_t>& driven, const Batches<Batch>& batches) {
     bool none = true;

@@ -2,9 +2,9 @@
 
 #include "core/physics/contacts/contact_rules.h"
 #include "core/physics/lanes/solver_kernels.h"
+#include "core/physics/solver/contact_graph.h"
 #include "core/physics/solver/energy_limit.h"
 #include "core/physics/solver/impulse_log.h"
-#include "core/physics/solver/islands.h"
 #include "core/physics/solver/limit_penetration.h"
 #include "core/physics/solver/solve_unconverged.h"
 
@@ -129,7 +129,7 @@ void converge(const SolverStage& stage, double dt) {
     reserveForUnconverged(stage);
     for (int round = 0; round < roundsOfConverging; ++round) {
         const bool closes = measureVelocities(stage.constraints.batches, stage.solver.velocities);
-        const bool holds = closes && (round > 0 || solveClosingIslands(stage));
+        const bool holds = closes && (round > 0 || solveClosingComponents(stage));
         if (holds) {
             limitPenetration(stage.bodies, stage.constraints, stage.solver, dt);
         }

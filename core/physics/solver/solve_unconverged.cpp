@@ -1,7 +1,7 @@
 #include "core/physics/solver/solve_unconverged.h"
 
 #include "core/physics/lanes/solver_kernels.h"
-#include "core/physics/solver/islands.h"
+#include "core/physics/solver/contact_graph.h"
 
 #include <algorithm>
 #include <span>
@@ -20,18 +20,18 @@ bool isUnconverged(const SolverScratch& solver, Slot root) {
 template <class Batch>
 void markClosing(const SolverStage& stage, const Batches<Batch>& batches) {
     forLanes(batches, &BatchFlags::closes, [&](Lane at) {
-        const Slot root = rootAt(stage.islands, batches[at.batch], at.lane);
+        const Slot root = rootAt(stage.graph, batches[at.batch], at.lane);
         stage.solver.unconverged[root] = stage.solver.driven[root] != 0 ? 0 : 1;
     });
 }
 
-/// Marks the islands in which contacts close; whether there are any. Not those that something drives which cannot be
+/// Marks the components in which contacts close; whether there are any. Not those that something drives which cannot be
 /// stopped: they are not held back either, and in a turning drum something always closes.
 bool markClosing(const SolverStage& stage) {
-    clearUnconverged(stage.bodies, stage.islands, stage.sleep, stage.solver);
+    clearUnconverged(stage.bodies, stage.graph, stage.sleep, stage.solver);
     markClosing(stage, stage.constraints.batches.circles);
     markClosing(stage, stage.constraints.batches.general);
-    const std::vector<Slot>& roots = stage.islands.islandRoots;
+    const std::vector<Slot>& roots = stage.graph.componentRoots;
     return std::any_of(roots.begin(), roots.end(), [&](Slot root) { return isUnconverged(stage.solver, root); });
 }
 
@@ -39,7 +39,7 @@ template <class Batch>
 void copyThere(const SolverStage& stage, const Batches<Batch>& from, Batches<Batch>& to) {
     forLanes(from, &BatchFlags::occupied, [&](Lane at) {
         const Batch& batch = from[at.batch];
-        if (isUnconverged(stage.solver, rootAt(stage.islands, batch, at.lane))) {
+        if (isUnconverged(stage.solver, rootAt(stage.graph, batch, at.lane))) {
             const Slot a = batch.a[at.lane];
             const Slot b = batch.b[at.lane];
             const Lane lane = to.open(a, stage.bodies.motions[a].isMovable(), b, stage.bodies.motions[b].isMovable());
@@ -65,27 +65,27 @@ void relaxPasses(ContactBatches& batches, std::vector<BodyVelocity>& velocities,
 
 } // namespace
 
-void clearUnconverged(const Bodies& bodies, const Islands& islands, const Sleep& sleep, SolverScratch& solver) {
+void clearUnconverged(const Bodies& bodies, const ContactGraph& graph, const Sleep& sleep, SolverScratch& solver) {
     std::vector<std::uint8_t>& unconverged = solver.unconverged;
     beginBySlot(unconverged, bodies.motions.size(), std::uint8_t{0});
-    for (const Slot root : islands.islandRoots) {
+    for (const Slot root : graph.componentRoots) {
         unconverged[root] = 0;
     }
-    if (!sleep.sleepers.empty()) { // whose island is that of somebody asleep
+    if (!sleep.sleepers.empty()) { // whose component may have the root of somebody asleep
         for (const Slot slot : bodies.moving) {
-            unconverged[islands.roots[slot]] = 0;
+            unconverged[graph.roots[slot]] = 0;
         }
     }
 }
 
 void solveUnconverged(const SolverStage& stage, int passes) {
     SolverScratch& scratch = stage.solver;
-    const std::vector<Slot>& roots = stage.islands.islandRoots;
+    const std::vector<Slot>& roots = stage.graph.componentRoots;
     if (std::all_of(roots.begin(), roots.end(), [&](Slot root) { return isUnconverged(stage.solver, root); })) {
         relaxPasses(stage.constraints.batches, scratch.velocities, passes);
         return;
     }
-    ContactBatches& part = scratch.islandBatches;
+    ContactBatches& part = scratch.componentBatches;
     part.circles.reset(stage.bodies.motions.size());
     part.general.reset(stage.bodies.motions.size());
     scratch.lanes.clear();
@@ -98,7 +98,7 @@ void solveUnconverged(const SolverStage& stage, int passes) {
     copyBack(part.general, stage.constraints.batches.general, lanes.subspan(firstGeneral));
 }
 
-bool solveClosingIslands(const SolverStage& stage) {
+bool solveClosingComponents(const SolverStage& stage) {
     bool closes = true;
     for (int round = 0; round < rounds && closes && markClosing(stage); ++round) {
         solveUnconverged(stage, passesInRound);
@@ -113,8 +113,8 @@ void reserveForUnconverged(const SolverStage& stage) {
     const std::size_t most = stage.constraints.circleContacts.capacity() + stage.constraints.generalContacts.capacity();
     if (scratch.lanes.capacity() < most) {
         scratch.lanes.reserve(most);
-        scratch.islandBatches.circles.reserve(stage.constraints.batches.circles);
-        scratch.islandBatches.general.reserve(stage.constraints.batches.general);
+        scratch.componentBatches.circles.reserve(stage.constraints.batches.circles);
+        scratch.componentBatches.general.reserve(stage.constraints.batches.general);
     }
 }
 

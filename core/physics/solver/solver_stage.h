@@ -10,14 +10,14 @@ struct SolverStage {
     Bodies& bodies;
     Contacts& contacts;
     Constraints& constraints;
-    Islands& islands;
+    ContactGraph& graph;
     const Sleep& sleep;
     ImpulseLog& impulses;
     StepFlags& flags;
     SolverScratch& solver;
 
     SolverStage(WorldData& data)
-        : bodies(data.bodies), contacts(data.contacts), constraints(data.constraints), islands(data.islands),
+        : bodies(data.bodies), contacts(data.contacts), constraints(data.constraints), graph(data.contactGraph),
           sleep(data.sleep), impulses(data.impulses), flags(data.flags), solver(data.scratch.solver) {}
 };
 

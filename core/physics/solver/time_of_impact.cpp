@@ -3,7 +3,7 @@
 #include "core/geometry/cast.h"
 #include "core/geometry/collide.h"
 #include "core/physics/contacts/update_manifold.h"
-#include "core/physics/solver/islands.h"
+#include "core/physics/solver/contact_graph.h"
 
 #include <algorithm>
 #include <cmath>

@@ -69,12 +69,12 @@ struct SolverScratch {
     std::vector<BodyVelocity> startVelocities;   // at the beginning of the iteration
     std::vector<BodyVelocity> plannedVelocities; // without the impulses of contacts
     std::vector<BodyVelocity> corrections;       // of positions, m and rad in the iteration
-    std::vector<EnergyChange> changes;           // by slot, of roots of islands
+    std::vector<EnergyChange> changes;           // by slot, of roots of components
     std::vector<EnergyBalance> balances;         // likewise
-    std::vector<std::uint8_t> unconverged;       // likewise: whether the island is solved again
-    ContactBatches islandBatches;                // of these islands
+    std::vector<std::uint8_t> unconverged;       // likewise: whether the component is solved again
+    ContactBatches componentBatches;             // of these components
     std::vector<SameLane> lanes;                 // of their contacts
-    std::vector<std::uint8_t> driven;            // whether something that cannot be stopped pushes the island
+    std::vector<std::uint8_t> driven;            // whether something that cannot be stopped pushes the component
     std::vector<std::uint8_t> limited;           // the round in which the motion was limited
     std::vector<double> fractions;               // of the motion that is left
 };

@@ -14,8 +14,8 @@ struct StepFlags {
     bool pairsStale = true;
     // There are more pairs than are kept: set by collectPairs, cleared by prepareStructure, which sets `pairsStale`.
     bool crowded = false;
-    // The pairs, or who moves, have changed: set by changePairs and listSensors, cleared by findIslands.
-    bool islandsStale = true;
+    // The pairs, or who moves, have changed: set by changePairs and listSensors, cleared by findComponents.
+    bool contactGraphStale = true;
     // Every lane belongs to the contact of a pair in the table. Set by resetConstraints; cleared by releaseConstraints,
     // for changes that lanes cannot follow. Only then are `anyScalarUpdate` and `anySingular` true of the constraints.
     bool constraintsValid = false;

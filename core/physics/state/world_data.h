@@ -5,8 +5,8 @@
 
 #include "core/physics/def/events.h"
 #include "core/physics/def/parameters.h"
+#include "core/physics/state/contact_graph.h"
 #include "core/physics/state/impulse_log.h"
-#include "core/physics/state/island_data.h"
 #include "core/physics/state/iteration_step.h"
 #include "core/physics/state/scratch.h"
 #include "core/physics/state/sleep_data.h"
@@ -24,7 +24,7 @@ struct WorldData {
     BroadPhase broadPhase;
     Contacts contacts;
     Constraints constraints;
-    Islands islands;
+    ContactGraph contactGraph;
     Sleep sleep;
     std::vector<BodyId> crushed; // and reported so
     Events events;

@@ -9,10 +9,10 @@
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/sleep/touches.h"
 #include "core/physics/solver/carriers.h"
+#include "core/physics/solver/contact_graph.h"
 #include "core/physics/solver/crush.h"
 #include "core/physics/solver/impulse_log.h"
 #include "core/physics/solver/integrate.h"
-#include "core/physics/solver/islands.h"
 #include "core/physics/solver/limit_penetration.h"
 #include "core/physics/solver/solve.h"
 #include "core/physics/solver/time_of_impact.h"
@@ -123,8 +123,8 @@ void makeMotion(const Stages& stages, const IterationStep& step) {
         findContacts(stages.contacts, step);
     }
     ended(data, StepStage::Contacts);
-    findIslands(stages.solver);
-    findDriven(data.bodies, data.islands, data.scratch.solver);
+    findComponents(stages.solver);
+    findDriven(data.bodies, data.contactGraph, data.scratch.solver);
     solveVelocities(stages.solver, step);
     findCarriers(data.bodies, data.contacts.table, data.constraints);
     ended(data, StepStage::Solver);

@@ -1,0 +1,133 @@
+#include "core/physics/solver/contact_graph.h"
+
+#include <algorithm>
+
+namespace spacetow {
+
+namespace {
+
+void noteKinematicEdge(ContactGraph& graph, Slot body, Slot pushed) {
+    const ContactGraph::KinematicEdge found{body, pushed};
+    if (graph.kinematicEdges.empty() || graph.kinematicEdges.back() != found) {
+        graph.kinematicEdges.push_back(found);
+    }
+}
+
+/// Of whoever may be united with others; all others are their own roots ever since renewSlots().
+void beginRoots(const Bodies& bodies, const Contacts& contacts, ContactGraph& graph, const Sleep& sleep) {
+    std::vector<Slot>& roots = graph.roots;
+    for (const Slot slot : bodies.moving) {
+        roots[slot] = slot;
+    }
+    if (sleep.sleepers.empty()) {
+        return;
+    }
+    for (const PairBound& bound : contacts.table.bounds) {
+        roots[slotOf(bound.moverA)] = slotOf(bound.moverA);
+        if (bound.moverB != Mover::Static) {
+            roots[slotOf(bound.moverB)] = slotOf(bound.moverB);
+        }
+    }
+}
+
+/// All that is asked for is beside the pairs, in fewer bytes.
+void addPairs(const Bodies& bodies, const Contacts& contacts, ContactGraph& graph) {
+    auto sensors = contacts.sensors.begin();
+    for (std::uint32_t i = 0; i < contacts.table.size(); ++i) {
+        const PairBound& bound = contacts.table.bounds[i];
+        if (sensors != contacts.sensors.end() && *sensors == i) {
+            ++sensors;
+            continue;
+        }
+        if (bound.moverB != Mover::Static) {
+            addEdge(graph.roots, {slotOf(bound.moverA), bodies.movable[bound.moverA] != 0},
+                    {slotOf(bound.moverB), bodies.movable[bound.moverB] != 0},
+                    [&](Slot body, Slot pushed) { noteKinematicEdge(graph, body, pushed); });
+        }
+    }
+}
+
+/// No kinematic body pushes their components any more.
+void forgetKinematicEdges(const ContactGraph& graph, SolverScratch& solver) {
+    std::vector<std::uint8_t>& driven = solver.driven;
+    for (const ContactGraph::KinematicEdge& edge : graph.kinematicEdges) {
+        if (edge.component < driven.size()) {
+            driven[edge.component] = 0;
+        }
+    }
+}
+
+/// What it weighs, and nothing of what was there before.
+void renewSlot(Bodies& bodies, Constraints& constraints, ContactGraph& graph, Slot slot) {
+    const BodyMotion& m = bodies.motions[slot];
+    const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
+    graph.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
+    bodies.movable[slot] = m.isMovable() ? 1 : 0;
+    graph.roots[slot] = slot;
+    constraints.mergeableContacts[slot] = 0;
+}
+
+} // namespace
+
+void findComponents(const SolverStage& stage) {
+    if (!stage.flags.contactGraphStale) {
+        return;
+    }
+    stage.flags.contactGraphStale = false;
+    beginRoots(stage.bodies, stage.contacts, stage.graph, stage.sleep);
+    std::vector<Slot>& roots = stage.graph.roots;
+    std::vector<ContactGraph::KinematicEdge>& edges = stage.graph.kinematicEdges;
+    forgetKinematicEdges(stage.graph, stage.solver);
+    stage.graph.drivenStale = true;
+    edges.clear();
+    addPairs(stage.bodies, stage.contacts, stage.graph);
+    stage.graph.componentRoots.clear();
+    for (const Slot slot : stage.bodies.moving) {
+        roots[slot] = rootOf(roots, slot);
+        if (roots[slot] == slot) {
+            stage.graph.componentRoots.push_back(slot);
+        }
+    }
+    for (ContactGraph::KinematicEdge& edge : edges) {
+        edge.component = roots[edge.component];
+    }
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end()); // leaves little to sort
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
+
+void findDriven(const Bodies& bodies, ContactGraph& graph, SolverScratch& solver) {
+    std::vector<std::uint8_t>& driven = solver.driven;
+    beginBySlot(driven, bodies.motions.size() + 1, std::uint8_t{0});
+    for (const Slot root : graph.componentRoots) {
+        driven[root] = 0;
+    }
+    forgetKinematicEdges(graph, solver);
+    bool any = false;
+    for (const ContactGraph::KinematicEdge& edge : graph.kinematicEdges) {
+        if (bodies.motions[edge.body].isMoving()) {
+            driven[edge.component] = 1;
+            any = true;
+        }
+    }
+    if (any || graph.drivenStale) {
+        for (const Slot slot : bodies.moving) {
+            driven[slot] = driven[graph.roots[slot]];
+        }
+    }
+    graph.drivenStale = any;
+}
+
+void renewSlots(const SolverStage& stage, std::span<const Slot> slots) {
+    const std::size_t count = stage.bodies.motions.size();
+    stage.graph.roots.resize(count);
+    stage.graph.inertias.resize(count);
+    stage.bodies.movable.resize(count);
+    stage.constraints.mergeableContacts.resize(count);
+    for (const Slot slot : slots) {
+        renewSlot(stage.bodies, stage.constraints, stage.graph, slot);
+    }
+    stage.flags.contactGraphStale = true;
+}
+
+} // namespace spacetow
