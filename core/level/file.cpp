@@ -5,10 +5,12 @@
 #include "core/level/json_read.h"
 #include "core/level/json_write.h"
 #include "core/level/lint.h"
+#include "core/level/lint_findings.h"
 #include "core/level/migrate.h"
 #include "core/level/tag_edits.h"
 
 #include <algorithm>
+#include <array>
 
 namespace spacetow {
 
@@ -45,6 +47,24 @@ bool mayBeTooLargeToSave(std::string_view text, const JsonTree& tree) {
     constexpr std::size_t growth = 8; // of a text, at most
     constexpr std::size_t valueGrowth = 3;
     return text.size() > maxLevelBytes / growth || tree.size() > JsonTree::maxValues / valueGrowth;
+}
+
+std::size_t vertexCount(const Level& level) {
+    std::size_t count = 0;
+    for (const Object& object : level.objects) {
+        if (const auto* body = std::get_if<BodyObject>(&object.data)) {
+            for (const LevelShape& shape : body->shapes) {
+                std::visit(
+                    [&count](const auto& part) {
+                        if constexpr (requires { part.vertices; }) {
+                            count += part.vertices.size();
+                        }
+                    },
+                    shape);
+            }
+        }
+    }
+    return count;
 }
 
 } // namespace
@@ -89,8 +109,24 @@ std::string levelText(const Level& level) {
     return writtenLevel(level).laidOut();
 }
 
+std::optional<Error> saveError(const Level& level) {
+    constexpr std::array unreadable{"not-finite", "bad-tag-name", "duplicate-tag"};
+    if (vertexCount(level) > static_cast<std::size_t>(limits::vertices)) {
+        return Error{"too-many-vertices", {std::to_string(limits::vertices)}};
+    }
+    Findings findings;
+    checkRanges(level, findings);
+    checkTags(level, findings);
+    for (const Problem& problem : std::move(findings).sorted()) {
+        if (std::ranges::find(unreadable, problem.code) != unreadable.end()) {
+            return Error{problem.code, problem.arguments};
+        }
+    }
+    return {};
+}
+
 Result<std::string> savableText(const Level& level) {
-    if (std::optional<Error> error = notWritable(level)) {
+    if (std::optional<Error> error = saveError(level)) {
         return *std::move(error);
     }
     std::string text = levelText(level);

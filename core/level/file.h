@@ -32,7 +32,7 @@ LevelFile parseLevel(std::string_view text, Checks checks = Checks::All);
 /// The text of the file, newline at the end. Shortest round-trip numbers, keys in fixed order.
 std::string levelText(const Level& level);
 
-/// The same, of a level whose file could be read again. Codes: those of notWritable, "text-too-large" (bytes allowed),
+/// The same, of a level whose file could be read again. Codes: those of saveError, "text-too-large" (bytes allowed),
 /// "too-many-values" (number allowed), "too-many-vertices".
 Result<std::string> savableText(const Level& level);
 
@@ -48,7 +48,7 @@ std::optional<Error> writeLevel(const std::filesystem::path& path, const Level& 
 
 /// Why a file of the level could not be read again. Codes: "not-finite" (field), "bad-tag-name" (name),
 /// "duplicate-tag" (name), "too-many-vertices" (number allowed).
-std::optional<Error> notWritable(const Level& level);
+std::optional<Error> saveError(const Level& level);
 
 /// Objects as text and back, for the clipboard; the text says the names of their tags. Parsing gives the objects that
 /// have no error, with the tags that the text tells of and those it only names.

@@ -1,10 +1,7 @@
 #include "core/level/fields.h"
-#include "core/level/file.h"
 #include "core/level/json_text.h"
 #include "core/level/lint_findings.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace spacetow {
@@ -87,24 +84,6 @@ class RangeChecker {
     int m_shape = -1;
 };
 
-std::size_t vertexCount(const Level& level) {
-    std::size_t count = 0;
-    for (const Object& object : level.objects) {
-        if (const auto* body = std::get_if<BodyObject>(&object.data)) {
-            for (const LevelShape& shape : body->shapes) {
-                std::visit(
-                    [&count](const auto& part) {
-                        if constexpr (requires { part.vertices; }) {
-                            count += part.vertices.size();
-                        }
-                    },
-                    shape);
-            }
-        }
-    }
-    return count;
-}
-
 } // namespace
 
 void checkRanges(const Level& level, Findings& findings) {
@@ -123,22 +102,6 @@ void checkRanges(const Level& level, Findings& findings) {
         RangeChecker checker(findings, i, object.key);
         std::visit([&checker](const auto& data) { visitFields(checker, data); }, object.data);
     }
-}
-
-std::optional<Error> notWritable(const Level& level) {
-    constexpr std::array unreadable{"not-finite", "bad-tag-name", "duplicate-tag"};
-    if (vertexCount(level) > static_cast<std::size_t>(limits::vertices)) {
-        return Error{"too-many-vertices", {std::to_string(limits::vertices)}};
-    }
-    Findings findings;
-    checkRanges(level, findings);
-    checkTags(level, findings);
-    for (const Problem& problem : std::move(findings).sorted()) {
-        if (std::ranges::find(unreadable, problem.code) != unreadable.end()) {
-            return Error{problem.code, problem.arguments};
-        }
-    }
-    return {};
 }
 
 } // namespace spacetow

@@ -63,7 +63,7 @@ class GoldenImportTest : public QObject {
         QCOMPARE(codeLines(import.value().notes), wholeFile(path + "/report.txt"));
         const Imported result = imported(Level(), std::move(import).value().foreign, {.seed = 1});
         QCOMPARE(QByteArray::fromStdString(levelText(result.level)), wholeFile(path + "/out.json"));
-        QVERIFY(!notWritable(result.level));
+        QVERIFY(!saveError(result.level));
         QVERIFY(parseLevel(levelText(result.level), Checks::FileOnly).problems.empty());
     }
 };

@@ -36,7 +36,7 @@ QString faultOf(const EditRow& edit, std::uint64_t seed, const Level& input) {
     if (const QStringList codes = structuralBreaches(output); !codes.isEmpty()) {
         return codes.join(QLatin1Char(' '));
     }
-    if (const std::optional<Error> error = notWritable(output)) {
+    if (const std::optional<Error> error = saveError(output)) {
         return QString::fromStdString(error->code);
     }
     const LevelFile read = parseLevel(levelText(output), Checks::FileOnly);

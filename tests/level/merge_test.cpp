@@ -291,7 +291,7 @@ class MergeTest : public QObject {
             const Level theirs = tagged(3);
             const MergedLevel result = merged(base, ours, theirs);
             QVERIFY2(result.conflicts.empty(), seedText(seed));
-            QVERIFY2(!notWritable(result.level), seedText(seed));
+            QVERIFY2(!saveError(result.level), seedText(seed));
             for (Key key = 1; key <= 4; ++key) {
                 const Level& side = key < 3 ? ours : theirs;
                 QVERIFY2(namesOfTags(result.level, key) == namesOfTags(side, key), seedText(seed));
@@ -307,7 +307,7 @@ class MergeTest : public QObject {
             for (const MergeSide side : {MergeSide::Ours, MergeSide::Theirs}) {
                 for (const MergedLevel& result :
                      {merged(base, renamedIt, addedIt, side), merged(base, addedIt, renamedIt, side)}) {
-                    QVERIFY(!notWritable(result.level));
+                    QVERIFY(!saveError(result.level));
                     QVERIFY(!result.conflicts.empty());
                 }
             }

@@ -59,9 +59,9 @@ Pair makePair(const Bodies& bodies, const BroadPhase& broadPhase, const FoundPai
 
 /// Whether the speculative margin may cover but a part of an iteration.
 bool limitsFraction(const Bodies& bodies, const Pair& pair) {
-    const bool driven =
+    const bool kinematic =
         !pair.staticB && !(bodies.motions[pair.bodyA].isMovable() && bodies.motions[pair.bodyB].isMovable());
-    return pair.kind == PairKind::General || (driven && pair.kind != PairKind::Sensor);
+    return pair.kind == PairKind::General || (kinematic && pair.kind != PairKind::Sensor);
 }
 
 void noteDropped(const Contacts& contacts, PairChanges& changes, std::size_t index) {

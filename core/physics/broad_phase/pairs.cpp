@@ -26,16 +26,16 @@ void clearSlots(std::vector<T>& list, const std::vector<Slot>& slots) {
 }
 
 /// What the solver keeps by slot of those that have moved begins anew: it writes no other.
-void clearBySlot(Scratch& scratch, const std::vector<Slot>& moved) {
-    clearSlots(scratch.solver.velocities, moved);
-    clearSlots(scratch.solver.corrections, moved);
-    clearSlots(scratch.solver.driven, moved);
-    clearSlots(scratch.solver.unconverged, moved);
-    clearSlots(scratch.solver.limited, moved);
-    clearSlots(scratch.toi.shortenedAt, moved);
+void clearBySlot(SolverScratch& solver, ToiSearch& toi, const std::vector<Slot>& moved) {
+    clearSlots(solver.velocities, moved);
+    clearSlots(solver.corrections, moved);
+    clearSlots(solver.pushedByKinematic, moved);
+    clearSlots(solver.unconverged, moved);
+    clearSlots(solver.limited, moved);
+    clearSlots(toi.shortenedAt, moved);
     for (const Slot slot : moved) {
-        if (slot < scratch.solver.fractions.size()) {
-            scratch.solver.fractions[slot] = 1;
+        if (slot < solver.fractions.size()) {
+            solver.fractions[slot] = 1;
         }
     }
 }
@@ -52,8 +52,8 @@ void listSensors(Contacts& contacts, StepFlags& flags) {
     flags.contactGraphStale = true;
 }
 
-void listMoving(Bodies& bodies, Scratch& scratch) {
-    clearBySlot(scratch, bodies.moving);
+void listMoving(Bodies& bodies, SolverScratch& solver, ToiSearch& toi) {
+    clearBySlot(solver, toi, bodies.moving);
     bodies.moving.clear();
     for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
         for (const Slot slot : bodies.nonStatic) {

@@ -7,8 +7,10 @@
 
 namespace spacetow {
 
-/// Lists the active bodies that are awake, and the pairs of sensors.
-void listMoving(Bodies& bodies, Scratch& scratch);
+/// Lists the active bodies that are awake. What the solver and the time of impact keep of those listed before begins
+/// anew.
+void listMoving(Bodies& bodies, SolverScratch& solver, ToiSearch& toi);
+/// Lists the pairs of sensors.
 void listSensors(Contacts& contacts, StepFlags& flags);
 
 /// Measures the planned motion of each moving body. Notes which bodies are fast, and which leave their fat AABBs in

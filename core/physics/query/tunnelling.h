@@ -1,6 +1,6 @@
 #pragma once
 // How near bodies come to passing through a wall in one iteration. The engine stops what is fast where it first meets
-// something; the band behind a wall is what is left when that cannot be, as when a body is put somewhere or driven by
+// something; the band behind a wall is what is left when that cannot be, as when a body is put somewhere or pushed by
 // another. A wall is the safer the deeper it is against the way that a body goes in an iteration:
 //
 //     risk = greatest approach speed · seconds / iterations / depth

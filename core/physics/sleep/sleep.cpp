@@ -37,17 +37,16 @@ bool sleeps(const Bodies& bodies, const Pair& pair) {
 /// Pairs nobody of which moves on one side, the others on the other.
 void partitionPairs(const SleepStage& stage) {
     Sleep& sleep = stage.sleep;
-    stage.scratch.changes.newTable.clear();
+    stage.newTable.clear();
     stage.search.newTable.clear();
     for (std::size_t i = 0, j = 0; i < stage.contacts.table.size() || j < sleep.table.size();) {
         const bool first = j == sleep.table.size() ||
                            (i < stage.contacts.table.size() && stage.contacts.table.pairs[i] < sleep.table.pairs[j]);
         const PairTable& from = first ? stage.contacts.table : sleep.table;
         const std::size_t index = first ? i++ : j++;
-        (sleeps(stage.bodies, from.pairs[index]) ? stage.search.newTable : stage.scratch.changes.newTable)
-            .addFrom(from, index);
+        (sleeps(stage.bodies, from.pairs[index]) ? stage.search.newTable : stage.newTable).addFrom(from, index);
     }
-    std::swap(stage.contacts.table, stage.scratch.changes.newTable);
+    std::swap(stage.contacts.table, stage.newTable);
     std::swap(sleep.table, stage.search.newTable);
 }
 
@@ -62,7 +61,7 @@ void rebuildLists(const SleepStage& stage) {
         }
     }
     partitionPairs(stage);
-    listMoving(stage.bodies, stage.scratch);
+    listMoving(stage.bodies, stage.solver, stage.toi);
     listSensors(stage.contacts, stage.flags);
     relistTouchedTags(stage.bodies, stage.sleep);
 }
@@ -119,22 +118,22 @@ void markNear(const Bodies& bodies, const Sleep& sleep, SleepSearch& sleepSearch
     }
 }
 
-/// The islands of those that are in a pair with a disturbed body that cannot be moved.
-void markPartners(const SleepStage& stage, const std::vector<Slot>& disturbed) {
-    const auto isDisturbed = [&](Slot slot) {
-        return !stage.bodies.motions[slot].isMovable() && std::binary_search(disturbed.begin(), disturbed.end(), slot);
+/// The islands of those that are in a pair with a body that cannot be moved and is to wake what is near it.
+void markPartners(const SleepStage& stage, const std::vector<Slot>& requested) {
+    const auto isRequested = [&](Slot slot) {
+        return !stage.bodies.motions[slot].isMovable() && std::binary_search(requested.begin(), requested.end(), slot);
     };
     for (const Pair& pair : stage.sleep.table.pairs) {
-        if (isDisturbed(pair.bodyA)) {
+        if (isRequested(pair.bodyA)) {
             markIsland(stage.bodies, stage.search, pair.bodyB);
         }
-        if (isDisturbed(pair.bodyB)) {
+        if (isRequested(pair.bodyB)) {
             markIsland(stage.bodies, stage.search, pair.bodyA);
         }
     }
     for (const ConnectorRecord& c : stage.forces.connectors) {
-        if (c.used && (std::binary_search(disturbed.begin(), disturbed.end(), c.a) ||
-                       std::binary_search(disturbed.begin(), disturbed.end(), c.b))) {
+        if (c.used && (std::binary_search(requested.begin(), requested.end(), c.a) ||
+                       std::binary_search(requested.begin(), requested.end(), c.b))) {
             markIsland(stage.bodies, stage.search, c.a);
             markIsland(stage.bodies, stage.search, c.b);
         }
@@ -210,32 +209,32 @@ void putToSleep(const SleepStage& stage, Slot slot, Slot island, int iteration) 
 
 } // namespace
 
-void disturb(Bodies& bodies, Sleep& sleep, Slot slot) {
+void requestWake(Bodies& bodies, Sleep& sleep, Slot slot) {
     BodyRecord& record = bodies.records[slot];
     record.stillTime = 0;
     const bool moves = record.active && !record.asleep && record.kind != BodyKind::Static;
     if (!sleep.sleepers.empty() && !moves) {
-        sleep.disturbed.push_back(slot);
+        sleep.wakeRequests.push_back(slot);
     }
 }
 
-void wakeDisturbed(const SleepStage& stage, int iteration) {
-    std::vector<Slot>& disturbed = stage.sleep.disturbed;
-    if (disturbed.empty()) {
+void wakeRequested(const SleepStage& stage, int iteration) {
+    std::vector<Slot>& requested = stage.sleep.wakeRequests;
+    if (requested.empty()) {
         return;
     }
-    std::sort(disturbed.begin(), disturbed.end());
-    disturbed.erase(std::unique(disturbed.begin(), disturbed.end()), disturbed.end());
+    std::sort(requested.begin(), requested.end());
+    requested.erase(std::unique(requested.begin(), requested.end()), requested.end());
     clearMarks(stage.bodies, stage.sleep, stage.search);
-    for (const Slot slot : disturbed) {
+    for (const Slot slot : requested) {
         markIsland(stage.bodies, stage.search, slot);
         if (stage.bodies.records[slot].used && stage.bodies.records[slot].kind == BodyKind::Static) {
             markNear(stage.bodies, stage.sleep, stage.search, slot);
         }
     }
-    markPartners(stage, disturbed);
+    markPartners(stage, requested);
     wakeMarked(stage, iteration);
-    disturbed.clear();
+    requested.clear();
 }
 
 void beginSleep(const SleepStage& stage, const Vec2& gravity) {
@@ -245,9 +244,9 @@ void beginSleep(const SleepStage& stage, const Vec2& gravity) {
     if (all) {
         stage.search.marked.assign(stage.bodies.records.size(), 1);
         wakeMarked(stage, -1);
-        sleep.disturbed.clear();
+        sleep.wakeRequests.clear();
     }
-    wakeDisturbed(stage, -1);
+    wakeRequested(stage, -1);
 }
 
 bool wakeTouched(const SleepStage& stage, const IterationStep& step) {

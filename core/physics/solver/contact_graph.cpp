@@ -49,10 +49,10 @@ void addPairs(const Bodies& bodies, const Contacts& contacts, ContactGraph& grap
 
 /// No kinematic body pushes their components any more.
 void forgetKinematicEdges(const ContactGraph& graph, SolverScratch& solver) {
-    std::vector<std::uint8_t>& driven = solver.driven;
+    std::vector<std::uint8_t>& pushedByKinematic = solver.pushedByKinematic;
     for (const ContactGraph::KinematicEdge& edge : graph.kinematicEdges) {
-        if (edge.component < driven.size()) {
-            driven[edge.component] = 0;
+        if (edge.component < pushedByKinematic.size()) {
+            pushedByKinematic[edge.component] = 0;
         }
     }
 }
@@ -78,7 +78,7 @@ void findComponents(const SolverStage& stage) {
     std::vector<Slot>& roots = stage.graph.roots;
     std::vector<ContactGraph::KinematicEdge>& edges = stage.graph.kinematicEdges;
     forgetKinematicEdges(stage.graph, stage.solver);
-    stage.graph.drivenStale = true;
+    stage.graph.pushedByKinematicStale = true;
     edges.clear();
     addPairs(stage.bodies, stage.contacts, stage.graph);
     stage.graph.componentRoots.clear();
@@ -96,26 +96,26 @@ void findComponents(const SolverStage& stage) {
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
-void findDriven(const Bodies& bodies, ContactGraph& graph, SolverScratch& solver) {
-    std::vector<std::uint8_t>& driven = solver.driven;
-    beginBySlot(driven, bodies.motions.size() + 1, std::uint8_t{0});
+void markPushedByKinematic(const Bodies& bodies, ContactGraph& graph, SolverScratch& solver) {
+    std::vector<std::uint8_t>& pushedByKinematic = solver.pushedByKinematic;
+    beginBySlot(pushedByKinematic, bodies.motions.size() + 1, std::uint8_t{0});
     for (const Slot root : graph.componentRoots) {
-        driven[root] = 0;
+        pushedByKinematic[root] = 0;
     }
     forgetKinematicEdges(graph, solver);
     bool any = false;
     for (const ContactGraph::KinematicEdge& edge : graph.kinematicEdges) {
         if (bodies.motions[edge.body].isMoving()) {
-            driven[edge.component] = 1;
+            pushedByKinematic[edge.component] = 1;
             any = true;
         }
     }
-    if (any || graph.drivenStale) {
+    if (any || graph.pushedByKinematicStale) {
         for (const Slot slot : bodies.moving) {
-            driven[slot] = driven[graph.roots[slot]];
+            pushedByKinematic[slot] = pushedByKinematic[graph.roots[slot]];
         }
     }
-    graph.drivenStale = any;
+    graph.pushedByKinematicStale = any;
 }
 
 void renewSlots(const SolverStage& stage, std::span<const Slot> slots) {

@@ -46,8 +46,8 @@ void beginBySlot(std::vector<T>& list, std::size_t size, const T& initial) {
 /// Of the contact graph, by the pairs there are, when these have changed since the last time.
 void findComponents(const SolverStage& stage);
 
-/// Marks the bodies of components that a moving body pushes which nothing can stop.
-void findDriven(const Bodies& bodies, ContactGraph& graph, SolverScratch& solver);
+/// Marks the bodies of components that a moving kinematic body may push: it can do any work.
+void markPushedByKinematic(const Bodies& bodies, ContactGraph& graph, SolverScratch& solver);
 
 /// The component of a contact's bodies.
 template <class Batch>

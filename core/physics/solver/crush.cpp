@@ -38,20 +38,20 @@ void seeBoth(const Bodies& bodies, const Sight& ofA, double leverB, const Visit&
     }
 }
 
-/// Visits all points of contact of driven bodies.
+/// Visits all points of contact of bodies that a kinematic one may push.
 template <class Visit>
 void forSights(const Bodies& bodies, const Constraints& constraints, const SolverScratch& solver, const Visit& visit) {
-    const std::vector<std::uint8_t>& driven = solver.driven;
-    const auto isDriven = [&](const auto& c) { return (driven[c.a] | driven[c.b]) != 0; };
+    const std::vector<std::uint8_t>& pushed = solver.pushedByKinematic;
+    const auto isPushed = [&](const auto& c) { return (pushed[c.a] | pushed[c.b]) != 0; };
     for (const CircleContact& c : constraints.circleContacts) {
-        if (isDriven(c)) {
+        if (isPushed(c)) {
             const CircleBatch& batch = constraints.batches.circles[c.lane.batch];
             const std::uint32_t i = c.lane.lane;
             seeBoth(bodies, {c.a, c.b, {batch.normalX[i], batch.normalY[i]}, 0, batch.separation[i]}, 0, visit);
         }
     }
     for (const GeneralContact& c : constraints.generalContacts) {
-        if (isDriven(c)) {
+        if (isPushed(c)) {
             const ConstraintBatch& batch = constraints.batches.general[c.lane.batch];
             const std::uint32_t i = c.lane.lane;
             const Vec2 normal(batch.normalX[i], batch.normalY[i]);
@@ -119,18 +119,19 @@ Transform poseAfterStop(const Bodies& bodies, Slot slot) {
     return {centerAfterStop(bodies, slot), turned(bodies.motions[slot].rotation, s.fraction * s.deltaAngle)};
 }
 
-bool isPushed(const Bodies& bodies, const SolverScratch& solver, Slot slot) {
+/// By position corrections, or with its platform.
+bool isDisplaced(const Bodies& bodies, const SolverScratch& solver, Slot slot) {
     const BodyStep& s = bodies.steps[slot];
-    return solver.driven[slot] != 0 && (s.correction != Vec2(0, 0) || s.angleCorrection != 0);
+    return solver.pushedByKinematic[slot] != 0 && (s.correction != Vec2(0, 0) || s.angleCorrection != 0);
 }
 
-/// Visits the pairs of driven bodies with static ones that they have no contact with.
+/// Visits the pairs of these bodies with static ones that they have no contact with.
 template <class Visit>
 void forUnmet(const Bodies& bodies, const Contacts& contacts, const SolverScratch& solver, const Visit& visit) {
     for (std::uint32_t i = 0; i < contacts.table.size(); ++i) {
         const Pair& pair = contacts.table.pairs[i];
         if (pair.staticB && pair.kind != PairKind::Sensor && !contacts.table.flags[i].inSolver &&
-            isPushed(bodies, solver, pair.bodyA)) {
+            isDisplaced(bodies, solver, pair.bodyA)) {
             visit(pair);
         }
     }
@@ -148,8 +149,9 @@ struct Squeeze {
     double depth = 0; // m, of the overlap at the end of the iteration
 };
 
-/// Pushes and what carries a body along do not take it through what it has not yet met.
-void stopPushed(Bodies& bodies, const Contacts& contacts, const SolverScratch& solver, std::vector<Squeeze>& stopped) {
+/// Position corrections and platforms do not take a body through what it has not yet met.
+void stopDisplaced(Bodies& bodies, const Contacts& contacts, const SolverScratch& solver,
+                   std::vector<Squeeze>& stopped) {
     forUnmet(bodies, contacts, solver, [&](const Pair& pair) {
         BodyStep& s = bodies.steps[pair.bodyA];
         const Transform start = poseAfterStop(bodies, pair.bodyA);
@@ -234,10 +236,10 @@ void reportCrushed(const CrushStage& stage, std::vector<Squeeze>& squeezes, int 
 
 } // namespace
 
-bool anyDriven(const Bodies& bodies, const SolverScratch& solver) {
-    const std::vector<std::uint8_t>& driven = solver.driven;
+bool anyPushedByKinematic(const Bodies& bodies, const SolverScratch& solver) {
+    const std::vector<std::uint8_t>& pushed = solver.pushedByKinematic;
     return std::any_of(bodies.moving.begin(), bodies.moving.end(),
-                       [&driven](Slot slot) { return slot < driven.size() && driven[slot] != 0; });
+                       [&pushed](Slot slot) { return slot < pushed.size() && pushed[slot] != 0; });
 }
 
 void measureCorrections(Bodies& bodies, StepFlags& flags, const SolverScratch& solver, PairSearch& search) {
@@ -245,7 +247,7 @@ void measureCorrections(Bodies& bodies, StepFlags& flags, const SolverScratch& s
     for (const Slot slot : bodies.moving) {
         BodyStep& s = bodies.steps[slot];
         const Vec2 end = centerAfterStop(bodies, slot) + s.correction;
-        s.movedProxy = isPushed(bodies, solver, slot) &&
+        s.movedProxy = isDisplaced(bodies, solver, slot) &&
                        (!s.fat.centers.contains(end) ||
                         std::abs(s.fraction * s.deltaAngle) + std::abs(s.angleCorrection) > s.fat.angleLeft);
         if (s.movedProxy) {
@@ -257,7 +259,7 @@ void measureCorrections(Bodies& bodies, StepFlags& flags, const SolverScratch& s
 
 void keepOutOfStatics(const CrushStage& stage, int iteration) {
     std::vector<Squeeze> squeezes;
-    stopPushed(stage.bodies, stage.contacts, stage.solver, squeezes);
+    stopDisplaced(stage.bodies, stage.contacts, stage.solver, squeezes);
     std::vector<Slot> kept;
     bool changed = true;
     for (int round = 0; round < roundsOfKeeping && changed; ++round) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a press drives against something that stands still: it stays on its side of that, the press overlaps it, and an
+// What a press pushes against something that stands still: it stays on its side of that, the press overlaps it, and an
 // event says that it is crushed.
 
 #include "core/physics/state/world_data.h"
@@ -20,13 +20,14 @@ struct CrushStage {
           crushed(data.crushed), events(data.events) {}
 };
 
-/// Whether anything that cannot be stopped drives a body. Else nothing is crushed, and the others need not be called.
-bool anyDriven(const Bodies& bodies, const SolverScratch& solver);
+/// Whether a moving kinematic body may push anything. Else nothing is crushed, and the others need not be called.
+bool anyPushedByKinematic(const Bodies& bodies, const SolverScratch& solver);
 
-/// Notes which driven bodies position corrections, or what carries them along, take out of their fat AABBs.
+/// Notes which of the bodies that a kinematic one may push leave their fat AABBs by position corrections, or with their
+/// platform.
 void measureCorrections(Bodies& bodies, StepFlags& flags, const SolverScratch& solver, PairSearch& search);
 
-/// Limits the motion of driven bodies, position corrections included: none goes further into what stands still than the
+/// Limits the motion of these bodies, position corrections included: none goes further into what stands still than the
 /// slop. A body that is crushed thereby, and was not in the iteration before, is among the events. To be called when
 /// the motion is about to be carried out.
 void keepOutOfStatics(const CrushStage& stage, int iteration);

@@ -67,7 +67,7 @@ void measureBodies(const SolverStage& stage) {
             root = stage.graph.roots[slot];
             sum = changes[root];
         }
-        if (stage.solver.driven[root] == 0) { // what is driven may gain what it likes
+        if (stage.solver.pushedByKinematic[root] == 0) { // a kinematic body may do any work
             measureBody(stage, slot, sum);
         }
     }
@@ -95,7 +95,7 @@ Gain measureComponents(const SolverStage& stage) {
         const EnergyChange& change = stage.solver.changes[root];
         EnergyBalance& balance = stage.solver.balances[root];
         balance = {sum(change.a), sum(change.b), sum(change.c), 0};
-        if (stage.solver.driven[root] != 0) {
+        if (stage.solver.pushedByKinematic[root] != 0) {
             balance = {0, 0, -infinite, 0};
         }
         worst = std::max(worst, gainOf(balance));

@@ -168,7 +168,7 @@ void integrateVelocities(const ForceStage& stage, const IterationStep& step) {
         s.deltaPosition.setZero();
         s.deltaAngle = 0;
         s.fraction = s.acceleratedFraction = 1;
-        s.carrier = noSlot;
+        s.platform = noSlot;
         s.correction.setZero();
         s.angleCorrection = 0;
         s.pushed = s.bounced = s.bouncing = s.deflected = false;

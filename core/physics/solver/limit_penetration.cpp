@@ -26,7 +26,7 @@ struct Closing {
 struct PenetrationLimits {
     std::vector<double>& fractions;
     std::vector<std::uint8_t>& changed; // the round after that in which the fraction has changed; 1 at first if below 1
-    const std::vector<std::uint8_t>& driven;
+    const std::vector<std::uint8_t>& pushedByKinematic;
     double dt;
     int round;
 };
@@ -102,12 +102,13 @@ bool limitContactAt(const std::vector<BodyVelocity>& velocities, const Penetrati
     return limitAt(batch.leverA2[i], batch.leverB2[i], batch.separation2[i]) || changed;
 }
 
-/// Whether no contact closes too fast, but in components that something drives.
+/// Whether no contact closes too fast, but in components that a kinematic body may push.
 template <class Batch>
-bool noneCloses(const std::vector<std::uint8_t>& driven, const Batches<Batch>& batches) {
+bool noneCloses(const std::vector<std::uint8_t>& pushedByKinematic, const Batches<Batch>& batches) {
     bool none = true;
     forLanes(batches, &BatchFlags::closes, [&](Lane at) {
-        none &= (driven[batches[at.batch].a[at.lane]] & driven[batches[at.batch].b[at.lane]]) != 0;
+        none &=
+            (pushedByKinematic[batches[at.batch].a[at.lane]] & pushedByKinematic[batches[at.batch].b[at.lane]]) != 0;
     });
     return none;
 }
@@ -125,7 +126,7 @@ bool limitOnce(const std::vector<BodyVelocity>& velocities, const PenetrationLim
             const Slot a = batch.a[i];
             const Slot b = batch.b[i];
             const bool isNew = (closes >> i & 1) != 0 || h.changed[a] >= since || h.changed[b] >= since;
-            if (isNew && (h.driven[a] & h.driven[b]) == 0) {
+            if (isNew && (h.pushedByKinematic[a] & h.pushedByKinematic[b]) == 0) {
                 changed |= limitContactAt(velocities, h, batch, i);
             }
         }
@@ -158,8 +159,8 @@ void reduceAcceleration(Bodies& bodies, SolverScratch& solver) {
 bool noneLimited(const Bodies& bodies, const Constraints& constraints, const SolverScratch& solver) {
     const auto isLimited = [&](Slot slot) { return bodies.steps[slot].fraction < 1; };
     return std::none_of(bodies.moving.begin(), bodies.moving.end(), isLimited) &&
-           noneCloses(solver.driven, constraints.batches.circles) &&
-           noneCloses(solver.driven, constraints.batches.general);
+           noneCloses(solver.pushedByKinematic, constraints.batches.circles) &&
+           noneCloses(solver.pushedByKinematic, constraints.batches.general);
 }
 
 /// What is held back so far holds back what follows it.
@@ -173,7 +174,7 @@ void propagateLimits(const Bodies& bodies, const Constraints& constraints, Solve
     }
     bool changed = true;
     for (int round = 0; round < roundsOfLimiting && changed; ++round) {
-        const PenetrationLimits holding{scratch.fractions, scratch.limited, scratch.driven, dt, round};
+        const PenetrationLimits holding{scratch.fractions, scratch.limited, scratch.pushedByKinematic, dt, round};
         changed = limitOnce(scratch.velocities, holding, constraints.batches.circles);
         changed |= limitOnce(scratch.velocities, holding, constraints.batches.general);
     }

@@ -21,12 +21,12 @@ template <class Batch>
 void markClosing(const SolverStage& stage, const Batches<Batch>& batches) {
     forLanes(batches, &BatchFlags::closes, [&](Lane at) {
         const Slot root = rootAt(stage.graph, batches[at.batch], at.lane);
-        stage.solver.unconverged[root] = stage.solver.driven[root] != 0 ? 0 : 1;
+        stage.solver.unconverged[root] = stage.solver.pushedByKinematic[root] != 0 ? 0 : 1;
     });
 }
 
-/// Marks the components in which contacts close; whether there are any. Not those that something drives which cannot be
-/// stopped: they are not held back either, and in a turning drum something always closes.
+/// Marks the components in which contacts close; whether there are any. Not those that a kinematic body may
+/// push: they are not held back either, and in a turning drum something always closes.
 bool markClosing(const SolverStage& stage) {
     clearUnconverged(stage.bodies, stage.graph, stage.sleep, stage.solver);
     markClosing(stage, stage.constraints.batches.circles);

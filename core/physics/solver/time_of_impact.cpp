@@ -31,12 +31,12 @@ Motion plannedMotion(const Bodies& bodies, Slot slot, double fraction) {
     return {.start = bodies.pose(slot), .translation = fraction * s.deltaPosition, .turn = fraction * s.deltaAngle};
 }
 
-bool shorten(BodyStep& s, double fraction, Slot carrier) {
+bool shorten(BodyStep& s, double fraction, Slot platform) {
     if (fraction >= s.fraction) {
         return false;
     }
     s.fraction = fraction;
-    s.carrier = carrier != noSlot ? carrier : s.carrier;
+    s.platform = platform != noSlot ? platform : s.platform;
     return true;
 }
 
@@ -102,7 +102,7 @@ std::optional<double> timeOfImpactOf(const Bodies& bodies, const Pair& pair) {
 /// Who may be stopped of a pair, and by whom what is stopped is then taken along.
 struct Stoppable {
     bool a, b;
-    Slot carrierOfA, carrierOfB;
+    Slot platformOfA, platformOfB;
 };
 
 Stoppable stoppable(const Bodies& bodies, const Pair& pair) {
@@ -119,11 +119,11 @@ struct Fractions {
 /// True when the motion of either body was cut short.
 bool stop(const ToiStage& stage, const Pair& pair, const Stoppable& which, const Fractions& left) {
     bool changed = false;
-    if (which.a && shorten(stage.bodies.steps[pair.bodyA], left.a, which.carrierOfA)) {
+    if (which.a && shorten(stage.bodies.steps[pair.bodyA], left.a, which.platformOfA)) {
         stage.toi.shortenedAt[pair.bodyA] = stage.toi.visits;
         changed = true;
     }
-    if (which.b && shorten(stage.bodies.steps[pair.bodyB], left.b, which.carrierOfB)) {
+    if (which.b && shorten(stage.bodies.steps[pair.bodyB], left.b, which.platformOfB)) {
         stage.toi.shortenedAt[pair.bodyB] = stage.toi.visits;
         changed = true;
     }

@@ -60,7 +60,7 @@ struct alignas(64) BodyStep {
     bool bounced = false;           // off one
     bool bouncing = false;          // about to bounce, from where it meets something
     bool deflected = false;         // by contacts, so that it may meet what its planned motion would not have met
-    Slot carrier = noSlot;          // the kinematic body that stopped it
+    Slot platform = noSlot;         // the kinematic body that stopped it
     double fraction = 1;            // of delta position and angle that is carried out
     double acceleratedFraction = 1; // share of this iteration's acceleration that the velocity has
     Vec2 correction{0, 0};          // out of overlaps, m

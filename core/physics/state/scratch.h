@@ -74,7 +74,7 @@ struct SolverScratch {
     std::vector<std::uint8_t> unconverged;       // likewise: whether the component is solved again
     ContactBatches componentBatches;             // of these components
     std::vector<SameLane> lanes;                 // of their contacts
-    std::vector<std::uint8_t> driven;            // whether something that cannot be stopped pushes the component
+    std::vector<std::uint8_t> pushedByKinematic; // whether a moving kinematic body may push the component
     std::vector<std::uint8_t> limited;           // the round in which the motion was limited
     std::vector<double> fractions;               // of the motion that is left
 };

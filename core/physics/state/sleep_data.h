@@ -21,7 +21,7 @@ struct Sleep {
     bool allowed = false;
     Vec2 gravity{0, 0};                   // under which they fell asleep
     std::vector<Slot> sleepers;           // sorted
-    std::vector<Slot> disturbed;          // since the last update
+    std::vector<Slot> wakeRequests;       // since the last update
     PairTable table;                      // pairs of sleepers, with each other and with static bodies
     std::vector<TouchedTags> touchedTags; // of those pairs; sorted
 };

@@ -73,7 +73,7 @@ void prepareStructure(WorldData& data) {
     } else {
         listBodies(bodies);
     }
-    listMoving(bodies, data.scratch);
+    listMoving(bodies, data.scratch.solver, data.scratch.toi);
     for (const Slot slot : bodies.changedBodies) {
         bodies.motionBounds[slot] = bodies.records[slot].asleep ? bodies.steps[slot].motionBound : 0;
         bodies.mayNeedToi[slot] = 0;

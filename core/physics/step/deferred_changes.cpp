@@ -72,10 +72,10 @@ bool applyPending(WorldData& data, int iteration) {
     }
     for (const PendingChange& change : data.bodies.pending) {
         if (data.bodies.contains(change.body)) {
-            disturb(data.bodies, data.sleep, change.body.index);
+            requestWake(data.bodies, data.sleep, change.body.index);
         }
     }
-    wakeDisturbed(data, iteration);
+    wakeRequested(data, iteration);
     for (const PendingChange& change : data.bodies.pending) {
         const Slot slot = change.body.index;
         if (!data.bodies.contains(change.body)) {

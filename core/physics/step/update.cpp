@@ -8,12 +8,12 @@
 #include "core/physics/def/stage_times.h"
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/sleep/touches.h"
-#include "core/physics/solver/carriers.h"
 #include "core/physics/solver/contact_graph.h"
 #include "core/physics/solver/crush.h"
 #include "core/physics/solver/impulse_log.h"
 #include "core/physics/solver/integrate.h"
 #include "core/physics/solver/limit_penetration.h"
+#include "core/physics/solver/moving_platforms.h"
 #include "core/physics/solver/solve.h"
 #include "core/physics/solver/time_of_impact.h"
 #include "core/physics/step/body_lists.h"
@@ -105,8 +105,8 @@ void stopWhatMeets(const Stages& stages, const IterationStep& step) {
     ended(data, StepStage::Impacts);
 }
 
-/// What a kinematic body drives is kept out of what stands still.
-void limitDriven(const Stages& stages, const IterationStep& step) {
+/// What a kinematic body pushes is kept out of what stands still.
+void limitPushedByKinematic(const Stages& stages, const IterationStep& step) {
     WorldData& data = stages.data;
     measureCorrections(data.bodies, data.flags, data.scratch.solver, data.scratch.search);
     if (data.flags.anyMovedProxy) {
@@ -124,17 +124,17 @@ void makeMotion(const Stages& stages, const IterationStep& step) {
     }
     ended(data, StepStage::Contacts);
     findComponents(stages.solver);
-    findDriven(data.bodies, data.contactGraph, data.scratch.solver);
+    markPushedByKinematic(data.bodies, data.contactGraph, data.scratch.solver);
     solveVelocities(stages.solver, step);
-    findCarriers(data.bodies, data.contacts.table, data.constraints);
+    findPlatforms(data.bodies, data.contacts.table, data.constraints);
     ended(data, StepStage::Solver);
     if (data.flags.anyFast || data.flags.anySweep || data.flags.anyDeflected) {
         stopWhatMeets(stages, step);
     }
-    carryStopped(data.bodies);
+    moveWithPlatforms(data.bodies);
     ended(data, StepStage::Advance);
-    if (anyDriven(data.bodies, data.scratch.solver)) {
-        limitDriven(stages, step);
+    if (anyPushedByKinematic(data.bodies, data.scratch.solver)) {
+        limitPushedByKinematic(stages, step);
     } else {
         data.crushed.clear();
     }

@@ -80,7 +80,7 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     }
     data.bodies.changedBodies.push_back(slot);
     refreshFieldsOf(data.bodies, data.forces, slot);
-    disturb(data.bodies, data.sleep, slot);
+    requestWake(data.bodies, data.sleep, slot);
     return data.bodies.idOf(slot);
 }
 
@@ -115,7 +115,7 @@ void World::setPose(BodyId body, const Vec2& position, double angle) {
     if (record.kind == BodyKind::Static) {
         m_data->noteStaticChange(body.index);
     }
-    disturb(m_data->bodies, m_data->sleep, body.index);
+    requestWake(m_data->bodies, m_data->sleep, body.index);
 }
 
 void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocity) {
@@ -127,14 +127,14 @@ void World::setVelocity(BodyId body, const Vec2& velocity, double angularVelocit
     BodyMotion& m = m_data->bodies.motions[body.index];
     m.velocity = record.positionFrozen ? Vec2(0, 0) : velocity;
     m.angularVelocity = record.rotationFrozen ? 0 : angularVelocity;
-    disturb(m_data->bodies, m_data->sleep, body.index);
+    requestWake(m_data->bodies, m_data->sleep, body.index);
 }
 
 void World::setFilter(BodyId body, const Filter& filter) {
     EXPECTS(contains(body));
     m_data->bodies.records[body.index].filter = filter;
     m_data->flags.pairsStale = true;
-    disturb(m_data->bodies, m_data->sleep, body.index);
+    requestWake(m_data->bodies, m_data->sleep, body.index);
     if (!m_data->forces.fields.empty()) {
         refreshSubsteps(m_data->bodies, m_data->forces);
     }

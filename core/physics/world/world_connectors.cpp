@@ -42,10 +42,10 @@ std::optional<Error> check(const ConnectorDef& d) {
 }
 
 /// Nothing changes for others near a static body to which something is connected.
-void disturbEnds(Bodies& bodies, Sleep& sleep, const ConnectorRecord& c) {
+void requestWakeOfEnds(Bodies& bodies, Sleep& sleep, const ConnectorRecord& c) {
     for (const Slot slot : {c.a, c.b}) {
         if (bodies.records[slot].kind != BodyKind::Static) {
-            disturb(bodies, sleep, slot);
+            requestWake(bodies, sleep, slot);
         }
     }
 }
@@ -87,7 +87,7 @@ Result<ConnectorId> World::addConnector(const ConnectorDef& def) {
     c.truncation = def.truncation;
     c.tension = 0;
     data.flags.connectionsStale = true;
-    disturbEnds(data.bodies, data.sleep, c);
+    requestWakeOfEnds(data.bodies, data.sleep, c);
     return ConnectorId{index, c.generation};
 }
 
@@ -99,7 +99,7 @@ bool World::contains(ConnectorId connector) const {
 void World::removeConnector(ConnectorId connector) {
     EXPECTS(contains(connector));
     ConnectorRecord& c = m_data->forces.connectors[connector.index];
-    disturbEnds(m_data->bodies, m_data->sleep, c);
+    requestWakeOfEnds(m_data->bodies, m_data->sleep, c);
     c.used = false;
     ++c.generation;
     m_data->forces.freeConnectors.push_back(connector.index);

@@ -12,10 +12,10 @@ namespace spacetow {
 namespace {
 
 /// The field is new or about to go.
-void disturbBodiesOf(Bodies& bodies, const Forces& forces, Sleep& sleep, std::uint32_t field) {
+void requestWakeOfBodies(Bodies& bodies, const Forces& forces, Sleep& sleep, std::uint32_t field) {
     for (const Slot slot : forces.fieldBodies) {
         if (actsOn(bodies, forces.fields[field], slot)) {
-            disturb(bodies, sleep, slot);
+            requestWake(bodies, sleep, slot);
         }
     }
 }
@@ -39,14 +39,14 @@ Result<FieldId> World::addField(ForceFieldDef def) {
     }
     data.forces.fields[index].def = std::make_shared<const ForceFieldDef>(std::move(def));
     refreshSubsteps(data.bodies, data.forces);
-    disturbBodiesOf(data.bodies, data.forces, data.sleep, index);
+    requestWakeOfBodies(data.bodies, data.forces, data.sleep, index);
     return FieldId{index, data.forces.fields[index].generation};
 }
 
 void World::removeField(FieldId field) {
     EXPECTS(contains(field));
     WorldData& data = *m_data;
-    disturbBodiesOf(data.bodies, data.forces, data.sleep, field.index);
+    requestWakeOfBodies(data.bodies, data.forces, data.sleep, field.index);
     data.forces.fields[field.index].def = nullptr;
     ++data.forces.fields[field.index].generation;
     data.forces.freeFields.push_back(field.index);

@@ -10,9 +10,9 @@ namespace spacetow {
 namespace {
 
 /// A force of zero is none.
-void disturbBy(Bodies& bodies, Sleep& sleep, BodyId body, bool anything) {
+void requestWakeBy(Bodies& bodies, Sleep& sleep, BodyId body, bool anything) {
     if (anything) {
-        disturb(bodies, sleep, body.index);
+        requestWake(bodies, sleep, body.index);
     }
 }
 
@@ -32,7 +32,7 @@ bool World::applyForceAt(BodyId body, const Vec2& force, const Vec2& worldPoint,
     if (accepts(record, source)) {
         record.force += force;
         record.torque += cross(worldPoint - m_data->bodies.motions[body.index].center, force);
-        disturbBy(m_data->bodies, m_data->sleep, body, force.squaredNorm() > 0);
+        requestWakeBy(m_data->bodies, m_data->sleep, body, force.squaredNorm() > 0);
     }
     return true;
 }
@@ -45,7 +45,7 @@ bool World::applyTorque(BodyId body, double torque, ForceSource source) {
     BodyRecord& record = m_data->bodies.records[body.index];
     if (accepts(record, source)) {
         record.torque += torque;
-        disturbBy(m_data->bodies, m_data->sleep, body, torque != 0);
+        requestWakeBy(m_data->bodies, m_data->sleep, body, torque != 0);
     }
     return true;
 }
@@ -59,7 +59,7 @@ bool World::applyImpulseAt(BodyId body, const Vec2& impulse, const Vec2& worldPo
     const BodyRecord& record = m_data->bodies.records[body.index];
     if (accepts(record, source) && !record.positionFrozen) {
         m_data->bodies.motions[body.index].velocity += impulse / record.mass;
-        disturbBy(m_data->bodies, m_data->sleep, body, impulse.squaredNorm() > 0);
+        requestWakeBy(m_data->bodies, m_data->sleep, body, impulse.squaredNorm() > 0);
     }
     return applyAngularImpulse(body, turn, source);
 }
@@ -72,7 +72,7 @@ bool World::applyAngularImpulse(BodyId body, double impulse, ForceSource source)
     const BodyRecord& record = m_data->bodies.records[body.index];
     if (accepts(record, source) && !record.rotationFrozen && record.inertia > 0) {
         m_data->bodies.motions[body.index].angularVelocity += impulse / record.inertia;
-        disturbBy(m_data->bodies, m_data->sleep, body, impulse != 0);
+        requestWakeBy(m_data->bodies, m_data->sleep, body, impulse != 0);
     }
     return true;
 }

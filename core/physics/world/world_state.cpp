@@ -79,7 +79,7 @@ void addSleepState(StateHash& hash, const WorldData& data) {
     for (const Slot slot : data.sleep.sleepers) {
         hash.add(std::uint64_t{slot} << 32 | data.bodies.records[slot].island);
     }
-    for (const Slot slot : data.sleep.disturbed) {
+    for (const Slot slot : data.sleep.wakeRequests) {
         hash.add(std::uint64_t{slot});
     }
     for (std::size_t i = 0; i < data.sleep.table.size(); ++i) {

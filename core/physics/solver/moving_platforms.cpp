@@ -1,20 +1,20 @@
-#include "core/physics/solver/carriers.h"
+#include "core/physics/solver/moving_platforms.h"
 
 namespace spacetow {
 
 namespace {
 
 /// Of a pair that touches.
-void findCarrier(Bodies& bodies, const Pair& pair) {
+void findPlatform(Bodies& bodies, const Pair& pair) {
     const Slot a = pair.bodyA;
     const Slot b = pair.bodyB;
     if ((bodies.movable[a] & bodies.movable[b]) != 0 || pair.staticB) {
         return;
     }
     if (!bodies.motions[a].isMovable()) {
-        bodies.steps[b].carrier = a;
+        bodies.steps[b].platform = a;
     } else if (!bodies.motions[b].isMovable()) {
-        bodies.steps[a].carrier = b;
+        bodies.steps[a].platform = b;
     }
 }
 
@@ -22,12 +22,12 @@ bool anyKinematic(const Bodies& bodies) {
     return !bodies.moving.empty() && bodies.records[bodies.moving.front()].kind == BodyKind::Kinematic;
 }
 
-void carry(Bodies& bodies, Slot slot) {
+void moveWithPlatform(Bodies& bodies, Slot slot) {
     BodyStep& s = bodies.steps[slot];
-    const BodyStep& by = bodies.steps[s.carrier];
+    const BodyStep& by = bodies.steps[s.platform];
     const double rest = 1 - s.fraction;
     const Vec2 start = bodies.motions[slot].center + s.fraction * s.deltaPosition;
-    const Vec2 arm = start - bodies.motions[s.carrier].center - s.fraction * by.deltaPosition;
+    const Vec2 arm = start - bodies.motions[s.platform].center - s.fraction * by.deltaPosition;
     s.correction += rest * by.deltaPosition;
     if (by.deltaAngle != 0) {
         s.correction += turned(Rot{}, rest * by.deltaAngle) * arm - arm;
@@ -37,13 +37,13 @@ void carry(Bodies& bodies, Slot slot) {
 
 } // namespace
 
-void findCarriers(Bodies& bodies, const PairTable& table, const Constraints& constraints) {
+void findPlatforms(Bodies& bodies, const PairTable& table, const Constraints& constraints) {
     if (!anyKinematic(bodies)) {
         return;
     }
     const auto find = [&](std::uint32_t pair) {
         if (table.flags[pair].touching) {
-            findCarrier(bodies, table.pairs[pair]);
+            findPlatform(bodies, table.pairs[pair]);
         }
     };
     for (const CircleContact& c : constraints.circleContacts) {
@@ -54,13 +54,13 @@ void findCarriers(Bodies& bodies, const PairTable& table, const Constraints& con
     }
 }
 
-void carryStopped(Bodies& bodies) {
+void moveWithPlatforms(Bodies& bodies) {
     if (!anyKinematic(bodies)) {
         return;
     }
     for (const Slot slot : bodies.moving) {
-        if (bodies.steps[slot].fraction < 1 && bodies.steps[slot].carrier != noSlot) {
-            carry(bodies, slot);
+        if (bodies.steps[slot].fraction < 1 && bodies.steps[slot].platform != noSlot) {
+            moveWithPlatform(bodies, slot);
         }
     }
 }
