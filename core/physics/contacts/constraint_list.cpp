@@ -127,7 +127,7 @@ void addCircleConstraint(const ContactStage& stage, std::uint32_t pair, const Ci
     batch.normalY[i] = touch.normal.y();
     batch.leverA[i] = leverA;
     batch.leverB[i] = leverB;
-    batch.tangentMass[i] = 1 / formulas::inverseMass(massesOf(a, b), Levers{leverA, leverB}, Levers{leverA, leverB});
+    batch.tangentMass[i] = 1 / formulas::inverseMass(massesOf(a, b), Levers{leverA, leverB});
     batch.separation[i] = touch.separation;
     batch.target[i] = target.velocity;
     batch.closingLimit[i] = target.closing;

@@ -11,7 +11,7 @@ struct Levers {
     double a, b;
 };
 
-/// What moves no more than this under an impulse does not yield to it, 1/kg; see massOf.
+/// What moves no more than this under an impulse does not yield to it, 1/kg; see effectiveMass.
 inline double leastInverseMass(const Bodies& bodies, Slot slotA, Slot slotB) {
     const double radiusA = bodies.extents[slotA].outerRadius;
     const double radiusB = bodies.extents[slotB].outerRadius;
@@ -22,12 +22,13 @@ inline double leastInverseMass(const Bodies& bodies, Slot slotA, Slot slotB) {
 /// What resists an impulse with these levers, kg; 0 when nothing can move. A body that may only turn cannot yield to a
 /// push through its centre, nor to one that goes past it by less than a hundredth of its radius: that would make it
 /// spin beyond all measure.
-inline double massOf(const Bodies& bodies, Slot slotA, Slot slotB, const Levers& levers) {
+inline double effectiveMass(const Bodies& bodies, Slot slotA, Slot slotB, const Levers& levers) {
     const BodyMotion& a = bodies.motions[slotA];
     const BodyMotion& b = bodies.motions[slotB];
+    // formulas::inverseMass but for the order of the sum, which is in the last bit of every recorded run.
     const double turning = a.inverseInertia * levers.a * levers.a + b.inverseInertia * levers.b * levers.b;
     const double inverse = a.inverseMass + b.inverseMass + turning;
-    return inverse > leastInverseMass(bodies, slotA, slotB) ? 1 / inverse : 0;
+    return formulas::effectiveMass(inverse, leastInverseMass(bodies, slotA, slotB));
 }
 
 /// Inverse ones, see contact_formulas.h.
@@ -51,7 +52,7 @@ inline void setLevers(const Bodies& bodies, const Constraint& c, ConstraintPoint
     p.leverB = cross(armB, c.normal);
     p.tangentLeverA = cross(p.armA, tangent);
     p.tangentLeverB = cross(armB, tangent);
-    p.normalMass = massOf(bodies, c.a, c.b, {p.leverA, p.leverB});
+    p.normalMass = effectiveMass(bodies, c.a, c.b, {p.leverA, p.leverB});
 }
 
 /// What the points have to do with each other, from their levers. Friction acts half way between them.
@@ -61,7 +62,7 @@ inline void couple(const Bodies& bodies, Constraint& c) {
     c.coupling = couplingOf(bodies.motions[c.a], bodies.motions[c.b], {p.leverA, p.leverB}, {q.leverA, q.leverB});
     c.tangentLeverA = 0.5 * (p.tangentLeverA + q.tangentLeverA);
     c.tangentLeverB = 0.5 * (p.tangentLeverB + q.tangentLeverB);
-    c.tangentMass = massOf(bodies, c.a, c.b, {c.tangentLeverA, c.tangentLeverB});
+    c.tangentMass = effectiveMass(bodies, c.a, c.b, {c.tangentLeverA, c.tangentLeverB});
 }
 
 } // namespace spacetow

@@ -47,11 +47,22 @@ SPACETOW_INLINE T closingLimit(T separation, double perSecond) {
 }
 
 /// How much an impulse with some levers a and b about the centres of mass, m, moves two bodies along others, 1/kg: an
-/// element of the inverse mass matrix of a contact. With twice the same levers its inverse is the effective mass. The
-/// masses and inertias of both bodies are inverse.
+/// element of the inverse mass matrix of a contact. The masses and inertias of both bodies are inverse.
 template <class Masses, class Levers>
 SPACETOW_INLINE auto inverseMass(const Masses& m, const Levers& levers, const Levers& along) {
     return m.massA + m.massB + m.inertiaA * levers.a * along.a + m.inertiaB * levers.b * along.b;
+}
+
+/// Likewise, along the impulse itself: the inverse of the effective mass.
+template <class Masses, class Levers>
+SPACETOW_INLINE auto inverseMass(const Masses& m, const Levers& levers) {
+    return inverseMass(m, levers, levers);
+}
+
+/// What resists an impulse, kg; 0 for bodies that do not yield to it, or by no more than `least`, 1/kg.
+template <class T>
+SPACETOW_INLINE T effectiveMass(T inverseMass, T least) {
+    return inverseMass > least ? 1 / inverseMass : T{};
 }
 
 } // namespace spacetow::formulas

@@ -40,12 +40,6 @@ struct LeverPair {
     Wide a, b;
 };
 
-/// With the same levers twice.
-template <class Batch>
-SPACETOW_INLINE Wide inverseMassOf(const Batch& c, Wide leverA, Wide leverB) {
-    return inverseMass(c, LeverPair{leverA, leverB}, LeverPair{leverA, leverB});
-}
-
 /// Which contacts are out of reach.
 SPACETOW_INLINE Mask refresh(CircleBatch& c, const CircleAnchors& anchors, const Call& call) {
     const WideVec4 a = gather(call.bodies.poses, anchors.a);
@@ -69,7 +63,7 @@ SPACETOW_INLINE Mask refresh(CircleBatch& c, const CircleAnchors& anchors, const
     c.separation = wideUpdate ? separation : c.separation;
     c.leverA = wideUpdate ? leverA : c.leverA;
     c.leverB = wideUpdate ? leverB : c.leverB;
-    const Wide inverse = inverseMassOf(c, leverA, leverB);
+    const Wide inverse = inverseMass(c, LeverPair{leverA, leverB});
     c.tangentMass = wideUpdate ? 1 / inverse : c.tangentMass;
     c.target = wideUpdate ? targetVelocity(separation, call.perSecond) : c.target;
     c.closingLimit = wideUpdate ? closingLimit(separation, call.perSecond) : c.closingLimit;
@@ -116,8 +110,7 @@ SPACETOW_INLINE void setFriction(ConstraintBatch& c, const Arms& arms1, const Ar
         0.5 * (arms1.aX * c.normalX + arms1.aY * c.normalY + (arms2.aX * c.normalX + arms2.aY * c.normalY));
     c.tangentLeverB =
         0.5 * (arms1.bX * c.normalX + arms1.bY * c.normalY + (arms2.bX * c.normalX + arms2.bY * c.normalY));
-    const Wide inverse = inverseMassOf(c, c.tangentLeverA, c.tangentLeverB);
-    c.tangentMass = inverse > leastInverseMass ? 1 / inverse : Wide{};
+    c.tangentMass = effectiveMass(inverseMass(c, LeverPair{c.tangentLeverA, c.tangentLeverB}), leastInverseMass);
 }
 
 /// Which contacts have points that begin or cease to act.
@@ -126,8 +119,8 @@ SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ContactAnchors& s, const
     c.leverB1 = arms1.bX * c.normalY - arms1.bY * c.normalX;
     c.leverA2 = arms2.aX * c.normalY - arms2.aY * c.normalX;
     c.leverB2 = arms2.bX * c.normalY - arms2.bY * c.normalX;
-    const Wide k11 = inverseMassOf(c, c.leverA1, c.leverB1);
-    const Wide k22 = inverseMassOf(c, c.leverA2, c.leverB2);
+    const Wide k11 = inverseMass(c, LeverPair{c.leverA1, c.leverB1});
+    const Wide k22 = inverseMass(c, LeverPair{c.leverA2, c.leverB2});
     const Mask acts1 = s.first & (k11 > s.leastInverseMass);
     const Mask acts2 = s.second & (k22 > s.leastInverseMass);
     c.k11 = acts1 ? k11 : Wide{} + 1;

@@ -73,8 +73,7 @@ std::optional<Pull> pullOf(const Bodies& bodies, const Substeps& substeps, const
     p.u = span / distance;
     p.leverA = cross(armA, p.u);
     p.leverB = cross(armB, p.u);
-    const Levers levers{p.leverA, p.leverB};
-    const double inverseMass = formulas::inverseMass(massesOf(a, b), levers, levers);
+    const double inverseMass = formulas::inverseMass(massesOf(a, b), Levers{p.leverA, p.leverB});
     const double rate =
         (b.velocity - a.velocity).dot(p.u) + b.angularVelocity * p.leverB - a.angularVelocity * p.leverA;
     // An end whose state has overflowed is not to spoil the other.
