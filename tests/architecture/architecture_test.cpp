@@ -1,5 +1,6 @@
 // Holds the sources against ARCHITECTURE.md: who may include whom, and what no file may contain.
 
+#include "tests/architecture/cycle_rules.h"
 #include "tests/architecture/name_rules.h"
 #include "tests/architecture/source_rules.h"
 #include "tests/support/folders.h"
@@ -70,6 +71,7 @@ class ArchitectureTest : public QObject {
     void everyIncludePointsDown();
     void everyFileKeepsItsForm();
     void noStageTakesAWholeWorld();
+    void unitsOfTheEngineFormNoCycle();
     void unnamedNamesOfAFolderDiffer();
     void theRootHoldsOnlyWhatIsExpected();
     void aToolIsRegisteredOnceInALayer();
@@ -132,6 +134,23 @@ void ArchitectureTest::noStageTakesAWholeWorld() {
         append(problems, wholeWorldProblems(source));
     }
     expectNone(problems);
+}
+
+void ArchitectureTest::unitsOfTheEngineFormNoCycle() {
+    const Source header{"core/physics/query/a.h", "#include \"core/physics/query/b.h\"\n"};
+    const Source source{"core/physics/query/b.cpp", "#include \"core/physics/query/c.h\"\n"};
+    QVERIFY(unitCycles({header, source, {"core/physics/query/b.h", ""}, {"core/physics/query/c.h", ""}}).empty());
+    const std::vector<std::string> found =
+        unitCycles({header,
+                    source,
+                    {"core/physics/query/b.h", ""},
+                    {"core/physics/query/c.cpp", "#include \"core/physics/query/a.h\""}});
+    QCOMPARE(found.size(), std::size_t{1});
+    QCOMPARE(found.front(), std::string("core/physics/query/a includes core/physics/query/b includes "
+                                        "core/physics/query/c includes core/physics/query/a"));
+    const std::vector<Source> engine = sourcesUnder({"core/physics"});
+    QVERIFY(engine.size() > 50);
+    expectNone(unitCycles(engine));
 }
 
 void ArchitectureTest::unnamedNamesOfAFolderDiffer() {

@@ -64,15 +64,21 @@ struct OutlineDrawing {
     void operator()(const Line& line) const { draw.line(at(line.a), at(line.b), color); }
 };
 
-struct Ink {
-    Color color;
-    bool filled = false;
+/// One body, and where it is drawn.
+struct OutlinedBody {
+    const World& world;
+    BodyId body;
+    const DebugView& view;
+    DebugDraw& draw;
 };
 
-void drawOutline(const World& world, BodyId body, const Ink& ink, const DebugView& view, DebugDraw& draw) {
-    const Transform pose = world.body(body).pose;
-    const OutlineDrawing drawing{pose, view, draw, ink.color, ink.filled};
-    for (const Shape& shape : world.shapes(body)) {
+enum class OutlineStyle : std::uint8_t { Stroked, Filled };
+
+void drawOutline(const OutlinedBody& outlined, const Color& color, OutlineStyle style) {
+    const DebugView& view = outlined.view;
+    const Transform pose = outlined.world.body(outlined.body).pose;
+    const OutlineDrawing drawing{pose, view, outlined.draw, color, style == OutlineStyle::Filled};
+    for (const Shape& shape : outlined.world.shapes(outlined.body)) {
         if (!view.area || isSeen(view, boundsOf(shape, pose))) {
             std::visit(drawing, shape);
         }
@@ -161,8 +167,9 @@ void drawIsland(const World& world, BodyId body, const DebugView& view, DebugDra
     }
     const Color own = view.colors.islands[*island % view.colors.islands.size()];
     const Color fill = world.body(body).asleep ? view.colors.asleep : own;
-    drawOutline(world, body, {withAlpha(fill, faint), true}, view, draw);
-    drawOutline(world, body, {own, false}, view, draw);
+    const OutlinedBody outlined{world, body, view, draw};
+    drawOutline(outlined, withAlpha(fill, faint), OutlineStyle::Filled);
+    drawOutline(outlined, own, OutlineStyle::Stroked);
 }
 
 void drawTags(const World& world, BodyId body, const DebugView& view, DebugDraw& draw) {
@@ -180,7 +187,7 @@ void drawTags(const World& world, BodyId body, const DebugView& view, DebugDraw&
             continue;
         }
         if (isFirst) {
-            drawOutline(world, body, {*color, false}, view, draw);
+            drawOutline({world, body, view, draw}, *color, OutlineStyle::Stroked);
         } else if (isRoomy) {
             draw.filledCircle(at, dotRadius, *color);
             at.x() += 3 * dotRadius;
@@ -208,7 +215,7 @@ void drawCollisions(const World& world, const DebugView& view, DebugDraw& draw) 
         const bool meets = std::ranges::any_of(selected, [&](BodyId other) {
             return other != id && mayMeet(state, world.body(other)) && !keepsApart(world.data().forces, id, other);
         });
-        drawOutline(world, id, {meets ? view.colors.meets : view.colors.passes, false}, view, draw);
+        drawOutline({world, id, view, draw}, meets ? view.colors.meets : view.colors.passes, OutlineStyle::Stroked);
     }
 }
 

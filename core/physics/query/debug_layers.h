@@ -1,8 +1,8 @@
 #pragma once
-// The pieces of drawWorld that know of more than one body, or of nothing but a body's outline; see debug_draw.h. Each
-// draws one overlay, whether it is switched on or not.
+// The overlays of drawWorld (debug_draw.h) that need more than one body, or only the outline of a body. Each function
+// draws its overlay, whether the overlay is switched on or not.
 
-#include "core/physics/query/debug_draw.h"
+#include "core/physics/query/debug_view.h"
 
 namespace spacetow {
 
