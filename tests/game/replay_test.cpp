@@ -205,6 +205,20 @@ class ReplayTest : public QObject {
         addWall(level, Vec2(3, 4), Vec2(-3, 4));
         QVERIFY(replayed(level, replay).levelChanged);
     }
+    void rulesThatHaveNotActedYetAreNoticedByTheHashOfTheLevel() {
+        const Level level = openSpace();
+        Replay replay;
+        replay.append(idle);
+        replay.levelHash = levelHash(level);
+        Level stronger = level;
+        stronger.rules.thrust += 1;
+        Level farther = level;
+        farther.rules.towRange += 1;
+        for (const Level& other : {stronger, farther}) {
+            QCOMPARE(Session(other).hash(), Session(level).hash()); // which is of the state alone
+            QVERIFY(replayed(other, replay).levelChanged);
+        }
+    }
     void whatIsNoReplayIsRefusedWithItsReason_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("code");

@@ -2,26 +2,13 @@
 
 #include "core/game/timeline.h"
 #include "tests/support/live_level.h"
+#include "tests/support/mark_kinds.h"
 #include "tests/support/test_main.h"
 
 #include <algorithm>
 
 using namespace spacetow;
 using namespace spacetow::test;
-
-namespace {
-
-std::vector<MarkKind> kindsOfMarks(const Timeline& timeline) {
-    std::vector<MarkKind> found;
-    if (timeline.marks()) {
-        for (const TimelineMark& mark : *timeline.marks()) {
-            found.push_back(mark.kind);
-        }
-    }
-    return found;
-}
-
-} // namespace
 
 class TimelineFocusTest : public QObject {
     Q_OBJECT
@@ -45,15 +32,15 @@ class TimelineFocusTest : public QObject {
             }
         };
         run(150, {});
-        QVERIFY(!kindsOfMarks(timeline).empty() && kindsOfMarks(timeline).front() == MarkKind::FocusTouch);
+        QVERIFY(!markKinds(timeline).empty() && markKinds(timeline).front() == MarkKind::FocusTouch);
         const std::int64_t fall = timeline.marks()->front().update;
         QVERIFY(fall > 25 && fall < 40);                     // 2 m less a radius, at 9.81 m/s²
         run(100, {{}, Grab{1, Vec2(0, 0), Vec2(0, 3)}, {}}); // lifted
-        QVERIFY(kindsOfMarks(timeline).back() == MarkKind::FocusPart);
+        QVERIFY(markKinds(timeline).back() == MarkKind::FocusPart);
         timeline.setFocus(2);
-        QVERIFY(kindsOfMarks(timeline).empty()); // those of the other body are none of its
+        QVERIFY(markKinds(timeline).empty()); // those of the other body are none of its
         run(60, {});
-        QVERIFY(kindsOfMarks(timeline).empty()); // it lies where it lay
+        QVERIFY(markKinds(timeline).empty()); // it lies where it lay
     }
     void ofManyBodiesTheOneThatIsLookedAtIsFollowed() {
         Level level;

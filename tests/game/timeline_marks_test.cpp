@@ -2,9 +2,11 @@
 
 #include "core/game/timeline.h"
 #include "tests/support/live_level.h"
+#include "tests/support/mark_kinds.h"
 #include "tests/support/test_main.h"
 
 #include <algorithm>
+#include <memory>
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -32,13 +34,7 @@ struct MarkedRun {
         session = *timeline.at(update);
         timeline.goOnFrom(session);
     }
-    std::vector<MarkKind> kinds() const {
-        std::vector<MarkKind> found;
-        for (const TimelineMark& mark : timeline.marks() ? *timeline.marks() : std::vector<TimelineMark>()) {
-            found.push_back(mark.kind);
-        }
-        return found;
-    }
+    std::vector<MarkKind> kinds() const { return markKinds(timeline); }
 };
 
 /// Two balls, one behind the other, hit the payload, which waits.
@@ -99,6 +95,23 @@ class TimelineMarksTest : public QObject {
         run.go(withLevel(std::make_shared<const Level>(slower)));
         run.go({}, 9);
         QCOMPARE(run.timeline.first(), run.timeline.last() - 40);
+    }
+    void whatIsTooLongAgoToGoBackToIsKeptNoLonger() {
+        MarkedRun run(yard(), {.seconds = 1});
+        run.go({}, 60);
+        const std::int64_t between = 43; // no multiple of the interval: simulated, and kept near the moment
+        const std::weak_ptr<const Session> near = run.timeline.at(between);
+        QVERIFY(!near.expired());
+        run.turnBackTo(45);
+        QCOMPARE(run.timeline.ghosts().size(), std::size_t(1));
+        run.go({}, 40);
+        QVERIFY(run.timeline.first() < between);
+        QVERIFY(!near.expired());
+        QCOMPARE(run.timeline.ghosts().size(), std::size_t(1));
+        run.go({}, 30);
+        QVERIFY(run.timeline.first() > 45);
+        QVERIFY(near.expired());
+        QVERIFY(run.timeline.ghosts().empty());
     }
 };
 

@@ -5,6 +5,7 @@
 #include "tests/support/folders.h"
 #include "tests/support/full_run.h"
 #include "tests/support/live_level.h"
+#include "tests/support/mark_kinds.h"
 #include "tests/support/test_main.h"
 
 #include <algorithm>
@@ -84,16 +85,6 @@ Level manyBalls(int count) {
     return level;
 }
 
-std::vector<MarkKind> kinds(const Timeline& timeline) {
-    std::vector<MarkKind> found;
-    if (timeline.marks()) {
-        for (const TimelineMark& mark : *timeline.marks()) {
-            found.push_back(mark.kind);
-        }
-    }
-    return found;
-}
-
 } // namespace
 
 class TimelineTest : public QObject {
@@ -107,7 +98,7 @@ class TimelineTest : public QObject {
         QCOMPARE(run.timeline.first(), std::int64_t(0));
         QVERIFY(everyMomentIsThat(run));
         QVERIFY(run.timeline.bytes() < std::size_t(64) << 20);
-        const std::vector<MarkKind> marks = kinds(run.timeline);
+        const std::vector<MarkKind> marks = markKinds(run.timeline);
         QVERIFY(std::ranges::count(marks, MarkKind::Tow) == 1);
         QCOMPARE(marks.back(), MarkKind::Win);
         QVERIFY(run.timeline.marks()->back().update > 1600);
@@ -128,7 +119,7 @@ class TimelineTest : public QObject {
         inputs[1500].level = std::make_shared<const Level>(level);
         Recorded run = recorded(Session(level, flight.seed), inputs);
         QVERIFY(everyMomentIsThat(run));
-        QCOMPARE(std::ranges::count(kinds(run.timeline), MarkKind::Edit), std::ptrdiff_t(3));
+        QCOMPARE(std::ranges::count(markKinds(run.timeline), MarkKind::Edit), std::ptrdiff_t(3));
         QVERIFY(run.timeline.at(450)->grabForce().has_value());
         QVERIFY(run.timeline.at(301)->level().gravity == Vec2(0.1, -0.5));
         QVERIFY(run.timeline.at(300)->level().gravity == level.gravity);
