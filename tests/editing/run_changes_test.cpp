@@ -9,6 +9,8 @@
 #include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
 
+#include <algorithm>
+
 using namespace spacetow;
 using namespace spacetow::test;
 
@@ -214,6 +216,26 @@ class RunChangesTest : public QObject {
         desk.changes.keepAll();
         QCOMPARE(desk.placeOf(1), 5.0);
         QCOMPARE(desk.placeOf(2), 3.0);
+    }
+
+    void whatAnotherRunAddsHasNoTickWhereWhatItNeedsHasNone() {
+        RunDesk desk;
+        desk.changes.end();
+        desk.edit(added(desk.document.level(), {10, "spring", ConnectorObject{.a = 1, .b = 2}, {}}));
+        const auto erase = [&desk](const RunKeys& keys) {
+            Level level = desk.document.level();
+            level.objects.eraseIf([&keys](const Object& object) { return std::ranges::count(keys, object.key) > 0; });
+            desk.edit(std::move(level));
+        };
+        desk.changes.begin();
+        erase({10});
+        desk.changes.end();
+        desk.changes.setTicked(0, false); // the spring stays
+        desk.changes.begin();
+        erase({1, 10});
+        desk.changes.end();
+        QCOMPARE(desk.changes.changes().size(), std::size_t(2));
+        QCOMPARE(desk.changes.ticked(), 0); // and so does the ball that it holds
     }
 
     void whatIsKeptWhileTheLevelRunsAgainTakesNothingFromThatRun() {
