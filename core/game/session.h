@@ -83,7 +83,7 @@ class Session {
 
     /// A picture of the state now, with the sounds of the last step.
     std::shared_ptr<const Snapshot> snapshot() const;
-    /// Over everything that decides the future.
+    /// Of the state: with one level, equal hashes mean equal futures. `levelHash` tells whether levels' rules differ.
     std::uint64_t hash() const;
     /// Memory that a copy takes, about.
     std::size_t copyBytes() const;
