@@ -1,5 +1,5 @@
 #pragma once
-// What a rigid body is made from, and what can be read of it. SI units, radians, y up.
+// The definition of a rigid body, and a reading of its state. SI units, radians, y up.
 
 #include "core/base/handles.h"
 #include "core/geometry/shape.h"
@@ -14,10 +14,10 @@ namespace spacetow {
 
 using BodyId = Id<struct BodyTag>;
 
-/// Static bodies never move; kinematic ones move as told and are pushed by nothing; dynamic ones obey forces.
+/// Static bodies never move. Kinematic bodies obey their velocity and manual forces alone, dynamic ones contacts too.
 enum class BodyKind : std::uint8_t { Static, Kinematic, Dynamic };
 
-/// Who applies a force. Kinematic bodies accept manual ones only, static bodies none.
+/// Who applies a force. A kinematic body accepts manual forces only, a static body accepts none.
 enum class ForceSource : std::uint8_t { Manual, Engine };
 
 struct BodyDef {
@@ -27,22 +27,22 @@ struct BodyDef {
     double angle = 0;           // rad
     Vec2 velocity{0, 0};        // m/s, of the centre of mass
     double angularVelocity = 0; // rad/s
-    std::optional<double> mass; // kg, > 0; without it the area times the density
-    double density = 1;         // kg/m², > 0; edges and lines count as 1 kg a metre times the density
+    std::optional<double> mass; // kg, > 0; by default area times density
+    double density = 1;         // kg/m², > 0; an edge or line has the mass of a strip 1 m wide
     double restitution = 0;     // 0 … 1
     double friction = 0.3;      // ≥ 0
     double linearDamping = 0;   // 1/s, ≥ 0
     double angularDamping = 0;  // 1/s, ≥ 0
     Filter filter;
-    bool tangible = true; // an intangible body is felt (events) but exerts no force
+    bool tangible = true; // an intangible body is a sensor: events report its touches, contacts ignore it
     bool positionFrozen = false;
     bool rotationFrozen = false;
-    bool active = true;          // an inactive body neither moves, collides nor feels forces
-    bool reportsTouches = false; // adds the tags touched in each iteration to the events
-    std::uint64_t user = 0;      // for the owner of the world; never read by it
+    bool active = true;          // an inactive body does not move, collide or accept forces
+    bool reportsTouches = false; // whether Events::tagsTouched has entries of this body
+    std::uint64_t user = 0;      // set by the owner of the world; the engine never reads it
 };
 
-/// A reading of one body. Positions are of the local origin, velocities of the centre of mass.
+/// The state of one body. `pose` places the local origin; `velocity` is that of the centre of mass.
 struct BodyState {
     BodyKind kind;
     Transform pose;
@@ -51,9 +51,9 @@ struct BodyState {
     double angularVelocity; // rad/s
     Vec2 massCenter;        // world, m
     double mass;            // kg; infinite for static and kinematic bodies
-    double inertia;         // kg m², about the centre of mass; infinite likewise
+    double inertia;         // kg m², about the centre of mass; infinite where the mass is
     Filter filter;
-    TagMask touchedTags; // of everything touched in the last iteration
+    TagMask touchedTags; // of all bodies that this one touched in the last iteration
     bool tangible;
     bool active;
     bool asleep;

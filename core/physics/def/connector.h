@@ -11,16 +11,16 @@ namespace spacetow {
 
 using ConnectorId = Id<struct ConnectorTag>;
 
-/// tension = f(stiffness · (d − length)) + damping · (rate of d), where f is the truncation and d the distance of
-/// the anchors; equal and opposite at both anchors.
+/// tension = f(stiffness · (d − length)) + damping · ḋ, where f is the truncation and d the distance between the
+/// anchors. The forces at the two anchors are equal and opposite.
 struct ConnectorDef {
     BodyId a, b;
-    Vec2 anchorA{0, 0}, anchorB{0, 0}; // local coordinates of each body
-    std::optional<double> length;      // m, ≥ 0; without it the distance at the moment of connecting
+    Vec2 anchorA{0, 0}, anchorB{0, 0}; // local coordinates of a and of b
+    std::optional<double> length;      // m, ≥ 0; by default the distance when the connector is added
     double stiffness = 100;            // N/m, ≥ 0
     double damping = 0;                // N s/m, ≥ 0
-    bool slack = false;                // pulls only: no tension while d ≤ length
-    bool bodiesCollide = false;        // whether the two bodies may touch while connected
+    bool slack = false;                // a rope: no tension while d ≤ length
+    bool bodiesCollide = false;        // whether a and b may collide while connected
     Truncation truncation;
 };
 
@@ -28,7 +28,7 @@ struct ConnectorState {
     BodyId a, b;
     Vec2 anchorA, anchorB; // world
     double length;         // m, natural
-    double tension;        // N, of the last sub-step; positive when it pulls
+    double tension;        // N, of the last sub-step; positive when the connector pulls
 };
 
 } // namespace spacetow

@@ -1,5 +1,5 @@
 #pragma once
-// What happened during the last update, in a fixed order. Valid until the next update.
+// What happened during the last update, each list in a deterministic order. The next update clears all lists.
 
 #include "core/physics/def/body.h"
 #include "core/physics/def/force_field.h"
@@ -10,45 +10,45 @@ namespace spacetow {
 
 struct TouchEvent {
     int iteration; // of the update, from 0
-    BodyId a, b;   // a was added to the world before b
-    bool solid;    // false when one of them is intangible
+    BodyId a, b;   // a is the one that was added to the world first
+    bool solid;    // false when a or b is intangible
 };
 
 struct TagsTouchedEvent {
     int iteration;
     BodyId body;  // one that reports touches
-    TagMask tags; // of everything it touched in this iteration; never empty
+    TagMask tags; // of all bodies that `body` touched in this iteration; never empty
 };
 
-/// A body begins to be crushed: what nothing can stop drives it, perhaps through others, against what stands still. It
-/// stays on its side of that and is overlapped from behind; what becomes of it is for the owner of the world to say.
+/// A kinematic body begins to press a dynamic one, directly or through others, against a body that does not yield. The
+/// dynamic body stays in front of `against`, and `by` overlaps it. The owner of the world decides what becomes of it.
 struct CrushedEvent {
     int iteration;
     BodyId body;
-    BodyId by;      // overlaps it most
-    BodyId against; // stands still
+    BodyId by;      // the body that overlaps `body` most
+    BodyId against; // the body that does not yield
 };
 
 struct RemovedEvent {
-    int iteration; // −1: before the first
+    int iteration; // −1: before the first iteration
     BodyId body;   // no longer in the world
     std::uint64_t user;
 };
 
-/// A body whose state stopped being finite and which was therefore switched off.
+/// The state of a body was no longer finite. The engine has deactivated the body.
 struct FaultEvent {
     int iteration;
     BodyId body;
 };
 
-/// A force field gave a value that is not finite, which was left out; once an update for each field.
+/// A force field returned a value that is not finite. The value was ignored. At most one event a field and update.
 struct FieldFaultEvent {
     int iteration;
     FieldId field;
     BodyId body;
 };
 
-/// Of a body that fell asleep or woke up.
+/// A body fell asleep or woke up.
 struct SleepEvent {
     int iteration; // −1: before the first
     BodyId body;

@@ -1,7 +1,7 @@
 #pragma once
-// Forces that depend on where a body is and how it moves: magnets, gravity wells, wind, buoyancy, controllers. They are
-// computed anew before every sub-step, as those of connectors are; what is applied to a body by hand is constant during
-// an update.
+// Forces that depend on the position and velocity of a body: magnets, gravity wells, wind, buoyancy, controllers. The
+// forces of fields and connectors are recomputed before every sub-step. Forces that World::applyForce adds are constant
+// during an update.
 
 #include "core/base/handles.h"
 #include "core/math/transform.h"
@@ -14,7 +14,7 @@ namespace spacetow {
 
 using FieldId = Id<struct FieldTag>;
 
-/// One body in the middle of an update. World coordinates, SI units, radians.
+/// The state of one body during an update. World coordinates, SI units, radians.
 struct FieldSample {
     BodyId body;
     Transform pose; // of the local origin
@@ -30,16 +30,16 @@ struct FieldForce {
     double torque = 0; // N m
 };
 
-/// Each kick of a sub-step asks for the force twice: at the velocity before it, and half-way through it. What depends
-/// on the velocity is explicit and stays stable for c·h/m < 2, with h the length of a sub-step: damping that is stiffer
-/// than this belongs to the body or to a connector, which take it implicitly.
+/// Each kick of a sub-step evaluates the force twice: at the velocity before the kick, and half-way through the kick.
+/// Damping is therefore explicit: it is stable for c·h/m < 2, with h the length of a sub-step. Stiffer damping belongs
+/// in BodyDef or ConnectorDef, where the integration is implicit.
 struct ForceFieldDef {
-    /// A pure function of its argument: copies of a world share it, and the same futures follow only from the same
-    /// function. A value that is not finite is refused: it does not act, and is reported.
+    /// Must be a pure function: copies of a world share it, and have equal futures only if it is. A value that is not
+    /// finite is ignored, and reported as a FieldFaultEvent.
     std::function<FieldForce(const FieldSample&)> force;
-    std::optional<BodyId> body;               // the only one that feels it; the field is removed together with it
-    TagMask tags = TagMask::all();            // otherwise: who has one of these tags feels it
-    ForceSource source = ForceSource::Engine; // Manual: kinematic bodies feel it as well
+    std::optional<BodyId> body;               // if set, the field acts on it alone, and is removed with it
+    TagMask tags = TagMask::all();            // else the field acts on bodies that have one of these tags
+    ForceSource source = ForceSource::Engine; // Manual: the field acts on kinematic bodies too
 };
 
 } // namespace spacetow

@@ -1,17 +1,17 @@
 #pragma once
-// What an update is made with.
+// The parameters of an update.
 
 #include "core/math/vec.h"
 
 namespace spacetow {
 
-/// The update loop: each update makes `iterations` passes of motion and collision, each of `substeps` sub-steps of
-/// motion, before which the forces of connectors and fields are recomputed.
+/// An update has `iterations` equal time steps. Each is integrated in `substeps` sub-steps, then collided and solved.
+/// The forces of connectors and fields are recomputed before each sub-step.
 struct UpdateParameters {
     Vec2 gravity{0, -9.81}; // m/s²
-    double seconds = 0.02;  // simulated by one update, > 0
+    double seconds = 0.02;  // simulated time of one update, > 0
     int iterations = 100;   // ≥ 1
-    int substeps = 2;       // an iteration, ≥ 1
+    int substeps = 2;       // in each iteration, ≥ 1
 
     bool operator==(const UpdateParameters&) const = default;
 };

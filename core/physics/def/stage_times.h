@@ -1,6 +1,6 @@
 #pragma once
-// How long each stage of an update takes. The engine has no clock: whoever wants to know brings one, and what it says
-// goes into these figures and nowhere else.
+// How long each stage of an update takes. The engine has no clock of its own: the caller supplies one. The times go
+// into `spent`, and no computation reads them.
 
 #include <array>
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace spacetow {
 
-/// In the order of an update; all but the first and the last once an iteration.
+/// In the order in which they run. `Changes` and `Sleep` run once an update, all others once an iteration.
 enum class StepStage : std::uint8_t {
     Changes,  // deferred removals and flags, lists of bodies, accelerations
     Motion,   // velocities, and the motion of each body by itself
@@ -25,12 +25,12 @@ enum class StepStage : std::uint8_t {
 constexpr std::size_t stepStageCount = 10;
 
 struct StageTimes {
-    std::function<std::int64_t()> clock;              // ns since whenever
-    std::array<std::int64_t, stepStageCount> spent{}; // ns, by stage; grows from update to update
-    std::int64_t since = 0;                           // what is being measured began
+    std::function<std::int64_t()> clock;              // ns since any fixed moment
+    std::array<std::int64_t, stepStageCount> spent{}; // ns, by stage; the sum over all updates so far
+    std::int64_t since = 0;                           // ns: the reading of the clock when the current stage began
 
     void begin() { since = clock(); }
-    /// What has passed since belongs to the stage.
+    /// Adds the time since `begin`, or since the last `end`, to the stage.
     void end(StepStage stage) {
         const std::int64_t now = clock();
         spent[static_cast<std::size_t>(stage)] += now - since;

@@ -1,11 +1,11 @@
 #pragma once
-// Tags and filters: which bodies may touch which.
+// Tags and collision filters: which bodies may touch each other.
 
 #include <cstdint>
 
 namespace spacetow {
 
-/// A set of up to 32 tags, one a bit.
+/// A set of up to 32 tags; bit i is tag i.
 struct TagMask {
     std::uint32_t bits = 0;
 
@@ -18,7 +18,7 @@ struct TagMask {
     constexpr bool operator==(const TagMask&) const = default;
 };
 
-/// What a body is, and what it touches. A body without tags is touched by nothing.
+/// Category bits and mask bits of a body. A body without tags touches nothing.
 struct Filter {
     TagMask tags{1};
     TagMask touches = TagMask::all();
@@ -26,7 +26,7 @@ struct Filter {
     constexpr bool operator==(const Filter&) const = default;
 };
 
-/// A pair meets when each one's `touches` meets the other's `tags`.
+/// Whether the mask (`touches`) of each body has one of the other's categories (`tags`).
 constexpr bool mayTouch(const Filter& a, const Filter& b) {
     return a.touches.intersects(b.tags) && b.touches.intersects(a.tags);
 }

@@ -1,9 +1,9 @@
 #pragma once
-// Lengths that count as nothing.
+// Lengths below which a difference does not count.
 
 namespace spacetow {
 
-/// Penetration that is left alone so that resting contacts persist, m.
+/// Penetration that position correction leaves, so that resting contacts persist, m.
 constexpr double linearSlop = 0.0004;
 
 } // namespace spacetow

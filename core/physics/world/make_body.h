@@ -1,5 +1,5 @@
 #pragma once
-// From a body's definition to its record: validation, convex parts about the centre of mass, mass properties.
+// Makes the record of a body from its definition: validation, convex parts about the centre of mass, mass properties.
 
 #include "core/base/result.h"
 #include "core/geometry/mass.h"
@@ -12,14 +12,14 @@ namespace spacetow {
 
 struct MadeBody {
     BodyRecord record;
-    BodyMotion motion; // inverse masses not yet set
+    BodyMotion motion; // inverse masses are not set yet
     BodyStep step;
 };
 
-/// Of a body that is not static; none when mass or inertia is nothing that can be reckoned with.
+/// Mass properties of a body that is not static; none when mass or inertia is not finite or not positive.
 std::optional<MassProperties> usableMass(std::span<const Shape> shapes, double density, std::optional<double> mass);
 
-/// Codes as World::addBody.
+/// Errors: the codes of World::addBody.
 Result<MadeBody> makeBody(const BodyDef& def);
 
 } // namespace spacetow

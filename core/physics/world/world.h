@@ -1,6 +1,6 @@
 #pragma once
-// The world: bodies and connectors, and the update that moves them. A world is a value: a copy of it is a saved game.
-// It has one owner; other threads read snapshots.
+// The world: bodies, connectors and force fields, and the update that moves them. A world is a value: a copy is a saved
+// state. No two threads may use one world at a time. SI units, radians, y up.
 
 #include "core/base/result.h"
 #include "core/math/aabb.h"
@@ -28,56 +28,56 @@ class World {
     World& operator=(World&&) noexcept;
     ~World();
 
-    /// Codes: "not-finite", "bad-mass", "bad-shape", "no-shape", "out-of-range"; the first argument names the field.
+    /// Errors: "not-finite", "bad-mass", "bad-shape", "no-shape", "out-of-range"; argument 1 names the field.
     Result<BodyId> addBody(const BodyDef& def);
-    /// Codes: "not-finite", "out-of-range", "no-such-body", "same-body".
+    /// Errors: "not-finite", "out-of-range", "no-such-body", "same-body"; argument 1 names the field.
     Result<ConnectorId> addConnector(const ConnectorDef& def);
 
-    /// Codes: "no-force", "no-such-body". Acts from the next update on.
+    /// Errors: "no-force", "no-such-body". The field acts from the next update on.
     Result<FieldId> addField(ForceFieldDef def);
 
-    /// Removal, together with the body's connectors, is carried out at the start of the next update or the end of
-    /// the running iteration; the same goes for the setters of flags below.
+    /// Deferred to the start of the next update, as are the setters of flags below. The connectors of the body are
+    /// removed with the body.
     void removeBody(BodyId body);
     void removeConnector(ConnectorId connector);
-    void removeField(FieldId field); // at once, like a connector
+    void removeField(FieldId field); // at once; removeConnector likewise
     void setActive(BodyId body, bool active);
     void setTangible(BodyId body, bool tangible);
     void setFrozen(BodyId body, bool frozen) { setFrozen(body, frozen, frozen); }
     void setFrozen(BodyId body, bool position, bool rotation);
 
-    /// At once; for a static body the static tree is rebuilt with the next update.
+    /// At once. For a static body the next update also patches the static tree.
     void setPose(BodyId body, const Vec2& position, double angle);
     void setVelocity(BodyId body, const Vec2& velocity, double angularVelocity);
     void setFilter(BodyId body, const Filter& filter);
-    /// Whether the tags that it touches in each iteration are among the events.
+    /// Whether Events::tagsTouched has entries of the body.
     void setReportsTouches(BodyId body, bool reports);
 
-    /// Forces act during the whole of the next update and are then forgotten; N and N m. A value that is not finite
-    /// is refused: the call returns false and changes nothing.
+    /// Forces (N) and torques (N m) act during the next update and are then cleared. With a value that is not finite
+    /// the call returns false and changes nothing.
     bool applyForce(BodyId body, const Vec2& force, ForceSource source = ForceSource::Manual);
     bool applyForceAt(BodyId body, const Vec2& force, const Vec2& worldPoint, ForceSource source = ForceSource::Manual);
     bool applyTorque(BodyId body, double torque, ForceSource source = ForceSource::Manual);
-    /// At once; N s and N m s.
+    /// Impulses (N s) and angular impulses (N m s) act at once; errors as above.
     bool applyImpulseAt(BodyId body, const Vec2& impulse, const Vec2& worldPoint,
                         ForceSource source = ForceSource::Manual);
     bool applyAngularImpulse(BodyId body, double impulse, ForceSource source = ForceSource::Manual);
 
-    /// Whether bodies fall asleep, from the next update on; at first they do not. Bodies that touch or are connected
-    /// and no point of which has been faster than 0.01 m/s for half a second then rest, at no cost, until one of them
-    /// is touched by an awake body, or anything is done to one of them or to what they rest on.
+    /// Whether bodies may fall asleep, from the next update on; off by default. An island of touching or connected
+    /// bodies sleeps once no point of its bodies has moved faster than 0.01 m/s for half a second. It wakes when an
+    /// awake body touches it, or when a call changes one of its bodies or a body that they rest on.
     void setSleeping(bool allowed);
     bool sleeping() const;
 
-    /// Whether updates note what each contact gives, for the explanations (core/physics/query/explain.h); at first they
-    /// do not. It changes nothing else.
+    /// Whether updates record the impulse of each contact, for core/physics/query/explain.h; off by default. Recording
+    /// changes no result.
     void setRecordsImpulses(bool records);
     bool recordsImpulses() const;
 
-    /// One update with the world's own parameters, or with others for this call only.
+    /// One update, with the parameters of the world or with `parameters` for this call only.
     void update();
     void update(const UpdateParameters& parameters);
-    /// Likewise, and tells how long its stages take.
+    /// The same, and adds the time that each stage takes to `times`.
     void update(const UpdateParameters& parameters, StageTimes& times);
 
     const UpdateParameters& parameters() const;
@@ -87,25 +87,25 @@ class World {
     bool contains(BodyId body) const;
     bool contains(ConnectorId connector) const;
     bool contains(FieldId field) const;
-    /// The id must be in the world.
+    /// The id must be in the world, here and below; EXPECTS checks that.
     BodyState body(BodyId body) const;
     const std::vector<Shape>& shapes(BodyId body) const;
     ConnectorState connector(ConnectorId connector) const;
-    /// Always contains the body's shapes where they are now. It is the box of the last broad phase, with room for the
-    /// whole way of the body in that update, or the exact one when the body has been added or put elsewhere since.
+    /// An AABB that contains all shapes of the body at its present pose: the fat AABB of the last broad phase, or the
+    /// exact AABB when the body has been added or moved by a call since.
     Aabb bounds(BodyId body) const;
-    /// In the order in which they were added.
+    /// In the order in which they were added to the world.
     std::vector<BodyId> bodies() const;
     std::vector<ConnectorId> connectors() const;
     int bodyCount() const;
 
-    /// Kinetic energy plus potential energy in the gravity of `parameters()` plus what connectors hold, J.
+    /// Kinetic energy, potential energy in the gravity of `parameters()`, and elastic energy of connectors, J.
     double energy() const;
-    /// Over everything that decides the future but the shapes and the functions of connectors and fields: worlds made
-    /// of the same definitions and with equal hashes have equal futures.
+    /// A hash of the state; shapes and the functions of connectors and fields are not in it. Worlds that were made from
+    /// the same definitions and have equal hashes have equal futures.
     std::uint64_t hash() const;
 
-    /// The arrays themselves, for the stages of the update and the queries.
+    /// The arrays behind the world, for query/ and tests.
     const WorldData& data() const { return *m_data; }
 
   private:
