@@ -1,23 +1,22 @@
 #pragma once
-// The search of the broad phase: which parts of the bodies that have left their fat AABBs are near which others.
+// The search of the broad phase: the pairs of moved proxies.
 
 #include "core/physics/broad_phase/pair_stage.h"
 
 namespace spacetow {
 
-/// Lists the parts of all moving bodies, all of which then have to be found.
+/// Lists the parts of all moving bodies as proxies, all of them moved.
 void listProxies(const Bodies& bodies, BroadPhase& broadPhase, const Sleep& sleep, PairSearch& search);
 
-/// Gives moved bodies new fat AABBs, large enough for so many seconds.
+/// Enlarges the fat AABBs of moved bodies for `seconds` of motion at their present velocity.
 void enlargeAabbs(Bodies& bodies, BroadPhase& broadPhase, const PairSearch& search, double seconds);
 
-/// The most pairs of moving bodies that are kept: many times what the densest heap has. Thousands of bodies at one
-/// place have more pairs, which would fill all memory; the pairs that are left out are found when the crowd has come
-/// apart.
+/// The limit on pairs of moving bodies: many times what the densest heap has. Thousands of bodies at one place have
+/// more pairs, which would fill the memory. The pairs beyond the limit are found once the crowd has come apart.
 std::size_t mostPairs(const BroadPhase& broadPhase);
 
-/// Fills `foundPairs` with all pairs of moved bodies, in the order of the table. When there are more than are kept,
-/// finds no more than that and sets `crowded`.
+/// Fills `foundPairs` with all pairs of moved proxies, in the order of the pair table. Stops at `mostPairs` and sets
+/// `crowded`.
 void collectPairs(const PairStage& stage);
 
 } // namespace spacetow

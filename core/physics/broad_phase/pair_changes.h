@@ -1,15 +1,15 @@
 #pragma once
-// From the pairs that the broad phase has found to the table of pairs.
+// Brings the pair table up to date with the pairs that the broad phase has found.
 
 #include "core/physics/broad_phase/pair_stage.h"
 
 namespace spacetow {
 
-/// What has to change in the table; nothing does yet. Both are sorted. Old pairs of bodies that stayed in their fat
-/// AABBs remain; the others must have been found again. False when nothing has to.
+/// Computes the changes without applying them. Old pairs of which neither body is a moved proxy remain; the other old
+/// pairs are dropped unless they were found again. Needs sorted lists. Returns false if nothing changes.
 bool comparePairs(const PairStage& stage);
 
-/// Makes the change, after what is known of the contacts of `dropped` pairs has been forgotten.
+/// Applies the changes. The caller has freed the contacts of the `dropped` pairs.
 void changeTable(const Bodies& bodies, Contacts& contacts, const StepFlags& flags, PairChanges& changes);
 
 } // namespace spacetow

@@ -1,11 +1,11 @@
 #pragma once
-// What the broad phase works on.
+// The parts of a world that the search for pairs may reach.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// A view, as a span is: what it shows may be changed unless it is const here.
+/// A view, as a span is: members that are not const may be changed through it.
 struct PairStage {
     Bodies& bodies;
     const Forces& forces;

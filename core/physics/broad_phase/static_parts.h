@@ -1,5 +1,5 @@
 #pragma once
-// From static bodies to their geometry.
+// The geometry of static bodies: colliders in world coordinates, and their trees.
 
 #include "core/physics/state/world_data.h"
 
@@ -7,19 +7,20 @@
 
 namespace spacetow {
 
-/// The part of a static body in world coordinates, joined to nothing but other parts of its body.
+/// A part of a static body in world coordinates. Joints to other bodies are not set; joinStatics sets them.
 StaticGeometry::Collider staticColliderOf(const Bodies& bodies, Slot body, std::uint32_t part);
 
-/// Static bodies that continue one another are as smooth as one body.
+/// Joins walls and parts of different static bodies that meet, so that nothing trips where one continues the other.
 void joinStatics(StaticGeometry& geometry);
 
-/// What finds the colliders by where they are.
+/// Builds the trees over all colliders.
 void buildStaticTrees(StaticGeometry& geometry);
 
-/// Notes where a static body is, from its colliders.
+/// Sets the bounds of static bodies to those of their colliders.
 void noteStaticBounds(Bodies& bodies, std::span<const StaticGeometry::Collider> colliders);
 
-/// Takes a few changes up; false when there are so many that making all anew costs less.
+/// Applies the changes of static bodies to the patch beside the tree. Returns false, and does nothing, when there are
+/// so many that a rebuild costs less.
 bool patchStatics(Bodies& bodies, BroadPhase& broadPhase);
 
 } // namespace spacetow

@@ -1,5 +1,5 @@
 #pragma once
-// Which four contacts are solved together: four that have no moving body in common.
+// Assigns contacts to batches of four. No two contacts of a batch share a movable body.
 
 #include "core/physics/lanes/wide.h"
 
@@ -8,29 +8,29 @@
 
 namespace spacetow {
 
-/// Assigns contacts to batches: each to the first with room after those of its bodies' earlier contacts.
+/// Each contact goes to the first batch with a free lane after the batches of its bodies' earlier contacts.
 class BatchPlan {
   public:
-    /// `bodies` slots are in use. Costs no more for many bodies than for few while there are as many as before.
+    /// Forgets all contacts; slots are below `bodies`. The cost does not grow with `bodies` unless that has changed.
     void reset(std::size_t bodies);
-    /// Room for as many batches and bodies as `other` has room for.
+    /// Reserves the capacity that `other` has.
     void reserve(const BatchPlan& other);
-    /// Returns the batch. A body that contacts cannot move may be in several lanes of it.
+    /// Returns the batch of the new contact. A body that is not movable may be in several lanes of one batch.
     std::uint32_t place(Slot a, bool movableA, Slot b, bool movableB);
-    /// The batch has room for one more again.
+    /// Frees one lane of the batch.
     void release(std::uint32_t batch);
     std::size_t size() const { return m_filled.size(); }
-    /// The slot for lanes without a contact: one more than those of bodies.
+    /// The slot that lanes without a contact refer to: the number of body slots.
     Slot nobody() const { return static_cast<Slot>(m_free.size()); }
 
   private:
     std::uint32_t firstWithRoom(std::uint32_t from);
     std::uint32_t freeFrom(Slot slot) const { return m_free[slot] > m_before ? m_free[slot] - m_before : 0; }
 
-    std::uint32_t m_before = 0;         // batches of former plans: what is no more than that in m_free is of those
-    std::vector<std::uint32_t> m_free;  // by slot: the first batch that the body is not yet in, after those before
-    std::vector<std::uint32_t> m_next;  // by batch: itself, or one nearer to the first with room
-    std::vector<std::uint8_t> m_filled; // lanes, by batch
+    std::uint32_t m_before = 0;         // batches of earlier plans: entries of m_free up to this number are out of date
+    std::vector<std::uint32_t> m_free;  // by slot: the first batch for the body's next contact, plus m_before
+    std::vector<std::uint32_t> m_next;  // by batch: itself if a lane is free, else a later batch (a disjoint set)
+    std::vector<std::uint8_t> m_filled; // by batch: lanes in use
 };
 
 } // namespace spacetow

@@ -1,7 +1,7 @@
 #pragma once
-// Contacts in fours that have no moving body in common, laid out so that one instruction serves all four. Each body
-// meets its contacts in the order in which they were given, so the result is, to the bit, that of one after the other.
-// Reading material: E. Catto, "SIMD Matters" (2024), whose graph colouring gives up that order.
+// Batches of four contacts, one in each SIMD lane. No two contacts of a batch share a movable body, and the batches
+// keep the order of each body's contacts. The result is therefore, to the bit, that of solving one contact after the
+// other. Compare E. Catto, "SIMD Matters" (2024): graph colouring gives up that order.
 
 #include "core/physics/lanes/batch_plan.h"
 #include "core/physics/lanes/wide.h"
@@ -15,14 +15,14 @@
 
 namespace spacetow {
 
-// What no velocity falls short of, m/s.
+// A target velocity below every velocity, m/s: a row with this target never acts.
 constexpr double noTarget = -1e30;
 
-/// From what the contacts of moving circles are updated.
+/// The inputs of the update of circle contacts.
 struct alignas(32) CircleAnchors {
     std::array<Slot, 4> a{}, b{};
     std::array<std::uint32_t, 4> owner{}; // index in `circleContacts`
-    Mask wideUpdate{};                    // lanes that the kernel updates; others are updated one by one
+    Mask wideUpdate{};                    // lanes that the kernel updates; the narrow phase updates the others
     Wide radiusA{}, radiusB{};
 
     void vacate() {
@@ -36,21 +36,21 @@ struct alignas(32) CircleAnchors {
     }
 };
 
-/// Contact anchors: from what other contacts are updated while their manifolds are kept.
+/// The inputs of the update of all other contacts while their manifolds are kept: anchors, in local coordinates.
 struct alignas(32) ContactAnchors {
     std::array<Slot, 4> a{}, b{};
     std::array<std::uint32_t, 4> owner{}; // index in `constraints`
-    Mask staticB{};                       // b is static: its points are in the world's coordinates
-    Mask normalOnA{};                     // the normal is in the coordinates of a
-    Mask acts1{}, acts2{};                // whether a push at the point can move anything
-    Mask first{}, second{};               // whether there is the point at all
-    Mask singular{};                      // one of the points acts for both
+    Mask staticB{};                       // b is static: its anchors are in world coordinates
+    Mask normalOnA{};                     // the normal is in local coordinates of a, else of b
+    Mask acts1{}, acts2{};                // whether an impulse at the point can move a body
+    Mask first{}, second{};               // whether the manifold has the point
+    Mask singular{};                      // the 2 × 2 system is singular: one point acts for both
     Wide normalX{}, normalY{};
     Wide onA1X{}, onA1Y{}, onB1X{}, onB1Y{}, onA2X{}, onA2Y{}, onB2X{}, onB2Y{};
-    Wide relativeX{}, relativeY{}, cosine{}, sine{}; // of a in the coordinates of b when the manifold was made
-    Wide tolerance{};                                // m that the parts may come closer before it is out of date
-    Wide radiusA{};                                  // around the body
-    Wide leastInverseMass{};                         // 1/kg: what yields no more to a push does not yield to it
+    Wide relativeX{}, relativeY{}, cosine{}, sine{}; // the pose of a relative to b when the manifold was made
+    Wide tolerance{};        // manifold tolerance, m: more relative motion outdates the manifold
+    Wide radiusA{};          // m: outer radius of the body of a; 0 for a circle
+    Wide leastInverseMass{}; // 1/kg: with a smaller inverse mass the point does not act
 
     void vacate() {
         a.fill(0);
@@ -63,7 +63,7 @@ struct alignas(32) ContactAnchors {
     }
 };
 
-/// Quantities as in CircleContact; masses and inertias are inverse.
+/// Four circle contacts. `mass` and `inertia` are inverse masses (1/kg) and inverse inertias (1/(kg m²)).
 struct alignas(32) CircleBatch {
     using Anchors = CircleAnchors;
 
@@ -74,7 +74,7 @@ struct alignas(32) CircleBatch {
     Wide normalMass{}, tangentMass{};
     Wide friction{}, target{};
     Wide normalImpulse{}, tangentImpulse{};
-    Wide closingLimit{}; // m/s: nearer than they may come in this iteration
+    Wide closingLimit{}; // m/s: a velocity below it would penetrate by more than the slop
     Wide velocity{};     // m/s along the normal, after the last pass
     Wide separation{};   // m
 
@@ -84,7 +84,7 @@ struct alignas(32) CircleBatch {
     }
 };
 
-/// Quantities as in Constraint. A missing second point has a target that every velocity exceeds.
+/// Four contacts of one or two points; units as in CircleBatch. A missing second point has the target `noTarget`.
 struct alignas(32) ConstraintBatch {
     using Anchors = ContactAnchors;
 
@@ -95,7 +95,7 @@ struct alignas(32) ConstraintBatch {
     Wide tangentMass{}, friction{}, tangentImpulse{};
     Wide leverA1{}, leverB1{}, target1{}, impulse1{};
     Wide leverA2{}, leverB2{}, target2{}, impulse2{};
-    Wide k11{}, k22{}, coupling{}, inverseDeterminant{}; // of the inverse mass matrix
+    Wide k11{}, k22{}, coupling{}, inverseDeterminant{}; // elements and inverse determinant of the inverse mass matrix
     Wide mass1{}, mass2{};                               // 1/k11, 1/k22
     Wide closingLimit1{}, closingLimit2{};
     Wide velocity1{}, velocity2{};
@@ -107,32 +107,33 @@ struct alignas(32) ConstraintBatch {
     }
 };
 
-/// Where a contact's lane is.
+/// The place of a contact.
 struct Lane {
     std::uint32_t batch = 0, lane = 0;
 };
 
-/// Which lanes of a batch something is true of, a bit each.
+/// A set of lanes of a batch; bit i is lane i.
 using LaneBits = std::uint8_t;
 
-/// What the passes over all contacts have found.
+/// What the kernels found, by lane.
 struct BatchFlags {
     LaneBits occupied = 0;
-    LaneBits outdated = 0; // out of reach, or the manifold no longer holds
-    LaneBits closes = 0;   // faster than it may
-    LaneBits touched = 0;  // at the end of the iteration before
-    LaneBits touches = 0;  // with an impulse or without a gap
-    LaneBits overlaps = 0; // by more than the slop
+    LaneBits outdated = 0; // beyond the speculative margin, or the manifold is outdated
+    LaneBits closes = 0;   // faster than the closing limit
+    LaneBits touched = 0;  // at the end of the last iteration
+    LaneBits touches = 0;  // has an impulse, or a separation ≤ 0
+    LaneBits overlaps = 0; // penetrates by more than the slop
 };
 
-/// Batches are used again without being cleared: that takes longer than filling them.
+/// An array of batches with their plan. `reset` keeps the memory, and does not clear it: clearing costs more than
+/// filling.
 template <class Batch>
 class Batches {
   public:
     using Anchors = typename Batch::Anchors;
 
     void reset(std::size_t bodies) { m_plan.reset(bodies); }
-    /// Room for as much as `other` has room for.
+    /// Reserves the capacity that `other` has.
     void reserve(const Batches& other) {
         m_plan.reserve(other.m_plan);
         m_batches.reserve(other.m_batches.capacity());
@@ -148,7 +149,7 @@ class Batches {
     const BatchFlags& flags(std::size_t index) const { return m_flags[index]; }
     std::size_t size() const { return m_plan.size(); }
 
-    /// A lane for the contact of two bodies.
+    /// Opens a lane for a contact of two bodies. The caller fills the lane.
     Lane open(Slot a, bool movableA, Slot b, bool movableB) {
         const std::size_t used = m_plan.size();
         Lane lane{m_plan.place(a, movableA, b, movableB), 0};
@@ -170,7 +171,7 @@ class Batches {
         return lane;
     }
 
-    /// Gives the lane up; its place may be used again.
+    /// Closes the lane; a later contact may get it.
     void close(Lane lane) {
         m_plan.release(lane.batch);
         BatchFlags& flags = m_flags[lane.batch];
@@ -188,7 +189,7 @@ class Batches {
     std::vector<BatchFlags> m_flags;
 };
 
-/// Copies one contact, but for its bodies.
+/// Copies all of a contact but its two slots.
 template <class Batch>
 void copyLane(const Batch& from, std::uint32_t lane, Batch& to, std::uint32_t toLane) {
     constexpr std::size_t bodies = sizeof from.a + sizeof from.b;
@@ -200,7 +201,7 @@ void copyLane(const Batch& from, std::uint32_t lane, Batch& to, std::uint32_t to
     }
 }
 
-/// Visits the lanes that the notes name, in their order.
+/// Visits the lanes that have the flag, by batch, then by lane.
 template <class Batch, class Visit>
 void forLanes(const Batches<Batch>& batches, LaneBits BatchFlags::*which, const Visit& visit) {
     for (std::uint32_t k = 0; k < batches.size(); ++k) {
@@ -210,14 +211,14 @@ void forLanes(const Batches<Batch>& batches, LaneBits BatchFlags::*which, const 
     }
 }
 
-/// All contacts that are solved together.
+/// All contacts of the solver.
 struct ContactBatches {
     Batches<CircleBatch> circles;
     Batches<ConstraintBatch> general;
 };
 
-/// Of the largest element of two points' inverse mass matrix, squared, to the determinant: from here on the points have
-/// so nearly the same effect that one acts for both.
+/// Limit of k² / det for the inverse mass matrix of two points, with k the largest element. Above it the matrix counts
+/// as singular, and one point acts for both.
 constexpr double singularRatio = 1000;
 
 } // namespace spacetow

@@ -1,7 +1,7 @@
 #pragma once
-// Four lanes at a time: what the passes over batches of contacts are made of. All of it is inlined into functions for
-// processors with and without wide registers. Both compute the same bits: the operations are the same, and none is
-// fused.
+// Gather and scatter of four bodies, and the operations of the kernels. All functions are inlined into kernels that are
+// compiled twice, for processors with and without 256-bit registers. Both kernels compute the same bits: the operations
+// are the same, and none is fused.
 
 #include "core/physics/lanes/contact_batches.h"
 #include "core/physics/lanes/contact_formulas.h"
@@ -14,13 +14,13 @@ namespace spacetow::lanes {
 using formulas::greater;
 using formulas::lesser;
 
-/// Four vectors of four. As velocities: x and y in m/s, z angular in rad/s. As poses: x and y of the centre of mass, z
-/// the cosine, w the sine.
+/// Four vectors of four components, by component. As velocities: x and y in m/s, z angular in rad/s. As poses: x and y
+/// of the centre of mass in m, z the cosine, w the sine of the angle.
 struct WideVec4 {
     Wide x, y, z, w;
 };
 
-/// Rows to columns and back: four bodies to gather, or to scatter.
+/// The transpose of a 4 × 4 matrix: the core of gather and of scatter.
 SPACETOW_INLINE WideVec4 transposed(Wide r0, Wide r1, Wide r2, Wide r3) {
     const Wide low02 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
     const Wide low13 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
@@ -49,12 +49,12 @@ SPACETOW_INLINE void scatter(BodyVelocity* velocities, const std::array<Slot, 4>
     std::memcpy(static_cast<void*>(&velocities[slots[3]]), &rows.w, sizeof(Wide));
 }
 
-/// An impulse (x, y) on b and its opposite on a, and the angular impulses by which it twists them.
+/// A linear impulse (x, y) on b, its opposite on a, and the angular impulses on both.
 struct Impulse {
     Wide x, y, twistA, twistB;
 };
 
-/// The bodies of a batch's contacts.
+/// The velocities, or position corrections, of the bodies of a batch.
 struct BatchBodies {
     WideVec4 a, b;
 

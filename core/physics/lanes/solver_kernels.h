@@ -1,5 +1,5 @@
 #pragma once
-// The passes of the contact solver over batches, four contacts at a time.
+// The kernels of the contact solver: passes over all batches, four contacts at a time. SI units.
 
 #include "core/physics/lanes/contact_batches.h"
 
@@ -8,56 +8,55 @@
 
 namespace spacetow {
 
-/// Where something is kept of each body, by slot: four doubles at the beginning of `stride` bytes each.
+/// A strided array by slot: each row begins with four doubles, and is `stride` bytes long. A view.
 struct BodyRows {
     const void* first;
     std::size_t stride;
 };
 
-/// From what contacts are made anew.
+/// What refreshContacts reads of the bodies.
 struct BodyViews {
     BodyRows poses;          // centre of mass, cosine and sine
     BodyRows plannedMotions; // delta position, motion of the outermost points by the delta angle, inner radius
 };
 
-/// Whether the processor has registers for four doubles. What follows computes the same bits with them and without.
+/// Whether the processor has 256-bit registers. The functions below compute the same bits with and without them.
 bool hasWideRegisters();
 
-/// Normals, gaps, targets and what depends on them, from where bodies are now; and notes of what is outdated.
-/// Iterations come `perSecond`.
+/// Updates normals, separations, targets, levers and masses for the present poses, and flags outdated contacts.
+/// `perSecond` is iterations per second.
 void refreshContacts(ContactBatches& batches, const BodyViews& bodies, double perSecond,
                      bool wide = hasWideRegisters());
 
-/// Applies the impulses that the contacts begin with. Velocities are those of bodies, by slot, and one more for lanes
-/// without a contact; here and below.
+/// Applies the accumulated impulses. `velocities` is by slot, with one more element for lanes without a contact, here
+/// and below.
 void warmStart(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide = hasWideRegisters());
 
-/// One pass over all contacts.
+/// One velocity iteration over all contacts (projected Gauss–Seidel).
 void solvePass(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide = hasWideRegisters());
 
-/// How far single points are pushed apart in an over-relaxed pass, as a multiple of what stops them. The best one is
-/// the nearer to 2 the longer a chain of bodies is; a chain of n is solved by some n passes with it, by some n²
-/// without.
+/// Relaxation factor of overrelaxPass. The best factor is the nearer to 2 the longer a chain of bodies is. A chain of n
+/// bodies converges in about n passes with the best factor, in about n² without.
 constexpr double overrelaxation = 1.9;
 
-/// One over-relaxed pass, for where many follow each other; the last is to be an ordinary one. Contacts of polygons are
-/// solved as ever: their friction would keep stacks trembling. C. W. Cryer, "The solution of a quadratic programming
-/// problem using systematic overrelaxation" (1971).
+/// One over-relaxed velocity iteration (projected SOR). After the last one, call solvePass once. Only circle contacts
+/// are over-relaxed: stacks of polygons with friction would tremble. Source: C. W. Cryer, "The solution of a quadratic
+/// programming problem using systematic overrelaxation" (1971).
 void overrelaxPass(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide = hasWideRegisters());
 
-/// The normal velocities that are left, and notes of what touches, what overlaps and what closes faster than it may.
-/// Whether anything does.
+/// Stores the normal velocity of each contact, and flags contacts that touch, overlap or close faster than their limit.
+/// Returns whether any contact closes too fast.
 bool measureVelocities(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide = hasWideRegisters());
 
-/// How overlaps are reduced in an iteration of `dt` seconds.
+/// How position correction works in an iteration of `dt` seconds.
 struct CorrectionRules {
     double dt;
-    double share; // of what is more than the slop
-    double most;  // m
+    double share; // 0 … 1: of the penetration beyond the slop that is corrected
+    double most;  // m: greatest correction of a contact
 };
 
-/// Adds what pushes bodies out of overlaps to `corrections`, by the measured velocities and flags: what parts anyway is
-/// pushed less. Whether anything overlaps.
+/// Adds pseudo-velocities that reduce overlaps to `corrections`, from the results of measureVelocities: a contact that
+/// separates by itself gets less. Returns whether any contact overlaps.
 bool correctPositions(ContactBatches& batches, std::vector<BodyVelocity>& corrections, const CorrectionRules& rules,
                       bool wide = hasWideRegisters());
 

@@ -1,20 +1,20 @@
 #pragma once
-// Numbers four at a time, as one instruction of the processor takes them, and velocities laid out for that.
+// SIMD vectors of four doubles, and body velocities in the layout that the kernels load.
 
 #include <cstdint>
 
 namespace spacetow {
 
-/// Where a body is in the arrays.
+/// The index of a body in the arrays.
 using Slot = std::uint32_t;
 
-/// Four doubles; the compiler uses what registers the processor has.
+/// Four doubles; on processors without 256-bit registers the compiler splits them.
 using Wide = double __attribute__((vector_size(32), aligned(32)));
 
-/// Lanes of which something is true.
+/// One all-ones or all-zeros integer a lane, as a comparison of two Wides gives.
 using Mask = decltype(Wide{} < Wide{});
 
-/// A velocity while contacts are solved: what four of them are loaded as.
+/// The velocity of a body in the solver: one row of a gather.
 struct alignas(32) BodyVelocity {
     double x = 0, y = 0; // velocity, m/s
     double angular = 0;  // rad/s

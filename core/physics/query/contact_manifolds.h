@@ -1,6 +1,6 @@
 #pragma once
-// The contacts of a world as they are now: where bodies touch or are about to, and with which impulses the last
-// iteration kept them apart. Nothing of the world is changed.
+// The contact manifolds of a world after an update: contact points, and the impulses of the last iteration. Reading
+// them does not change the world. SI units.
 
 #include "core/math/aabb.h"
 #include "core/physics/world/world.h"
@@ -18,14 +18,14 @@ struct ContactManifold {
     };
     BodyId a, b;
     Vec2 normal{0, 1};         // unit, from a to b
-    double tangentImpulse = 0; // N s, likewise; to the left of the normal it pushes b
-    bool touching = false;     // else the surfaces are merely so near that the solver watches them
+    double tangentImpulse = 0; // N s, of the last iteration, on b; positive to the left of `normal`
+    bool touching = false;     // false: a speculative contact, within the margin but apart
     int count = 0;             // of points
     std::array<Point, 2> points;
 };
 
-/// All contacts whose points are in `area`, in the order of their pairs, then those of bodies that sleep. From the
-/// manifolds that the solver keeps, where it keeps one.
+/// The contacts with a point in `area`, or all: first those of awake bodies, then those of sleeping ones, each in the
+/// order of the pair table. A manifold that the engine keeps is returned as it is; others are computed here.
 std::vector<ContactManifold> contactManifolds(const World& world, const std::optional<Aabb>& area = {});
 
 } // namespace spacetow

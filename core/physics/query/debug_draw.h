@@ -9,7 +9,7 @@
 
 namespace spacetow {
 
-/// What is drawn of a body; the shapes must outlive it.
+/// What is drawn of a body. Holds a view of the shapes, which must outlive it.
 struct DebugBody {
     BodyKind kind = BodyKind::Dynamic;
     std::span<const Shape> shapes;
@@ -17,15 +17,17 @@ struct DebugBody {
     Vec2 massCenter{0, 0}; // world
     Vec2 velocity{0, 0};   // of the centre of mass
     Aabb bounds;           // exact; may be empty
-    Aabb fatBounds;        // of the broad phase; empty when it is no other
+    Aabb fatBounds;        // of the broad phase; empty when equal to `bounds`
 };
 
-/// Its boxes; each shape, a polygon's incircle between its filling and its outline and a wall's band and normals below
-/// the wall; orientation and velocity once. Static walls have no orientation. Shapes without extent are left out.
+/// Draws the AABBs of a body, then its shapes, then orientation and velocity. The incircle of a polygon lies between
+/// filling and outline; the band and the normals of a wall lie below the wall. A static body of walls alone has no
+/// orientation. Shapes without extent are not drawn.
 void drawBody(const DebugBody& body, const DebugView& view, DebugDraw& draw);
 
-/// Background; quadtrees; islands, tags and what meets the selection; static, kinematic, dynamic bodies, each in the
-/// order in which they were added; connectors; the risk of walls; trails; contacts; centres of mass and names.
+/// Draws, from bottom to top: background; quadtrees; islands, tags and collisions of the selection; static, kinematic
+/// and dynamic bodies, each in the order of creation; connectors; tunnelling risks; trails; contacts; centres of mass
+/// and names.
 void drawWorld(const World& world, const DebugView& view, DebugDraw& draw);
 
 } // namespace spacetow

@@ -6,25 +6,25 @@
 
 namespace spacetow {
 
-// Drawing to be looked at has its marks and texts in units of the picture, whatever its scale.
-constexpr double leastExtent = 2; // of what is too small to be seen
+// Units of the picture: the same at every scale.
+constexpr double leastExtent = 2; // a body that is smaller is not drawn
 
-/// The more a cell holds, the fuller it is; a number where there is room for one.
+/// The leaves of both quadtrees: the more a leaf holds, the more opaque; with the count where it fits.
 void drawTrees(const World& world, const DebugView& view, DebugDraw& draw);
-/// Filled in the colour of its island, in that of sleep when it sleeps.
+/// The body filled in the colour of its island, or in the colour of sleep.
 void drawIsland(const World& world, BodyId body, const DebugView& view, DebugDraw& draw);
-/// Outlined in the colour of its first tag that has one, with a dot for each further one.
+/// The body outlined in the colour of its first coloured tag, with a dot for each further one.
 void drawTags(const World& world, BodyId body, const DebugView& view, DebugDraw& draw);
-/// Marks what the selected bodies would collide with, and what they would pass through.
+/// Outlines all other bodies by whether the selected bodies collide with them or pass through.
 void drawCollisions(const World& world, const DebugView& view, DebugDraw& draw);
-/// The tension as hue, and in newtons where there is room.
+/// Connectors with their tension as hue, and in newtons where the text fits.
 void drawConnectors(const World& world, const DebugView& view, DebugDraw& draw);
 void drawRisks(const World& world, const DebugView& view, DebugDraw& draw);
 void drawTrails(const DebugView& view, DebugDraw& draw);
-/// Points; normals; and the force of the last iteration, one metre for as much as the lighter body weighs at 9.81 m/s²:
-/// impulse · iterations / seconds / (mass · 9.81), along the normal and, for friction, across it.
+/// Contact points, normals, and the force of the last iteration as an arrow: one metre for the weight of the lighter
+/// body at 9.81 m/s², impulse · iterations / seconds / (mass · 9.81). Normal force along the normal, friction across.
 void drawContacts(const World& world, const DebugView& view, DebugDraw& draw);
-/// A cross along the body's axes.
+/// A cross along the axes of the body.
 void drawMassCenter(const BodyState& state, const DebugView& view, DebugDraw& draw);
 void drawName(const World& world, BodyId body, const DebugView& view, DebugDraw& draw);
 

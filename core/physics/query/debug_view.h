@@ -29,15 +29,15 @@ class DebugDraw {
 
     virtual void circle(const Vec2& center, double radius, const Color& color) = 0;
     virtual void filledCircle(const Vec2& center, double radius, const Color& color) = 0;
-    /// Closed, may be concave; the outline is valid during the call only.
+    /// Closed; may be concave. The outline is valid during the call only.
     virtual void polygon(std::span<const Vec2> outline, const Color& color) = 0;
     virtual void filledPolygon(std::span<const Vec2> outline, const Color& color) = 0;
     virtual void line(const Vec2& a, const Vec2& b, const Color& color) = 0;
     virtual void rectangle(const Aabb& box, const Color& color) = 0;
     virtual void filledRectangle(const Aabb& box, const Color& color) = 0;
-    /// Beside the point, in the host's font; what lies below is to be told from it.
+    /// Beside the point, in the host's font, legible over what is drawn below.
     virtual void text(const Vec2& at, std::string_view text, const Color& color) = 0;
-    /// Velocities and normals: a line, to which the host may give a head.
+    /// Velocities and normals. By default a line; the host may add a head.
     virtual void arrow(const Vec2& from, const Vec2& to, const Color& color) { line(from, to, color); }
 };
 
@@ -45,11 +45,11 @@ struct ShapeColors {
     Color fill, outline;
 };
 
-/// Circles, polygons and walls of each kind of body differ.
+/// The colours of a shape: by kind of body, and by circle, polygon or wall.
 ShapeColors shapeColors(BodyKind kind, const Shape& shape);
 
-/// 0 … 1/3 of the colour circle: red when pressed to half its length or less, yellow (1/6) at its natural length or
-/// when it has none, green when pulled to one and a half or more.
+/// The hue of a connector, 0 … 1/3 of the colour circle: red (0) at half its natural length or less, yellow (1/6) at
+/// its natural length, green (1/3) at one and a half of it or more. Yellow too when the natural length is 0.
 double connectorHue(double distance, double length);
 
 struct DebugColors {
@@ -80,7 +80,7 @@ struct DebugColors {
 /// The colour of `connectorHue`, between those of `colors`.
 Color connectorColor(double distance, double length, const DebugColors& colors = {});
 
-/// Where a body has been, the oldest point first; world.
+/// The path of a body, oldest point first; world coordinates.
 struct DebugTrail {
     std::vector<Vec2> points;
 
@@ -93,11 +93,11 @@ struct DebugView {
     OverlayFlags overlays;
     DebugColors colors;
     std::optional<Color> background;   // of the whole picture
-    std::function<bool(BodyId)> shows; // of a hidden body nothing is drawn; without it none is hidden
-    /// What can be seen of the world. With it, nothing else is drawn, nor what is too small to be seen.
+    std::function<bool(BodyId)> shows; // false: the body is hidden; without it no body is hidden
+    /// The visible part of the world. If set, bodies outside and bodies too small to be seen are not drawn.
     std::optional<Aabb> area;
 
-    // What the host knows of bodies, by what it calls them (BodyDef::user).
+    // What the host knows of a body, by BodyDef::user.
     std::function<std::string(std::uint64_t user)> nameOf; // without it no body has a name
     std::function<bool(std::uint64_t user)> isSelected;    // without it nothing is selected
     std::function<std::optional<Color>(int tag)> tagColor; // without it no tag has a colour

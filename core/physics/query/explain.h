@@ -1,6 +1,6 @@
 #pragma once
-// Why a body moves as it does: who pushes and pulls it, what it touches, its energy and momentum; the same of
-// connectors, and the sums of a world. All of it is read after an update and changes nothing. SI units, radians.
+// What acts on a body: forces, contacts, energy and momentum; the same for connectors, and the sums over a world. Call
+// these functions after an update; they do not change the world. SI units, radians.
 
 #include "core/physics/world/world.h"
 
@@ -9,25 +9,25 @@
 
 namespace spacetow {
 
-/// Two bodies that touch, or did so within the last update. Impulses are those of that update: all of them when the
-/// world records impulses, else those of the last iteration times the number of iterations.
+/// Two bodies that touch, or touched during the last update. Impulses are the sums over that update if the world
+/// records impulses, else those of the last iteration times the number of iterations.
 struct ContactReading {
-    BodyId a, b;              // a was added to the world before b
-    bool solid = true;        // false when one of them is intangible, or none can be moved
-    bool touching = true;     // false: only within the update
-    Vec2 point{0, 0};         // world, in the middle of what touches
-    Vec2 normal{0, 1};        // unit, from a to b; of sensors without meaning
-    double normalImpulse = 0; // N s, along the normal on b, and against it on a
-    double friction = 0;      // N s on b, to the left of the normal
-    Vec2 impulse{0, 0};       // N s on b, of both
-    double turnA = 0;         // N m s on a about its centre of mass
-    double turnB = 0;         // likewise on b
+    BodyId a, b;              // a is the one that was added to the world first
+    bool solid = true;        // false when a or b is intangible, or neither can move
+    bool touching = true;     // false: they touched during the update, and no longer do
+    Vec2 point{0, 0};         // world, the mean of the contact points
+    Vec2 normal{0, 1};        // unit, from a to b; undefined for sensors
+    double normalImpulse = 0; // N s, along `normal` on b, opposite on a
+    double friction = 0;      // N s on b, positive to the left of `normal`
+    Vec2 impulse{0, 0};       // N s on b: normal impulse and friction
+    double turnA = 0;         // N m s: angular impulse on a about its centre of mass
+    double turnB = 0;         // N m s: the same for b
 };
 
-/// In which the impulses of contacts were given, s: how long the last update was.
+/// The time over which the impulses of contacts acted, s: the length of the last update.
 double impulseSeconds(const World& world);
 
-/// Of one body with all others. One look at each pair of the world.
+/// The contacts of one body. Linear in the pairs of the world.
 std::vector<ContactReading> contactsOf(const World& world, BodyId body);
 
 struct ForceReading {
@@ -35,11 +35,11 @@ struct ForceReading {
     double torque = 0; // N m, about the centre of mass
 };
 
-/// What acts on a body, by where it comes from. At the end of the last update, but for contacts: their impulses, spread
-/// over all of it.
+/// The forces on a body by source, at the end of the last update. The force of contacts is their impulse over the last
+/// update, divided by the length of that update.
 struct BodyForces {
     ForceReading gravity;
-    ForceReading applied;    // by the owner of the world: thrust, say; during all of the update
+    ForceReading applied;    // by World::applyForce and applyTorque, for example thrust
     ForceReading connectors; // of the last sub-step
     ForceReading fields;
     ForceReading contacts;
@@ -49,18 +49,18 @@ struct BodyForces {
 };
 
 struct BodyEnergy {
-    double kinetic = 0;   // J, of moving and turning
-    double potential = 0; // J, in gravity, at the world's origin 0
+    double kinetic = 0;   // J, translation and rotation
+    double potential = 0; // J, in gravity; 0 at the world's origin
 };
 
-/// Of a body that no force moves all is zero but what it touches.
+/// For static and kinematic bodies all members but `touchedTags` are zero.
 struct BodyReading {
     BodyForces forces;
     BodyEnergy energy;
     Vec2 momentum{0, 0};        // kg m/s
     double spin = 0;            // kg m²/s about its own centre of mass
     double angularMomentum = 0; // kg m²/s about the world's origin
-    TagMask touchedTags;        // of all that it touched in the last iteration
+    TagMask touchedTags;        // of all bodies that this one touched in the last iteration
 };
 BodyReading explained(const World& world, BodyId body);
 
@@ -68,16 +68,16 @@ struct ConnectorReading {
     double distance = 0; // m, between the anchors
     double length = 0;   // m, natural
     double tension = 0;  // N, positive when it pulls
-    double energy = 0;   // J, that it took to stretch it so far
+    double energy = 0;   // J, elastic
 };
 ConnectorReading explained(const World& world, ConnectorId connector);
 
-/// What there is, and how much of it the engine works on.
+/// Sizes of the world and of its working sets.
 struct WorldCounters {
     int statics = 0, kinematics = 0, dynamics = 0; // bodies
-    int awake = 0, asleep = 0;                     // of those that may move
-    int pairs = 0;                                 // of parts that may meet
-    int contacts = 0;                              // pairs that touch
+    int awake = 0, asleep = 0;                     // of bodies that are not static
+    int pairs = 0;                                 // of parts, in the pair table
+    int contacts = 0;                              // pairs of parts that touch
     int treeCells = 0;                             // leaves of the quadtrees
     int islands = 0;                               // components of the contact graph, of bodies that are awake
     int connectors = 0;
@@ -86,13 +86,13 @@ struct WorldCounters {
 struct WorldReading {
     double kinetic = 0, potential = 0, elastic = 0; // J; their sum is World::energy
     Vec2 momentum{0, 0};                            // kg m/s, of dynamic bodies
-    double motion = 0;                              // kg m/s: the momenta of all, whatever their directions
-    double angularMomentum = 0;                     // kg m²/s, likewise, about the origin
+    double motion = 0;                              // kg m/s: the sum of the magnitudes of all momenta
+    double angularMomentum = 0;                     // kg m²/s, of dynamic bodies, about the origin
 
     double energy() const { return kinetic + potential + elastic; }
 };
 WorldReading totals(const World& world);
-/// Linear in what is in the world.
+/// Linear in bodies, pairs and tree cells.
 WorldCounters counters(const World& world);
 
 } // namespace spacetow

@@ -1,5 +1,5 @@
 #pragma once
-// Who meets and passes through the other, because a mask says so.
+// Which bodies overlap and pass through each other because of their filters.
 
 #include "core/physics/world/world.h"
 
@@ -8,8 +8,8 @@
 
 namespace spacetow {
 
-/// Pairs of bodies that would be in contact where they are now, were it not for their masks; each once, the body that
-/// was added first in front. Costs next to nothing where every mask meets every tag.
+/// Pairs of bodies that overlap now and would collide but for their filters; each pair once, first the body that was
+/// added first. Returns at once when the filters of all bodies admit each other.
 std::vector<std::pair<BodyId, BodyId>> maskedMeetings(const World& world);
 
 } // namespace spacetow

@@ -1,6 +1,6 @@
 #pragma once
-// Which debug overlays are drawn over a level or a running game. The same switches serve drawWorld, the canvas, the
-// command line and the tests; editor/canvas/overlay_table.h says what each is called and means.
+// Which debug overlays are drawn over a level or a running game. drawWorld, the canvas, the command line and the tests
+// share these flags; editor/canvas/overlay_table.h has their names and explanations.
 
 namespace spacetow {
 
@@ -22,7 +22,7 @@ struct OverlayFlags {
     bool risk = false;        // of passing through a wall in one iteration
     bool problems = true;     // where something is wrong; while editing
 
-    /// Whether anything is drawn that the physics has worked out.
+    /// Whether any overlay is on that needs a World; `problems` does not.
     bool any() const {
         return aabb || incircle || velocity || orientation || normals || quadtree || contacts || tension || trails ||
                masses || names || islands || tags || collides || risk;

@@ -1,13 +1,13 @@
 #pragma once
-// How near bodies come to passing through a wall in one iteration. The engine stops what is fast where it first meets
-// something; the band behind a wall is what is left when that cannot be, as when a body is put somewhere or pushed by
-// another. A wall is the safer the deeper it is against the way that a body goes in an iteration:
+// The risk that a body tunnels through a wall. The engine stops fast bodies at their time of impact. Where that cannot
+// help, as when a body is placed by a call or pushed by another body, the solid band behind the wall still pushes the
+// body out. The band must be deep compared with the motion of the body in one iteration:
 //
 //     risk = greatest approach speed · seconds / iterations / depth
 //
-// The approach speed of a body is the part of its velocity that points at the solid side, −n·v. Counted are the bodies
-// that may touch the wall by their tags and that come near it: whose box, carried along for a second, meets the wall's.
-// From 1 on one iteration may carry a body through the whole band. Walls without end behind them, and lines, have none.
+// The approach speed is −n·v, with n the wall's normal and v the velocity of the body. Bodies count if their filter
+// admits the wall and their AABB, swept along the velocity for one second, overlaps the wall's. From a risk of 1 on
+// one iteration can carry a body through the whole band. Lines, and walls of infinite depth, have no risk.
 
 #include "core/math/aabb.h"
 #include "core/physics/world/world.h"
@@ -20,11 +20,11 @@ namespace spacetow {
 struct WallRisk {
     BodyId body;      // of which the wall is a part
     Vec2 a, b;        // world
-    double speed = 0; // m/s, > 0: with which something approaches it
+    double speed = 0; // m/s, > 0: greatest approach speed
     double risk = 0;
 };
 
-/// Of all walls in `area` that something approaches.
+/// The risk of every wall in `area`, or in the world, that a body approaches.
 std::vector<WallRisk> wallRisks(const World& world, const std::optional<Aabb>& area = {});
 
 } // namespace spacetow

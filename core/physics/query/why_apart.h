@@ -1,5 +1,5 @@
 #pragma once
-// "Why do these two not collide?"
+// Answers "Why do these two bodies not collide?"
 
 #include "core/physics/world/world.h"
 
@@ -8,33 +8,33 @@
 namespace spacetow {
 
 enum class WhyApart : std::uint8_t {
-    Touch,      // they do
-    SameBody,   // both are the same
-    Inactive,   // `body` is switched off
+    Touch,      // they touch
+    SameBody,   // a and b are the same body
+    Inactive,   // `body` is inactive
     Unmovable,  // neither is dynamic
-    Mask,       // `body` touches none of the tags of the other, which are in `missing`
-    Connected,  // by `connectors`, which keep them from colliding
-    Intangible, // `body` is, so that it is felt but stops nothing
-    Walls,      // both are nothing but walls, which pass through each other
-    Behind,     // where they overlap, one is behind one-way walls of `body`, of which one goes from `from` to `to`
-    Distance,   // they are `distance` apart, from `from` to `to`
-    NextUpdate, // they overlap, and will collide as soon as an update looks
+    Mask,       // the mask of `body` has none of the other's tags, see `missing`
+    Connected,  // `connectors` join them, with bodiesCollide off
+    Intangible, // `body` is a sensor: it reports touches and stops nothing
+    Walls,      // both have walls only, and walls do not collide with walls
+    Behind,     // the other is behind the one-way walls of `body`; one of them is `from`–`to`
+    Distance,   // they are `distance` apart; the nearest points are `from` and `to`
+    NextUpdate, // they overlap, and the next update will find the contact
 };
 
-/// The first reason that holds, in the order above, and what it is about.
+/// The first reason that applies, in the order above, with its details.
 struct CollisionAnswer {
     WhyApart why = WhyApart::Touch;
-    BodyId body;            // see above
-    TagMask missing;        // the tags of the other; none: it has no tags, and nothing touches it
-    bool bothMasks = false; // with `Mask`: the other one does not touch `body` either
-    bool felt = false;      // with `Intangible`: they overlap, and events tell
+    BodyId body;            // the one that the reason is about
+    TagMask missing;        // Mask: the tags of the other body; empty when it has none
+    bool bothMasks = false; // Mask: the other's mask does not admit `body` either
+    bool felt = false;      // Intangible: they overlap, and events report it
     std::vector<ConnectorId> connectors;
     Vec2 from{0, 0}, to{0, 0}; // world
     double distance = 0;       // m
 };
 
-/// As of the last update: `Touch` when the engine has them in contact, and only then. Linear in the pairs of their
-/// parts that are near each other.
+/// As of the last update: `Touch` exactly when the engine has the bodies in contact. Linear in the pairs of parts of
+/// the two bodies that are near each other.
 CollisionAnswer whyNotColliding(const World& world, BodyId a, BodyId b);
 
 } // namespace spacetow

@@ -7,7 +7,7 @@
 
 namespace spacetow {
 
-/// To a quarter or so: what grows with bodies, pairs and contacts is counted. What copies share is not.
+/// An estimate, within about 25 %: the arrays of bodies, pairs and contacts count; data that copies share does not.
 std::size_t copyBytes(const World& world);
 
 } // namespace spacetow
