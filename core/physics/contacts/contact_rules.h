@@ -1,5 +1,5 @@
 #pragma once
-// What every contact has in common: how near the surfaces have to be, and which velocity they are to part with.
+// The rules of all contacts: speculative margin, target velocity and closing limit.
 
 #include "core/physics/lanes/contact_formulas.h"
 #include "core/physics/state/world_data.h"
@@ -18,7 +18,7 @@ inline bool isPush(const Vec2& change, double turnChange) {
     return std::abs(change.x()) + std::abs(change.y()) + std::abs(turnChange) > least;
 }
 
-/// Whether contacts with these normals may be in one plane.
+/// Whether contacts with these unit normals may be in one plane.
 inline bool areParallelNormals(const Vec2& a, const Vec2& b) {
     return a.dot(b) >= 1 - 1e-9;
 }
@@ -36,7 +36,7 @@ inline double speculativeMargin(const PlannedMotion& a) {
     return formulas::speculativeMargin(way + a.turned, a.innerRadius);
 }
 
-/// The discs around the bodies of a pair.
+/// The bounding circles of the bodies of a pair, about their centres of mass.
 struct Discs {
     double radii;   // m, of both together
     double reach;   // m: further apart they do not meet in this iteration

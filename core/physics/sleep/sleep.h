@@ -8,7 +8,7 @@
 
 namespace spacetow {
 
-/// A view, as a span is: what it shows may be changed unless it is const here.
+/// A view, as a span is: members that are not const may be changed through it.
 struct SleepStage {
     Bodies& bodies;
     const Forces& forces;
@@ -28,22 +28,22 @@ struct SleepStage {
           newTable(data.scratch.changes.newTable), solver(data.scratch.solver), toi(data.scratch.toi) {}
 };
 
-/// The body, or something about it, is about to change: with the next wakeRequested() its island wakes, and, when it
-/// cannot be moved, all that is near it; near its new place, too, when it is static. Costs nothing while nobody sleeps.
+/// Call it before the body changes: the next wakeRequested() wakes its island. If the body is immovable, it wakes all
+/// bodies near it; if it is static, also those near its new place. Costs nothing while no body sleeps.
 void requestWake(Bodies& bodies, Sleep& sleep, Slot slot);
 
-/// `iteration` dates the events, here and below.
+/// The events get this `iteration`, here and below.
 void wakeRequested(const SleepStage& stage, int iteration);
 
-/// At the start of an update: wakes whom it was requested for, and everybody when sleep is no longer allowed or gravity
-/// has changed.
+/// Call it at the start of an update: it wakes the requested islands, or all of them if sleep is no longer allowed or
+/// gravity has changed.
 void beginSleep(const SleepStage& stage, const Vec2& gravity);
 
-/// Wakes the islands that contacts have just been found with. If there are any, velocities are those of the start of
-/// the iteration once more, and it is to be begun anew with everybody who takes part.
+/// Wakes the sleeping islands that have a new contact. Returns whether there are any: velocities are then restored to
+/// those of the start of the iteration, and the caller begins the iteration anew with all awake bodies.
 bool wakeTouched(const SleepStage& stage, const IterationStep& step);
 
-/// At the end of an update of so many seconds: islands that have been slow for long enough fall asleep.
+/// Call it at the end of an update of `seconds`: islands that have been slow for half a second fall asleep.
 void fallAsleep(const SleepStage& stage, double seconds, int iteration);
 
 } // namespace spacetow

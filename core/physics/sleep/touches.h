@@ -1,11 +1,11 @@
 #pragma once
-// From touching pairs to events: what began, what ended, and the tags each body touched.
+// Touch events: which touches began and ended, and which tags each body touched.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// A view, as a span is: what it shows may be changed unless it is const here.
+/// A view, as a span is: members that are not const may be changed through it.
 struct TouchStage {
     Bodies& bodies;
     Contacts& contacts;
@@ -22,17 +22,16 @@ struct TouchStage {
 /// that the bodies which ask for them touched in this iteration.
 void reportTouches(const TouchStage& stage, int iteration);
 
-/// Makes the tag reports from this index on, all of one iteration, one report of each body.
+/// Joins the tag events from index `first` on, all of one iteration, to one event a body.
 void joinTagReports(Events& events, std::size_t first);
 
-/// The tags that every body touched in the last iteration.
+/// Collects the tags that each body touched in the last iteration.
 void collectTouchedTags(Bodies& bodies, const Contacts& contacts, const Sleep& sleep);
 
-/// Those of the pairs of sleepers, when these or who sleeps have changed.
+/// Collects the tags that sleeping bodies touch. Call it when the pairs of sleepers have changed.
 void relistTouchedTags(Bodies& bodies, Sleep& sleep);
 
-/// Ends all touches of a body that is about to leave or to be switched off. To be called while no
-/// contact has a lane.
+/// Ends all touches of a body that is about to be removed or deactivated. Call it while no contact has a lane.
 void endTouches(const TouchStage& stage, NarrowPhase& narrow, Slot slot, int iteration);
 
 } // namespace spacetow

@@ -1,5 +1,5 @@
 #pragma once
-// The tension of connectors, applied as impulses before each sub-step.
+// Connectors: their tension, applied as impulses (kicks) around each sub-step.
 
 #include "core/physics/solver/force_stage.h"
 
@@ -9,21 +9,22 @@ namespace spacetow {
 /// at either end makes the motion of springs second order (velocity Verlet).
 enum class Kick : std::uint8_t { First, Between, Last };
 
-/// For how long what is not anticipated acts, of a sub-step of `h` seconds.
+/// The time over which explicit forces act in a kick, s; `h` is the length of a sub-step, s.
 inline double kickTime(double h, Kick kick) {
     return kick == Kick::Between ? h : 0.5 * h;
 }
 
-/// The same for what a whole sub-step is anticipated of: nothing is left for the end of the iteration.
+/// The same for anticipated (implicit) forces: these act over the whole sub-step that follows, and not in the last
+/// kick.
 inline double kickTime(double h, Kick kick, bool anticipated) {
     return anticipated ? (kick == Kick::Last ? 0 : h) : kickTime(h, kick);
 }
 
-/// Notes which bodies have a connector that is too stiff for sub-steps of `h` seconds.
+/// Flags bodies that have a connector too stiff for explicit integration with sub-steps of `h` seconds.
 void findAnticipated(const Bodies& bodies, const Forces& forces, Substeps& substeps, double h);
 
-/// The impulses for sub-steps of `h` seconds at the trial poses; changes velocities only. Damping, and the spring
-/// itself where it is too stiff for the sub-step, are taken implicitly, so that the result stays finite and gains no
+/// Applies the impulses of one kick, for sub-steps of `h` seconds, at the trial poses; changes velocities only. Damping
+/// is implicit, and so is the spring where it is too stiff for the sub-step: the result stays finite and gains no
 /// energy.
 void applyConnectorForces(const ForceStage& stage, double h, Kick kick);
 

@@ -17,8 +17,8 @@ struct EdgeEnd {
     bool movable;
 };
 
-/// Unites two bodies that can be moved. One that cannot is in no component: it bounds that of the other, for which
-/// `bound(immovable, movable)` is called.
+/// Unites the components of two movable bodies. An immovable body is in no component: it bounds the component of the
+/// other one, which `bound(immovable, movable)` reports.
 template <class Bound>
 void addEdge(std::vector<Slot>& parents, const EdgeEnd& a, const EdgeEnd& b, const Bound& bound) {
     if (a.movable && b.movable) {
@@ -30,12 +30,11 @@ void addEdge(std::vector<Slot>& parents, const EdgeEnd& a, const EdgeEnd& b, con
     }
 }
 
-/// Begins what is kept of bodies by slot anew for those that are new or have changed: their inertia, whether they can
-/// be moved, and what iterations write.
+/// Resets the per-slot data of bodies that are new or have changed: inertia, mobility, and the results of iterations.
 void renewSlots(const SolverStage& stage, std::span<const Slot> slots);
 
-/// What an iteration keeps by slot, before it begins with the bodies that move: new ones get the initial value. Those
-/// that no longer move have got it when the list of those that do was made.
+/// Resizes per-slot data to `size` slots; new slots get the initial value. Slots of bodies that no longer move were
+/// reset when the moving bodies were listed.
 template <class T>
 void beginBySlot(std::vector<T>& list, std::size_t size, const T& initial) {
     if (list.size() != size) {
@@ -43,13 +42,13 @@ void beginBySlot(std::vector<T>& list, std::size_t size, const T& initial) {
     }
 }
 
-/// Of the contact graph, by the pairs there are, when these have changed since the last time.
+/// Finds the components of the contact graph, if the pair table has changed since the last call.
 void findComponents(const SolverStage& stage);
 
-/// Marks the bodies of components that a moving kinematic body may push: it can do any work.
+/// Flags the bodies of components that a moving kinematic body may push: their energy is not limited.
 void markPushedByKinematic(const Bodies& bodies, ContactGraph& graph, SolverScratch& solver);
 
-/// The component of a contact's bodies.
+/// The component of the bodies of a contact.
 template <class Batch>
 Slot rootAt(const ContactGraph& graph, const Batch& batch, std::uint32_t lane) {
     const bool yieldsA = batch.massA[lane] > 0 || batch.inertiaA[lane] > 0;

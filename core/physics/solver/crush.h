@@ -1,12 +1,12 @@
 #pragma once
-// What a press pushes against something that stands still: it stays on its side of that, the press overlaps it, and an
-// event says that it is crushed.
+// Crushing: a kinematic body presses a body against an immovable one. The pressed body stays in front of the immovable
+// one, the kinematic body overlaps it, and a CrushedEvent reports it.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// A view, as a span is: what it shows may be changed unless it is const here.
+/// A view, as a span is: members that are not const may be changed through it.
 struct CrushStage {
     Bodies& bodies;
     const Contacts& contacts;
@@ -20,16 +20,16 @@ struct CrushStage {
           crushed(data.crushed), events(data.events) {}
 };
 
-/// Whether a moving kinematic body may push anything. Else nothing is crushed, and the others need not be called.
+/// Whether a moving kinematic body may push any body. If not, nothing is crushed: skip the functions below.
 bool anyPushedByKinematic(const Bodies& bodies, const SolverScratch& solver);
 
-/// Notes which of the bodies that a kinematic one may push leave their fat AABBs by position corrections, or with their
-/// platform.
+/// Of the bodies that a kinematic body may push, collects those that position correction, or the motion of their
+/// platform, takes out of their fat AABBs.
 void measureCorrections(Bodies& bodies, StepFlags& flags, const SolverScratch& solver, PairSearch& search);
 
-/// Limits the motion of these bodies, position corrections included: none goes further into what stands still than the
-/// slop. A body that is crushed thereby, and was not in the iteration before, is among the events. To be called when
-/// the motion is about to be carried out.
+/// Limits the motion of these bodies, position correction included, so that none penetrates an immovable body by more
+/// than the slop. Adds a CrushedEvent for each body that is crushed and was not in the last iteration. Call it directly
+/// before `advance`.
 void keepOutOfStatics(const CrushStage& stage, int iteration);
 
 } // namespace spacetow

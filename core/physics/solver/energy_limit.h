@@ -1,19 +1,19 @@
 #pragma once
-// Contacts take energy and never add any: impulses that were carried over, a solver that has not converged, restitution
-// together with friction, and pushing bodies out of overlaps could otherwise lift a pile or drive a jammed body. What
-// a component does depends on no other.
+// Contacts never add energy. Without this limit, warm starting, an unconverged solver, restitution with friction, and
+// position correction could lift a pile or drive a jammed body. Each component of the contact graph is limited by
+// itself.
 
 #include "core/physics/solver/solver_stage.h"
 
 namespace spacetow {
 
-/// After the passes, for components to which the contacts' impulses add energy: makes more passes, then makes bounces
-/// softer, then takes back a share of the impulses. Components that a moving kinematic body may push are left alone, as
-/// that may do any work. Leaves momentum as it is. True when velocities have changed.
+/// Call it after the velocity iterations. Where the impulses of a component add energy, it runs more iterations, then
+/// lowers restitution, then scales the impulses down. It skips components that a moving kinematic body may push, as
+/// that body may do any work. Conserves momentum. Returns whether velocities have changed.
 bool limitEnergyGain(const SolverStage& stage);
 
-/// Applies the position corrections, but those of shallow overlaps with no more energy than contacts took from
-/// their component in this iteration of `dt` seconds.
+/// Applies the position corrections of an iteration of `dt` seconds. Corrections of shallow overlaps add no more energy
+/// to a component than contacts took from it in this iteration.
 void applyCorrections(const SolverStage& stage, double dt);
 
 } // namespace spacetow

@@ -1,5 +1,5 @@
 #pragma once
-// Who obeys which forces.
+// Which bodies accept which forces.
 
 #include "core/physics/state/world_data.h"
 

@@ -1,29 +1,29 @@
 #pragma once
-// Motion without contacts: forces, gravity, damping and connectors change the velocities and say how far each body
-// would go; after the contacts are solved the bodies are advanced.
+// Integration without contacts: forces, gravity, damping, connectors and fields change the velocities and give the
+// planned motion of each body. After the contacts are solved, `advance` moves the bodies.
 
 #include "core/physics/solver/force_stage.h"
 
 namespace spacetow {
 
-/// Accelerations and damping factors for this update; consumes the forces applied since the last one.
+/// Computes accelerations and damping factors for this update, and clears the applied forces.
 void prepareMotion(Bodies& bodies, const IterationStep& step, const Vec2& gravity);
 
-/// How far a body moves by itself in one step of its own: an iteration, or a sub-step when connectors or fields act on
-/// it. Part of prepareMotion; by itself after connections have changed in the middle of an update.
+/// Computes the coefficients of one integration step of each body: an iteration, or a sub-step if connectors or fields
+/// act on it. Part of prepareMotion; call it alone after connections have changed during an update.
 void prepareSteps(Bodies& bodies, const IterationStep& step);
 
-/// Velocities at the end of the iteration, and delta position and angle on the way there, as if nothing were touched.
+/// Computes the velocities at the end of the iteration, with delta position and delta angle, without contacts.
 void integrateVelocities(const ForceStage& stage, const IterationStep& step);
 
 /// Undoes integrateVelocities.
 void restoreVelocities(Bodies& bodies);
 
-/// Carries out the motion and the displacements out of overlaps. A body that was stopped on its way, in an iteration
-/// of `dt` seconds, gives back the velocity that the rest of the way would have added.
+/// Applies the planned motions and the position corrections. A body that was stopped at a time of impact in an
+/// iteration of `dt` seconds loses the velocity that forces would have added in the rest of it.
 void advance(Bodies& bodies, double dt);
 
-/// Switches off bodies whose state is not sound, so that they spoil no others.
+/// Deactivates bodies whose state is not finite, before contacts spread it; adds a FaultEvent for each.
 void isolateFaults(Bodies& bodies, Events& events, int iteration);
 
 } // namespace spacetow

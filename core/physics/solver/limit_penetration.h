@@ -5,12 +5,12 @@
 
 namespace spacetow {
 
-/// Where the solver has not converged, bodies in contact would still go into each other: they go as far as the slop
-/// in this iteration of `dt` seconds, and what follows them waits as well. What is held back is accelerated for as
-/// long as it moves. Takes the velocities that were measured at the contacts.
+/// Scales down the motion of bodies whose contacts still close, so that they penetrate by no more than the slop in this
+/// iteration of `dt` seconds, and the motion of the bodies that follow them. Forces accelerate such a body only for the
+/// share of the iteration in which it moves. Needs the results of measureVelocities.
 void limitPenetration(Bodies& bodies, const Constraints& constraints, SolverScratch& solver, double dt);
 
-/// Likewise what follows a body that has been stopped on its way since.
+/// The same for bodies that follow a body which has been stopped at a time of impact since.
 void limitPenetrationOfFollowers(Bodies& bodies, const Constraints& constraints, SolverScratch& solver, double dt);
 
 } // namespace spacetow

@@ -1,14 +1,15 @@
 #pragma once
-// Moving platforms: what a moving kinematic body stops goes on with it.
+// Moving platforms: a body that a moving kinematic body stops moves on with that body.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// Notes the kinematic body that a body touches: whatever stops the body stops it on its way with that.
+/// Finds the platform of each body: the kinematic body that it touches. A body that is stopped later is stopped
+/// relative to its platform.
 void findPlatforms(Bodies& bodies, const PairTable& table, const Constraints& constraints);
 
-/// What was stopped by a kinematic body stays where it is on it while that goes on.
+/// Moves stopped bodies on with their platforms, for the rest of the iteration.
 void moveWithPlatforms(Bodies& bodies);
 
 } // namespace spacetow

@@ -1,23 +1,24 @@
 #pragma once
-// Solves some components further than others. Each keeps its order of contacts, so that the rest of the world makes no
-// difference to it.
+// More velocity iterations for components that have not converged. Each component keeps the order of its contacts, so
+// its result does not depend on other components.
 
 #include "core/physics/solver/solver_stage.h"
 
 namespace spacetow {
 
-/// No component is marked as `unconverged`.
+/// Clears the flag `unconverged` of all components.
 void clearUnconverged(const Bodies& bodies, const ContactGraph& graph, const Sleep& sleep, SolverScratch& solver);
 
-/// More passes, at least one, over the contacts of the components that are marked as `unconverged`; all but the last
-/// are over-relaxed.
+/// Runs `passes` ≥ 1 more iterations over the components with the flag `unconverged`; all but the last are
+/// over-relaxed.
 void solveUnconverged(const SolverStage& stage, int passes);
 
-/// More passes over components in which contacts close faster than they may: an impact has to reach the ground through
-/// all that is between. Takes what has been measured at the contacts; false when none of them closes any more.
+/// Runs more iterations over components in which contacts close faster than their limit: an impact has to reach the
+/// ground through the whole heap. Needs the results of measureVelocities. Returns whether any contact still closes too
+/// fast.
 bool solveClosingComponents(const SolverStage& stage);
 
-/// Whenever there is something to solve again, it is not to allocate.
+/// Reserves memory, so that the functions above allocate none.
 void reserveForUnconverged(const SolverStage& stage);
 
 } // namespace spacetow

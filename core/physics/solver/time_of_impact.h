@@ -1,13 +1,13 @@
 #pragma once
-// Nothing is passed through: bodies that would move further in an iteration than the speculative margin covers are
-// swept along their way and stop at the first thing they would hit. The contact itself is solved in the next iteration.
-// Kinematic bodies cannot be stopped: iterations in which they would pass something are made in parts.
+// Continuous collision, so that no body tunnels. A body that moves further in an iteration than its speculative margin
+// is swept, and stops at its first time of impact. The contact is solved in the next iteration. A kinematic body cannot
+// be stopped: an iteration in which it would pass through something is split into parts.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// A view, as a span is: what it shows may be changed unless it is const here.
+/// A view, as a span is: members that are not const may be changed through it.
 struct ToiStage {
     Bodies& bodies;
     const BroadPhase& broadPhase;

@@ -1,11 +1,11 @@
 #pragma once
-// What an update goes by instead of visiting all bodies: lists of those that move, and the tree of those that do not.
+// The lists that spare an update a pass over all bodies: the moving bodies, and the tree of static ones.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// Lists the moving bodies and, when static bodies have changed, builds their tree anew.
+/// Lists the moving bodies. If static bodies have changed, also brings their tree up to date.
 void prepareStructure(WorldData& data);
 
 } // namespace spacetow

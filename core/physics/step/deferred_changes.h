@@ -1,21 +1,21 @@
 #pragma once
-// Deferred changes wait until no stage of the update is at work: removals and flags, carried out in the order in which
-// they were asked for.
+// Deferred changes: removals and flags. They are applied between the stages of an update, in the order of the calls.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// True when something was changed, so that lists of bodies must be made anew. `iteration` dates the events.
+/// Applies the deferred changes. Returns whether there were any: the caller then rebuilds the lists of bodies. The
+/// events get this `iteration`.
 bool applyPending(WorldData& data, int iteration);
 
-/// Masses as contacts feel them, from kind, mass and frozen flags.
+/// Sets the inverse mass and inertia of a body from its kind, mass and frozen flags.
 void refreshInverseMass(Bodies& bodies, Slot slot);
 
-/// Which bodies are connected, and which of them do not collide with each other.
+/// Lists the connected bodies, and the pairs that do not collide because a connector joins them.
 void refreshConnections(Bodies& bodies, Forces& forces, StepFlags& flags);
 
-/// Which bodies move in sub-steps: the part of refreshConnections that does not concern collisions.
+/// Lists the bodies that are integrated in sub-steps: the part of refreshConnections that does not concern collisions.
 void refreshSubsteps(Bodies& bodies, Forces& forces);
 
 } // namespace spacetow

@@ -1,5 +1,5 @@
 #pragma once
-// One update of a world: the stages, in their order.
+// One update of a world: calls the stages in their order.
 
 #include "core/physics/state/world_data.h"
 
