@@ -24,7 +24,7 @@ constexpr std::array inks{
     OverlayInk{"near-point", &DebugColors::nearPoint, QT_TRANSLATE_NOOP("Legend", "Near, not touching yet")},
     OverlayInk{"contact-normal", &DebugColors::contactNormal, QT_TRANSLATE_NOOP("Legend", "Normal")},
     OverlayInk{"impulse", &DebugColors::impulse,
-               QT_TRANSLATE_NOOP("Legend", "Force; 1 m is the weight of the lighter one")},
+               QT_TRANSLATE_NOOP("Legend", "Force; 1 m is the weight of the lighter one, 2 m ten times as much")},
     OverlayInk{"pressed", &DebugColors::pressed, QT_TRANSLATE_NOOP("Legend", "Pressed to half its length")},
     OverlayInk{"natural", &DebugColors::natural, QT_TRANSLATE_NOOP("Legend", "At its natural length")},
     OverlayInk{"pulled", &DebugColors::pulled, QT_TRANSLATE_NOOP("Legend", "Stretched by half its length")},

@@ -1,5 +1,7 @@
 #include "editor/canvas/painter_draw.h"
 
+#include "editor/canvas/round_stamps.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -170,7 +172,6 @@ void PainterDraw::flush() {
 }
 
 void PainterDraw::paintFillings(const Batch& batch) {
-    constexpr double tiny = 3.5; // px, of a radius
     const bool wasSmooth = m_painter.testRenderHint(QPainter::Antialiasing);
     m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth && !isCrowd());
     m_painter.setPen(Qt::NoPen);
@@ -181,14 +182,28 @@ void PainterDraw::paintFillings(const Batch& batch) {
     for (const QPolygonF& area : batch.areas) {
         m_painter.drawPolygon(area);
     }
-    for (const QRectF& disc : batch.discs) {
-        if (isCrowd() && disc.width() < 2 * tiny) {
-            m_painter.fillRect(disc, toQColor(batch.color));
-        } else {
+    paintDiscs(batch);
+    m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
+}
+
+/// With the brush that is set. Those of a crowd that are hardly more than a point are squares.
+void PainterDraw::paintDiscs(const Batch& batch) {
+    constexpr double tiny = 3.5; // px, of a radius
+    if (!isCrowd()) {
+        for (const QRectF& disc : batch.discs) {
             m_painter.drawEllipse(disc);
         }
+        return;
     }
-    m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
+    std::vector<QRectF> round;
+    for (const QRectF& disc : batch.discs) {
+        if (disc.width() < 2 * tiny) {
+            m_painter.fillRect(disc, toQColor(batch.color));
+        } else {
+            round.push_back(disc);
+        }
+    }
+    stampEllipses(m_painter, round);
 }
 
 void PainterDraw::paintLines(const Batch& batch) {
@@ -202,8 +217,12 @@ void PainterDraw::paintLines(const Batch& batch) {
     for (const QPolygonF& outline : batch.outlines) {
         m_painter.drawPolygon(outline);
     }
-    for (const QRectF& circle : batch.circles) {
-        m_painter.drawEllipse(circle);
+    if (isCrowd()) {
+        stampEllipses(m_painter, batch.circles);
+    } else {
+        for (const QRectF& circle : batch.circles) {
+            m_painter.drawEllipse(circle);
+        }
     }
     m_painter.drawLines(batch.lines.data(), static_cast<int>(batch.lines.size()));
     m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth);

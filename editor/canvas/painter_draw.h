@@ -61,6 +61,7 @@ class PainterDraw : public DebugDraw {
     bool isCrowd() const { return m_marks > 1500; }
     Batch& batch(const Color& color);
     void paintFillings(const Batch& batch);
+    void paintDiscs(const Batch& batch);
     void paintLines(const Batch& batch);
     void paintTexts();
 

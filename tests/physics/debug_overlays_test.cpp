@@ -69,6 +69,7 @@ class DebugOverlaysTest : public QObject {
     void bothTreesShowWhatTheirCellsHold();
     void contactsShowTheirPointsNormalsAndForces_data();
     void contactsShowTheirPointsNormalsAndForces();
+    void whatCarriesTenTimesTheWeightHasAnArrowOfTwoMetres();
     void whatIsMerelyNearHasARing();
     void circlesTouchWhereTheyMeet();
     void connectorsShowTheirTension();
@@ -79,6 +80,8 @@ class DebugOverlaysTest : public QObject {
     void tagsHaveTheColoursOfTheHost();
     void theSelectionTellsWhatItMeets();
     void trailsFadeWithAge();
+    void aTrailIsDrawnByWhatCanBeSeenOfIt();
+    void arrowsShorterThanADotAreLeftOut();
     void onlyWhatIsInViewIsDrawn();
 };
 
@@ -145,6 +148,28 @@ void DebugOverlaysTest::contactsShowTheirPointsNormalsAndForces() {
         }
     }
     QVERIFY(std::abs(newtons - mass * worldGravity) < 0.02 * mass * worldGravity);
+}
+
+void DebugOverlaysTest::whatCarriesTenTimesTheWeightHasAnArrowOfTwoMetres() {
+    World world(withIterations(20));
+    add(world, edgeBody({-5, 0}, {5, 0}));
+    const auto stacked = [&](double height, double mass) {
+        BodyDef def = ball({0, height}, 0.25);
+        def.mass = mass;
+        add(world, def);
+    };
+    stacked(0.25, 1);
+    stacked(0.75, 9);
+    run(world, 2);
+    const DebugView view = closeView({.contacts = true});
+    std::vector<double> metres;
+    for (const DrawCall& force : callsOf(recorded(world, view), Form::Line, view.colors.impulse)) {
+        metres.push_back((force.points[1] - force.points[0]).norm() / view.view.scale);
+    }
+    std::ranges::sort(metres);
+    QCOMPARE(metres.size(), std::size_t{2});
+    QVERIFY(std::abs(metres[0] - (1 + std::log10(9))) < 0.02);
+    QVERIFY2(std::abs(metres[1] - 2) < 0.02, qPrintable(QString::number(metres[1])));
 }
 
 void DebugOverlaysTest::whatIsMerelyNearHasARing() {
@@ -309,6 +334,34 @@ void DebugOverlaysTest::trailsFadeWithAge() {
     QCOMPARE(calls.size(), std::size_t{3});
     QVERIFY(calls[0].points == (std::vector<Vec2>{Vec2(400, 300), Vec2(500, 300)}));
     QVERIFY(calls[0].color.alpha < calls[1].color.alpha && calls[1].color.alpha < calls[2].color.alpha);
+}
+
+void DebugOverlaysTest::aTrailIsDrawnByWhatCanBeSeenOfIt() {
+    std::vector<Vec2> creeping; // a quarter of a dot a point
+    for (int i = 0; i <= 80; ++i) {
+        creeping.emplace_back(0.0025 * i, 0);
+    }
+    const std::vector<DebugTrail> trails{{creeping}, {std::vector<Vec2>(20, Vec2(1, 1))}};
+    DebugView view = closeView({.trails = true});
+    view.trails = trails;
+    QCOMPARE(recorded(World(), view).size(), std::size_t{99});
+    view.area = Aabb{{-4, -3}, {4, 3}};
+    const std::vector<DrawCall> seen = recorded(World(), view);
+    QVERIFY(seen.size() >= 16 && seen.size() <= 20 && (seen.front().points[0] - Vec2(400, 300)).norm() < 1e-9);
+    QVERIFY((seen.back().points[1] - Vec2(420, 300)).norm() < 1.5);
+}
+
+void DebugOverlaysTest::arrowsShorterThanADotAreLeftOut() {
+    World world(withIterations(1, {0, 0}));
+    for (const double speed : {0.009, 0.011}) {
+        BodyDef def = ball({100 * speed, 0}, 0.1);
+        def.velocity = {0, speed};
+        add(world, def);
+    }
+    DebugView view = closeView({.velocity = true});
+    QCOMPARE(recorded(world, view).size(), std::size_t{2});
+    view.area = Aabb{{-4, -3}, {4, 3}};
+    QCOMPARE(recorded(world, view).size(), std::size_t{1});
 }
 
 void DebugOverlaysTest::onlyWhatIsInViewIsDrawn() {

@@ -42,6 +42,22 @@ QRect inked(const QImage& image) {
 
 constexpr Color orange{255, 128, 0};
 
+/// In 200 × 200 pixels, rows of ten of which every fifth is larger; with so many dots in a corner that it is a crowd.
+QImage rowsOfCircles(bool filled, bool crowded) {
+    return painted(viewOf(200, 200), [&](const Stage& stage) {
+        stage.painter.setRenderHint(QPainter::Antialiasing);
+        PainterDraw draw(stage);
+        for (int i = 0; i < 80; ++i) {
+            const Vec2 at(15.25 + 18 * (i % 10), 15.75 + 18 * (i / 10));
+            const double radius = i % 5 == 0 ? 8 : 5.3;
+            filled ? draw.filledCircle(at, radius, orange) : draw.circle(at, radius, orange);
+        }
+        for (int i = 0; crowded && i < 2000; ++i) {
+            draw.line({190, 190}, {191, 190}, orange);
+        }
+    });
+}
+
 } // namespace
 
 class PainterDrawTest : public QObject {
@@ -89,6 +105,35 @@ class PainterDrawTest : public QObject {
         QVERIFY(QRect(18, 38, 45, 45).contains(box) && box.contains(QRect(21, 41, 38, 38)));
         QCOMPARE(image.pixelColor(40, 60) == QColor(255, 128, 0), filled);
         QCOMPARE(image.pixelColor(40, 60) == QColor(Qt::black), !filled);
+    }
+
+    void circlesOfACrowdLookLikeThoseOfAFew_data() {
+        QTest::addColumn<bool>("filled");
+        QTest::newRow("outlines") << false;
+        QTest::newRow("discs") << true;
+    }
+    void circlesOfACrowdLookLikeThoseOfAFew() {
+        QFETCH(bool, filled);
+        const QRect rows(0, 0, 200, 160);
+        const QImage few = rowsOfCircles(filled, false).copy(rows);
+        const QImage crowd = rowsOfCircles(filled, true).copy(rows);
+        double inFew = 0;
+        double inCrowd = 0;
+        for (int y = 0; y < rows.height(); ++y) {
+            for (int x = 0; x < rows.width(); ++x) {
+                inFew += few.pixelColor(x, y).red();
+                inCrowd += crowd.pixelColor(x, y).red();
+                // Whatever is inside of one by more than a pixel has its colour in the other.
+                const bool isInside = filled && x > 0 && y > 0 && few.pixelColor(x - 1, y).red() == 255 &&
+                                      few.pixelColor(x + 1, y).red() == 255 && few.pixelColor(x, y - 1).red() == 255 &&
+                                      few.pixelColor(x, y + 1).red() == 255;
+                QVERIFY(!isInside || crowd.pixelColor(x, y).red() == 255);
+            }
+        }
+        const double share = inCrowd / inFew; // their lines have one pixel, not one and a half
+        QVERIFY2(filled ? std::abs(share - 1) < 0.08 : share > 0.5 && share < 0.75, qPrintable(QString::number(share)));
+        const QRect one = inked(crowd.copy(QRect(25, 7, 17, 17))); // about (33.25, 15.75), of 5.3
+        QVERIFY(one.width() >= 10 && one.width() <= 13 && one.height() >= 10 && one.height() <= 13);
     }
 
     void anArrowHasAHeadAtItsEnd() {

@@ -3,6 +3,7 @@
 #include "core/geometry/bounds.h"
 #include "core/geometry/polygon.h"
 #include "core/physics/query/debug_layers.h"
+#include "core/physics/state/world_data.h"
 
 #include <algorithm>
 #include <array>
@@ -135,7 +136,8 @@ void drawBody(const DebugBody& body, const DebugView& view, DebugDraw& draw) {
         const Vec2& from = body.pose.position;
         draw.line(view.view.toView(from), view.view.toView(from + body.pose.rotation.up()), view.colors.orientation);
     }
-    if (view.overlays.velocity && body.velocity.squaredNorm() > 0) {
+    const double speed = body.velocity.norm();
+    if (view.overlays.velocity && speed > 0 && !isDot(view, speed)) {
         draw.arrow(view.view.toView(body.massCenter), view.view.toView(body.massCenter + body.velocity),
                    view.colors.velocity);
     }
@@ -156,9 +158,8 @@ std::vector<BodyId> seenBodies(const World& world, const DebugView& view) {
     const std::vector<BodyId> bodies = world.bodies();
     for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic}) {
         for (const BodyId id : bodies) {
-            const BodyState state = world.body(id);
-            if (state.kind == kind && (!view.shows || view.shows(id)) &&
-                (!view.area || reachOf(state, world.bounds(id)).overlaps(*view.area))) {
+            if (world.data().bodies.records[id.index].kind == kind && (!view.shows || view.shows(id)) &&
+                (!view.area || reachOf(world.body(id), world.bounds(id)).overlaps(*view.area))) {
                 seen.push_back(id);
             }
         }

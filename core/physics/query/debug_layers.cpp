@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace spacetow {
 
@@ -39,6 +40,12 @@ bool isSeen(const DebugView& view, const Aabb& world) {
     return view.area->overlaps(world) && view.view.toView(world.size().maxCoeff()) >= leastExtent;
 }
 
+/// Of forces, in metres, by how many times they are the weight of the lighter body: so that those below a pile do not
+/// cover the picture.
+double forceLength(double weights) {
+    return weights <= 1 ? weights : 1 + std::log10(weights);
+}
+
 /// Draws the outlines of a body, or fills them.
 struct OutlineDrawing {
     const Transform& pose;
@@ -64,22 +71,20 @@ struct OutlineDrawing {
     void operator()(const Line& line) const { draw.line(at(line.a), at(line.b), color); }
 };
 
-/// One body, and where it is drawn.
-struct OutlinedBody {
-    const World& world;
-    BodyId body;
-    const DebugView& view;
-    DebugDraw& draw;
+struct Ink {
+    Color color;
+    bool filled = false;
 };
 
-enum class OutlineStyle : std::uint8_t { Stroked, Filled };
+struct PosedShapes {
+    const std::vector<Shape>& shapes;
+    const Transform& pose;
+};
 
-void drawOutline(const OutlinedBody& outlined, const Color& color, OutlineStyle style) {
-    const DebugView& view = outlined.view;
-    const Transform pose = outlined.world.body(outlined.body).pose;
-    const OutlineDrawing drawing{pose, view, outlined.draw, color, style == OutlineStyle::Filled};
-    for (const Shape& shape : outlined.world.shapes(outlined.body)) {
-        if (!view.area || isSeen(view, boundsOf(shape, pose))) {
+void drawOutline(const PosedShapes& body, const Ink& ink, const DebugView& view, DebugDraw& draw) {
+    const OutlineDrawing drawing{body.pose, view, draw, ink.color, ink.filled};
+    for (const Shape& shape : body.shapes) {
+        if (!view.area || isSeen(view, boundsOf(shape, body.pose))) {
             std::visit(drawing, shape);
         }
     }
@@ -117,15 +122,33 @@ bool mayMeet(const BodyState& a, const BodyState& b) {
            !(a.kind == BodyKind::Static && b.kind == BodyKind::Static);
 }
 
+/// From a point of the world, along a unit vector; negative forces point the other way.
+void drawForce(const Vec2& from, const Vec2& along, double weights, const DebugView& view, DebugDraw& draw) {
+    const double length = std::copysign(forceLength(std::abs(weights)), weights);
+    if (weights != 0 && std::isfinite(weights) && !isDot(view, length)) {
+        draw.arrow(view.view.toView(from), view.view.toView(from + length * along), view.colors.impulse);
+    }
+}
+
 bool keepsApart(const Forces& forces, BodyId a, BodyId b) {
     const SlotPair pair = std::minmax(a.index, b.index);
     return std::ranges::binary_search(forces.notColliding, pair);
 }
 
+/// Infinite where neither can be pushed.
+double lighterMass(const World& world, const ContactManifold& contact) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const BodyId id : {contact.a, contact.b}) {
+        const BodyRecord& body = world.data().bodies.records[id.index];
+        least = body.kind == BodyKind::Dynamic ? std::min(least, body.mass) : least;
+    }
+    return least;
+}
+
 void drawContact(const World& world, const ContactManifold& contact, const DebugView& view, DebugDraw& draw) {
     const UpdateParameters& parameters = world.parameters();
-    const double lighter = std::min(world.body(contact.a).mass, world.body(contact.b).mass);
-    const double metres = parameters.iterations / (parameters.seconds * lighter * earthGravity); // an N s
+    const double lighter = lighterMass(world, contact);
+    const double weights = parameters.iterations / (parameters.seconds * lighter * earthGravity); // of an N s
     for (const ContactManifold::Point& point :
          std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
         const Vec2 at = view.view.toView(point.at);
@@ -135,17 +158,11 @@ void drawContact(const World& world, const ContactManifold& contact, const Debug
         }
         constexpr double normalLength = 16;
         draw.line(at, at + normalLength * Vec2(contact.normal.x(), -contact.normal.y()), view.colors.contactNormal);
-        if (point.normalImpulse > 0 && std::isfinite(metres)) {
-            draw.arrow(at, view.view.toView(point.at + metres * point.normalImpulse * contact.normal),
-                       view.colors.impulse);
-        }
+        drawForce(point.at, contact.normal, weights * point.normalImpulse, view, draw);
         draw.filledCircle(at, dotRadius, view.colors.touchPoint);
     }
-    if (contact.touching && contact.tangentImpulse != 0 && std::isfinite(metres)) {
-        const ContactManifold::Point& point = contact.points[0];
-        draw.arrow(view.view.toView(point.at),
-                   view.view.toView(point.at + metres * contact.tangentImpulse * leftOf(contact.normal)),
-                   view.colors.impulse);
+    if (contact.touching) {
+        drawForce(contact.points[0].at, leftOf(contact.normal), weights * contact.tangentImpulse, view, draw);
     }
 }
 
@@ -166,10 +183,10 @@ void drawIsland(const World& world, BodyId body, const DebugView& view, DebugDra
         return;
     }
     const Color own = view.colors.islands[*island % view.colors.islands.size()];
-    const Color fill = world.body(body).asleep ? view.colors.asleep : own;
-    const OutlinedBody outlined{world, body, view, draw};
-    drawOutline(outlined, withAlpha(fill, faint), OutlineStyle::Filled);
-    drawOutline(outlined, own, OutlineStyle::Stroked);
+    const BodyState state = world.body(body);
+    const PosedShapes posed{world.shapes(body), state.pose};
+    drawOutline(posed, {withAlpha(state.asleep ? view.colors.asleep : own, faint), true}, view, draw);
+    drawOutline(posed, {own, false}, view, draw);
 }
 
 void drawTags(const World& world, BodyId body, const DebugView& view, DebugDraw& draw) {
@@ -187,7 +204,7 @@ void drawTags(const World& world, BodyId body, const DebugView& view, DebugDraw&
             continue;
         }
         if (isFirst) {
-            drawOutline({world, body, view, draw}, *color, OutlineStyle::Stroked);
+            drawOutline({world.shapes(body), state.pose}, {*color, false}, view, draw);
         } else if (isRoomy) {
             draw.filledCircle(at, dotRadius, *color);
             at.x() += 3 * dotRadius;
@@ -215,7 +232,8 @@ void drawCollisions(const World& world, const DebugView& view, DebugDraw& draw) 
         const bool meets = std::ranges::any_of(selected, [&](BodyId other) {
             return other != id && mayMeet(state, world.body(other)) && !keepsApart(world.data().forces, id, other);
         });
-        drawOutline({world, id, view, draw}, meets ? view.colors.meets : view.colors.passes, OutlineStyle::Stroked);
+        drawOutline({world.shapes(id), state.pose}, {meets ? view.colors.meets : view.colors.passes, false}, view,
+                    draw);
     }
 }
 
@@ -258,11 +276,18 @@ void drawRisks(const World& world, const DebugView& view, DebugDraw& draw) {
 void drawTrails(const DebugView& view, DebugDraw& draw) {
     constexpr int oldest = 40; // alpha
     for (const DebugTrail& trail : view.trails) {
-        for (std::size_t i = 1; i < trail.points.size(); ++i) {
-            if (isSeen(view, trail.points[i - 1]) || isSeen(view, trail.points[i])) {
+        std::size_t from = 0;
+        for (std::size_t to = 1; to < trail.points.size(); ++to) {
+            const Vec2& a = trail.points[from];
+            const Vec2& b = trail.points[to];
+            if (isDot(view, (b - a).norm())) {
+                continue; // until it has gone far enough to be seen
+            }
+            from = to;
+            if (isSeen(view, a) || isSeen(view, b)) {
                 // In eight steps, so that the host has few colours to change.
-                const auto age = static_cast<int>(8 * i / trail.points.size());
-                draw.line(view.view.toView(trail.points[i - 1]), view.view.toView(trail.points[i]),
+                const auto age = static_cast<int>(8 * to / trail.points.size());
+                draw.line(view.view.toView(a), view.view.toView(b),
                           withAlpha(view.colors.trail, oldest + age * (255 - oldest) / 7));
             }
         }

@@ -4,10 +4,17 @@
 
 #include "core/physics/query/debug_view.h"
 
+#include <cmath>
+
 namespace spacetow {
 
 // Units of the picture: the same at every scale.
 constexpr double leastExtent = 2; // a body that is smaller is not drawn
+
+/// Whether a line of this length, m, would be no more than a dot. What is drawn to be looked at has none of these.
+inline bool isDot(const DebugView& view, double length) {
+    return view.area && view.view.toView(std::abs(length)) < 1;
+}
 
 /// The leaves of both quadtrees: the more a leaf holds, the more opaque; with the count where it fits.
 void drawTrees(const World& world, const DebugView& view, DebugDraw& draw);
@@ -21,8 +28,9 @@ void drawCollisions(const World& world, const DebugView& view, DebugDraw& draw);
 void drawConnectors(const World& world, const DebugView& view, DebugDraw& draw);
 void drawRisks(const World& world, const DebugView& view, DebugDraw& draw);
 void drawTrails(const DebugView& view, DebugDraw& draw);
-/// Contact points, normals, and the force of the last iteration as an arrow: one metre for the weight of the lighter
-/// body at 9.81 m/s², impulse · iterations / seconds / (mass · 9.81). Normal force along the normal, friction across.
+/// Contact points, normals, and the force of the last iteration as arrows: normal force along the normal, friction
+/// across. One metre stands for the weight of the lighter body at 9.81 m/s²: impulse · iterations / seconds /
+/// (mass · 9.81) = 1. Below that the arrow is to scale; above, each further metre stands for ten times as much.
 void drawContacts(const World& world, const DebugView& view, DebugDraw& draw);
 /// A cross along the axes of the body.
 void drawMassCenter(const BodyState& state, const DebugView& view, DebugDraw& draw);
