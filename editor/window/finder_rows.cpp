@@ -1,5 +1,6 @@
 #include "editor/window/finder_rows.h"
 
+#include "core/level/level_title.h"
 #include "editor/canvas/icons.h"
 #include "editor/canvas/palette.h"
 #include "editor/panels/names.h"
@@ -10,6 +11,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QDockWidget>
+#include <QFile>
 #include <QFileInfo>
 #include <QPointer>
 
@@ -23,6 +25,17 @@ constexpr int mostFiles = 500; // of a folder
 
 QString codeOfPlace(const QString& path) {
     return QStringLiteral("level:") + path;
+}
+
+/// What the level calls itself; empty where its file does not say so soon.
+QString titleOf(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QByteArray beginning = file.read(static_cast<qint64>(titleBytes));
+    return QString::fromStdString(
+        titleIn({beginning.constData(), static_cast<std::size_t>(beginning.size())}).value_or(std::string()));
 }
 
 } // namespace
@@ -136,9 +149,10 @@ void FinderRows::addLevel(const QString& path, const QString& place) {
     }
     const bool isShipped = path.startsWith(QLatin1Char(':'));
     const QString name = QFileInfo(path).fileName();
+    const QString title = titleOf(path);
     m_few.push_back({.kind = FindKind::Level,
                      .name = isShipped ? QFileInfo(path).completeBaseName() : name,
-                     .place = place,
+                     .place = title.isEmpty() ? place : title + QStringLiteral(" · ") + place,
                      .code = code,
                      .icon = icon(QStringLiteral("level"), m_window.palette()),
                      .run = [window = &m_window, path] { window->openFiles({path}); }});

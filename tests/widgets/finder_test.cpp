@@ -236,6 +236,26 @@ class FinderTest : public QObject {
         QVERIFY(test.window->files().path().isEmpty()); // a copy
     }
 
+    void quickOpenShowsWhatLevelsCallThemselvesAndFindsThemByIt() {
+        TestWindow test;
+        Level level;
+        level.name = "Harbour of bats";
+        QVERIFY(!writeLevel(test.file("b7.json").toStdString(), level));
+        level.name = "Open";
+        QVERIFY(!writeLevel(test.file("a.json").toStdString(), level));
+        QVERIFY(test.window->open(test.file("a.json")));
+        FinderRows rows(*test.window);
+        const std::optional<int> bats = rows.withCode("level:" + test.file("b7.json"));
+        const std::optional<int> haul = rows.withCode("level::/levels/01_first_haul.json");
+        QVERIFY(bats && rows.row(*bats).name == "b7.json");
+        QVERIFY2(rows.row(*bats).place.startsWith("Harbour of bats · "), qPrintable(rows.row(*bats).place));
+        QVERIFY(haul && rows.row(*haul).place.startsWith("First Haul"));
+        test.trigger(Act::QuickOpen);
+        QTest::keyClicks(&test.window->finder().field(), "harbour");
+        pressIn(test.window->finder(), Qt::Key_Return);
+        QCOMPARE(test.level().name, std::string("Harbour of bats"));
+    }
+
     void whatIsTypedInAPanelIsEnteredBefore() {
         TestWindow test;
         test.drawWalls();
