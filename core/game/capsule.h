@@ -2,7 +2,7 @@
 // A run up to a moment as one value, to be handed to somebody else: the level, what came from outside in each update,
 // and the hash of the session then. As JSON:
 //   {"capsule": 1, "program": "…", "platform": "…", "hash": "0123456789abcdef",
-//    "level": "text of the level file", "run": "text of the replay file"}
+//    "simulation": true, "level": "text of the level file", "run": "text of the replay file"}
 
 #include "core/base/result.h"
 #include "core/game/replay.h"
@@ -25,6 +25,7 @@ struct Capsule {
     std::shared_ptr<const Level> level; // at the start
     Replay run;                         // up to the moment, with an edit then; without a hash of the level
     std::uint64_t hash = 0;             // of the session then
+    bool isSimulation = false;          // rather than a game; a capsule that does not say is that of a game
 
     bool operator==(const Capsule& other) const;
 };

@@ -40,6 +40,14 @@ std::uint64_t hashOf(const std::string& text) {
     return fits ? number : throw BadCapsuleField{"hash"};
 }
 
+bool isSimulation(const CapsuleValue& object) {
+    const auto found = object.find("simulation");
+    if (found != object.end() && !found->is_boolean()) {
+        throw BadCapsuleField{"simulation"};
+    }
+    return found != object.end() && found->get<bool>();
+}
+
 Result<Capsule> capsuleFrom(const CapsuleValue& json) {
     if (!json.is_object()) {
         return Error{"capsule-damaged", {}};
@@ -59,9 +67,9 @@ Result<Capsule> capsuleFrom(const CapsuleValue& json) {
     if (!run) {
         return run.error();
     }
-    return Capsule{textOf(json, "program"), textOf(json, "platform"),
-                   std::make_shared<const Level>(std::move(*file.level)), std::move(run).value(),
-                   hashOf(textOf(json, "hash"))};
+    return Capsule{
+        textOf(json, "program"), textOf(json, "platform"),     std::make_shared<const Level>(std::move(*file.level)),
+        std::move(run).value(),  hashOf(textOf(json, "hash")), isSimulation(json)};
 }
 
 } // namespace
@@ -81,6 +89,7 @@ Result<std::string> capsuleJson(const Capsule& capsule) {
     json["program"] = capsule.program;
     json["platform"] = capsule.platform;
     json["hash"] = hash;
+    json["simulation"] = capsule.isSimulation;
     json["level"] = level.value();
     json["run"] = replayText(capsule.run);
     return json.dump(-1, ' ', false, CapsuleValue::error_handler_t::replace);

@@ -29,13 +29,19 @@ void Course::restart() {
         m_start = Session(m_level, m_seed);
     }
     m_levelGiven = false;
-    m_future.reset();
+    m_opened.reset();
+    endFuture();
     m_session = m_start;
     m_timeline = Timeline(m_start);
     m_timeline.setFocus(m_focus);
     m_record.clear();
     countFuture();
     arrive();
+}
+
+void Course::endFuture() {
+    m_future.reset();
+    m_opening = false;
 }
 
 void Course::countFuture() {
@@ -54,7 +60,7 @@ void Course::arrive() {
 
 void Course::beginOtherFuture(bool withGhost) {
     m_timeline.goOnFrom(m_session, withGhost && !m_future);
-    m_future.reset();
+    endFuture();
     m_record.cutAt(m_session.updates());
     countFuture();
 }
@@ -172,6 +178,9 @@ void Course::open(const Replay& recorded, const std::shared_ptr<const Level>& th
     }
     if (inputs.updates() > 0) {
         m_future.emplace(m_session, std::move(inputs));
+        m_opening = true;
+    } else {
+        m_opened = m_session.hash();
     }
 }
 
@@ -182,7 +191,8 @@ void Course::simulate(int updates) {
     m_future->advance(m_timeline, updates);
     m_paths = nullptr;
     if (m_future->isDone()) {
-        m_future.reset();
+        m_opened = m_opening ? std::optional(m_future->session().hash()) : m_opened;
+        endFuture();
     }
     if (m_sought && *m_sought <= m_timeline.last()) {
         seek(*m_sought);
@@ -190,7 +200,7 @@ void Course::simulate(int updates) {
 }
 
 void Course::stopSimulating() {
-    m_future.reset();
+    endFuture();
     m_sought.reset();
     m_record.cutAt(m_timeline.last());
 }
@@ -213,8 +223,9 @@ std::shared_ptr<const TimelineSummary> Course::summary(bool withPaths) {
     summary.first = m_timeline.first();
     summary.last = m_timeline.last();
     summary.shown = m_session.updates();
-    summary.goal = m_future ? m_future->goal() : m_timeline.last();
+    summary.goal = updates();
     summary.updateSeconds = m_session.updateSeconds();
+    summary.opened = m_opened;
     summary.futures = m_futures;
     summary.begun = m_begun;
     summary.iteration = m_iteration;

@@ -19,13 +19,23 @@ struct TimelineSummary {
     std::int64_t shown = 0;
     std::int64_t goal = 0; // `last`, as soon as the future has been simulated
     double updateSeconds = 0.02;
-    int futures = 0;        // that have begun, restarts included: what is known of the updates after
-    std::int64_t begun = 0; // this one, where the newest began, is out of date when there is another
-    int iteration = 0;      // of the next update that is shown; 0: none, the moment itself
-    int iterations = 1;     // of the next update
-    std::shared_ptr<const std::vector<TimelineMark>> marks; // null for none
-    std::vector<std::shared_ptr<const Ghost>> ghosts;       // futures that were given up, the newest last
-    std::shared_ptr<const std::vector<TracedPath>> paths;   // of all that can be looked at; null while it runs
+    int futures = 0;                     // that have begun, restarts included: what is known of the updates after
+    std::int64_t begun = 0;              // this one, where the newest began, is out of date when there is another
+    std::optional<std::uint64_t> opened; // hash at the end of the recording that was opened, once that is simulated
+    int iteration = 0;                   // of the next update that is shown; 0: none, the moment itself
+    int iterations = 1;                  // of the next update
+    MarkList marks;
+    std::vector<std::shared_ptr<const Ghost>> ghosts;     // futures that were given up, the newest last
+    std::shared_ptr<const std::vector<TracedPath>> paths; // of all that can be looked at; null while it runs
+};
+
+/// What is recorded of a run.
+struct Recording {
+    Replay run;                         // the name of the level is left to who writes it
+    std::shared_ptr<const Level> start; // with which it begins; null where there is none
+    std::int64_t updates = 0;           // of the run, which may be longer than a recording can be
+
+    bool isWhole() const { return run.updates() == updates; }
 };
 
 class Course {
@@ -81,6 +91,8 @@ class Course {
     /// All of the run, its future included; with its end, where that has been simulated.
     Replay recording();
     std::shared_ptr<const Level> startLevel() const { return m_start.sharedLevel(); }
+    /// Of all of the run, its future included.
+    std::int64_t updates() const { return m_future ? m_future->goal() : m_timeline.last(); }
     const Timeline& timeline() const { return m_timeline; }
     std::shared_ptr<const TimelineSummary> summary(bool withPaths);
 
@@ -92,6 +104,7 @@ class Course {
     /// Somebody looks at another moment, or at the same in another way.
     void arrive();
     void beginOtherFuture(bool withGhost);
+    void endFuture();
     void countFuture();
 
     std::uint64_t m_seed;
@@ -108,6 +121,8 @@ class Course {
     int m_futures = 0;                       // that have begun
     std::int64_t m_begun = 0;                // where the newest did
     std::optional<std::int64_t> m_changedAt; // the moment whose future has been simulated again, while it is shown
+    bool m_opening = false;                  // the future is that of a recording
+    std::optional<std::uint64_t> m_opened;   // hash at its end
     int m_iteration = 0;
     bool m_explains = false;
     StageTimes* m_times = nullptr;

@@ -98,10 +98,10 @@ void Runner::watch() {
 }
 
 void Runner::stepOnce() {
-    command([this] {
+    command([this, held = takeHeld()] {
         const std::int64_t now = m_course->session().updates();
         if (m_course->isAtEnd()) {
-            update();
+            update(held);
         } else {
             m_course->seek(now + 1);
             leap();
@@ -126,8 +126,8 @@ void Runner::seek(std::int64_t update) {
 }
 
 void Runner::stepIteration() {
-    command([this] {
-        m_course->stepIteration({controlsFromBits(m_held.load()), m_grab, {}});
+    command([this, held = m_held.load()] {
+        m_course->stepIteration({controlsFromBits(held), m_grab, {}});
         leap();
     });
 }
@@ -240,6 +240,7 @@ void Runner::obeyCommands() {
     {
         const std::lock_guard lock(m_mutex);
         commands.swap(m_commands);
+        m_asked = false;
     }
     for (const Command& command : commands) {
         command();
@@ -257,10 +258,18 @@ void Runner::guarded(const Do& work) {
     }
 }
 
+bool Runner::isAsked() {
+    const std::lock_guard lock(m_mutex);
+    return m_asked;
+}
+
 void Runner::run(const std::stop_token& stop) {
     m_pacer.restart(seconds(Clock::now()));
     while (!stop.stop_requested() && fault() == RunnerFault::None) {
         guarded([&] { turn(stop); });
+    }
+    if (isAsked() && fault() == RunnerFault::None) {
+        guarded([this] { obeyCommands(); }); // who asked for what was flown gets it, however soon the run was ended
     }
     const std::lock_guard lock(m_mutex); // nobody waits for an answer that never comes
     m_commands.clear();
@@ -299,9 +308,12 @@ void Runner::turn(const std::stop_token& stop) {
     }
 }
 
-StepInput Runner::nextInput() {
-    const Controls held = controlsFromBits(m_held.load() | m_latched.exchange(0));
-    return m_followed.isAtEnd() ? StepInput{held, m_grab, {}} : m_followed.next();
+std::uint8_t Runner::takeHeld() {
+    return static_cast<std::uint8_t>(m_held.load() | m_latched.exchange(0));
+}
+
+StepInput Runner::nextInput(std::uint8_t held) {
+    return m_followed.isAtEnd() ? StepInput{controlsFromBits(held), m_grab, {}} : m_followed.next();
 }
 
 bool Runner::failsAt(std::int64_t update, const World& world) {
@@ -313,13 +325,13 @@ bool Runner::failsAt(std::int64_t update, const World& world) {
 }
 
 /// False when nothing moves any more.
-bool Runner::update() {
+bool Runner::update(const std::optional<std::uint8_t>& held) {
     if (failsAt(m_course->session().updates(), m_course->session().world())) {
         return false;
     }
     m_course->observe(m_withSession, m_watch ? &m_watch->times() : nullptr);
     if (!m_watching) {
-        m_course->goOn(nextInput());
+        m_course->goOn(nextInput(held ? *held : takeHeld()));
     } else if (!m_course->goAlong()) {
         if (!m_course->isSimulating()) {
             leap();

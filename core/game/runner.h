@@ -52,11 +52,12 @@ class Runner {
     void hold(const Controls& controls);
     void pause();
     void resume();
-    /// One update, whether paused or not; before the end of the run, the next one as it was.
+    /// One update, whether paused or not; before the end of the run, the next one as it was. What is held down now
+    /// counts in it, also when it is let go before the update is made.
     void stepOnce();
     /// Whoever looks at a moment, here and below, has paused. To go on from there is to begin another future.
     void stepBack();
-    /// One iteration of the next update, for looking only; the last one makes the update.
+    /// One iteration of the next update, for looking only; the last one makes the update. Likewise.
     void stepIteration();
     /// The moment after so many updates, or the nearest that is kept.
     void seek(std::int64_t update);
@@ -98,11 +99,12 @@ class Runner {
     std::shared_ptr<const Frame> frame() const { return m_frames.latest(); }
     /// Sound bits of all updates since the last call.
     std::uint32_t takeSounds() { return m_sounds.exchange(0); }
-    /// The flight so far. Waits for the running update to end; the name of the level is left to the caller. Empty after
-    /// a fault.
-    Replay recording();
-    /// With which the recording begins. Waits likewise; null after a fault.
-    std::shared_ptr<const Level> startLevel();
+    /// What is recorded when the update that runs has ended. It is what is returned that waits for it, in any thread;
+    /// the runner may be gone by then. Empty after a fault.
+    std::function<Recording()> askRecording();
+    /// The same, and waits for it here.
+    Replay recording() { return askRecording()().run; }
+    std::shared_ptr<const Level> startLevel() { return askRecording()().start; }
 
     /// Of a manual runner: makes updates unless paused.
     void advance(int updates = 1);
@@ -113,6 +115,7 @@ class Runner {
     void build(std::shared_ptr<const Level> level, std::uint64_t seed);
     void command(Command command);
     void obeyCommands();
+    bool isAsked();
     void run(const std::stop_token& stop);
     void turn(const std::stop_token& stop);
     bool isUnattended() const;
@@ -121,8 +124,10 @@ class Runner {
     void guarded(const Do& work);
     void beginAnew();
     void leap();
-    StepInput nextInput();
-    bool update();
+    StepInput nextInput(std::uint8_t held);
+    std::uint8_t takeHeld();
+    /// With what is held down now, unless it is said.
+    bool update(const std::optional<std::uint8_t>& held = {});
     void simulate();
     /// Then nothing moves any more.
     bool failsAt(std::int64_t update, const World& world);
@@ -130,8 +135,6 @@ class Runner {
     void post(std::shared_ptr<const Snapshot> before);
     /// When nothing has moved but how it is looked at.
     void showAgain();
-    template <class T>
-    T answered(std::function<T()> ask);
 
     const Mode m_mode;
 
@@ -159,6 +162,7 @@ class Runner {
     std::mutex m_mutex;
     std::condition_variable_any m_wake;
     std::vector<Command> m_commands; // guarded by m_mutex
+    bool m_asked = false;            // likewise: one of them is a question
     std::jthread m_thread;           // last, so that it ends first
 };
 

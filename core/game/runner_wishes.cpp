@@ -39,24 +39,23 @@ void Runner::setFocus(Key object) {
     });
 }
 
-template <class T>
-T Runner::answered(std::function<T()> ask) {
-    auto promise = std::make_shared<std::promise<T>>();
-    std::future<T> answer = promise->get_future();
-    command([ask = std::move(ask), promise = std::move(promise)] { promise->set_value(ask()); });
-    try {
-        return answer.get();
-    } catch (const std::future_error&) { // nobody is there to answer
-        return {};
+std::function<Recording()> Runner::askRecording() {
+    auto promise = std::make_shared<std::promise<Recording>>();
+    const std::shared_future<Recording> answer = promise->get_future().share();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_asked = true;
     }
-}
-
-Replay Runner::recording() {
-    return answered<Replay>([this] { return m_course->recording(); });
-}
-
-std::shared_ptr<const Level> Runner::startLevel() {
-    return answered<std::shared_ptr<const Level>>([this] { return m_course->startLevel(); });
+    command([this, promise = std::move(promise)] {
+        promise->set_value({m_course->recording(), m_course->startLevel(), m_course->updates()});
+    });
+    return [answer]() -> Recording {
+        try {
+            return answer.get();
+        } catch (const std::future_error&) { // nobody was there to answer
+            return {};
+        }
+    };
 }
 
 } // namespace spacetow

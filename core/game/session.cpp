@@ -1,12 +1,10 @@
 #include "core/game/session.h"
 
-#include "core/game/rules.h"
 #include "core/game/ship.h"
 #include "core/level/build.h"
 #include "core/level/edits.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace spacetow {
 namespace {
@@ -16,16 +14,6 @@ Controls pressed(const Controls& now, const Controls& before) {
 }
 
 } // namespace
-
-/// In which iteration of the update each thing happened first; `never` when it did not.
-struct Session::Verdict {
-    static constexpr int never = std::numeric_limits<int>::max();
-
-    int shipHit = never;     // something fatal to the ship
-    int payloadHit = never;  // a wall
-    int payloadHome = never; // the finish
-    bool payloadTouchedByShip = false;
-};
 
 Session::Session(const Level& level, std::uint64_t seed) : Session(std::make_shared<const Level>(level), seed) {}
 
@@ -85,6 +73,7 @@ void Session::beginAttempt() {
     m_flown = 0;
     m_thrusted = 0;
     m_flippedFor = -1;
+    m_loss.reset();
     const std::optional<StartBody> payload = startOfPayload(*m_level);
     m_payload = addActor(payload, BodyRole::Payload);
     m_payloadState = m_payload ? PayloadState::Waiting : PayloadState::Absent;
@@ -232,67 +221,6 @@ void Session::letGoOfRope() {
     breakRope();
     m_phase = Phase::Flying;
     hear(Sound::TowBroken);
-}
-
-Session::Verdict Session::verdict() const {
-    Verdict verdict;
-    const auto earlier = [](int& first, int iteration) { first = std::min(first, iteration); };
-    for (const TagsTouchedEvent& touched : m_world.events().tagsTouched) {
-        if (touched.body == m_ship && touched.tags.intersects(rules::fatalToShip)) {
-            earlier(verdict.shipHit, touched.iteration);
-        }
-        if (touched.body == m_payload) {
-            if (touched.tags.intersects(rules::finish)) {
-                earlier(verdict.payloadHome, touched.iteration);
-            }
-            if (touched.tags.intersects(rules::fatalToPayload)) {
-                earlier(verdict.payloadHit, touched.iteration);
-            }
-            verdict.payloadTouchedByShip |= touched.tags.intersects(rules::ship);
-        }
-    }
-    // What was switched off because it left the finite numbers is as lost as what hit a wall.
-    for (const FaultEvent& fault : m_world.events().faults) {
-        if (fault.body == m_ship) {
-            earlier(verdict.shipHit, fault.iteration);
-        }
-        if (fault.body == m_payload) {
-            earlier(verdict.payloadHit, fault.iteration);
-        }
-    }
-    return verdict;
-}
-
-void Session::judge() {
-    if (m_phase == Phase::Sandbox || m_phase == Phase::AwaitingInput || m_phase == Phase::Won) {
-        return;
-    }
-    Verdict now = verdict();
-    if (m_payloadState == PayloadState::Waiting && now.payloadTouchedByShip) {
-        m_world.setFrozen(m_payload, false);
-        m_payloadState = PayloadState::Dropped;
-        now.payloadHit = Verdict::never; // it may have rested on a wall until now
-    }
-    if (m_payloadState == PayloadState::Waiting) {
-        now.payloadHit = Verdict::never;
-    }
-    // The finish comes before a wall in the same iteration, the loss of the ship before either.
-    const bool home = m_phase == Phase::Towing && now.payloadHome != Verdict::never &&
-                      now.payloadHome <= now.payloadHit && now.payloadHome < now.shipHit;
-    if (home) {
-        win();
-        return;
-    }
-    const bool wasPlaying = isPlaying();
-    if (now.shipHit != Verdict::never) {
-        destroyShip();
-    }
-    if (now.payloadHit != Verdict::never) {
-        destroyPayload();
-    }
-    if (wasPlaying && (now.shipHit != Verdict::never || now.payloadHit != Verdict::never)) {
-        loseAttempt();
-    }
 }
 
 void Session::loseAttempt() {

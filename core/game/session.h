@@ -52,6 +52,8 @@ class Session {
     /// How it would have ended if this were its end.
     FlightResult flight() const;
     Hud hud() const;
+    /// What ended this attempt; none unless it was lost.
+    const std::optional<Loss>& loss() const { return m_loss; }
     /// s since the first press of this attempt; stands still when it is over.
     double time() const { return static_cast<double>(m_flown) * updateSeconds(); }
     /// s of thrust in this attempt; stands still when it is over.
@@ -122,6 +124,7 @@ class Session {
     void stepWith(const StepInput& input, const StepManner& manner);
     void updateWorld(const StepManner& manner);
     Verdict verdict() const;
+    Loss lossOf(const Verdict& verdict) const;
     void judge();
     void loseAttempt();
     void win();
@@ -164,6 +167,7 @@ class Session {
     std::int64_t m_flown = 0;    // updates of this attempt
     std::int64_t m_thrusted = 0; // updates of this attempt
     double m_flippedFor = -1;    // s
+    std::optional<Loss> m_loss;  // of this attempt
     std::int64_t m_update = 0;
     struct FlightNote {
         bool won = false, lost = false; // ever

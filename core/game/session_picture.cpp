@@ -51,6 +51,7 @@ std::shared_ptr<const Snapshot> Session::snapshot() const {
     picture->update = m_update;
     picture->phase = m_phase;
     picture->hud = hud();
+    picture->loss = m_loss;
     picture->camera = m_camera.position();
     picture->controls = m_controls;
     picture->sounds = m_sounds;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace spacetow {
@@ -70,10 +71,22 @@ struct Hud {
     double gravityFlippedFor; // s since gravity was flipped, negative when it is not
 };
 
+/// What ended an attempt.
+struct Loss {
+    bool ship = false, payload = false; // are lost by it
+    BodyRole who = BodyRole::Ship;      // that hit something first, or the payload
+    BodyRole whom = BodyRole::Object;   // it hit
+    Key what = 0;                       // the object that it hit; 0 where that is not known
+    std::uint32_t tags = 0;             // of what it hit that are fatal; 0 where it hit nothing
+
+    bool operator==(const Loss&) const = default;
+};
+
 struct Snapshot {
     std::int64_t update = 0; // number of updates since the start
     Phase phase = Phase::Sandbox;
     Hud hud{};
+    std::optional<Loss> loss;        // while the attempt is over that it ended
     Vec2 camera{0, 0};               // world point in the middle of the view
     Controls controls;               // of the last update
     std::vector<BodyPicture> bodies; // statics, kinematics, dynamics, each in order of creation

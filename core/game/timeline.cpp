@@ -95,18 +95,8 @@ void Timeline::forgetOld() {
     }
     std::erase_if(m_near, [this](const Saved& one) { return one.update < first(); });
     m_tracks.forgetBefore(first());
-    if (m_marks && m_marks->front().update < first()) {
-        keepMarks([this](const TimelineMark& mark) { return mark.update >= first(); });
-    }
+    m_marks.dropBefore(first());
     std::erase_if(m_ghosts, [this](const auto& ghost) { return ghost->from < first(); });
-}
-
-template <class Keep>
-void Timeline::keepMarks(const Keep& keep) {
-    std::vector<TimelineMark> left = m_marks ? *m_marks : std::vector<TimelineMark>();
-    if (std::erase_if(left, [&keep](const TimelineMark& mark) { return !keep(mark); }) > 0) {
-        m_marks = left.empty() ? nullptr : std::make_shared<const std::vector<TimelineMark>>(std::move(left));
-    }
 }
 
 void Timeline::setFocus(Key object) {
@@ -116,8 +106,8 @@ void Timeline::setFocus(Key object) {
     m_focus = object;
     m_lastFocus = m_last - touchPause - 1;
     m_tracks.setFocus(object);
-    keepMarks(
-        [](const TimelineMark& mark) { return mark.kind != MarkKind::FocusTouch && mark.kind != MarkKind::FocusPart; });
+    m_marks.eraseIf(
+        [](const TimelineMark& mark) { return mark.kind == MarkKind::FocusTouch || mark.kind == MarkKind::FocusPart; });
 }
 
 /// Of ship and payload there are marks in any case.
@@ -134,25 +124,19 @@ std::optional<MarkKind> Timeline::focusMark(const Session& after) const {
 }
 
 void Timeline::mark(const StepInput& input, const Session& after) {
-    std::vector<TimelineMark> fresh;
     const std::optional<MarkKind> happened = after.phase() != m_phase ? markOf(m_phase, after.phase()) : std::nullopt;
     if (input.level) {
-        fresh.push_back({m_last, MarkKind::Edit});
+        m_marks.append({m_last, MarkKind::Edit});
     }
     if (happened) {
-        fresh.push_back({m_last, *happened});
+        m_marks.append({m_last, *happened});
     } else if (m_lastTouch + touchPause < m_last && touchesBegan(after)) {
-        fresh.push_back({m_last, MarkKind::Touch});
+        m_marks.append({m_last, MarkKind::Touch});
         m_lastTouch = m_last;
     }
     if (const std::optional<MarkKind> touch = focusMark(after)) {
-        fresh.push_back({m_last, *touch});
+        m_marks.append({m_last, *touch});
         m_lastFocus = m_last;
-    }
-    if (!fresh.empty()) {
-        std::vector<TimelineMark> marks = m_marks ? *m_marks : std::vector<TimelineMark>();
-        marks.insert(marks.end(), fresh.begin(), fresh.end());
-        m_marks = std::make_shared<const std::vector<TimelineMark>>(std::move(marks));
     }
 }
 
@@ -264,7 +248,7 @@ void Timeline::goOnFrom(const Session& session, bool withGhost) {
         m_inputs.pop_back();
     }
     m_tracks.forgetAfter(now);
-    keepMarks([now](const TimelineMark& mark) { return mark.update <= now; });
+    m_marks.dropAfter(now);
     m_last = now;
     m_lastTouch = m_lastFocus = now - touchPause - 1;
     m_phase = session.phase();
@@ -279,7 +263,7 @@ std::size_t Timeline::bytes() const {
     for (const Saved& one : m_near) {
         sum += one.bytes;
     }
-    return sum + (m_marks ? m_marks->size() * sizeof(TimelineMark) : 0);
+    return sum + m_marks.size() * sizeof(TimelineMark);
 }
 
 void Future::advance(Timeline& timeline, int updates) {

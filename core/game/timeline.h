@@ -8,6 +8,7 @@
 // too, so that looking at any moment takes about the same time everywhere.
 
 #include "core/game/input_runs.h"
+#include "core/game/mark_list.h"
 #include "core/game/session.h"
 #include "core/game/tracks.h"
 
@@ -18,16 +19,6 @@
 #include <vector>
 
 namespace spacetow {
-
-enum class MarkKind : std::uint8_t { Touch, Tow, LetGo, Crash, Attempt, Win, Edit, FocusTouch, FocusPart };
-
-/// Something that happened in the update that led to this number of updates.
-struct TimelineMark {
-    std::int64_t update = 0;
-    MarkKind kind = MarkKind::Touch;
-
-    bool operator==(const TimelineMark&) const = default;
-};
 
 class Timeline {
   public:
@@ -70,8 +61,7 @@ class Timeline {
     /// one are no longer, and its way is shown before others.
     void setFocus(Key object);
 
-    /// In order. Null when there are none.
-    const std::shared_ptr<const std::vector<TimelineMark>>& marks() const { return m_marks; }
+    const MarkList& marks() const { return m_marks; }
     /// Of futures that were given up, the newest last.
     const std::vector<std::shared_ptr<const Ghost>>& ghosts() const { return m_ghosts; }
     /// Where ship and payload, or the bodies of a sandbox, have been from this update on; thinned.
@@ -105,9 +95,6 @@ class Timeline {
     void forgetOld();
     void mark(const StepInput& input, const Session& after);
     std::optional<MarkKind> focusMark(const Session& after) const;
-    /// Leaves those for which this holds.
-    template <class Keep>
-    void keepMarks(const Keep& keep);
 
     Limits m_limits;
     std::deque<Saved> m_saved;
@@ -120,7 +107,7 @@ class Timeline {
     Key m_focus = 0;
     double m_updateSeconds = 0.02;
     Phase m_phase = Phase::Sandbox; // at the end
-    std::shared_ptr<const std::vector<TimelineMark>> m_marks;
+    MarkList m_marks;
     std::vector<std::shared_ptr<const Ghost>> m_ghosts;
     Tracks m_tracks;
 };

@@ -95,12 +95,18 @@ void ProblemsPanel::listen() {
         changed.hidden = on;
         setFilter(changed);
     });
-    connect(&m_list, &QListView::clicked, this, &ProblemsPanel::choose);
+    connect(&m_list, &QListView::pressed, this, [this] { m_fixClicked = false; });
+    connect(&m_list, &QListView::clicked, this, [this](const QModelIndex& row) {
+        if (!std::exchange(m_fixClicked, false)) { // which is no wish to see the place
+            choose(row);
+        }
+    });
     connect(&m_list, &QListView::activated, this, &ProblemsPanel::choose);
     connect(&m_list, &QListView::customContextMenuRequested, this, &ProblemsPanel::showMenu);
     connect(m_list.selectionModel(), &QItemSelectionModel::currentChanged, this, &ProblemsPanel::marksChanged);
     connect(&m_delegate, &ProblemDelegate::fixClicked, this, [this](const QModelIndex& row) {
         m_list.setCurrentIndex(row);
+        m_fixClicked = true;
         fixCurrent();
     });
     connect(&m_fixAll, &QPushButton::clicked, this, &ProblemsPanel::fixAll);

@@ -80,6 +80,8 @@ class ProblemsPanel : public QWidget {
     void objectWanted(spacetow::Key key);
     /// And this place of it; see placeOf. Comes after objectWanted.
     void placeWanted(const std::vector<spacetow::Vec2>& place);
+    /// A problem of this object has been cured, which may have moved it; 0 for the level itself.
+    void cured(spacetow::Key key);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -111,8 +113,9 @@ class ProblemsPanel : public QWidget {
     QTimer m_slow; // since a check began
     std::shared_ptr<const Level> m_checked;
     int m_safe = 0;
-    int m_steps = 0;         // to go once the level has been checked
-    BackgroundTask m_fixing; // last, so that it has ended before the rest goes
+    bool m_fixClicked = false; // with the click that is going on
+    int m_steps = 0;           // to go once the level has been checked
+    BackgroundTask m_fixing;   // last, so that it has ended before the rest goes
 };
 
 } // namespace spacetow

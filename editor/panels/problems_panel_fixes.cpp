@@ -33,7 +33,9 @@ void ProblemsPanel::fixCurrent() {
         return;
     }
     Selection selection = now.selection.within(*level);
+    const Key object = problem->object; // which the commit may have checked anew
     m_document.commit({std::string(fix->label), 1}, {std::move(level), std::move(selection)});
+    Q_EMIT cured(object);
 }
 
 void ProblemsPanel::fixAll() {

@@ -60,8 +60,12 @@ QString flyingAdvice(const PlayKeys& keys) {
                       {allKeys(keys, PlayKey::Tow), HudWords::tr("tow")}});
 }
 
-/// What a crash has cost.
+/// What a crash has cost, and why.
 QString loss(const HudInput& input) {
+    if (!input.cause.isEmpty()) {
+        const bool isAll = input.shipLost && input.payloadLost;
+        return isAll ? input.cause + QLatin1Char(' ') + HudWords::tr("Ship and payload are lost.") : input.cause;
+    }
     if (input.shipLost) {
         return input.payloadLost ? HudWords::tr("Ship and payload are lost.") : HudWords::tr("The ship is lost.");
     }
@@ -82,7 +86,9 @@ Message messageOf(const HudInput& input) {
         return {HudWords::tr("Crashed"),
                 (loss(input) + QLatin1Char('\n') + HudWords::tr("Press any key to try again")).trimmed()};
     case Phase::GameOver:
-        return {HudWords::tr("Game over"), HudWords::tr("No life is left. Press any key to start the level over")};
+        return {HudWords::tr("Game over"), (loss(input) + QLatin1Char('\n') +
+                                            HudWords::tr("No life is left. Press any key to start the level over"))
+                                               .trimmed()};
     case Phase::Won:
         return {HudWords::tr("You made it!"),
                 HudWords::tr("The payload is home.") + QLatin1Char(' ') +

@@ -33,6 +33,7 @@ struct HudInput {
     QString goal = {};   // what the level says of itself, for who has not begun
     QRectF ship = {};    // where it is in the view
     bool shipLost = false, payloadLost = false;
+    QString cause = {}; // of a crash, see crashWords; empty where it is not known
 };
 
 /// Where every text goes in a view of this size.

@@ -41,9 +41,9 @@ void LiveRun::start(std::shared_ptr<const Level> level, Kind wanted) {
 }
 
 void LiveRun::start(std::shared_ptr<const Level> level, const Replay& recorded,
-                    const std::shared_ptr<const Level>& then) {
+                    const std::shared_ptr<const Level>& then, Kind wanted) {
     stop();
-    m_kind = Kind::Game;
+    m_kind = wanted;
     const Recorded whole{recorded, then};
     begin(std::move(level), &whole);
 }

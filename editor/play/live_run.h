@@ -35,7 +35,7 @@ class LiveRun : public QObject {
     /// The same as it was flown once: all of it can be looked at. Who steers takes over, and another future begins.
     /// `then`: see Course::open.
     void start(std::shared_ptr<const Level> level, const Replay& recorded,
-               const std::shared_ptr<const Level>& then = nullptr);
+               const std::shared_ptr<const Level>& then = nullptr, Kind wanted = Kind::Game);
     void start(const Level& level, Kind wanted = Kind::Game) { start(std::make_shared<const Level>(level), wanted); }
     /// Of a level that is too much an update takes seconds; nobody waits for the one that is running.
     void stop();

@@ -9,6 +9,7 @@
 #include "editor/canvas/scene_painter.h"
 #include "editor/play/backdrop.h"
 #include "editor/play/chase.h"
+#include "editor/play/crash_words.h"
 #include "editor/play/grab_painter.h"
 #include "editor/play/hud.h"
 #include "editor/play/live_pose.h"
@@ -277,13 +278,12 @@ void LiveView::paintOverlays(const Stage& stage) {
 
 void LiveView::paintWords(const Stage& stage) const {
     constexpr double reach = 0.35; // m, of the ship's hull and a little more
-    const auto isLost = [this](BodyRole role) {
-        return std::ranges::none_of(m_picture.bodies,
-                                    [role](const BodyPicture& one) { return one.look->role == role; });
-    };
     HudInput words{m_picture.phase, m_picture.hud, m_run.isPaused(), m_run.keys(), m_goal};
-    words.shipLost = isLost(BodyRole::Ship);
-    words.payloadLost = isLost(BodyRole::Payload);
+    if (m_picture.loss) {
+        words.shipLost = m_picture.loss->ship;
+        words.payloadLost = m_picture.loss->payload;
+        words.cause = crashWords(*m_picture.loss, m_document.level());
+    }
     if (const std::optional<Vec2> ship = shipIn(m_picture)) {
         const double half = stage.pixels(reach);
         words.ship = QRectF(stage.at(*ship) - QPointF(half, half), QSizeF(2 * half, 2 * half));

@@ -120,7 +120,7 @@ std::int64_t TimelineScale::updateAt(double x) const {
 std::optional<TimelineMark> TimelineScale::markAt(double x) const {
     std::optional<TimelineMark> nearest;
     double distance = reach;
-    for (const TimelineMark& mark : m_state.marks ? *m_state.marks : std::vector<TimelineMark>()) {
+    for (const TimelineMark& mark : m_state.marks.all()) {
         if (mark.update >= m_state.first && std::abs(xOf(mark.update) - x) <= distance) {
             distance = std::abs(xOf(mark.update) - x);
             nearest = mark;
@@ -161,7 +161,7 @@ bool TimelineScale::event(QEvent* event) {
 
 void TimelineScale::paintMarks(QPainter& painter) const {
     const Shade shade = shadeOf(palette());
-    for (const TimelineMark& mark : m_state.marks ? *m_state.marks : std::vector<TimelineMark>()) {
+    for (const TimelineMark& mark : m_state.marks.all()) {
         if (mark.update < m_state.first) {
             continue;
         }

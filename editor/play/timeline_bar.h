@@ -23,8 +23,8 @@ struct TimelineState {
     std::int64_t shown = 0;
     std::int64_t goal = 0; // `last`, as soon as what is to come has been simulated
     double updateSeconds = 0.02;
-    std::shared_ptr<const std::vector<TimelineMark>> marks; // null for none
-    bool hasGhosts = false;                                 // of futures that were given up
+    MarkList marks;
+    bool hasGhosts = false; // of futures that were given up
 
     bool operator==(const TimelineState&) const = default;
 };

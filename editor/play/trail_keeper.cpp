@@ -35,10 +35,16 @@ void TrailKeeper::note(const Session& session) {
     std::erase_if(bodies, [&](BodyId id) { return world.body(id).kind == BodyKind::Static; });
     if (bodies != m_bodies) { // those that are still there keep theirs
         std::vector<DebugTrail> trails(bodies.size());
+        constexpr std::size_t none = ~std::size_t{0};
+        std::vector<std::size_t> places; // in the list of before, by the slot of the body
+        for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+            places.resize(std::max<std::size_t>(places.size(), m_bodies[i].index + std::size_t{1}), none);
+            places[m_bodies[i].index] = i;
+        }
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            const auto old = std::ranges::find(m_bodies, bodies[i]);
-            if (old != m_bodies.end()) {
-                trails[i] = std::move(m_trails[static_cast<std::size_t>(old - m_bodies.begin())]);
+            const std::size_t old = bodies[i].index < places.size() ? places[bodies[i].index] : none;
+            if (old != none && m_bodies[old] == bodies[i]) { // the slot may have another body now
+                trails[i] = std::move(m_trails[old]);
             }
         }
         m_bodies = std::move(bodies);

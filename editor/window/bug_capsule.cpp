@@ -11,6 +11,8 @@
 #include <QLocale>
 #include <QSysInfo>
 
+#include <utility>
+
 namespace spacetow {
 
 namespace {
@@ -19,43 +21,64 @@ struct CapsuleWords {
     Q_DECLARE_TR_FUNCTIONS(BugCapsule)
 };
 
-/// Without the hash, unless the session of the moment is at hand.
-Result<Capsule> capsuleOf(MainWindow& window) {
-    Capsule capsule;
+/// What is to be reported, as far as the window knows it.
+struct Report {
+    Capsule capsule; // without a run
+    bool hasRun = false;
+    std::function<Recording()> recording{};   // of the run
+    std::int64_t shown = 0;                   // the moment
+    std::shared_ptr<const Level> edited;      // as the next update has it
+    std::shared_ptr<const Session> session{}; // of the moment; null where there is no copy of it as it is
+};
+
+Report reportOf(MainWindow& window) {
+    Report report;
+    Capsule& capsule = report.capsule;
     capsule.program = QStringLiteral("SpaceTow Studio %1").arg(QGuiApplication::applicationVersion()).toStdString();
     capsule.platform = QStringLiteral("%1, %2, Qt %3")
                            .arg(QSysInfo::prettyProductName(), QSysInfo::buildAbi(), QString::fromLatin1(qVersion()))
                            .toStdString();
     capsule.level = window.document().current().level;
-    if (Runner* const runner = window.liveRun().runner()) {
-        const std::int64_t shown = runner->frame()->timeline->shown;
-        capsule.run = runner->recording();
-        capsule.level = runner->startLevel();
-        if (!capsule.level) {
-            return Error{"capsule-no-run", {}};
-        }
-        if (capsule.run.updates() < shown) { // more than is recorded
-            return Error{"capsule-too-long", {std::to_string(maxReplayUpdates)}};
-        }
-        InputRuns inputs = inputsOf(capsule.run, *capsule.level);
-        inputs.cutAt(shown);
-        setInputs(capsule.run, inputs, *capsule.level);
-        const Level before = levelAfter(capsule.run, *capsule.level);
-        if (const std::shared_ptr<const Level> now = window.levelToRun(); *now != before) {
-            capsule.run.edits.push_back({shown, deltaBetween(before, *now)}); // the next update takes it over
-        }
-    }
     capsule.run.level = window.files().name().toStdString();
-    return capsule;
+    report.edited = window.levelToRun();
+    Runner* const runner = window.liveRun().runner();
+    if (runner == nullptr) {
+        return report;
+    }
+    report.hasRun = true;
+    capsule.isSimulation = !window.liveRun().isGame();
+    const std::shared_ptr<const Frame> frame = runner->frame();
+    report.recording = runner->askRecording(); // afterwards, so that what is shown is recorded
+    report.shown = frame->timeline->shown;
+    const bool isThere = frame->session && frame->session->updates() == report.shown && frame->timeline->iteration == 0;
+    report.session = isThere ? frame->session : nullptr;
+    return report;
 }
 
-/// Of the run at this moment, if a copy of it is shown as it is.
-std::optional<std::uint64_t> shownHash(MainWindow& window, const Replay& run) {
-    const std::shared_ptr<const Frame> frame = window.liveRun().frame();
-    const bool isEditedSince = !run.edits.empty() && run.edits.back().update == run.updates();
-    const bool isThere =
-        frame && frame->session && frame->session->updates() == run.updates() && frame->timeline->iteration == 0;
-    return isThere && !isEditedSince ? std::optional(frame->session->hash()) : std::nullopt;
+/// Waits for the update that runs.
+Result<Capsule> capsuleOf(const Report& report, const std::stop_token& stop) {
+    Capsule capsule = report.capsule;
+    bool isEditedSince = false;
+    if (report.hasRun) {
+        const Recording recording = report.recording();
+        if (!recording.start) {
+            return Error{"capsule-no-run", {}};
+        }
+        if (recording.run.updates() < report.shown) { // more than is recorded
+            return Error{"capsule-too-long", {std::to_string(maxReplayUpdates)}};
+        }
+        InputRuns inputs = inputsOf(recording.run, *recording.start);
+        inputs.cutAt(report.shown);
+        capsule.level = recording.start;
+        capsule.run.seed = recording.run.seed;
+        setInputs(capsule.run, inputs, *capsule.level);
+        if (const Level before = levelAfter(capsule.run, *capsule.level); *report.edited != before) {
+            capsule.run.edits.push_back({report.shown, deltaBetween(before, *report.edited)});
+            isEditedSince = true;
+        }
+    }
+    capsule.hash = report.session && !isEditedSince ? report.session->hash() : sessionOf(capsule, stop).hash();
+    return capsule;
 }
 
 } // namespace
@@ -73,17 +96,9 @@ void BugCapsule::copy() {
         return;
     }
     m_window.enterTyping();
-    Result<Capsule> made = capsuleOf(m_window);
-    if (!made) {
-        m_window.messageBar().say(MessageBar::Tone::Error, sentence(made.error()));
-        return;
-    }
-    Capsule capsule = std::move(made).value();
-    const std::optional<std::uint64_t> hash = shownHash(m_window, capsule.run);
-    m_task.start([this, capsule, hash](const std::stop_token& stop) -> BackgroundTask::Then {
-        Capsule whole = capsule;
-        whole.hash = hash ? *hash : sessionOf(whole, stop).hash();
-        const Result<std::string> text = capsuleText(whole);
+    m_task.start([this, report = reportOf(m_window)](const std::stop_token& stop) -> BackgroundTask::Then {
+        const Result<Capsule> capsule = capsuleOf(report, stop);
+        const Result<std::string> text = capsule ? capsuleText(capsule.value()) : capsule.error();
         if (!text) {
             const Error error = text.error();
             return [this, error] { m_window.messageBar().say(MessageBar::Tone::Error, sentence(error)); };
@@ -105,18 +120,16 @@ void BugCapsule::open(std::string text) {
     if (isBusy()) {
         return;
     }
-    m_window.messageBar().say(MessageBar::Tone::Info,
-                              CapsuleWords::tr("The run of the bug capsule is being simulated up to its moment…"));
-    m_task.start([this, text = std::move(text)](const std::stop_token& stop) -> BackgroundTask::Then {
+    m_window.messageBar().say(MessageBar::Tone::Info, CapsuleWords::tr("The bug capsule is being read…"));
+    m_task.start([this, text = std::move(text)](const std::stop_token&) -> BackgroundTask::Then {
         Result<Capsule> read = capsuleFromText(text);
         if (!read) {
             const Error error = read.error();
             return [this, error] { m_window.messageBar().say(MessageBar::Tone::Error, sentence(error)); };
         }
         const auto capsule = std::make_shared<const Capsule>(std::move(read).value());
-        const Opening opening{std::make_shared<const Level>(levelAfter(capsule->run, *capsule->level)),
-                              sessionOf(*capsule, stop).hash() == capsule->hash};
-        return [this, capsule, opening] { opened(capsule, opening); };
+        const auto edited = std::make_shared<const Level>(levelAfter(capsule->run, *capsule->level));
+        return [this, capsule, edited] { opened(capsule, edited); };
     });
 }
 
@@ -132,20 +145,30 @@ MainWindow* BugCapsule::windowFor(const Capsule& capsule) {
     return free ? &room : nullptr;
 }
 
-void BugCapsule::opened(const std::shared_ptr<const Capsule>& capsule, const Opening& opening) {
+void BugCapsule::opened(const std::shared_ptr<const Capsule>& capsule, const std::shared_ptr<const Level>& edited) {
     m_window.messageBar().dismiss();
     MainWindow* const place = windowFor(*capsule);
     if (place == nullptr) {
         return;
     }
     place->comeForward();
-    place->reopenRun(capsule->run, opening.edited);
+    place->messageBar().dismiss();
+    place->reopenRun(capsule->run, edited, capsule->isSimulation ? LiveRun::Kind::Simulation : LiveRun::Kind::Game);
     place->liveRun().seek(capsule->run.updates());
-    if (opening.isSame) {
-        place->messageBar().dismiss();
+    place->bugCapsule().m_opened = capsule;
+    place->bugCapsule().compare();
+}
+
+void BugCapsule::compare() {
+    const std::shared_ptr<const TimelineSummary> timeline = m_opened ? m_window.liveRun().timeline() : nullptr;
+    if (!timeline || !timeline->opened) {
         return;
     }
-    place->messageBar().say(
+    const std::shared_ptr<const Capsule> capsule = std::exchange(m_opened, nullptr);
+    if (*timeline->opened == capsule->hash) {
+        return;
+    }
+    m_window.messageBar().say(
         MessageBar::Tone::Warning,
         CapsuleWords::tr("The run comes out otherwise here than where the bug capsule was made, "
                          "with %1 on %2.")

@@ -37,7 +37,7 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
       m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
       m_exchange(m_document, m_toolbox, m_canvas,
                  [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }),
-      m_bugCapsule(*this), m_legend(m_canvas) {
+      m_bugCapsule(*this), m_flightFile(*this), m_legend(m_canvas) {
     setAcceptDrops(true);
     layOut();
     makeMenus();
@@ -154,7 +154,9 @@ void MainWindow::setRulersVisible(bool visible) {
 
 void MainWindow::setSnap(const SnapSettings& snap) {
     m_toolbox.snap = snap;
-    m_files.preferences.setSnap(snap);
+    SnapSettings kept = snap;
+    kept.smart = snap.smart || (isPlaying() && m_smartBefore); // which rests while something runs
+    m_files.preferences.setSnap(kept);
     m_status.setSnap(snap);
     m_actions.refresh();
     m_canvas.update();
@@ -222,6 +224,14 @@ void MainWindow::showObject(Key key) {
         }
     } else {
         m_document.select(Selection());
+    }
+}
+
+/// What was seen stays in sight, unless that is somewhere else.
+void MainWindow::showCured(Key key) {
+    const Aabb box = boundsOf(m_document.level(), std::vector<Key>{key});
+    if (!box.isEmpty() && !box.overlaps(m_canvas.view().visible())) {
+        showObject(key);
     }
 }
 

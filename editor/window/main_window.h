@@ -26,6 +26,7 @@
 #include "editor/window/exchange.h"
 #include "editor/window/explanations.h"
 #include "editor/window/finder.h"
+#include "editor/window/flight_file.h"
 #include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
 #include "editor/window/open_level.h"
@@ -95,12 +96,15 @@ class MainWindow : public QMainWindow {
     /// A game in which the ship starts at the pointer.
     void playFromPointer();
     /// The flight as it was recorded.
-    void playReplay(const Replay& recorded) { enterReplay(recorded, nullptr); }
+    void playReplay(const Replay& recorded) { enterReplay({recorded, nullptr}, LiveRun::Kind::Game); }
     /// A run that was edited, and the level as it was at its end, which is edited on.
-    void reopenRun(const Replay& run, const std::shared_ptr<const Level>& edited) { enterReplay(run, edited); }
+    void reopenRun(const Replay& run, const std::shared_ptr<const Level>& edited, LiveRun::Kind kind) {
+        enterReplay({run, edited}, kind);
+    }
     void stopPlaying();
     /// What has been flown, into a file that the user chooses.
-    void saveFlight();
+    void saveFlight() { m_flightFile.save(); }
+    FlightFile& flightFile() { return m_flightFile; }
     /// Where to, after a suggestion; empty: nowhere. Asks with a dialog, unless a test answers.
     std::function<QString(const QString& suggestion)> whereToSaveFlight;
     /// The level as it is edited, but for what was said about this run.
@@ -247,11 +251,11 @@ class MainWindow : public QMainWindow {
     /// A stroke that is nobody's key may be one by its place.
     bool actByPlace(const QKeyEvent& stroke);
 
-    void enterReplay(const Replay& recorded, const std::shared_ptr<const Level>& then);
     struct Recorded {
         const Replay& replay;
         std::shared_ptr<const Level> then; // see Course::open
     };
+    void enterReplay(const Recorded& recorded, LiveRun::Kind kind);
     void putDown();
     void enterRun(LiveRun::Kind wanted, const Recorded* recorded);
     void showRun();
@@ -279,6 +283,7 @@ class MainWindow : public QMainWindow {
     void updateSelection();
     void updateMode();
     void updateProblems();
+    void showCured(Key key);
     void updateLegend();
     Shade overlayGround() const;
     void listenToLegend();
@@ -327,6 +332,7 @@ class MainWindow : public QMainWindow {
     StatusLine m_status;
     Exchange m_exchange;
     BugCapsule m_bugCapsule;
+    FlightFile m_flightFile;
     std::optional<Panels> m_panels; // once there is a window to add them to
     std::optional<Finder> m_finder; // above all the rest
     OverlayFlags m_overlays;
@@ -337,7 +343,7 @@ class MainWindow : public QMainWindow {
     bool m_panelsHidden = false;
     bool m_panelsInGame = false;  // called back
     bool m_inGame = false;        // what runs, or ran last, is a game
-    SnapSettings m_snapBefore;    // the run
+    bool m_smartBefore = false;   // snapping to what is in the level, before the run
     std::optional<Vec2> m_shipAt; // where it starts in the run, if not where the level has it
     QElapsedTimer m_sinceMotion;  // was shown
     double m_framesPerSecond = 0;

@@ -6,9 +6,7 @@
 #include "core/level/object_geometry.h"
 #include "editor/window/messages.h"
 
-#include <QDir>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QLayout>
 
 #include <algorithm>
@@ -58,11 +56,10 @@ std::shared_ptr<const Level> MainWindow::levelToRun() const {
     return moved;
 }
 
-void MainWindow::enterReplay(const Replay& recorded, const std::shared_ptr<const Level>& then) {
+void MainWindow::enterReplay(const Recorded& recorded, LiveRun::Kind kind) {
     stopPlaying();
     m_shipAt.reset();
-    const Recorded whole{recorded, then};
-    enterRun(LiveRun::Kind::Game, &whole);
+    enterRun(kind, &recorded);
 }
 
 /// The run knows its edits already; the document is told of them, so that they are changes of the run.
@@ -96,7 +93,7 @@ void MainWindow::enterRun(LiveRun::Kind wanted, const Recorded* recorded) {
     m_run.wantSession(this, true);
     m_reopened = m_recorded ? recorded->then : nullptr;
     if (m_recorded) {
-        m_run.start(levelToRun(), recorded->replay, recorded->then);
+        m_run.start(levelToRun(), recorded->replay, recorded->then, wanted);
     } else {
         m_run.start(levelToRun(), wanted);
     }
@@ -107,8 +104,7 @@ void MainWindow::showRun() {
     putDown();
     m_errorsUntold = true;
     m_open->runChanges.begin();
-    m_snapBefore = m_toolbox.snap;
-    m_toolbox.snap.grid = m_toolbox.snap.smart = false; // nothing stays where one could snap to it
+    m_smartBefore = std::exchange(m_toolbox.snap.smart, false); // nothing stays where one could snap to it
     m_status.setSnap(m_toolbox.snap);
     tellRun(); // of what was edited meanwhile
     m_framesPerSecond = 0;
@@ -159,13 +155,12 @@ void MainWindow::tellErrors() {
 }
 
 void MainWindow::stopPlaying() {
+    m_bugCapsule.forgetRun();
     m_run.stop();
     if (!isPlaying()) {
         return;
     }
-    if (!m_toolbox.snap.grid && !m_toolbox.snap.smart) {
-        m_toolbox.snap = m_snapBefore;
-    }
+    m_toolbox.snap.smart = m_toolbox.snap.smart || m_smartBefore;
     m_toolbox.drawnSolids = BodyKind::Static;
     m_status.setSnap(m_toolbox.snap);
     m_status.setPace(QString());
@@ -224,6 +219,7 @@ void MainWindow::listenToRun() {
 }
 
 void MainWindow::updateTimeline() {
+    m_bugCapsule.compare();
     if (const auto timeline = m_run.timeline(); timeline && isPlaying()) {
         m_timeline.showState({timeline->first, timeline->last, timeline->shown, timeline->goal, timeline->updateSeconds,
                               timeline->marks, !timeline->ghosts.empty()});
@@ -240,32 +236,6 @@ void MainWindow::updatePace() {
     const bool moves = m_framesPerSecond > 0 && !m_run.isPaused(); // what is held is painted when it changes only
     const QString frames = moves ? tr("%1 fps").arg(qRound(m_framesPerSecond)) : QString();
     m_status.setPace(speed == 1 ? frames : frames.isEmpty() ? times : times + QStringLiteral(" · ") + frames);
-}
-
-void MainWindow::saveFlight() {
-    const QString name = QFileInfo(m_files.path().isEmpty() ? m_files.name() : m_files.path()).completeBaseName();
-    const QString folder = m_files.path().isEmpty() ? QDir::homePath() : QFileInfo(m_files.path()).path();
-    m_run.setPaused(true); // while one looks for a name, the ship would fall
-    QString path = whereToSaveFlight(QDir(folder).filePath(name + QStringLiteral(".replay.json")));
-    if (path.isEmpty() || !m_run.isRunning()) {
-        return;
-    }
-    if (!path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
-        path += QStringLiteral(".replay.json");
-    }
-    Replay replay = m_run.runner()->recording();
-    const std::shared_ptr<const Level> start = m_run.runner()->startLevel();
-    replay.level = QFileInfo(m_files.path().isEmpty() ? m_files.name() : m_files.path()).fileName().toStdString();
-    if (start) { // the level may have been edited since: the flight then begins with becoming what it was
-        replay = basedOn(std::move(replay), *start, m_document.level());
-        replay.levelHash = levelHash(m_document.level());
-    }
-    const std::optional<Error> error = writeReplay(path.toStdU16String(), replay);
-    m_flights.setFile(m_files.path()); // it may stand beside the level
-    m_message.say(error ? MessageBar::Tone::Error : MessageBar::Tone::Info,
-                  error ? sentence(*error)
-                        : tr("The flight has been saved as %1. Drop the file on a window to see it again.")
-                              .arg(QFileInfo(path).fileName()));
 }
 
 /// As often as one can read it.

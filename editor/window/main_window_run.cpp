@@ -67,7 +67,14 @@ QString MainWindow::runHint() const {
     if (m_live.hand().grab()) {
         return tr("Pulling · move: pull further · let the button go: throw");
     }
-    if (m_run.isWatching()) {
+    if (const auto timeline = m_run.timeline(); timeline && timeline->goal > timeline->last) {
+        const auto seconds = [&](std::int64_t updates) {
+            return QLocale().toString(static_cast<double>(updates) * timeline->updateSeconds, 'f', 1);
+        };
+        return tr("Simulating the run: %1 of %2 s so far · %3: leave it")
+            .arg(seconds(timeline->last), seconds(timeline->goal), key(Act::Stop));
+    }
+    if (m_run.isWatching() && !m_run.isPaused()) {
         return tr("Playing a recorded flight · who steers takes over · %1: back to the editor").arg(key(Act::Stop));
     }
     if (m_run.isPaused()) {

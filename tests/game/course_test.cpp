@@ -52,6 +52,7 @@ class CourseTest : public QObject {
             course.goOn(keys(i < 90 ? thrust : idle));
         }
         const Replay recorded = course.recording();
+        QCOMPARE(course.updates(), recorded.updates());
         QVERIFY(recorded.ended == flightResult(spaceWithCeiling(), recorded));
         QCOMPARE(recorded.ended->end, FlightEnd::Lost);
         course.seek(20);
@@ -204,7 +205,7 @@ class CourseTest : public QObject {
         QCOMPARE(flown.timeline()->ghosts.size(), std::size_t(1));
         QVERIFY(std::abs(flown.timeline()->ghosts[0]->paths[0].points.back().x()) < 1e-9);
         QVERIFY(flown.timeline()->paths->front().points.back().x() < -0.5);
-        QCOMPARE(flown.timeline()->marks->back().kind, MarkKind::Edit);
+        QCOMPARE(flown.timeline()->marks.back().kind, MarkKind::Edit);
         flown.runner.seek(100);
         StepInput first = keys(thrust);
         first.level = other;
@@ -312,7 +313,7 @@ class CourseTest : public QObject {
         QCOMPARE(runner.frame()->timeline->shown, std::int64_t(0));
         QCOMPARE(runner.frame()->timeline->last, std::int64_t(100));
         QCOMPARE(runner.frame()->timeline->goal, std::int64_t(100));
-        QCOMPARE(runner.frame()->timeline->marks->front().kind, MarkKind::Crash);
+        QCOMPARE(runner.frame()->timeline->marks.front().kind, MarkKind::Crash);
         runner.seek(100);
         QCOMPARE(runner.frame()->session->hash(), flown.hash());
         QVERIFY(runner.recording() == recording);

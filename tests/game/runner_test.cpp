@@ -63,6 +63,38 @@ class RunnerTest : public QObject {
         runner.advance(1);
         QVERIFY(runner.frame()->now->controls == idle);
     }
+    void aKeyThatIsHeldWhenAStepIsAskedForCountsInIt() {
+        Level level = openSpace();
+        for (int i = 0; i < 3000; ++i) { // the runner has much to do before it comes to the steps
+            addWall(level, Vec2(i, 100), Vec2(i + 1, 100));
+        }
+        Runner runner(level, Runner::Mode::Deferred);
+        runner.pause();
+        runner.hold(right);
+        runner.stepOnce();
+        runner.stepOnce(); // still held, and let go at once
+        runner.hold(idle);
+        runner.stepOnce();
+        QVERIFY(comesTrue([&] { return runner.frame() && runner.frame()->now->update == 3; }));
+        QVERIFY(runner.recording().runs == (std::vector<Replay::Run>{{right, 2}, {idle, 1}}));
+    }
+    void nobodyWaitsToAskForTheRecordingAndItIsThereWhenTheRunIsGone() {
+        Level level = openSpace();
+        for (int i = 0; i < 3000; ++i) {
+            addWall(level, Vec2(i, 100), Vec2(i + 1, 100));
+        }
+        auto runner = std::make_unique<Runner>(level, Runner::Mode::Deferred);
+        runner->pause();
+        runner->hold(right);
+        runner->stepOnce();
+        const std::function<Recording()> answer = runner->askRecording(); // it is still being built
+        runner->stepOnce();
+        runner.reset();
+        const Recording recorded = answer();
+        QVERIFY(recorded.run.runs == (std::vector<Replay::Run>{{right, 1}}));
+        QVERIFY(recorded.start && recorded.start->objects.size() == level.objects.size());
+        QVERIFY(recorded.updates == 1 && recorded.isWhole());
+    }
     void theRecordingFliesTheSameGame() {
         Level level = openSpace();
         addWall(level, Vec2(3, 1), Vec2(-3, 1));

@@ -33,7 +33,7 @@ class TimelineFocusTest : public QObject {
         };
         run(150, {});
         QVERIFY(!markKinds(timeline).empty() && markKinds(timeline).front() == MarkKind::FocusTouch);
-        const std::int64_t fall = timeline.marks()->front().update;
+        const std::int64_t fall = timeline.marks().front().update;
         QVERIFY(fall > 25 && fall < 40);                     // 2 m less a radius, at 9.81 m/s²
         run(100, {{}, Grab{1, Vec2(0, 0), Vec2(0, 3)}, {}}); // lifted
         QVERIFY(markKinds(timeline).back() == MarkKind::FocusPart);

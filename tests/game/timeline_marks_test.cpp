@@ -58,7 +58,7 @@ class TimelineMarksTest : public QObject {
         run.go({});
         run.goUntil(tow, Phase::AwaitingInput);
         QVERIFY(run.kinds() == (std::vector{MarkKind::Crash, MarkKind::Attempt}));
-        QCOMPARE(run.timeline.marks()->front().update, crash);
+        QCOMPARE(run.timeline.marks().front().update, crash);
         MarkedRun pushed(openSpace());
         pushed.go({thrust, {}, {}}, 200);
         QVERIFY(pushed.kinds().empty());
@@ -68,7 +68,7 @@ class TimelineMarksTest : public QObject {
         run.go({}, 200);
         QVERIFY(!run.kinds().empty());
         QCOMPARE(std::ranges::count(run.kinds(), MarkKind::Touch), std::ptrdiff_t(run.kinds().size()));
-        const std::vector<TimelineMark>& marks = *run.timeline.marks();
+        const std::span<const TimelineMark> marks = run.timeline.marks().all();
         for (std::size_t i = 1; i < marks.size(); ++i) {
             QVERIFY(marks[i].update - marks[i - 1].update > 10);
         }
@@ -77,7 +77,7 @@ class TimelineMarksTest : public QObject {
         QVERIFY(run.kinds().empty());
         run.go({}, 3);
         QCOMPARE(run.kinds().size(), std::size_t(1)); // the same again
-        QCOMPARE(run.timeline.marks()->front().update, first);
+        QCOMPARE(run.timeline.marks().front().update, first);
     }
     void whoTurnsBackFromACrashHasNotBegunAnotherAttempt() {
         MarkedRun run(spaceWithCeiling());
@@ -112,6 +112,50 @@ class TimelineMarksTest : public QObject {
         QVERIFY(run.timeline.first() > 45);
         QVERIFY(near.expired());
         QVERIFY(run.timeline.ghosts().empty());
+    }
+    void aMarkAfterHoursIsPutBehindThoseThatThereAre() {
+        MarkList list;
+        int moved = 0;
+        for (std::int64_t i = 0; i < 10'000; ++i) {
+            const MarkList read = list; // as whoever shows it has
+            const TimelineMark* const before = list.all().data();
+            list.append({i, MarkKind::Edit});
+            moved += before != list.all().data() ? 1 : 0;
+            QVERIFY(read.size() == static_cast<std::size_t>(i) && (i == 0 || read.back().update == i - 1));
+        }
+        QVERIFY2(moved < 15, qPrintable(QString::number(moved)));
+        MarkedRun run(yard());
+        const TimelineMark* before = nullptr;
+        moved = 0;
+        for (int i = 0; i < 300; ++i) {
+            Level other = yard();
+            other.gravity = Vec2(0, -0.01 * i);
+            run.go(withLevel(std::make_shared<const Level>(other)));
+            moved += std::exchange(before, run.timeline.marks().all().data()) != before ? 1 : 0;
+        }
+        QCOMPARE(run.timeline.marks().size(), std::size_t(300));
+        QVERIFY2(moved < 10, qPrintable(QString::number(moved)));
+    }
+    void listsOfMarksThatGoDifferentWaysDoNotMeet() {
+        MarkList one;
+        for (std::int64_t i = 0; i < 5; ++i) {
+            one.append({i, MarkKind::Touch});
+        }
+        MarkList other = one;
+        one.append({5, MarkKind::Win});
+        other.append({5, MarkKind::Crash});
+        QCOMPARE(one.back().kind, MarkKind::Win);
+        QCOMPARE(other.back().kind, MarkKind::Crash);
+        MarkList back = one;
+        back.dropAfter(2);
+        back.append({3, MarkKind::Edit});
+        back.dropBefore(1);
+        back.eraseIf([](const TimelineMark& mark) { return mark.update == 2; });
+        QCOMPARE(back.size(), std::size_t(2));
+        QVERIFY(back.front().update == 1 && back.back().kind == MarkKind::Edit);
+        QVERIFY(one.size() == 6 && one.all()[3].kind == MarkKind::Touch && !(one == other));
+        back.append({4, MarkKind::Tow});
+        QCOMPARE(back.back().kind, MarkKind::Tow);
     }
 };
 

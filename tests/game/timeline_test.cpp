@@ -101,7 +101,7 @@ class TimelineTest : public QObject {
         const std::vector<MarkKind> marks = markKinds(run.timeline);
         QVERIFY(std::ranges::count(marks, MarkKind::Tow) == 1);
         QCOMPARE(marks.back(), MarkKind::Win);
-        QVERIFY(run.timeline.marks()->back().update > 1600);
+        QVERIFY(run.timeline.marks().back().update > 1600);
     }
     void soItIsWithEditsAndHandsInIt() {
         const Replay flight = wonFlight();

@@ -10,8 +10,8 @@ namespace spacetow::test {
 /// In the order of the marks.
 inline std::vector<MarkKind> markKinds(const Timeline& timeline) {
     std::vector<MarkKind> kinds;
-    if (timeline.marks()) {
-        for (const TimelineMark& mark : *timeline.marks()) {
+    if (!timeline.marks().empty()) {
+        for (const TimelineMark& mark : timeline.marks().all()) {
             kinds.push_back(mark.kind);
         }
     }

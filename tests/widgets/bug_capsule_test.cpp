@@ -209,15 +209,49 @@ class BugCapsuleTest : public QObject {
         QVERIFY(test.window->isPlaying());
     }
 
-    void whileItsRunIsSimulatedTheWindowSaysSo() {
-        ReportedRun from;
-        const QString text = from.copied();
+    void whileItsRunIsSimulatedTheWindowSaysHowFarItIsAndItCanBeStopped() {
+        Capsule capsule;
+        capsule.level = std::make_shared<const Level>(openSpace());
+        capsule.run.runs = {{idle, 900'000}}; // five hours
         TestWindow to;
-        to.window->bugCapsule().open(text.toStdString());
-        QVERIFY(to.window->messageBar().text().contains("simulated"));
+        to.window->bugCapsule().open(capsuleText(capsule).value());
+        QVERIFY(to.window->messageBar().text().contains("being read"));
         to.window->bugCapsule().finish();
         QVERIFY(to.window->isPlaying());
+        const auto hint = [&] { return to.window->statusLine().hint(); };
+        QTRY_VERIFY2(hint().contains("Simulating the run") && !hint().contains(": 0.0 of"), qPrintable(hint()));
+        to.trigger(Act::Stop);
+        QVERIFY(!to.window->isPlaying());
+    }
+
+    void aRunThatComesOutOtherwiseIsSaidToOnceItIsSimulated() {
+        Capsule capsule;
+        capsule.program = "SpaceTow Studio 0.1";
+        capsule.level = std::make_shared<const Level>(openSpace());
+        capsule.run.runs = {{thrust, 300}};
+        capsule.hash = sessionOf(capsule).hash() + 1;
+        TestWindow to;
+        paste(to, QString::fromStdString(capsuleText(capsule).value()));
+        QTRY_VERIFY(to.window->messageBar().text().contains("SpaceTow Studio 0.1"));
+        QCOMPARE(to.window->messageBar().tone(), MessageBar::Tone::Warning);
+        to.trigger(Act::Stop);
+        capsule.hash = sessionOf(capsule).hash();
+        paste(to, QString::fromStdString(capsuleText(capsule).value()));
+        QTRY_COMPARE(to.window->liveRun().updates(), std::int64_t(300));
         QVERIFY2(to.window->messageBar().text().isEmpty(), qPrintable(to.window->messageBar().text()));
+    }
+
+    void aSimulationOfALevelWithAShipOpensAsASimulation() {
+        ReportedRun from;
+        QTRY_VERIFY(from.shown() > 2);
+        TestWindow to;
+        paste(to, from.copied());
+        QVERIFY(to.window->isPlaying() && !to.window->isInGame());
+        from.trigger(Act::Stop);
+        from.trigger(Act::Play);
+        QTRY_VERIFY(from.shown() > 2);
+        paste(to, from.copied());
+        QVERIFY(to.window->isInGame());
     }
 
     void whatIsNotSavedIsNotLostByIt() {

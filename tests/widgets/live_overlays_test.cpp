@@ -88,6 +88,34 @@ class LiveOverlaysTest : public QObject {
         QCOMPARE(keeper.trails()[0].points.size(), std::size_t{1});
     }
 
+    void trailsStayWithTheirBodiesWhenOthersComeAndGo() {
+        Level level;
+        for (int i = 0; i < 4; ++i) {
+            addBall(level, Vec2(3.0 * i, 0), 0.5, Vec2(0, 1));
+        }
+        Session session(level);
+        TrailKeeper keeper;
+        keeper.note(session);
+        session.step(Controls{});
+        keeper.note(session);
+        Level other = level;
+        other.objects.erase(1);
+        Object fresh = level.objects[0]; // which may take the slot
+        fresh.key = 99;
+        std::get<BodyObject>(fresh.data).position = Vec2(-5, 0);
+        other.objects.append(fresh);
+        session.step({{}, {}, std::make_shared<const Level>(other)});
+        keeper.note(session);
+        const std::vector<BodyId> bodies = session.world().bodies();
+        QVERIFY(bodies.size() == 4 && keeper.trails().size() == 4);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::vector<Vec2>& points = keeper.trails()[i].points;
+            const Vec2 now = session.world().body(bodies[i]).massCenter;
+            QCOMPARE(points.size(), now.x() < -4 ? std::size_t{1} : std::size_t{3});
+            QVERIFY(points.back() == now && std::abs(points.front().x() - now.x()) < 0.1);
+        }
+    }
+
     void trailsAreNoLongerThanThereIsTimeFor() {
         Level level;
         for (int i = 0; i < 1000; ++i) {

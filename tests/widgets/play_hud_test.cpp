@@ -1,5 +1,6 @@
 #include "tests/support/test_main.h"
 
+#include "editor/play/crash_words.h"
 #include "editor/play/hud.h"
 
 #include <QFontMetricsF>
@@ -117,6 +118,27 @@ class PlayHudTest : public QObject {
         QVERIFY(says(false, true, "The payload is lost.\n"));
         QVERIFY(says(true, true, "Ship and payload are lost.\n"));
         QVERIFY(says(false, false, {}));
+        input.cause = "The ship hit “Reef”.";
+        QVERIFY(says(true, false, "The ship hit “Reef”.\n"));
+        QVERIFY(says(true, true, "The ship hit “Reef”. Ship and payload are lost.\n"));
+        input.phase = Phase::GameOver;
+        QVERIFY(std::ranges::any_of(hudLayout(input, {880, 660}, QFont()),
+                                    [](const HudText& text) { return text.text.contains("Reef"); }));
+    }
+    void aCrashSaysWhoHitWhat() {
+        Level level;
+        level.objects.append({7, "Reef", BodyObject(), {}});
+        level.objects.append({8, {}, BodyObject(), {}});
+        const std::uint32_t wall = TagMask::bit(wallTag).bits;
+        QCOMPARE(crashWords({.ship = true, .what = 7, .tags = wall}, level), QString("The ship hit “Reef”."));
+        QCOMPARE(crashWords({.payload = true, .who = BodyRole::Payload, .what = 7, .tags = wall}, level),
+                 QString("The payload hit “Reef”."));
+        const QString name = QString::fromStdString(level.tags[wallTag].name);
+        QCOMPARE(crashWords({.ship = true, .what = 8, .tags = wall}, level),
+                 QString("The ship hit something tagged “%1”.").arg(name));
+        QCOMPARE(crashWords({.ship = true, .whom = BodyRole::Payload, .what = 9}, level),
+                 QString("The ship hit the payload."));
+        QVERIFY(crashWords({.ship = true}, level).isEmpty());
     }
     void noWordsCoverTheShip() {
         for (const QSizeF size : {QSizeF(320, 900), QSizeF(880, 660), QSizeF(1920, 1000)}) {

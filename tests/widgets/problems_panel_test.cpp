@@ -266,8 +266,10 @@ class ProblemsPanelTest : public QObject {
         const auto& delegate = static_cast<const ProblemDelegate&>(*list.itemDelegate());
         const QRect button = delegate.buttonIn(list.visualRect(row), row);
         QVERIFY(list.viewport()->rect().contains(button));
+        QSignalSpy wanted(&panel, &ProblemsPanel::objectWanted);
         QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, button.center());
         QCOMPARE(QString::fromStdString(document.undoLabel().code), QString("fix-turn-outline"));
+        QCOMPARE(wanted.count(), 0); // it is no wish to see the place
     }
 
     void allThatIsSafeIsFixedInOneStep() {

@@ -32,8 +32,8 @@ Level flyingBall() {
 }
 
 bool hasMark(const LiveRun& run, MarkKind kind) {
-    const auto marks = run.timeline()->marks;
-    return marks && std::ranges::any_of(*marks, [&](const TimelineMark& mark) { return mark.kind == kind; });
+    const auto timeline = run.timeline();
+    return std::ranges::any_of(timeline->marks.all(), [&](const TimelineMark& mark) { return mark.kind == kind; });
 }
 
 } // namespace
@@ -241,8 +241,9 @@ class TransportTest : public QObject {
         TimelineBar bar;
         bar.resize(700, 40);
         bar.show();
-        const auto marks = std::make_shared<const std::vector<TimelineMark>>(
-            std::vector<TimelineMark>{{100, MarkKind::Crash}, {250, MarkKind::Win}});
+        MarkList marks;
+        marks.append({100, MarkKind::Crash});
+        marks.append({250, MarkKind::Win});
         bar.showState({.first = 0, .last = 300, .shown = 150, .goal = 300, .marks = marks});
         TimelineScale& scale = bar.scale();
         QVERIFY(!scale.accessibleName().isEmpty());
@@ -315,6 +316,7 @@ class TransportTest : public QObject {
         QTRY_VERIFY(test.window->liveRun().updates() > 20);
         test.trigger(Act::SaveFlight);
         QVERIFY(test.window->liveRun().isPaused());
+        test.window->flightFile().finish();
         QVERIFY(QFile::exists(path));
         const std::int64_t flown = test.window->liveRun().timeline()->last;
         test.trigger(Act::Stop);

@@ -1,0 +1,75 @@
+#include "editor/window/flight_file.h"
+
+#include "editor/window/main_window.h"
+#include "editor/window/messages.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+
+namespace spacetow {
+
+namespace {
+
+struct FlightWords {
+    Q_DECLARE_TR_FUNCTIONS(FlightFile)
+};
+
+} // namespace
+
+QString FlightFile::savedWords(const QString& file, const Recording& recording) {
+    const QString saved =
+        FlightWords::tr("The flight has been saved as %1. Drop the file on a window to see it again.").arg(file);
+    if (recording.isWhole()) {
+        return saved;
+    }
+    return saved + QLatin1Char(' ') +
+           FlightWords::tr("It ends after %1 of %2 updates: a flight file holds no more.")
+               .arg(QLocale().toString(static_cast<qlonglong>(recording.run.updates())),
+                    QLocale().toString(static_cast<qlonglong>(recording.updates)));
+}
+
+void FlightFile::save() {
+    if (m_task.isRunning()) {
+        m_window.messageBar().say(MessageBar::Tone::Info, FlightWords::tr("Another flight is still being saved."));
+        return;
+    }
+    const QString levelPath = m_window.files().path().isEmpty() ? m_window.files().name() : m_window.files().path();
+    const QString folder = m_window.files().path().isEmpty() ? QDir::homePath() : QFileInfo(levelPath).path();
+    m_window.liveRun().setPaused(true); // while one looks for a name, the ship would fall
+    const QString suggested = QFileInfo(levelPath).completeBaseName() + QStringLiteral(".replay.json");
+    QString path = m_window.whereToSaveFlight(QDir(folder).filePath(suggested));
+    Runner* const runner = m_window.liveRun().runner();
+    if (path.isEmpty() || runner == nullptr) {
+        return;
+    }
+    if (!path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
+        path += QStringLiteral(".replay.json");
+    }
+    const std::string name = QFileInfo(levelPath).fileName().toStdString();
+    m_task.start([this, path, name, ask = runner->askRecording(),
+                  now = m_window.document().current().level](const std::stop_token&) -> BackgroundTask::Then {
+        Recording recording = ask();
+        Error error{"capsule-no-run", {}};
+        if (recording.start) { // the level may have been edited since: the flight then begins with becoming what it was
+            Replay replay = basedOn(recording.run, *recording.start, *now);
+            replay.level = name;
+            replay.levelHash = levelHash(*now);
+            const std::optional<Error> failed = writeReplay(path.toStdU16String(), replay);
+            if (!failed) {
+                return [this, path, recording] { say(path, recording); };
+            }
+            error = *failed;
+        }
+        return [this, error] { m_window.messageBar().say(MessageBar::Tone::Error, sentence(error)); };
+    });
+}
+
+void FlightFile::say(const QString& path, const Recording& recording) {
+    m_window.flights().setFile(m_window.files().path()); // it may stand beside the level
+    m_window.messageBar().say(recording.isWhole() ? MessageBar::Tone::Info : MessageBar::Tone::Warning,
+                              savedWords(QFileInfo(path).fileName(), recording));
+}
+
+} // namespace spacetow
