@@ -283,6 +283,15 @@ std::optional<double> timeOfImpact(const Part& a, const Motion& motionA, const P
     return cast.run();
 }
 
+// NOLINTNEXTLINE(readability-function-size): two parts on their ways, and how near
+std::optional<double> timeOfImpactAtOpenWall(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
+                                             double targetGap) {
+    if (const auto* wall = std::get_if<WallPart>(&a)) {
+        return castAgainstEnds({{a, motionA}, {b, motionB}, targetGap, true}, *wall);
+    }
+    return castAgainstEnds({{b, motionB}, {a, motionA}, targetGap, true}, std::get<WallPart>(b));
+}
+
 std::optional<RayContact> rayCast(const Part& part, const Transform& pose, const Vec2& from, const Vec2& to) {
     auto contact = std::visit(RayCaster{pose.toLocal(from), pose.toLocal(to)}, part);
     if (contact) {

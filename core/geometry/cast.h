@@ -29,6 +29,10 @@ struct Motion {
 std::optional<double> timeOfImpact(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
                                    double targetGap);
 
+/// The same where one of the parts is a wall whose face is open for the other: its free ends only.
+std::optional<double> timeOfImpactAtOpenWall(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
+                                             double targetGap);
+
 struct RayContact {
     double fraction = 0; // of the way
     Vec2 normal{0, 1};   // unit, world, out of the surface and against the ray

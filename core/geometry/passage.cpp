@@ -1,10 +1,10 @@
 #include "core/geometry/passage.h"
 
 #include "core/geometry/collide_pairs.h"
-#include "core/geometry/moved.h"
-#include "core/geometry/polygon_at_wall.h"
+#include "core/geometry/near_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace spacetow {
@@ -14,74 +14,110 @@ namespace {
 // m in front of a wall beyond which nothing counts as touching it
 constexpr double clearOfWall = 0.0005;
 
-/// What lies over a wall, in coordinates along it and above it, m.
-struct Profile {
-    Extent along;
-    double lowest = std::numeric_limits<double>::infinity();
-    Vec2 center{0, 0};
-    double deepest = 0; // of the centre and, for a piece of a concave polygon, of the centre of the whole
+/// The stretch over which something counts as being at the wall, m from its start: with what continues it in the same
+/// plane or ahead of it, as there is one door for both.
+struct Stretch {
+    double from, to;
+
+    explicit Stretch(const WallSide& side)
+        : from(side.start.kind == WallEnd::Kind::Smooth ? -(side.start.point - side.start.next).norm() : 0),
+          to(side.length + (side.end.kind == WallEnd::Kind::Smooth ? (side.end.next - side.end.point).norm() : 0)) {}
+
+    bool has(double t) const { return t >= from && t <= to; }
 };
 
-Profile profileOf(const WallSide& side, const Circle& circle) {
-    const double t = side.along(circle.center);
-    const double above = side.above(circle.center);
-    return {{t - circle.radius, t + circle.radius}, above - circle.radius, {t, above}, above};
-}
+constexpr double nothing = std::numeric_limits<double>::infinity();
 
-Profile profileOf(const WallSide& side, const ConvexPart& convex) {
-    const Vec2 center(side.along(convex.center), side.above(convex.center));
-    const double whole = isCut(convex) ? std::min(side.above(convex.whole), onTheFace) : center.y();
-    return {extentAlong(side, convex), side.above(cornerOf(convex, deepestCorner(convex, side.normal))), center,
-            std::max(center.y(), whole)};
-}
-
-/// Beyond a smooth joint what continues the wall lies in the same plane or ahead of it: there is one door for both.
-bool isOver(const WallSide& side, const Profile& profile) {
-    const double t = profile.center.x();
-    const bool beforeStart = t < 0 && side.start.kind != WallEnd::Kind::Smooth;
-    const bool beyondEnd = t > side.length && side.end.kind != WallEnd::Kind::Smooth;
-    return !beforeStart && !beyondEnd;
-}
-
-template <class Other>
-Passage passageAt(Passage before, const WallSide& side, const Other& other) {
-    const Profile profile = profileOf(side, other);
-    if (profile.lowest > clearOfWall || profile.along.to <= 0 || profile.along.from >= side.length) {
-        return Passage::None;
+double lowestOver(const Stretch& over, const Vec2& center, double radius) {
+    if (center.x() + radius <= over.from || center.x() - radius >= over.to) {
+        return nothing;
     }
-    if (isOver(side, profile) && profile.deepest < -side.depth - onTheFace) {
-        return Passage::Behind;
-    }
-    return before == Passage::None ? Passage::None : Passage::Between;
+    const double beside = std::clamp(center.x(), over.from, over.to) - center.x();
+    return center.y() - std::sqrt(std::max(radius * radius - beside * beside, 0.0));
 }
 
-struct PassageFinder {
-    Passage before;
-    const Transform& poseA;
-    const Transform& poseB;
+/// Of the segment from one point to another.
+double lowestOver(const Stretch& over, const Vec2& from, const Vec2& to) {
+    const Vec2& left = from.x() <= to.x() ? from : to;
+    const Vec2& right = from.x() <= to.x() ? to : from;
+    if (right.x() <= over.from || left.x() >= over.to) {
+        return nothing;
+    }
+    const auto heightAt = [&](double t) {
+        const double share = (t - left.x()) / (right.x() - left.x());
+        return left.y() + share * (right.y() - left.y());
+    };
+    const double atLeft = left.x() < over.from ? heightAt(over.from) : left.y();
+    const double atRight = right.x() > over.to ? heightAt(over.to) : right.y();
+    return std::min(atLeft, atRight);
+}
 
-    template <class Other>
-    Passage at(const WallPart& wall, const Other& other) const {
-        const bool lets = wall.oneWay && wall.depth < noBack;
-        // What is in front was never behind, as nearly always.
-        if (!lets || (before == Passage::None && cross(wall.b - wall.a, other.center - wall.a) >= 0)) {
-            return Passage::None;
+/// Takes in one part of a body after the other.
+struct Survey {
+    const WallSide& side;
+    const Passer& passer;
+    Stretch over{side};
+    double lowest = nothing;         // m above the face, of what is over the wall
+    double highest = -nothing;       // of all
+    double highestCenter = -nothing; // of the parts over the wall
+
+    Survey(const WallSide& s, const Passer& p) : side(s), passer(p) {
+        for (const Part& part : passer.parts) {
+            std::visit(*this, part);
         }
-        return passageAt(before, sideOf(wall, false), other);
     }
-    Passage operator()(const WallPart& a, const Circle& b) const {
-        return at(a, Circle{poseA.toLocal(poseB.toWorld(b.center)), b.radius});
+    Vec2 seen(const Vec2& local) const {
+        const Vec2 p = passer.pose.toWorld(local);
+        return {side.along(p), side.above(p)};
     }
-    Passage operator()(const WallPart& a, const ConvexPart& b) const { return at(moved(a, relative(poseA, poseB)), b); }
-    Passage operator()(const Circle& a, const WallPart& b) const { return PassageFinder{before, poseB, poseA}(b, a); }
-    Passage operator()(const ConvexPart& a, const WallPart& b) const {
-        return PassageFinder{before, poseB, poseA}(b, a);
+    void noteCenter(const Vec2& center) {
+        if (over.has(center.x())) {
+            highestCenter = std::max(highestCenter, center.y());
+        }
     }
-    template <class A, class B>
-    Passage operator()(const A&, const B&) const {
-        return Passage::None;
+    void operator()(const Circle& circle) {
+        const Vec2 center = seen(circle.center);
+        lowest = std::min(lowest, lowestOver(over, center, circle.radius));
+        highest = std::max(highest, center.y() + circle.radius);
+        noteCenter(center);
     }
+    void operator()(const WallPart& wall) {
+        const Vec2 from = seen(wall.a);
+        const Vec2 to = seen(wall.b);
+        lowest = std::min(lowest, lowestOver(over, from, to));
+        highest = std::max({highest, from.y(), to.y()});
+        noteCenter(0.5 * (from + to));
+    }
+    void operator()(const ConvexPart& convex) {
+        Vec2 from = seen(cornerOf(convex, convex.count - 1));
+        for (int i = 0; i < convex.count; ++i) {
+            const Vec2 to = seen(cornerOf(convex, i));
+            lowest = std::min(lowest, lowestOver(over, from, to));
+            highest = std::max(highest, to.y());
+            from = to;
+        }
+        noteCenter(seen(convex.center));
+    }
+
+    Passage passage(Passage before) const {
+        if (lowest > clearOfWall) {
+            return before == Passage::Between ? Passage::Left : Passage::None;
+        }
+        const Vec2 center = seen({0, 0});
+        const bool deep = center.y() < -side.depth - onTheFace;
+        // What hooks around an end has a part in front of the wall, and its centre behind.
+        const bool comes = isComing(before) || passer.parts.size() == 1 || highestCenter < -onTheFace;
+        if (deep && comes && over.has(center.x())) {
+            return Passage::Behind;
+        }
+        return isComing(before) ? Passage::Between : Passage::None;
+    }
+    static bool isComing(Passage before) { return before == Passage::Behind || before == Passage::Between; }
 };
+
+bool meet(const Vec2& a, const Vec2& b) {
+    return (a - b).squaredNorm() <= jointTolerance * jointTolerance;
+}
 
 /// The deeper of both contacts, or how far both are at least apart.
 Manifold deeper(const Manifold& a, const Manifold& b) {
@@ -94,17 +130,40 @@ Manifold deeper(const Manifold& a, const Manifold& b) {
 
 } // namespace
 
-// NOLINTNEXTLINE(readability-function-size): two parts where they are and were
-Passage nextPassage(Passage before, const Part& a, const Transform& poseA, const Part& b, const Transform& poseB) {
-    return std::visit(PassageFinder{before, poseA, poseB}, a, b);
+Passage nextPassage(Passage before, const WallPart& wall, const Passer& passer) {
+    return isNoPassage(before, wall, passer.pose.position) ? Passage::None
+                                                           : Survey(sideOf(wall, false), passer).passage(before);
 }
 
-Passage nextPassage(Passage before, const WallSide& side, const Circle& circle) {
-    const bool lets = side.depth < noBack;
-    if (!lets || (before == Passage::None && side.above(circle.center) >= 0)) {
-        return Passage::None;
+Passage nextPassage(Passage before, const WallSide& side, const Passer& passer) {
+    return isNoPassage(before, side, passer.pose.position) ? Passage::None : Survey(side, passer).passage(before);
+}
+
+bool isOnItsWay(Passage before, const WallPart& wall, const Passer& passer) {
+    if (before == Passage::None || before == Passage::Left) {
+        return false;
     }
-    return passageAt(before, side, circle);
+    const WallSide side = sideOf(wall, false);
+    const Survey survey(side, passer);
+    const Passage now = survey.passage(before);
+    return now == Passage::Between || (now == Passage::Behind && survey.highest > -side.depth);
+}
+
+bool hasJustLeft(Passage before, const WallPart& wall, const Passer& passer) {
+    return before == Passage::Left || nextPassage(before, wall, passer) == Passage::Left;
+}
+
+EdgeJoint jointOf(const WallPart& a, const WallPart& b) {
+    const auto leads = [](const WallPart& first, const WallPart& second) {
+        return first.joinedAtB && second.joinedAtA && meet(first.b, second.a) && meet(first.afterB, second.b);
+    };
+    const auto kind = [](const WallPart& first, const WallPart& second) {
+        const Vec2 before = first.b - first.a;
+        const Vec2 after = second.b - second.a;
+        constexpr double straight = 1e-6; // sine
+        return cross(before, after) > straight * before.norm() * after.norm() ? EdgeJoint::Hollow : EdgeJoint::Other;
+    };
+    return leads(a, b) ? kind(a, b) : (leads(b, a) ? kind(b, a) : EdgeJoint::None);
 }
 
 // NOLINTNEXTLINE(readability-function-size): two parts where they are, and how near

@@ -1,7 +1,6 @@
 #include "tests/support/contact_scenes.h"
 #include "tests/support/gaps.h"
 
-#include <span>
 #include <vector>
 
 using namespace spacetow;
@@ -16,11 +15,11 @@ QString nameOf(double depth) {
     return depth == noBack ? QString("infinite depth") : QString("depth %1").arg(depth);
 }
 
-void depthRows(bool infinite, std::size_t most = std::size(things)) {
+void depthRows(bool infinite) {
     QTest::addColumn<QString>("what");
     QTest::addColumn<double>("depth");
     QTest::addColumn<int>("iterations");
-    for (const char* what : std::span(things).first(most)) {
+    for (const char* what : things) {
         for (const double depth : depths) {
             if (depth == noBack && !infinite) {
                 continue;
@@ -121,11 +120,11 @@ class OneWayTest : public QObject {
         QFETCH(double, depth);
         QFETCH(int, iterations);
         for (int degrees = 0; degrees < 360; degrees += fullOrQuick(15, 75)) {
-            for (const double top : {-depth, -0.5 * depth, 0.0}) {
+            for (const double top : {-depth, -0.5 * depth, 0.0, 0.1}) {
                 Meeting meeting(what, depth, iterations, degrees, {0.3, -depth - 0.6}, {0, 1});
                 run(meeting.world, depth + 0.6 + top);
                 meeting.world.setVelocity(meeting.id, meeting.turn * Vec2(0, -1), 0);
-                run(meeting.world, 1);
+                run(meeting.world, 1.1);
                 QVERIFY2(std::abs(meeting.velocity().y() + 1) < 1e-9 && std::abs(meeting.velocity().x()) < 1e-9,
                          qPrintable(QString("%1°, turned at %2: velocity (%3, %4)")
                                         .arg(degrees)
@@ -154,8 +153,7 @@ class OneWayTest : public QObject {
         }
     }
 
-    // Not yet the ship: of a concave body each piece passes by itself.
-    void whatComesFromBehindPassesAcrossAJointOfTwoEdges_data() { depthRows(false, 3); }
+    void whatComesFromBehindPassesAcrossAJointOfTwoEdges_data() { depthRows(false); }
     void whatComesFromBehindPassesAcrossAJointOfTwoEdges() {
         QFETCH(QString, what);
         QFETCH(double, depth);

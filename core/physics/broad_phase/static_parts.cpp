@@ -4,6 +4,8 @@
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/moved.h"
 
+#include <algorithm>
+
 namespace spacetow {
 
 namespace {
@@ -13,6 +15,21 @@ bool isDeepWall(const Part& part) {
     const auto* wall = std::get_if<WallPart>(&part);
     return wall != nullptr && wall->oneWay && wall->depth > 0 &&
            wall->depth * wall->depth > (wall->b - wall->a).squaredNorm();
+}
+
+/// With what is behind hollow joints, where the face goes on: what comes from there has to be seen in time.
+Aabb boxToFind(const StaticGeometry::Collider& collider) {
+    constexpr double leastCosine = 0.5; // of half the bend; behind sharper ones it goes on without end
+    Aabb box = collider.bounds;
+    const WallSide& side = collider.side;
+    const auto* wall = std::get_if<WallPart>(&collider.shape);
+    for (const WallEnd* end : {&side.start, &side.end}) {
+        if (wall != nullptr && wall->oneWay && end->kind == WallEnd::Kind::Smooth) {
+            const Vec2 middle = (side.normal + end->nextNormal).normalized();
+            box.include(end->point - side.depth / std::max(middle.dot(side.normal), leastCosine) * middle);
+        }
+    }
+    return box;
 }
 
 Aabb segmentBox(const WallPart& wall) {
@@ -59,7 +76,7 @@ void buildStaticTrees(StaticGeometry& geometry) {
             backs.push_back({static_cast<std::uint32_t>(boxes.size()), backOf(collider.side), box});
             boxes.push_back(box);
         } else {
-            boxes.push_back(collider.bounds);
+            boxes.push_back(boxToFind(collider));
         }
     }
     geometry.tree = StaticQuadtree(std::move(boxes));

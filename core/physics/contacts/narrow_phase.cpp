@@ -8,6 +8,7 @@
 #include "core/physics/contacts/contact_pool.h"
 #include "core/physics/contacts/contact_rules.h"
 #include "core/physics/contacts/merge_contacts.h"
+#include "core/physics/contacts/open_walls.h"
 #include "core/physics/contacts/order_constraints.h"
 #include "core/physics/contacts/update_manifold.h"
 #include "core/physics/lanes/solver_kernels.h"
@@ -87,14 +88,18 @@ void updateCircles(const ContactStage& stage, std::uint32_t index, double perSec
     addCircleContact(stage, index, {normal, distance - radiusA - radiusB, radiusA, radiusB, 0}, perSecond);
 }
 
-/// Of a static edge and a circle; notes the passage, and of an open edge only the ends count.
+/// Of a static edge and a circle; of an open edge only the ends count.
 Manifold edgeManifold(const ContactStage& stage, std::uint32_t index, const Circle& circle, double margin) {
-    const Pair& pair = stage.contacts.table.pairs[index];
+    PairTable& table = stage.contacts.table;
+    const Pair& pair = table.pairs[index];
     const WallSide& side = stage.broadPhase.staticCollider(pair.collider).side;
-    Passage& passage = stage.contacts.table.flags[index].passage;
-    passage = nextPassage(passage, side, circle);
-    if (passage != Passage::Between) {
-        return sideAgainstCircle(side, circle, margin);
+    if (!isOpenForCircle(stage.bodies, table, index, side)) {
+        Manifold manifold = sideAgainstCircle(side, circle, margin);
+        manifold.apart = isChanging(table.flags[index].passage) ? 0 : manifold.apart;
+        const bool isNew = manifold.count > 0 && pair.contact == Pair::none;
+        if (!isNew || !opensAtContact(stage.bodies, table, index, manifold)) {
+            return manifold;
+        }
     }
     Manifold manifold = collideOpenWall(*pair.shapeB, {}, circle, {}, margin);
     manifold.apart = 0; // the wall may close at any time

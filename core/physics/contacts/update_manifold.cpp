@@ -6,6 +6,7 @@
 #include "core/physics/contacts/contact_pool.h"
 #include "core/physics/contacts/contact_rules.h"
 #include "core/physics/contacts/effective_mass.h"
+#include "core/physics/contacts/open_walls.h"
 
 #include <algorithm>
 
@@ -76,13 +77,17 @@ void keep(const Poses& poses, const Manifold& manifold, KeptManifold& kept) {
     }
 }
 
-/// Notes the passage of the pair: what is on its way through a one-way wall meets but the ends of that.
-Manifold manifoldOf(PairTable& table, std::uint32_t index, const Poses& poses, double margin) {
+/// What is on its way through a one-way wall meets but the ends of that.
+Manifold manifoldOf(const ContactStage& stage, std::uint32_t index, const Poses& poses, double margin) {
+    PairTable& table = stage.contacts.table;
     const Pair& pair = table.pairs[index];
-    Passage& passage = table.flags[index].passage;
-    passage = nextPassage(passage, *pair.shapeA, poses.a, *pair.shapeB, poses.b);
-    if (passage != Passage::Between) {
-        return collide(*pair.shapeA, poses.a, *pair.shapeB, poses.b, margin);
+    if (!isOpenFor(stage.bodies, table, index)) {
+        Manifold manifold = collide(*pair.shapeA, poses.a, *pair.shapeB, poses.b, margin);
+        manifold.apart = isChanging(table.flags[index].passage) ? 0 : manifold.apart;
+        const bool isNew = manifold.count > 0 && stage.contacts.pool[pair.contact].count == 0;
+        if (!isNew || !opensAtContact(stage.bodies, table, index, manifold)) {
+            return manifold;
+        }
     }
     Manifold manifold = collideOpenWall(*pair.shapeA, poses.a, *pair.shapeB, poses.b, margin);
     manifold.apart = 0; // the wall may close at any time
@@ -99,7 +104,7 @@ void makeManifold(const ContactStage& stage, std::uint32_t index, const Poses& p
     kept.tolerance =
         margin + (pair.staticB ? toleranceShareAtWalls * a.innerRadius
                                : std::max(toleranceShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
-    const Manifold manifold = manifoldOf(stage.contacts.table, index, poses, kept.tolerance);
+    const Manifold manifold = manifoldOf(stage, index, poses, kept.tolerance);
     matchPoints(contact, manifold);
     if (manifold.count == 0) {
         kept.relative = poses.relative;
@@ -109,7 +114,7 @@ void makeManifold(const ContactStage& stage, std::uint32_t index, const Poses& p
         keep(poses, manifold, kept);
         // The normal between two corners turns with every move, and a bounce wants the normal of its moment.
         if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0 ||
-            stage.contacts.table.flags[index].passage == Passage::Between) {
+            isChanging(stage.contacts.table.flags[index].passage)) {
             kept.tolerance = -1;
         }
     }

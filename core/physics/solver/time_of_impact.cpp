@@ -2,6 +2,7 @@
 
 #include "core/geometry/cast.h"
 #include "core/geometry/collide.h"
+#include "core/physics/contacts/open_walls.h"
 #include "core/physics/contacts/update_manifold.h"
 #include "core/physics/solver/contact_graph.h"
 
@@ -81,7 +82,8 @@ bool isHitByUnstoppable(const Bodies& bodies, const Pair& pair) {
 }
 
 /// What is stopped is taken along by what cannot be: until then both move.
-std::optional<double> timeOfImpactOf(const Bodies& bodies, const Pair& pair) {
+std::optional<double> timeOfImpactOf(const Bodies& bodies, const Contacts& contacts, std::uint32_t index) {
+    const Pair& pair = contacts.table.pairs[index];
     const double fractionA = bodies.steps[pair.bodyA].fraction;
     const double fractionB = pair.staticB ? 1 : bodies.steps[pair.bodyB].fraction;
     const bool bothYield =
@@ -96,7 +98,12 @@ std::optional<double> timeOfImpactOf(const Bodies& bodies, const Pair& pair) {
             return std::nullopt;
         }
     }
-    return timeOfImpact(*pair.shapeA, a, *pair.shapeB, b, gap);
+    const auto atOpenWall = [&] { return timeOfImpactAtOpenWall(*pair.shapeA, a, *pair.shapeB, b, gap); };
+    if (contacts.table.flags[index].passage == Passage::Between) {
+        return atOpenWall();
+    }
+    const std::optional<double> hit = timeOfImpact(*pair.shapeA, a, *pair.shapeB, b, gap);
+    return hit && isPassedByBody(bodies, contacts.table, index) ? atOpenWall() : hit;
 }
 
 /// Who may be stopped of a pair, and by whom what is stopped is then taken along.
@@ -191,8 +198,9 @@ bool stopDeepening(const ToiStage& stage, const Pair& pair) {
 }
 
 /// True when the motion of either body was cut short.
-bool sweepPair(const ToiStage& stage, const Pair& pair, const Stoppable& which) {
-    const std::optional<double> hit = timeOfImpactOf(stage.bodies, pair);
+bool sweepPair(const ToiStage& stage, std::uint32_t index, const Stoppable& which) {
+    const Pair& pair = stage.contacts.table.pairs[index];
+    const std::optional<double> hit = timeOfImpactOf(stage.bodies, stage.contacts, index);
     if (hit && *hit <= 0 && hasContact(stage.contacts, pair) && pair.kind == PairKind::General) {
         return stopDeepening(stage, pair);
     }
@@ -276,7 +284,7 @@ bool visit(const ToiStage& stage, ToiCandidate& candidate) {
     Stoppable which = stoppable(stage.bodies, pair);
     which.a = candidate.stopsA;
     which.b = candidate.stopsB;
-    return sweepPair(stage, pair, which);
+    return sweepPair(stage, candidate.pair, which);
 }
 
 } // namespace
@@ -291,7 +299,7 @@ double safeFraction(const Bodies& bodies, const Contacts& contacts, double least
         const Pair& pair = contacts.table.pairs[i];
         bool touches = hasContact(contacts, pair);
         if (!touches && isHitByUnstoppable(bodies, pair)) {
-            const double hit = timeOfImpactOf(bodies, pair).value_or(1);
+            const double hit = timeOfImpactOf(bodies, contacts, static_cast<std::uint32_t>(i)).value_or(1);
             touches = hit <= 0;
             impact = touches ? impact : std::min(impact, std::max(hit, leastFraction));
         }
