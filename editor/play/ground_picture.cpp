@@ -3,6 +3,7 @@
 #include "editor/canvas/scene_painter.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace spacetow {
 
@@ -14,48 +15,104 @@ bool isStatic(const BodyPicture& body) {
     return body.look->kind == BodyKind::Static;
 }
 
+bool standsAlike(const BodyPicture& a, const BodyPicture& b) {
+    return a.look == b.look && a.pose.position == b.pose.position && a.pose.rotation == b.pose.rotation;
+}
+
+int roomAround(const Frame2D& frame) {
+    const QSize size = frame.deviceSize();
+    return std::min(size.width(), size.height()) / ahead;
+}
+
 } // namespace
 
 void GroundPicture::draw(QPainter& painter, const Frame2D& frame, const Snapshot& snapshot, const Theme& theme) {
     if (!stillStands(snapshot)) {
-        take(snapshot);
-        m_layer.discard();
+        m_standing = taken(snapshot);
+        m_isOld = m_layer.isValid();
     }
-    const bool painted = m_layer.canShiftTo(frame) && m_layer.frame().all().contains(m_layer.frame().rectOf(frame));
-    if (!painted) {
-        const QSize size = frame.deviceSize();
-        const Frame2D wide = frame.grown(std::min(size.width(), size.height()) / ahead);
-        const QRegion missing = m_layer.missingIn(wide);
-        m_layer.shiftTo(wide);
-        m_layer.paint(missing, theme, [&](const Stage& stage) { paintStatics(stage, snapshot, m_ground); });
+    if (m_standing->isMuch) {
+        paintBeside(frame, theme);
+    } else if (!shows(frame)) {
+        if (std::exchange(m_isOld, false)) {
+            m_layer.discard();
+        }
+        paint(m_layer, frame.grown(roomAround(frame)), *m_standing, theme);
     }
     m_layer.draw(painter, frame);
 }
 
+void GroundPicture::forget() {
+    m_standing.reset(); // what is being painted of it will not be taken
+    m_layer.discard();
+    m_isOld = false;
+}
+
+bool GroundPicture::shows(const Frame2D& frame) const {
+    return !m_isOld && m_layer.canShiftTo(frame) && m_layer.frame().all().contains(m_layer.frame().rectOf(frame));
+}
+
+void GroundPicture::paint(PictureLayer& layer, const Frame2D& frame, Standing& standing, const Theme& theme) {
+    if (!standing.ground) {
+        standing.ground = std::make_unique<const Ground>(groundOf(standing.bodies));
+    }
+    const QRegion missing = layer.missingIn(frame);
+    layer.shiftTo(frame);
+    layer.paint(missing, theme, [&](const Stage& stage) { paintStatics(stage, standing.bodies, *standing.ground); });
+}
+
+/// One picture at a time, and the next before the view has left this one.
+void GroundPicture::paintBeside(const Frame2D& frame, const Theme& theme) {
+    if (m_task.isRunning() || shows(frame.grown(roomAround(frame) / 2))) {
+        return;
+    }
+    const PictureLayer before = m_isOld ? PictureLayer() : m_layer;
+    const Frame2D wide = frame.grown(roomAround(frame));
+    m_task.start([this, before, wide, standing = m_standing, &theme](const std::stop_token&) -> BackgroundTask::Then {
+        PictureLayer layer = before;
+        paint(layer, wide, *standing, theme);
+        return [this, layer, standing] {
+            if (standing == m_standing) {
+                m_layer = layer;
+                m_isOld = false;
+            }
+            if (painted) {
+                painted();
+            }
+        };
+    });
+}
+
 bool GroundPicture::stillStands(const Snapshot& snapshot) const {
+    if (!m_standing) {
+        return false;
+    }
+    const std::vector<BodyPicture>& standing = m_standing->bodies.bodies;
     std::size_t count = 0;
     for (const BodyPicture& body : snapshot.bodies) {
         if (!isStatic(body)) {
             break; // they come first
         }
-        if (count == m_standing.size() ||
-            !(m_standing[count] == Standing{body.look, body.pose.position, body.pose.rotation})) {
+        if (count == standing.size() || !standsAlike(standing[count], body)) {
             return false;
         }
         ++count;
     }
-    return count == m_standing.size();
+    return count == standing.size();
 }
 
-void GroundPicture::take(const Snapshot& snapshot) {
-    m_standing.clear();
+std::shared_ptr<GroundPicture::Standing> GroundPicture::taken(const Snapshot& snapshot) {
+    auto standing = std::make_shared<Standing>();
+    std::size_t shapes = 0;
     for (const BodyPicture& body : snapshot.bodies) {
         if (!isStatic(body)) {
             break;
         }
-        m_standing.push_back({body.look, body.pose.position, body.pose.rotation});
+        standing->bodies.bodies.push_back(body);
+        shapes += body.look->shapes.size();
     }
-    m_ground = groundOf(snapshot);
+    standing->isMuch = shapes > few;
+    return standing;
 }
 
 } // namespace spacetow

@@ -1,35 +1,49 @@
 #pragma once
 // What stands still in a running game, kept as a picture: rock, walls, static bodies. It is painted some way beyond the
-// view, so that most frames only shift it.
+// view, so that most frames only shift it; where there is so much of it that the window would stand still meanwhile,
+// beside the window.
 
 #include "core/game/snapshot.h"
+#include "editor/canvas/background_task.h"
 #include "editor/canvas/picture_layer.h"
 #include "editor/canvas/wall_painter.h"
 
-#include <vector>
+#include <functional>
+#include <memory>
 
 namespace spacetow {
 
 class GroundPicture {
   public:
-    /// The frame's view is aligned to pixels.
+    /// Walls and bodies that are painted within the frame that asks for them.
+    static constexpr std::size_t few = 2000;
+
+    /// The frame's view is aligned to pixels. Of what is being painted beside the window, the last picture is shown.
     void draw(QPainter& painter, const Frame2D& frame, const Snapshot& snapshot, const Theme& theme);
-    void forget() { *this = {}; }
+    void forget();
+    /// Once what was painted beside the window is there.
+    std::function<void()> painted;
+    bool isPainting() const { return m_task.isRunning(); }
+    /// Waits for what is being painted.
+    void finish() { m_task.finish(); }
 
   private:
+    /// What stands, and its walls once they are asked for, which is by one thread at a time.
     struct Standing {
-        std::shared_ptr<const BodyLook> look;
-        Vec2 position;
-        Rot rotation;
-
-        bool operator==(const Standing&) const = default;
+        Snapshot bodies;
+        std::unique_ptr<const Ground> ground;
+        bool isMuch = false;
     };
     bool stillStands(const Snapshot& snapshot) const;
-    void take(const Snapshot& snapshot);
+    static std::shared_ptr<Standing> taken(const Snapshot& snapshot);
+    static void paint(PictureLayer& layer, const Frame2D& frame, Standing& standing, const Theme& theme);
+    bool shows(const Frame2D& frame) const;
+    void paintBeside(const Frame2D& frame, const Theme& theme);
 
-    std::vector<Standing> m_standing;
-    Ground m_ground; // their walls
+    std::shared_ptr<Standing> m_standing;
     PictureLayer m_layer;
+    bool m_isOld = false; // the layer shows what stood before
+    BackgroundTask m_task;
 };
 
 } // namespace spacetow

@@ -45,6 +45,7 @@ LiveView::LiveView(Document& document, Toolbox& toolbox, Canvas& canvas, LiveRun
         }
     });
     connect(&run, &LiveRun::stopped, this, [this] { m_menu->hide(); });
+    m_ground.painted = [this] { m_canvas.update(); };
 }
 
 LiveView::~LiveView() {

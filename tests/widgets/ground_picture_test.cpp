@@ -32,6 +32,20 @@ Frame2D frameAt(const Vec2& center, double scale) {
     return {alignedToPixels(view, 1), 1};
 }
 
+/// With so many walls that they are painted beside the window.
+Level manyWalls() {
+    Level level = cave();
+    BodyObject wave;
+    std::vector<Vec2> points;
+    for (int i = 0; i <= static_cast<int>(GroundPicture::few); ++i) {
+        points.emplace_back(-5 + 10.0 * i / static_cast<double>(GroundPicture::few), i % 2 == 0 ? -2.0 : -2.3);
+    }
+    wave.shapes.emplace_back(EdgeChain{points, false, 0.2});
+    wave.filter.tags = TagMask::bit(wallTag);
+    level.objects.append({600, {}, wave, {}});
+    return level;
+}
+
 template <class Paint>
 QImage paintedFrame(const Frame2D& frame, Paint paint) {
     QImage image(frame.deviceSize(), QImage::Format_ARGB32_Premultiplied);
@@ -92,6 +106,54 @@ class GroundPictureTest : public QObject {
         kept(ground, frame, *first);
         QVERIFY(alike(kept(ground, frame, *second), fromScratch(frame, *second)));
         QVERIFY(!alike(kept(ground, frame, *first), fromScratch(frame, *second)));
+    }
+
+    void whatIsMuchIsPaintedBesideTheWindow() {
+        const auto snapshot = Session(manyWalls()).snapshot();
+        const Frame2D frame = frameAt({0, 0}, 40);
+        const QImage blank = paintedFrame(frame, [](QPainter&) {});
+        GroundPicture ground;
+        int told = 0;
+        ground.painted = [&told] { ++told; };
+        QCOMPARE(kept(ground, frame, *snapshot), blank); // and nobody has waited
+        QTRY_COMPARE(told, 1);
+        QVERIFY(alike(kept(ground, frame, *snapshot), fromScratch(frame, *snapshot)));
+        QVERIFY(!ground.isPainting());
+        const Frame2D further = frameAt({0.5, 0.2}, 40); // within what was painted beyond the view
+        QVERIFY(alike(kept(ground, further, *snapshot), fromScratch(further, *snapshot)));
+        QVERIFY(ground.isPainting()); // what comes next
+        ground.finish();
+        const Frame2D next = frameAt({1.2, 0.4}, 40);
+        QVERIFY(alike(kept(ground, next, *snapshot), fromScratch(next, *snapshot)));
+    }
+
+    void theLastPictureStaysUntilTheNextIsThere() {
+        const auto first = Session(manyWalls()).snapshot();
+        Level moved = manyWalls();
+        Object pillar = *moved.objects.find(501);
+        std::get<BodyObject>(pillar.data).position = Vec2(-2, 0);
+        moved.objects.replace(moved.objects.indexOf(501), pillar);
+        const auto second = Session(moved).snapshot();
+        const Frame2D frame = frameAt({0, 0}, 40);
+        GroundPicture ground;
+        kept(ground, frame, *first);
+        ground.finish();
+        QVERIFY(alike(kept(ground, frame, *second), fromScratch(frame, *first)));
+        ground.finish();
+        QVERIFY(alike(kept(ground, frame, *second), fromScratch(frame, *second)));
+    }
+
+    void whatIsForgottenWhileItIsPaintedIsNotShown() {
+        const auto snapshot = Session(manyWalls()).snapshot();
+        const Frame2D frame = frameAt({0, 0}, 40);
+        const QImage blank = paintedFrame(frame, [](QPainter&) {});
+        GroundPicture ground;
+        kept(ground, frame, *snapshot);
+        ground.forget();
+        ground.finish();
+        QCOMPARE(kept(ground, frame, *snapshot), blank);
+        ground.finish();
+        QVERIFY(alike(kept(ground, frame, *snapshot), fromScratch(frame, *snapshot)));
     }
 };
 
