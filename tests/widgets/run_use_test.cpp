@@ -1,5 +1,6 @@
 // What people do with a run in the window besides looking at it: step it by keys, zoom, draw, save it, cure the level.
 
+#include "core/level/bounds.h"
 #include "editor/window/preferences.h"
 #include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
@@ -116,6 +117,46 @@ class RunUseTest : public QObject {
         test.trigger(Act::Stop);
         QVERIFY(test.window->toolbox().snap == snap);
         QVERIFY(Preferences().snap() == snap);
+    }
+
+    void aKeyThatTheGameHasMovesNoView() {
+        TestWindow test;
+        test.window->openExample();
+        PlayKeys keys = test.window->liveRun().keys();
+        keys.set(PlayKey::Thrust, {QKeySequence("4")});
+        test.window->liveView().setKeys(keys);
+        test.trigger(Act::Play);
+        const double scale = test.canvas().view().scale;
+        QTest::keyPress(&test.canvas(), Qt::Key_4);
+        QTRY_COMPARE(test.window->liveRun().phase(), Phase::Flying);
+        QCOMPARE(test.canvas().view().scale, scale);
+        QTest::keyRelease(&test.canvas(), Qt::Key_4);
+        QTest::keyClick(&test.canvas(), Qt::Key_Minus);
+        QVERIFY(test.canvas().view().scale < scale);
+    }
+
+    void aCureKeepsTheViewUnlessWhatItCuredIsOutOfSight() {
+        TestWindow test;
+        Level level;
+        level.objects.append(
+            {1, {}, BodyObject{.shapes = {Polygon{{{0, 0}, {0, 1}, {1, 1}, {1, 0}}}}}, {}}); // clockwise
+        test.document().commit({"draw", 1}, {std::make_shared<const Level>(level), Selection()});
+        ProblemsPanel& panel = test.window->problems();
+        panel.check();
+        panel.go(1);
+        QVERIFY(panel.canFixCurrent());
+        const Aabb box = boundsOf(test.level(), std::vector<Key>{panel.currentProblem()->object});
+        Viewport view = test.canvas().view();
+        view.center = box.center() + Vec2(0.4 * view.size.x() / view.scale, 0);
+        test.canvas().setView(view);
+        panel.fixCurrent();
+        QVERIFY(test.canvas().view().center == view.center);
+        test.trigger(Act::Undo);
+        view.center = box.center() + Vec2(1000, 0);
+        test.canvas().setView(view);
+        panel.check();
+        panel.fixCurrent();
+        QVERIFY(test.canvas().view().visible().overlaps(box));
     }
 };
 
