@@ -9,7 +9,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPixmap>
-#include <QResizeEvent>
 
 #include <algorithm>
 #include <utility>
@@ -42,8 +41,8 @@ QString percentText(const std::optional<double>& share) {
 } // namespace
 
 PlotPanel::PlotPanel(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_column(this), m_row(new WrappingRow), m_curves(new WrappingRow),
-      m_view(m_history) {
+    : QWidget(parent), m_document(document), m_all(this), m_column(&m_page), m_row(new WrappingRow),
+      m_curves(new WrappingRow), m_view(m_history) {
     layOut();
     m_history.watch({{0, PlotQuantity::Energy}, {0, PlotQuantity::Kinetic}, {0, PlotQuantity::Potential}});
     connect(&m_add, &QToolButton::clicked, this, [this] {
@@ -81,6 +80,12 @@ PlotPanel::~PlotPanel() {
 }
 
 void PlotPanel::layOut() {
+    m_all.setContentsMargins(0, 0, 0, 0);
+    m_all.addWidget(&m_scroll);
+    m_scroll.setFrameShape(QFrame::NoFrame);
+    m_scroll.setFocusPolicy(Qt::NoFocus);
+    m_scroll.setWidgetResizable(true);
+    m_scroll.setWidget(&m_page);
     m_column.setContentsMargins(4, 4, 4, 4);
     m_column.setSpacing(4);
     m_column.addLayout(m_row);
@@ -111,19 +116,6 @@ void PlotPanel::layOut() {
                                         "that all bodies had")));
     m_view.setEmptyText(tr("Select a body or a connector, choose a quantity and add its curve. It grows while the "
                            "level is played or simulated."));
-}
-
-QSize PlotPanel::minimumSizeHint() const {
-    constexpr int least = 220;   // px
-    constexpr int highest = 280; // px, for which there is room in the smallest window
-    return {least, std::min(highest, m_column.minimumHeightForWidth(std::max(least, width())))};
-}
-
-void PlotPanel::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    if (event->size().width() != event->oldSize().width()) {
-        updateGeometry();
-    }
 }
 
 Key PlotPanel::selected() const {

@@ -10,6 +10,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWidget>
@@ -46,8 +47,8 @@ class PlotPanel : public QWidget {
     std::vector<QToolButton*> curveButtons() const;
 
     QSize sizeHint() const override { return {360, 260}; }
-    /// The curves keep their room, however many lines their names take.
-    QSize minimumSizeHint() const override;
+    /// The curves keep their room, however many lines their names take: what is more than the panel is high scrolls.
+    QSize minimumSizeHint() const override { return {240, 120}; }
 
   Q_SIGNALS:
     /// The user wants the table as a file.
@@ -56,7 +57,6 @@ class PlotPanel : public QWidget {
   protected:
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void layOut();
@@ -72,6 +72,9 @@ class PlotPanel : public QWidget {
     bool m_runs = false;
     int m_futures = 0;       // that are known to have begun
     bool m_inUpdate = false; // what is shown is in the middle of one
+    QVBoxLayout m_all;
+    QScrollArea m_scroll;
+    QWidget m_page;
     QVBoxLayout m_column;
     WrappingRow* m_row;    // owned by the column
     WrappingRow* m_curves; // likewise

@@ -44,7 +44,7 @@ class PlotView : public QWidget {
     /// Of the curve with this number, on the ground of the palette.
     static QColor curveColor(std::size_t curve, const QPalette& palette);
 
-    QSize sizeHint() const override { return {320, 200}; }
+    QSize sizeHint() const override { return {320, 110}; }
     QSize minimumSizeHint() const override { return {160, 90}; }
 
   protected:

@@ -8,6 +8,7 @@
 #include "tests/support/window.h"
 
 #include <QDir>
+#include <QDockWidget>
 #include <QScreen>
 #include <QToolBar>
 
@@ -181,6 +182,24 @@ class ScreensTest : public QObject {
             QCOMPARE(withinScreen(dialog->size(), dialog->screen()->availableGeometry().size()), dialog->size());
         }
         save(keys, QStringLiteral("keys %1").arg(QLatin1String(dark ? "dark" : "light")));
+    }
+
+    void withAllPanelsTheWindowIsNoHigherThanHalfAFullHdScreen() {
+        constexpr int most = 500; // px: 1080 at a scale of 2, without the desktop's bars
+        TestWindow test;
+        test.window->openExample();
+        QStringList heights;
+        for (const PanelRow& row : panelRows()) {
+            QDockWidget& dock = test.window->panels().dock(QLatin1String(row.name));
+            dock.show();
+            heights
+                << QStringLiteral("%1 %2").arg(QLatin1String(row.name)).arg(dock.widget()->minimumSizeHint().height());
+        }
+        test.trigger(Act::Simulate);
+        QApplication::processEvents();
+        const int height = test.window->minimumSizeHint().height();
+        heights << QStringLiteral("all %1").arg(height);
+        QVERIFY2(height <= most, qPrintable(heights.join(QStringLiteral(", "))));
     }
 
     void everyActionOfABarIsReachedInTheSmallestWindow() {
