@@ -19,7 +19,8 @@ struct Door {
     const WallPart* wall;
     const Part* part;
     Slot body;
-    Transform pose; // of the body, in the coordinates of the wall
+    Transform pose;     // of the body, in the coordinates of the wall
+    Transform partPose; // likewise; parts of static bodies are in world coordinates
 };
 
 std::optional<Door> doorOf(const Bodies& bodies, const Pair& pair) {
@@ -30,12 +31,16 @@ std::optional<Door> doorOf(const Bodies& bodies, const Pair& pair) {
         return std::nullopt;
     }
     const Transform a = bodies.plannedMotions[pair.bodyA].pose();
+    if (pair.staticB && wallA != nullptr) {
+        return Door{wall, pair.shapeB, pair.bodyB, relative(bodies.pose(pair.bodyB), a), relative({}, a)};
+    }
     if (pair.staticB) {
-        return Door{wall, pair.shapeA, pair.bodyA, a};
+        return Door{wall, pair.shapeA, pair.bodyA, a, a};
     }
     const Transform b = bodies.plannedMotions[pair.bodyB].pose();
-    return wallA != nullptr ? Door{wall, pair.shapeB, pair.bodyB, relative(b, a)}
-                            : Door{wall, pair.shapeA, pair.bodyA, relative(a, b)};
+    const Transform pose = wallA != nullptr ? relative(b, a) : relative(a, b);
+    return wallA != nullptr ? Door{wall, pair.shapeB, pair.bodyB, pose, pose}
+                            : Door{wall, pair.shapeA, pair.bodyA, pose, pose};
 }
 
 Passer passerAt(const Bodies& bodies, const Door& door) {
@@ -50,7 +55,7 @@ Vec2 centerOf(const Part& part) {
 /// Whether the part itself is no farther behind the wall than the depth, so that the face would stop it.
 bool isHeldBack(const Door& door) {
     const WallSide face = faceOf(*door.wall, false);
-    return face.above(door.pose.toWorld(centerOf(*door.part))) >= -face.depth - onTheFace;
+    return face.above(door.partPose.toWorld(centerOf(*door.part))) >= -face.depth - onTheFace;
 }
 
 /// The pairs of a body with walls in the same coordinates as that of the pair: of its own body, or static.
@@ -76,7 +81,7 @@ class Chain {
 
     Chain(const Bodies& bodies, const PairTable& table, std::uint32_t index, Count count)
         : m_bodies(bodies), m_table(table), m_pair(table.pairs[index]), m_range(pairsAlong(table, m_pair)),
-          m_orJustLeft(count == Count::OrJustLeft) {}
+          m_body(bodyAt(m_pair)), m_orJustLeft(count == Count::OrJustLeft) {}
 
     /// Of another part through the same wall: pairs of parts come and go.
     Passage passageOfBody(const WallPart& wall) const {
@@ -118,6 +123,9 @@ class Chain {
     }
 
   private:
+    static Slot bodyAt(const Pair& pair) {
+        return std::holds_alternative<WallPart>(*pair.shapeA) ? pair.bodyB : pair.bodyA;
+    }
     static bool isSame(const WallPart& a, const WallPart& b) { return a.a == b.a && a.b == b.b; }
     bool hasReached(const WallPart& wall) const {
         return std::ranges::any_of(m_reached, [&](const WallPart* reached) { return isSame(*reached, wall); });
@@ -130,7 +138,7 @@ class Chain {
                 continue;
             }
             const std::optional<Door> door = doorOf(m_bodies, pair);
-            if (door && test(*door, m_table.flags[i].passage)) {
+            if (door && door->body == m_body && test(*door, m_table.flags[i].passage)) {
                 return true;
             }
         }
@@ -141,6 +149,7 @@ class Chain {
     const PairTable& m_table;
     const Pair& m_pair;
     PairRange m_range;
+    Slot m_body; // that meets the wall
     bool m_orJustLeft;
     std::vector<const WallPart*> m_reached;
 };
