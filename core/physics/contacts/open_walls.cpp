@@ -4,6 +4,9 @@
 #include "core/physics/def/tolerances.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory_resource>
 #include <optional>
 #include <vector>
 
@@ -81,7 +84,9 @@ class Chain {
 
     Chain(const Bodies& bodies, const PairTable& table, std::uint32_t index, Count count)
         : m_bodies(bodies), m_table(table), m_pair(table.pairs[index]), m_range(pairsAlong(table, m_pair)),
-          m_body(bodyAt(m_pair)), m_orJustLeft(count == Count::OrJustLeft) {}
+          m_body(bodyAt(m_pair)), m_orJustLeft(count == Count::OrJustLeft) {
+        m_reached.reserve(usualCount);
+    }
 
     /// Of another part through the same wall: pairs of parts come and go.
     Passage passageOfBody(const WallPart& wall) const {
@@ -105,7 +110,8 @@ class Chain {
     /// Of others than the pair itself; through hollow joints, too, or not: there what passes one wall may meet the
     /// front of the next.
     bool isPassedAnywhere(const WallPart& from, bool throughHollow) {
-        m_reached = {&from};
+        m_reached.clear();
+        m_reached.push_back(&from);
         for (std::size_t i = 0; i < m_reached.size(); ++i) {
             if (isPassed(*m_reached[i])) {
                 return true;
@@ -151,7 +157,12 @@ class Chain {
     PairRange m_range;
     Slot m_body; // that meets the wall
     bool m_orJustLeft;
-    std::vector<const WallPart*> m_reached;
+
+    // Room for as many joined walls as a body usually meets: a steady update allocates nothing.
+    static constexpr std::size_t usualCount = 64;
+    std::array<std::byte, usualCount * sizeof(const WallPart*)> m_buffer;
+    std::pmr::monotonic_buffer_resource m_memory{m_buffer.data(), m_buffer.size()};
+    std::pmr::vector<const WallPart*> m_reached{&m_memory};
 };
 
 /// Whether the parts move apart at all points of a contact.
