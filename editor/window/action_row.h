@@ -32,6 +32,7 @@ enum ActionFlag : unsigned {
     WithoutLevel = 1u << 12,   // also while the welcome page is shown; all others rest then
     WhileStarting = 1u << 13,  // with OnlyPlaying: also while what is to run is being built
     WithPanels = 1u << 14,     // while a game is running as well, once its panels are shown
+    YieldsToGame = 1u << 15,   // with WhilePlaying: a key that the game has is the game's first
 };
 
 struct ActionRow {

@@ -24,7 +24,8 @@ std::vector<KeyOwner> makeKeyOwners() {
                           .place = menuPath(row.menu),
                           .usual = keysOf(row),
                           .whileEditing = (row.flags & OnlyPlaying) == 0,
-                          .whilePlaying = (row.flags & WhilePlaying) != 0});
+                          .whilePlaying = (row.flags & WhilePlaying) != 0,
+                          .yieldsToGame = (row.flags & YieldsToGame) != 0});
     }
     for (const PanelRow& row : panelRows()) {
         owners.push_back({.code = codeOf(row),
@@ -102,7 +103,9 @@ const KeyOwner* keyOwner(const QString& code) {
 }
 
 bool meet(const KeyOwner& one, const KeyOwner& other) {
-    return (one.whileEditing && other.whileEditing) || (one.whilePlaying && other.whilePlaying);
+    const bool yields =
+        (one.yieldsToGame && other.inGame != PlayKey::None) || (other.yieldsToGame && one.inGame != PlayKey::None);
+    return (one.whileEditing && other.whileEditing) || (one.whilePlaying && other.whilePlaying && !yields);
 }
 
 QList<QKeySequence> KeyBindings::keys(const KeyOwner& owner) const {
@@ -186,7 +189,7 @@ QString objectionTo(const QKeySequence& key, const KeyOwner& owner) {
         !owner.usual.contains(QKeySequence(Qt::Key_Tab))) {
         return KeyTexts::tr("%1 goes from field to field and cannot be given away.").arg(shown);
     }
-    if (owner.whilePlaying && isPlainKey(key[0]) && !owner.usual.contains(key)) {
+    if (owner.whilePlaying && !owner.yieldsToGame && isPlainKey(key[0]) && !owner.usual.contains(key)) {
         return KeyTexts::tr(
                    "“%1” works while a game is running too, when plain keys are the game's: use Ctrl, Alt or a "
                    "function key with it.")

@@ -23,6 +23,7 @@ struct KeyOwner {
     QList<QKeySequence> usual; // the keys it comes with, the first is the one that is shown
     bool whileEditing = true;
     bool whilePlaying = false;
+    bool yieldsToGame = false;      // a key that the game has too is the game's while a game is running
     PlayKey inGame = PlayKey::None; // of the game itself
 };
 
