@@ -1539,8 +1539,8 @@
         <translation>Der Lauf verläuft hier anders als dort, wo die Fehlerkapsel entstand, mit %1 auf %2.</translation>
     </message>
     <message>
-        <source>The run of the bug capsule is being simulated up to its moment…</source>
-        <translation>Der Lauf der Fehlerkapsel wird bis zu seinem Augenblick simuliert …</translation>
+        <source>The bug capsule is being read…</source>
+        <translation>Die Fehlerkapsel wird gelesen …</translation>
     </message>
 </context>
 <context>
@@ -1695,6 +1695,29 @@
     <message>
         <source>Guides: in another order</source>
         <translation>Hilfslinien: in anderer Reihenfolge</translation>
+    </message>
+</context>
+<context>
+    <name>CrashWords</name>
+    <message>
+        <source>The ship hit the payload.</source>
+        <translation>Das Schiff ist gegen die Fracht gestoßen.</translation>
+    </message>
+    <message>
+        <source>The ship hit “%1”.</source>
+        <translation>Das Schiff ist gegen „%1“ gestoßen.</translation>
+    </message>
+    <message>
+        <source>The payload hit “%1”.</source>
+        <translation>Die Fracht ist gegen „%1“ gestoßen.</translation>
+    </message>
+    <message>
+        <source>The ship hit something tagged “%1”.</source>
+        <translation>Das Schiff ist gegen etwas mit dem Merkmal „%1“ gestoßen.</translation>
+    </message>
+    <message>
+        <source>The payload hit something tagged “%1”.</source>
+        <translation>Die Fracht ist gegen etwas mit dem Merkmal „%1“ gestoßen.</translation>
     </message>
 </context>
 <context>
@@ -1940,6 +1963,21 @@
     <message>
         <source>Compare with level</source>
         <translation>Mit Level vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>FlightFile</name>
+    <message>
+        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>Der Flug wurde als %1 gespeichert. Ziehen Sie die Datei auf ein Fenster, um ihn wieder anzusehen.</translation>
+    </message>
+    <message>
+        <source>It ends after %1 of %2 updates: a flight file holds no more.</source>
+        <translation>Er endet nach %1 von %2 Schritten: Mehr fasst eine Flugdatei nicht.</translation>
+    </message>
+    <message>
+        <source>Another flight is still being saved.</source>
+        <translation>Ein anderer Flug wird noch gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -2910,10 +2948,6 @@
         <translation>Normale</translation>
     </message>
     <message>
-        <source>Force; 1 m is the weight of the lighter one</source>
-        <translation>Kraft; 1 m ist das Gewicht des leichteren Körpers</translation>
-    </message>
-    <message>
         <source>Pressed to half its length</source>
         <translation>Auf die halbe Länge gedrückt</translation>
     </message>
@@ -2964,6 +2998,10 @@
     <message>
         <source>The color of the first tag; a dot for each further one</source>
         <translation>Die Farbe des ersten Merkmals; ein Punkt für jedes weitere</translation>
+    </message>
+    <message>
+        <source>Force; 1 m is the weight of the lighter one, 2 m ten times as much</source>
+        <translation>Kraft; 1 m ist das Gewicht des leichteren, 2 m zehnmal so viel</translation>
     </message>
 </context>
 <context>
@@ -6589,10 +6627,6 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <translation>%1 fps</translation>
     </message>
     <message>
-        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
-        <translation>Der Flug wurde als %1 gespeichert. Ziehen Sie die Datei auf ein Fenster, um ihn wieder anzusehen.</translation>
-    </message>
-    <message>
         <source>The plots are in “%1”.</source>
         <translation>Die Kurven stehen in „%1“.</translation>
     </message>
@@ -6663,6 +6697,10 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>Too much for this computer: %1 s behind real time · %2: back to the editor</source>
         <translation>Zu viel für diesen Rechner: %1 s hinter der Echtzeit · %2: zurück zum Editor</translation>
+    </message>
+    <message>
+        <source>Simulating the run: %1 of %2 s so far · %3: leave it</source>
+        <translation>Der Lauf wird simuliert: bisher %1 von %2 s · %3: abbrechen</translation>
     </message>
 </context>
 <context>

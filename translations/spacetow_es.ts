@@ -1539,8 +1539,8 @@
         <translation>La ejecución resulta aquí distinta de la de donde se creó la cápsula de error, con %1 en %2.</translation>
     </message>
     <message>
-        <source>The run of the bug capsule is being simulated up to its moment…</source>
-        <translation>La ejecución de la cápsula de error se simula hasta su momento…</translation>
+        <source>The bug capsule is being read…</source>
+        <translation>Se está leyendo la cápsula de error…</translation>
     </message>
 </context>
 <context>
@@ -1695,6 +1695,29 @@
     <message>
         <source>Guides: in another order</source>
         <translation>Guías: en otro orden</translation>
+    </message>
+</context>
+<context>
+    <name>CrashWords</name>
+    <message>
+        <source>The ship hit the payload.</source>
+        <translation>La nave ha chocado con la carga.</translation>
+    </message>
+    <message>
+        <source>The ship hit “%1”.</source>
+        <translation>La nave ha chocado con «%1».</translation>
+    </message>
+    <message>
+        <source>The payload hit “%1”.</source>
+        <translation>La carga ha chocado con «%1».</translation>
+    </message>
+    <message>
+        <source>The ship hit something tagged “%1”.</source>
+        <translation>La nave ha chocado con algo con la etiqueta «%1».</translation>
+    </message>
+    <message>
+        <source>The payload hit something tagged “%1”.</source>
+        <translation>La carga ha chocado con algo con la etiqueta «%1».</translation>
     </message>
 </context>
 <context>
@@ -1940,6 +1963,21 @@
     <message>
         <source>Compare with level</source>
         <translation>Comparar con un nivel</translation>
+    </message>
+</context>
+<context>
+    <name>FlightFile</name>
+    <message>
+        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>El vuelo se guardó como %1. Suelte el archivo sobre una ventana para volver a verlo.</translation>
+    </message>
+    <message>
+        <source>It ends after %1 of %2 updates: a flight file holds no more.</source>
+        <translation>Termina tras %1 de %2 actualizaciones: un archivo de vuelo no admite más.</translation>
+    </message>
+    <message>
+        <source>Another flight is still being saved.</source>
+        <translation>Todavía se está guardando otro vuelo.</translation>
     </message>
 </context>
 <context>
@@ -2910,10 +2948,6 @@
         <translation>Normal</translation>
     </message>
     <message>
-        <source>Force; 1 m is the weight of the lighter one</source>
-        <translation>Fuerza; 1 m es el peso del más ligero</translation>
-    </message>
-    <message>
         <source>Pressed to half its length</source>
         <translation>Comprimido a la mitad de su longitud</translation>
     </message>
@@ -2964,6 +2998,10 @@
     <message>
         <source>The color of the first tag; a dot for each further one</source>
         <translation>El color de la primera etiqueta; un punto por cada una de las demás</translation>
+    </message>
+    <message>
+        <source>Force; 1 m is the weight of the lighter one, 2 m ten times as much</source>
+        <translation>Fuerza; 1 m es el peso del más ligero, 2 m diez veces más</translation>
     </message>
 </context>
 <context>
@@ -6589,10 +6627,6 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
         <translation>%1 fps</translation>
     </message>
     <message>
-        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
-        <translation>El vuelo se guardó como %1. Suelte el archivo sobre una ventana para volver a verlo.</translation>
-    </message>
-    <message>
         <source>The plots are in “%1”.</source>
         <translation>Las curvas están en «%1».</translation>
     </message>
@@ -6663,6 +6697,10 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     <message>
         <source>Too much for this computer: %1 s behind real time · %2: back to the editor</source>
         <translation>Demasiado para este equipo: %1 s de retraso respecto al tiempo real · %2: volver al editor</translation>
+    </message>
+    <message>
+        <source>Simulating the run: %1 of %2 s so far · %3: leave it</source>
+        <translation>Simulando la ejecución: %1 de %2 s hasta ahora · %3: dejarlo</translation>
     </message>
 </context>
 <context>

@@ -1539,8 +1539,8 @@
         <translation>L’exécution se déroule ici autrement que là où la capsule de bogue a été créée, avec %1 sous %2.</translation>
     </message>
     <message>
-        <source>The run of the bug capsule is being simulated up to its moment…</source>
-        <translation>L’exécution de la capsule de bogue est simulée jusqu’à son instant…</translation>
+        <source>The bug capsule is being read…</source>
+        <translation>La capsule de bogue est en cours de lecture…</translation>
     </message>
 </context>
 <context>
@@ -1695,6 +1695,29 @@
     <message>
         <source>Guides: in another order</source>
         <translation>Guides&#xa0;: dans un autre ordre</translation>
+    </message>
+</context>
+<context>
+    <name>CrashWords</name>
+    <message>
+        <source>The ship hit the payload.</source>
+        <translation>Le vaisseau a heurté la charge.</translation>
+    </message>
+    <message>
+        <source>The ship hit “%1”.</source>
+        <translation>Le vaisseau a heurté « %1 ».</translation>
+    </message>
+    <message>
+        <source>The payload hit “%1”.</source>
+        <translation>La charge a heurté « %1 ».</translation>
+    </message>
+    <message>
+        <source>The ship hit something tagged “%1”.</source>
+        <translation>Le vaisseau a heurté quelque chose d’étiqueté « %1 ».</translation>
+    </message>
+    <message>
+        <source>The payload hit something tagged “%1”.</source>
+        <translation>La charge a heurté quelque chose d’étiqueté « %1 ».</translation>
     </message>
 </context>
 <context>
@@ -1940,6 +1963,21 @@
     <message>
         <source>Compare with level</source>
         <translation>Comparer avec un niveau</translation>
+    </message>
+</context>
+<context>
+    <name>FlightFile</name>
+    <message>
+        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>Le vol a été enregistré sous %1. Déposez le fichier sur une fenêtre pour le revoir.</translation>
+    </message>
+    <message>
+        <source>It ends after %1 of %2 updates: a flight file holds no more.</source>
+        <translation>Il se termine après %1 des %2 mises à jour : un fichier de vol n’en contient pas plus.</translation>
+    </message>
+    <message>
+        <source>Another flight is still being saved.</source>
+        <translation>Un autre vol est encore en cours d’enregistrement.</translation>
     </message>
 </context>
 <context>
@@ -2910,10 +2948,6 @@
         <translation>Normale</translation>
     </message>
     <message>
-        <source>Force; 1 m is the weight of the lighter one</source>
-        <translation>Force&#xa0;; 1 m vaut le poids du plus léger</translation>
-    </message>
-    <message>
         <source>Pressed to half its length</source>
         <translation>Comprimé à la moitié de sa longueur</translation>
     </message>
@@ -2964,6 +2998,10 @@
     <message>
         <source>The color of the first tag; a dot for each further one</source>
         <translation>La couleur de la première étiquette&#xa0;; un point pour chaque autre</translation>
+    </message>
+    <message>
+        <source>Force; 1 m is the weight of the lighter one, 2 m ten times as much</source>
+        <translation>Force ; 1 m vaut le poids du plus léger, 2 m dix fois plus</translation>
     </message>
 </context>
 <context>
@@ -6589,10 +6627,6 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
         <translation>%1 i/s</translation>
     </message>
     <message>
-        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
-        <translation>Le vol a été enregistré sous %1. Déposez le fichier sur une fenêtre pour le revoir.</translation>
-    </message>
-    <message>
         <source>The plots are in “%1”.</source>
         <translation>Les courbes sont dans «&#xa0;%1&#xa0;».</translation>
     </message>
@@ -6663,6 +6697,10 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <message>
         <source>Too much for this computer: %1 s behind real time · %2: back to the editor</source>
         <translation>Trop pour cet ordinateur : %1 s de retard sur le temps réel · %2 : retour à l’éditeur</translation>
+    </message>
+    <message>
+        <source>Simulating the run: %1 of %2 s so far · %3: leave it</source>
+        <translation>Simulation de l’exécution : %1 sur %2 s jusqu’ici · %3 : abandonner</translation>
     </message>
 </context>
 <context>

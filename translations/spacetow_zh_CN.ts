@@ -1539,8 +1539,8 @@
         <translation>此处的运行结果与创建错误胶囊时（%2 上的 %1）不同。</translation>
     </message>
     <message>
-        <source>The run of the bug capsule is being simulated up to its moment…</source>
-        <translation>正在将错误胶囊的运行模拟到其时刻…</translation>
+        <source>The bug capsule is being read…</source>
+        <translation>正在读取错误胶囊…</translation>
     </message>
 </context>
 <context>
@@ -1695,6 +1695,29 @@
     <message>
         <source>Guides: in another order</source>
         <translation>参考线：次序不同</translation>
+    </message>
+</context>
+<context>
+    <name>CrashWords</name>
+    <message>
+        <source>The ship hit the payload.</source>
+        <translation>飞船撞上了货物。</translation>
+    </message>
+    <message>
+        <source>The ship hit “%1”.</source>
+        <translation>飞船撞上了“%1”。</translation>
+    </message>
+    <message>
+        <source>The payload hit “%1”.</source>
+        <translation>货物撞上了“%1”。</translation>
+    </message>
+    <message>
+        <source>The ship hit something tagged “%1”.</source>
+        <translation>飞船撞上了带有标签“%1”的物体。</translation>
+    </message>
+    <message>
+        <source>The payload hit something tagged “%1”.</source>
+        <translation>货物撞上了带有标签“%1”的物体。</translation>
     </message>
 </context>
 <context>
@@ -1940,6 +1963,21 @@
     <message>
         <source>Compare with level</source>
         <translation>与关卡比较</translation>
+    </message>
+</context>
+<context>
+    <name>FlightFile</name>
+    <message>
+        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>飞行记录已保存为 %1。把该文件拖放到窗口上即可重新观看。</translation>
+    </message>
+    <message>
+        <source>It ends after %1 of %2 updates: a flight file holds no more.</source>
+        <translation>它在 %2 次更新中的第 %1 次之后结束：飞行文件容纳不了更多。</translation>
+    </message>
+    <message>
+        <source>Another flight is still being saved.</source>
+        <translation>另一个飞行仍在保存中。</translation>
     </message>
 </context>
 <context>
@@ -2910,10 +2948,6 @@
         <translation>法线</translation>
     </message>
     <message>
-        <source>Force; 1 m is the weight of the lighter one</source>
-        <translation>力；1 m 表示较轻物体的重量</translation>
-    </message>
-    <message>
         <source>Pressed to half its length</source>
         <translation>压缩到一半长度</translation>
     </message>
@@ -2964,6 +2998,10 @@
     <message>
         <source>The color of the first tag; a dot for each further one</source>
         <translation>第一个标签的颜色；其余每个标签一个圆点</translation>
+    </message>
+    <message>
+        <source>Force; 1 m is the weight of the lighter one, 2 m ten times as much</source>
+        <translation>力；1 m 为较轻者的重量，2 m 为其十倍</translation>
     </message>
 </context>
 <context>
@@ -6546,10 +6584,6 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
         <translation>%1 fps</translation>
     </message>
     <message>
-        <source>The flight has been saved as %1. Drop the file on a window to see it again.</source>
-        <translation>飞行记录已保存为 %1。把该文件拖放到窗口上即可重新观看。</translation>
-    </message>
-    <message>
         <source>The plots are in “%1”.</source>
         <translation>曲线数据已写入“%1”。</translation>
     </message>
@@ -6620,6 +6654,10 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     <message>
         <source>Too much for this computer: %1 s behind real time · %2: back to the editor</source>
         <translation>对本机来说负担过重：落后实时 %1 秒 · %2：返回编辑器</translation>
+    </message>
+    <message>
+        <source>Simulating the run: %1 of %2 s so far · %3: leave it</source>
+        <translation>正在模拟运行：已完成 %1 / %2 秒 · %3：放弃</translation>
     </message>
 </context>
 <context>
