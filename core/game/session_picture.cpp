@@ -2,7 +2,6 @@
 
 #include "core/base/hash.h"
 #include "core/game/session.h"
-#include "core/physics/query/queries.h"
 #include "core/physics/query/world_bytes.h"
 
 #include <algorithm>

@@ -192,67 +192,6 @@ std::optional<double> castAgainstEnds(Cast cast, const WallPart& wall) {
     return first;
 }
 
-struct RayCaster {
-    Vec2 from, to; // local
-
-    std::optional<RayContact> operator()(const Circle& circle) const {
-        const Vec2 start = from - circle.center;
-        const Vec2 way = to - from;
-        const double a = way.squaredNorm();
-        const double halfB = start.dot(way);
-        const double c = start.squaredNorm() - circle.radius * circle.radius;
-        const double root = halfB * halfB - a * c;
-        if (c < 0 || halfB >= 0 || root < 0) {
-            return std::nullopt;
-        }
-        const double fraction = c / (-halfB + std::sqrt(root)); // the smaller root, without cancellation
-        if (fraction > 1) {
-            return std::nullopt;
-        }
-        return RayContact{fraction, (start + fraction * way) / circle.radius};
-    }
-    std::optional<RayContact> operator()(const WallPart& wall) const {
-        const Vec2 along = wall.b - wall.a;
-        const Vec2 normal = leftOf(along).normalized();
-        const double start = normal.dot(from - wall.a);
-        const double end = normal.dot(to - wall.a);
-        const bool fromFront = start >= 0 && end < start;
-        const bool fromBehind = !wall.oneWay && start <= 0 && end > start;
-        if (!(fromFront || fromBehind) || (fromFront ? end > 0 : end < 0)) {
-            return std::nullopt;
-        }
-        const double fraction = start / (start - end);
-        const double t = along.dot(from + fraction * (to - from) - wall.a);
-        if (t < 0 || t > along.squaredNorm()) {
-            return std::nullopt;
-        }
-        return RayContact{fraction, fromFront ? normal : Vec2(-normal)};
-    }
-    std::optional<RayContact> operator()(const ConvexPart& convex) const {
-        double enters = -1;
-        double leaves = 1;
-        std::size_t face = 0;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(convex.count); ++i) {
-            const double start = convex.normals[i].dot(from - convex.corners[i]);
-            const double speed = convex.normals[i].dot(to - from);
-            if (speed == 0 && start > 0) {
-                return std::nullopt;
-            }
-            if (speed < 0 && -start / speed > enters) {
-                enters = -start / speed;
-                face = i;
-            } else if (speed > 0) {
-                leaves = std::min(leaves, -start / speed);
-            }
-        }
-        const bool outer = (convex.outerFaces >> face & 1) != 0;
-        if (enters < 0 || enters > leaves || !outer) {
-            return std::nullopt;
-        }
-        return RayContact{enters, convex.normals[face]};
-    }
-};
-
 } // namespace
 
 Transform Motion::at(double fraction) const {
@@ -290,14 +229,6 @@ std::optional<double> timeOfImpactAtOpenWall(const Part& a, const Motion& motion
         return castAgainstEnds({{a, motionA}, {b, motionB}, targetGap, true}, *wall);
     }
     return castAgainstEnds({{b, motionB}, {a, motionA}, targetGap, true}, std::get<WallPart>(b));
-}
-
-std::optional<RayContact> rayCast(const Part& part, const Transform& pose, const Vec2& from, const Vec2& to) {
-    auto contact = std::visit(RayCaster{pose.toLocal(from), pose.toLocal(to)}, part);
-    if (contact) {
-        contact->normal = pose.rotation * contact->normal;
-    }
-    return contact;
 }
 
 } // namespace spacetow

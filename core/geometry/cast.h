@@ -1,6 +1,5 @@
 #pragma once
-// Parts on the move: when they meet, what a ray meets, and whether a point is inside. Metres and radians; times are
-// fractions of a motion, 0 … 1.
+// The time of impact of moving parts. Metres and radians; times are fractions of a motion, 0 … 1.
 
 #include "core/geometry/part.h"
 #include "core/math/transform.h"
@@ -32,18 +31,5 @@ std::optional<double> timeOfImpact(const Part& a, const Motion& motionA, const P
 /// The same where one of the parts is a wall whose face is open for the other: its free ends only.
 std::optional<double> timeOfImpactAtOpenWall(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
                                              double targetGap);
-
-struct RayContact {
-    double fraction = 0; // of the way
-    Vec2 normal{0, 1};   // unit, world, out of the surface and against the ray
-};
-
-/// Where the ray from → to enters the part. A ray that starts inside a circle or polygon does not enter it; one-way
-/// walls are met from the front only.
-std::optional<RayContact> rayCast(const Part& part, const Transform& pose, const Vec2& from, const Vec2& to);
-
-/// Whether the point is in the circle or polygon, border included. Walls contain nothing.
-bool contains(const Part& part, const Transform& pose, const Vec2& point);
-bool contains(const Shape& shape, const Transform& pose, const Vec2& point);
 
 } // namespace spacetow

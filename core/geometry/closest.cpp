@@ -135,13 +135,4 @@ ClosestPoints closestPoints(const Part& a, const Transform& poseA, const Part& b
     return closest;
 }
 
-Vec2 closestPoint(const Part& part, const Transform& pose, const Vec2& p) {
-    const Core core = coreOf(part, pose);
-    Core point;
-    point.count = 1;
-    point.points[0] = p;
-    const ClosestPoints closest = closestOfCores(core, point);
-    return closest.distance <= core.radius ? p : Vec2(closest.onA + core.radius * closest.normal);
-}
-
 } // namespace spacetow

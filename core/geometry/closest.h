@@ -30,7 +30,4 @@ ClosestPoints closestPoints(const Part& a, const Transform& poseA, const Part& b
 /// Distance of the cores, 0 when they overlap, and the points on them; the radii play no part.
 ClosestPoints closestOfCores(const Core& a, const Core& b);
 
-/// The point of the part nearest to `p`: `p` itself inside a circle or polygon.
-Vec2 closestPoint(const Part& part, const Transform& pose, const Vec2& p);
-
 } // namespace spacetow

@@ -1,6 +1,6 @@
 #include "core/geometry/bounds.h"
 
-#include "core/geometry/cast.h"
+#include "tests/geometry/contains.h"
 #include "tests/geometry/random_parts.h"
 #include "tests/support/test_main.h"
 

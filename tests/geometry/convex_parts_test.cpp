@@ -1,8 +1,8 @@
 #include "core/geometry/convex_parts.h"
 
-#include "core/geometry/cast.h"
 #include "core/geometry/collide.h"
 #include "core/geometry/triangulate.h"
+#include "tests/geometry/contains.h"
 #include "tests/geometry/random_parts.h"
 #include "tests/support/test_main.h"
 

@@ -1,9 +1,9 @@
 #include "core/geometry/wall_side.h"
 
-#include "core/geometry/cast.h"
 #include "core/geometry/collide.h"
 #include "core/geometry/convex_parts.h"
 #include "tests/geometry/chains.h"
+#include "tests/geometry/contains.h"
 #include "tests/geometry/random_parts.h"
 #include "tests/support/full_run.h"
 #include "tests/support/test_main.h"

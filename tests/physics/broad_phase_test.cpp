@@ -85,8 +85,8 @@ double leftOfAFarWorld() {
     }
     world.update();
     double left = noBack;
-    for (const Aabb& cell : quadtreeCells(world)) {
-        left = std::min(left, cell.min.x());
+    for (const QuadtreeCell& cell : occupiedCells(world)) {
+        left = std::min(left, cell.box.min.x());
     }
     return left;
 }

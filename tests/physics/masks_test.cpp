@@ -2,7 +2,6 @@
 #include "tests/support/rows.h"
 
 #include "core/base/random.h"
-#include "core/physics/query/queries.h"
 
 #include <set>
 
@@ -115,18 +114,6 @@ class MasksTest : public QObject {
             const Filter b{randomMask(random), randomMask(random)};
             QCOMPARE(mayTouch(a, b), shouldTouch(a, b));
             QCOMPARE(mayTouch(b, a), shouldTouch(a, b));
-        }
-    }
-
-    void aRaySeesTheTagsOfItsMaskAlone() {
-        Random random(2);
-        for (int i = 0; i < 10000; ++i) {
-            World world;
-            BodyDef def = ball({0, 0}, 0.5);
-            def.filter.tags = randomMask(random);
-            add(world, def);
-            const TagMask mask = randomMask(random);
-            QCOMPARE(rayCast(world, {2, 0}, {-2, 0}, mask).has_value(), meets(mask.bits, def.filter.tags.bits));
         }
     }
 

@@ -171,7 +171,7 @@ StaticGeometry geometryOf(const Bodies& bodies, const BroadPhase& broadPhase, co
 void noteWhereTheyAre(Bodies& bodies, const std::vector<Slot>& slots, const Patch& patch) {
     for (const Slot body : slots) {
         if (bodies.records[body].kind == BodyKind::Static) {
-            bodies.records[body].bounds = bodies.records[body].solid = Aabb{};
+            bodies.records[body].bounds = Aabb{};
         }
     }
     noteStaticBounds(bodies, patch.own);

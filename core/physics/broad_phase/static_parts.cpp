@@ -88,7 +88,6 @@ void noteStaticBounds(Bodies& bodies, std::span<const StaticGeometry::Collider> 
         BodyRecord& record = bodies.records[collider.body];
         const bool wall = std::holds_alternative<WallPart>(collider.shape);
         record.bounds.include(wall ? enlargedEdgeBounds(collider.bounds) : collider.bounds);
-        record.solid.include(collider.bounds);
     }
 }
 

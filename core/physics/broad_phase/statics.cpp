@@ -30,7 +30,7 @@ void makeAllAnew(Bodies& bodies, BroadPhase& broadPhase) {
     for (Slot slot = 0; slot < bodies.records.size(); ++slot) {
         BodyRecord& record = bodies.records[slot];
         if (record.kind == BodyKind::Static) {
-            record.bounds = record.solid = Aabb{};
+            record.bounds = Aabb{};
         }
         if (record.used && record.kind == BodyKind::Static && record.active) {
             record.firstStatic = static_cast<std::uint32_t>(geometry->colliders.size());
@@ -58,23 +58,6 @@ void findBehind(const StaticGeometry& geometry, const Aabb& box, std::vector<std
                                         !collider.bounds.overlaps(box);
                              }),
               out.end());
-}
-
-/// Calls `find(geometry, out)` for all and for what has changed since, and makes the indices those of both.
-template <class Find>
-void findInBoth(const BroadPhase& broadPhase, std::vector<std::uint32_t>& out, const Find& find) {
-    out.clear();
-    find(*broadPhase.statics, out);
-    if (!broadPhase.staticChanges) {
-        return;
-    }
-    const std::vector<std::uint32_t>& gone = broadPhase.staticChanges->gone;
-    std::erase_if(out, [&](std::uint32_t i) { return std::binary_search(gone.begin(), gone.end(), i); });
-    const std::size_t first = out.size();
-    find(broadPhase.staticChanges->geometry, out);
-    for (std::size_t i = first; i < out.size(); ++i) {
-        out[i] += static_cast<std::uint32_t>(broadPhase.statics->colliders.size());
-    }
 }
 
 } // namespace
@@ -108,16 +91,22 @@ std::uint32_t staticIndex(const Bodies& bodies, const BroadPhase& broadPhase, Sl
 }
 
 void findStatics(const BroadPhase& broadPhase, const Aabb& box, std::vector<std::uint32_t>& out) {
-    findInBoth(broadPhase, out, [&](const StaticGeometry& geometry, std::vector<std::uint32_t>& found) {
-        geometry.tree.query(box, found);
-        findBehind(geometry, box, found);
-    });
-}
-
-void findStaticShapes(const BroadPhase& broadPhase, const Aabb& box, std::vector<std::uint32_t>& out) {
-    findInBoth(broadPhase, out, [&](const StaticGeometry& geometry, std::vector<std::uint32_t>& found) {
-        geometry.tree.query(box, found);
-    });
+    const auto find = [&](const StaticGeometry& geometry) {
+        geometry.tree.query(box, out);
+        findBehind(geometry, box, out);
+    };
+    out.clear();
+    find(*broadPhase.statics);
+    if (!broadPhase.staticChanges) {
+        return;
+    }
+    const std::vector<std::uint32_t>& gone = broadPhase.staticChanges->gone;
+    std::erase_if(out, [&](std::uint32_t i) { return std::binary_search(gone.begin(), gone.end(), i); });
+    const std::size_t first = out.size();
+    find(broadPhase.staticChanges->geometry);
+    for (std::size_t i = first; i < out.size(); ++i) { // an index of both
+        out[i] += static_cast<std::uint32_t>(broadPhase.statics->colliders.size());
+    }
 }
 
 } // namespace spacetow

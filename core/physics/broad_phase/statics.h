@@ -1,23 +1,21 @@
 #pragma once
-// The static bodies' parts, in world coordinates, and what finds them. They are looked for in the geometry of all that
-// was made at once, and in that of those that have changed since. Whatever is asked for, the answer is that of all made
-// anew: where something has changed, joints are made anew as far as they reach.
+// The parts of static bodies in world coordinates, and the search among them. The parts lie in a geometry that was
+// built at once, and in a small one with the changes since. Every search gives what one rebuilt geometry would give:
+// joints are remade as far as a change reaches.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// Takes up what has become of static bodies since the last time: a few changes cost no more than what they change,
-/// however many bodies there are. `asleep` are the pairs of sleepers, which find the parts where they are now.
+/// Applies the changes of static bodies since the last call. A few changes cost time with their own number, not with
+/// that of the bodies. `asleep`, the pairs of sleeping bodies, gets the new indices of the parts.
 void refreshStatics(Bodies& bodies, BroadPhase& broadPhase, PairTable& asleep, StepFlags& flags);
 
-/// The index of a part as it is now.
+/// The present index of a part.
 std::uint32_t staticIndex(const Bodies& bodies, const BroadPhase& broadPhase, Slot body, std::uint32_t part);
 
-/// The indices of the parts that reach into the box with what is solid, each once and always in the same order.
+/// The indices of the parts whose solid region may overlap the box, each once, in a deterministic order. A one-way wall
+/// is solid behind, to its depth. Clears `out` first.
 void findStatics(const BroadPhase& broadPhase, const Aabb& box, std::vector<std::uint32_t>& out);
-
-/// Likewise of shapes themselves; walls are segments.
-void findStaticShapes(const BroadPhase& broadPhase, const Aabb& box, std::vector<std::uint32_t>& out);
 
 } // namespace spacetow

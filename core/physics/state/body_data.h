@@ -151,7 +151,6 @@ struct BodyRecord {
     Vec2 force{0, 0}; // N, for the next update
     double torque = 0;
     Aabb bounds;                   // of the last broad phase; empty when the body has been put elsewhere since
-    Aabb solid;                    // the exact box of a static body, of what is solid
     std::uint32_t firstStatic = 0; // of its parts in WorldData::statics
 };
 
