@@ -43,7 +43,8 @@ void GroundPicture::draw(QPainter& painter, const Frame2D& frame, const Snapshot
 }
 
 void GroundPicture::forget() {
-    m_standing.reset(); // what is being painted of it will not be taken
+    ++m_epoch; // what is being painted will not be taken
+    m_standing.reset();
     m_layer.discard();
     m_isOld = false;
 }
@@ -68,13 +69,14 @@ void GroundPicture::paintBeside(const Frame2D& frame, const Theme& theme) {
     }
     const PictureLayer before = m_isOld ? PictureLayer() : m_layer;
     const Frame2D wide = frame.grown(roomAround(frame));
-    m_task.start([this, before, wide, standing = m_standing, &theme](const std::stop_token&) -> BackgroundTask::Then {
+    m_task.start([this, before, wide, standing = m_standing, epoch = m_epoch,
+                  &theme](const std::stop_token&) -> BackgroundTask::Then {
         PictureLayer layer = before;
         paint(layer, wide, *standing, theme);
-        return [this, layer, standing] {
-            if (standing == m_standing) {
+        return [this, layer, standing, epoch] {
+            if (epoch == m_epoch) { // where something moves in each frame, all pictures are a little old
                 m_layer = layer;
-                m_isOld = false;
+                m_isOld = standing != m_standing;
             }
             if (painted) {
                 painted();

@@ -8,6 +8,7 @@
 #include "editor/canvas/picture_layer.h"
 #include "editor/canvas/wall_painter.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -42,7 +43,8 @@ class GroundPicture {
 
     std::shared_ptr<Standing> m_standing;
     PictureLayer m_layer;
-    bool m_isOld = false; // the layer shows what stood before
+    bool m_isOld = false;      // the layer shows what stood before
+    std::uint64_t m_epoch = 0; // how often all was forgotten
     BackgroundTask m_task;
 };
 

@@ -80,6 +80,14 @@ bool alike(const QImage& a, const QImage& b) {
     return true;
 }
 
+Level wallsWithPillarAt(const Vec2& position) {
+    Level level = manyWalls();
+    Object pillar = *level.objects.find(501);
+    std::get<BodyObject>(pillar.data).position = position;
+    level.objects.replace(level.objects.indexOf(501), pillar);
+    return level;
+}
+
 } // namespace
 
 class GroundPictureTest : public QObject {
@@ -129,11 +137,7 @@ class GroundPictureTest : public QObject {
 
     void theLastPictureStaysUntilTheNextIsThere() {
         const auto first = Session(manyWalls()).snapshot();
-        Level moved = manyWalls();
-        Object pillar = *moved.objects.find(501);
-        std::get<BodyObject>(pillar.data).position = Vec2(-2, 0);
-        moved.objects.replace(moved.objects.indexOf(501), pillar);
-        const auto second = Session(moved).snapshot();
+        const auto second = Session(wallsWithPillarAt({-2, 0})).snapshot();
         const Frame2D frame = frameAt({0, 0}, 40);
         GroundPicture ground;
         kept(ground, frame, *first);
@@ -141,6 +145,22 @@ class GroundPictureTest : public QObject {
         QVERIFY(alike(kept(ground, frame, *second), fromScratch(frame, *first)));
         ground.finish();
         QVERIFY(alike(kept(ground, frame, *second), fromScratch(frame, *second)));
+    }
+
+    void whatMovesInEveryFrameIsShownALittleLate() {
+        const auto at = [](double x) { return Session(wallsWithPillarAt({x, 0})).snapshot(); };
+        const auto first = at(-3), second = at(-2), third = at(-1), fourth = at(0);
+        const Frame2D frame = frameAt({0, 0}, 40);
+        GroundPicture ground;
+        kept(ground, frame, *first);
+        kept(ground, frame, *second); // it moves on while the first is being painted
+        ground.finish();
+        QVERIFY(alike(kept(ground, frame, *third), fromScratch(frame, *first)));
+        kept(ground, frame, *fourth);
+        ground.finish();
+        QVERIFY(alike(kept(ground, frame, *fourth), fromScratch(frame, *third)));
+        ground.finish();
+        QVERIFY(alike(kept(ground, frame, *fourth), fromScratch(frame, *fourth)));
     }
 
     void whatIsForgottenWhileItIsPaintedIsNotShown() {

@@ -160,7 +160,7 @@ class Chain {
 
     // Room for as many joined walls as a body usually meets: a steady update allocates nothing.
     static constexpr std::size_t usualCount = 64;
-    std::array<std::byte, usualCount * sizeof(const WallPart*)> m_buffer;
+    alignas(const WallPart*) std::array<std::byte, usualCount * sizeof(const WallPart*)> m_buffer;
     std::pmr::monotonic_buffer_resource m_memory{m_buffer.data(), m_buffer.size()};
     std::pmr::vector<const WallPart*> m_reached{&m_memory};
 };
