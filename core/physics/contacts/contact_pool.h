@@ -1,23 +1,28 @@
 #pragma once
-// What is known of contacts, for the pairs that have come near each other.
+// The contact pool: manifolds and impulses that pairs keep from one iteration to the next, for the warm start.
 
 #include "core/physics/contacts/contact_stage.h"
 
 namespace spacetow {
 
-/// The pair's contact; a new one without points if it has none.
+/// The contact of the pair. A pair without a contact gets a new one without points, with the mixed friction and
+/// restitution of the two bodies. A later call that creates a contact may invalidate the reference.
 Contact& contactOf(const Bodies& bodies, Contacts& contacts, Pair& pair);
 
+/// Returns the contact of the pair to the pool, if the pair has one. The contact must not have a lane.
 void freeContact(Contacts& contacts, NarrowPhase& narrow, Pair& pair);
 
-/// Of the pairs that are `dropped` from the table.
+/// Frees the contacts of all pairs in `PairChanges::dropped` and closes their lanes.
 void freeContactsOfDropped(const ContactStage& stage);
 
-/// All manifolds are to be made anew.
+/// Marks all manifolds as out of date. Impulses stay for the warm start.
 void resetManifolds(Contacts& contacts);
 
-/// An iteration that is made in parts has the impulses of each part, this share of it, added up for the next iteration;
-/// until then the last iteration's stand for the parts to come.
+/// Scale impulses for an iteration that is divided into shorter parts. `share` is the length of the part divided by the
+/// length of the iteration, 0 … 1. beginPart() multiplies all impulses with `share`, as the warm start of a shorter
+/// step needs. endPart() adds 1 − share of the impulses before the part. The sum approximates a whole iteration:
+/// impulses of the parts so far, and earlier impulses in place of the parts to come. Both functions release all
+/// constraints.
 void beginPart(const ContactStage& stage, double share);
 void endPart(const ContactStage& stage, double share);
 

@@ -1,11 +1,11 @@
 #pragma once
-// What the update of contacts works on.
+// The parts of a world that the narrow phase may reach.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// A view, as a span is: what it shows may be changed unless it is const here.
+/// A view that owns nothing, like a span. The narrow phase changes the members that are not const.
 struct ContactStage {
     Bodies& bodies;
     const BroadPhase& broadPhase;

@@ -1,17 +1,19 @@
 #pragma once
-// The narrow phase over the pairs: contacts for solid pairs, overlaps for intangible ones.
+// The narrow phase: contacts of solid pairs, and overlaps of sensor pairs.
 
 #include "core/physics/contacts/contact_stage.h"
 
 namespace spacetow {
 
-/// Makes the constraints of the solver from the poses at the beginning of the iteration. Surfaces that could
-/// close their gap within the iteration count as in contact already; the solver lets them close it and no more. Those
-/// that will bounce are marked to be swept instead.
+/// Updates the constraints of the solver for the poses at the beginning of the iteration, or rebuilds all constraints,
+/// for instance after many changes. Surfaces within the speculative margin get a speculative contact: the solver lets
+/// the surfaces close their gap, and no more. Surfaces that will meet in this iteration and bounce get no contact at
+/// the bouncing points. Their pairs are marked with `sweep` instead, and the time of impact stops the bodies.
 void findContacts(const ContactStage& stage, const IterationStep& step);
 
-/// Marks the pairs that touch without force at the end of the iteration: those of intangible bodies, and of
-/// two bodies that nothing can move.
+/// Updates the sensor pairs at the end of the iteration. `touching`: the parts overlap at their final poses. `passed`:
+/// the parts touch neither at the last report nor now, but overlapped on the way. A pair is a sensor pair if a body is
+/// intangible, or if nothing can move either body.
 void findOverlaps(const Bodies& bodies, Contacts& contacts);
 
 } // namespace spacetow

@@ -1,13 +1,13 @@
 #pragma once
-// In which order the solver meets the contacts of a body.
+// The order in which the solver visits the contacts of a body.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// Puts the contacts of each body with static ones in the order of their depths, the deepest last: what is solved last
-/// comes out right. In the order of the surfaces what lies between two of them would go to the same one always,
-/// whichever it comes from.
+/// Sorts the general contacts between each body and static bodies by penetration, the deepest last. The contact that
+/// is solved last in a pass is satisfied exactly. In the order of the pair table, a body between two walls would always
+/// sink into the same wall, from whichever wall the body came. Other contacts keep their places.
 void orderConstraints(const Bodies& bodies, NarrowPhase& narrow);
 
 } // namespace spacetow

@@ -1,26 +1,28 @@
 #pragma once
-// The forces of fields, applied as impulses before each sub-step.
+// Forces of force fields, applied as impulses (kicks) around each sub-step.
 
 #include "core/physics/solver/force_stage.h"
 
 namespace spacetow {
 
-/// Whether the field acts on the body.
+/// Whether the field acts on the body: the field targets this body or one of its tags, and the body accepts the force.
 bool actsOn(const Bodies& bodies, const FieldRecord& field, Slot slot);
 
-/// The body moves in sub-steps.
+/// Marks the body as integrated in sub-steps, and adds the body to `Forces::substepped`.
 void noteSubstepped(Bodies& bodies, Forces& forces, Slot slot);
 
-/// Marks the bodies that feel any field as moving in sub-steps, and lists them.
+/// Lists all bodies on which any field acts in `Forces::fieldBodies`, by slot, and marks each as integrated in
+/// sub-steps.
 void refreshFields(Bodies& bodies, Forces& forces);
-/// Likewise a body that is new.
+/// The same for one body that has just been added.
 void refreshFieldsOf(Bodies& bodies, Forces& forces, Slot slot);
 
-/// The impulses of all fields during `seconds` at the trial poses; changes velocities only. Each body feels the sum of
-/// its fields at once, so that their order does not matter; values that are not finite are left out and reported.
+/// Applies the impulses of all fields over `seconds` at the trial poses; changes velocities only. All fields of a body
+/// are evaluated at the same velocity and summed, so no field sees the effect of another. A force that is not finite is
+/// left out and reported, once an update for each field. Sleeping bodies are skipped.
 void applyFields(const ForceStage& stage, double seconds, int iteration);
 
-/// Removes the fields that act on this body alone.
+/// Removes the fields that are attached to this body (ForceFieldDef::body).
 void removeFieldsOf(const Bodies& bodies, Forces& forces, Slot slot);
 
 } // namespace spacetow

@@ -1,11 +1,11 @@
 #pragma once
-// What the integration of forces works on.
+// The parts of a world that the integration of forces may reach.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// A view, as a span is: what it shows may be changed unless it is const here.
+/// A view that owns nothing, like a span. The integration changes the members that are not const.
 struct ForceStage {
     Bodies& bodies;
     Forces& forces;

@@ -1,5 +1,5 @@
 #pragma once
-// What the broad phase goes through and finds.
+// Data of the broad phase: proxies, found pairs, and runs of the pair table.
 
 #include "core/physics/state/contact_data.h"
 
@@ -7,16 +7,16 @@
 
 namespace spacetow {
 
-/// A part of a moving body.
+/// One part of a moving or sleeping body in the broad phase.
 struct MovingProxy {
     Slot body;
     std::uint32_t part;
-    bool slender = false;       // its box is mostly empty
-    bool movedProxy = false;    // its body has, and is looking for pairs
-    bool isStaleInTree = false; // not where the tree has it
+    bool slender = false;       // a long part: most of its AABB is empty
+    bool movedProxy = false;    // the body has left its fat AABB; set only while the broad phase searches
+    bool isStaleInTree = false; // the tree still holds an older AABB of the part
 };
 
-/// What the broad phase finds of a pair; sorted as pairs are.
+/// The key of a pair that the broad phase has found. Ordered like Pair: by bodies, then by parts.
 struct FoundPair {
     Slot bodyA = 0, bodyB = 0;
     std::uint32_t partA = 0, partB = 0;
@@ -31,10 +31,10 @@ struct FoundPair {
     }
 };
 
-/// Elements of a table that stay together when it changes.
+/// A run of consecutive pairs that stay consecutive when the pair table changes.
 struct Run {
-    std::uint32_t begin = 0, end = 0; // in the table as it was
-    std::uint32_t to = 0;             // where they begin in the table as it becomes
+    std::uint32_t begin = 0, end = 0; // indices in the old table, without `end`
+    std::uint32_t to = 0;             // index of the first pair in the new table
 };
 
 } // namespace spacetow

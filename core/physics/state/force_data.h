@@ -1,5 +1,5 @@
 #pragma once
-// What acts on bodies, connectors and force fields; and what is asked for while it cannot be done yet.
+// Records of connectors and force fields, and deferred changes. SI units.
 
 #include "core/math/vec.h"
 #include "core/physics/def/body.h"
@@ -12,37 +12,41 @@
 
 namespace spacetow {
 
+/// A connector, see ConnectorDef, and its last tension.
 struct ConnectorRecord {
-    std::uint32_t generation = 0;
+    std::uint32_t generation = 0; // grows with every removal, so that old ids become invalid
     bool used = false;
-    std::uint64_t serial = 0; // order of creation, of bodies and connectors alike
+    std::uint64_t serial = 0; // order of creation, counted for bodies and connectors together
     Slot a = 0, b = 0;
-    Vec2 anchorA{0, 0}, anchorB{0, 0}; // about the centres of mass
-    double length = 0;
-    double stiffness = 0;
-    double damping = 0;
-    bool slack = false;
+    Vec2 anchorA{0, 0}, anchorB{0, 0}; // m, local coordinates, from the centre of mass
+    double length = 0;                 // m, natural
+    double stiffness = 0;              // N/m
+    double damping = 0;                // N s/m
+    bool slack = false;                // pulls only
     bool bodiesCollide = false;
     Truncation truncation;
-    double tension = 0;
+    double tension = 0; // N, of the last kick; positive when the connector pulls
 };
 
-/// What the connector holds while its anchors are this far apart, J: the work of its truncated tension.
+/// The elastic energy of the connector, J: the work of its truncated tension. `distance` is the distance of the
+/// anchors, m.
 inline double storedEnergy(const ConnectorRecord& connector, double distance) {
     const double stretch = distance - connector.length;
     const bool isLoose = connector.stiffness == 0 || (connector.slack && stretch < 0);
     return isLoose ? 0 : truncatedWork(connector.truncation, connector.stiffness * stretch) / connector.stiffness;
 }
 
+/// A force field. Copies of a world share the definition.
 struct FieldRecord {
-    std::uint32_t generation = 0;
-    std::shared_ptr<const ForceFieldDef> def; // none: not used
+    std::uint32_t generation = 0;             // as above
+    std::shared_ptr<const ForceFieldDef> def; // null: the record is free
 };
 
+/// A change of a body that waits until no stage of the update is running.
 struct PendingChange {
     enum class Kind : std::uint8_t { Remove, Active, Tangible, Frozen } kind;
     BodyId body;
-    bool first = false, second = false;
+    bool first = false, second = false; // Active, Tangible: the new value is `first`; Frozen: position, rotation
 };
 
 } // namespace spacetow

@@ -1,5 +1,5 @@
 #pragma once
-// The static bodies' parts, in world coordinates.
+// Geometry of static bodies: colliders in world coordinates, and their trees.
 
 #include "core/geometry/part.h"
 #include "core/geometry/static_quadtree.h"
@@ -13,25 +13,27 @@
 
 namespace spacetow {
 
-/// Parts of static bodies in world coordinates; immutable, shared between copies of a world.
+/// Colliders of static bodies in world coordinates, m. Immutable once built; copies of a world share the geometry.
 struct StaticGeometry {
+    /// One part of a static body.
     struct Collider {
         Slot body;
-        std::uint32_t part;
+        std::uint32_t part; // index in the parts of the body
         Part shape;
-        Aabb bounds;   // of what is solid
-        WallSide side; // of an edge
+        Aabb bounds;   // with the solid band behind an edge
+        WallSide side; // an edge from its free side, with joints; not set for other shapes
     };
-    std::vector<Collider> colliders; // by body and part
-    StaticQuadtree tree;             // of their bounds; of edges that are deeper than long without what is behind them
-    WallBackTree backs;              // of those
+    std::vector<Collider> colliders; // sorted by body and part
+    /// Over `bounds`, extended behind hollow joints. A deep edge (depth > length) has the AABB of its segment only.
+    StaticQuadtree tree;
+    WallBackTree backs; // over the solid regions behind deep edges
 };
 
-/// What has become of static bodies since the geometry of all was made. Likewise immutable.
+/// The changes of static bodies since the full geometry (`BroadPhase::statics`) was built. Immutable once built, too.
 struct StaticChanges {
-    std::vector<Slot> bodies;        // sorted: added, moved, switched or removed since
-    std::vector<std::uint32_t> gone; // sorted: colliders of all that count no longer
-    StaticGeometry geometry;         // what counts instead: parts of these bodies, and what is or was joined to them
+    std::vector<Slot> bodies;        // sorted: added, moved, (de)activated or removed
+    std::vector<std::uint32_t> gone; // sorted: outdated colliders of the full geometry, by index
+    StaticGeometry geometry;         // replaces `gone`: parts of `bodies`, and parts joined to them now or before
 };
 
 } // namespace spacetow
