@@ -102,9 +102,6 @@ class Runner {
     /// What is recorded when the update that runs has ended. It is what is returned that waits for it, in any thread;
     /// the runner may be gone by then. Empty after a fault.
     std::function<Recording()> askRecording();
-    /// The same, and waits for it here.
-    Replay recording() { return askRecording()().run; }
-    std::shared_ptr<const Level> startLevel() { return askRecording()().start; }
 
     /// Of a manual runner: makes updates unless paused.
     void advance(int updates = 1);

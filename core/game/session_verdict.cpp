@@ -89,6 +89,9 @@ void Session::judge() {
         win();
         return;
     }
+    if (now.shipHit == Verdict::never && now.payloadHit == Verdict::never) {
+        return;
+    }
     const bool wasPlaying = isPlaying();
     const Loss loss = lossOf(now);
     if (now.shipHit != Verdict::never) {
@@ -97,7 +100,7 @@ void Session::judge() {
     if (now.payloadHit != Verdict::never) {
         destroyPayload();
     }
-    if (wasPlaying && (now.shipHit != Verdict::never || now.payloadHit != Verdict::never)) {
+    if (wasPlaying) {
         loseAttempt();
         m_loss = loss;
     }

@@ -112,7 +112,7 @@ class CourseTest : public QObject {
         QCOMPARE(flown.hash(), fresh.hash());
         QCOMPARE(flown.timeline()->ghosts.size(), std::size_t(1));
         QCOMPARE(flown.timeline()->ghosts[0]->from, std::int64_t(40));
-        const Replay recording = flown.runner.recording();
+        const Replay recording = flown.runner.askRecording()().run;
         QCOMPARE(recording.updates(), std::int64_t(60));
         QCOMPARE(replayed(openSpace(), recording).hash, fresh.hash());
     }
@@ -210,7 +210,7 @@ class CourseTest : public QObject {
         StepInput first = keys(thrust);
         first.level = other;
         QCOMPARE(flown.hash(), freshRun(openSpace(), {{keys(thrust), 40}, {first, 1}, {keys(thrust), 59}}).hash());
-        QCOMPARE(replayed(openSpace(), flown.runner.recording()).hash, flown.hash());
+        QCOMPARE(replayed(openSpace(), flown.runner.askRecording()().run).hash, flown.hash());
         flown.runner.resume();
         flown.runner.advance(1);
         QCOMPARE(flown.timeline()->last, std::int64_t(101));
@@ -226,7 +226,7 @@ class CourseTest : public QObject {
         flown.runner.resume();
         flown.runner.advance(5);
         QVERIFY(flown.runner.frame()->session->level().gravity == Vec2(1, 0));
-        QCOMPARE(replayed(openSpace(), flown.runner.recording()).hash, flown.hash());
+        QCOMPARE(replayed(openSpace(), flown.runner.askRecording()().run).hash, flown.hash());
     }
     void whoHasLookedElsewhereComparesWithTheRunAsItIsNow() {
         Flown flown;
@@ -257,7 +257,7 @@ class CourseTest : public QObject {
         pulling.gravity = Vec2(1, 0);
         flown.runner.setLevel(std::make_shared<const Level>(pulling));
         flown.runner.advance(20);
-        const Replay recording = flown.runner.recording();
+        const Replay recording = flown.runner.askRecording()().run;
         Runner runner(openSpace(), Runner::Mode::Manual);
         runner.wantSession(true);
         runner.advance(3);
@@ -290,7 +290,7 @@ class CourseTest : public QObject {
         runner.setGrab({});
         runner.setLevel(without(yard(), floorKey));
         runner.advance(30);
-        const Replay recording = runner.recording();
+        const Replay recording = runner.askRecording()().run;
         QCOMPARE(recording.holds.size(), std::size_t(41));
         QCOMPARE(recording.edits.size(), std::size_t(1));
         QCOMPARE(replayed(yard(), recording).hash, runner.frame()->session->hash());
@@ -304,7 +304,7 @@ class CourseTest : public QObject {
     }
     void aRecordedRunIsOpenedAsAWhole() {
         Flown flown(spaceWithCeiling());
-        const Replay recording = flown.runner.recording();
+        const Replay recording = flown.runner.askRecording()().run;
         Runner runner(spaceWithCeiling(), Runner::Mode::Manual);
         runner.advance(7);
         runner.wantSession(true);
@@ -316,7 +316,7 @@ class CourseTest : public QObject {
         QCOMPARE(runner.frame()->timeline->marks.front().kind, MarkKind::Crash);
         runner.seek(100);
         QCOMPARE(runner.frame()->session->hash(), flown.hash());
-        QVERIFY(runner.recording() == recording);
+        QVERIFY(runner.askRecording()().run == recording);
         runner.restart();
         QCOMPARE(runner.frame()->timeline->last, std::int64_t(0));
     }

@@ -44,7 +44,7 @@ class LiveRunnerTest : public QObject {
         QVERIFY(comesTrue([&] { return runner.frame()->session && runner.frame()->session->updates() == 2; }));
         QCOMPARE(runner.frame()->session->hash(), fresh.hash());
         QVERIFY(runner.frame()->paused);
-        QCOMPARE(runner.startLevel()->objects.size(), yard().objects.size());
+        QCOMPARE(runner.askRecording()().start->objects.size(), yard().objects.size());
     }
     void whatIsHeldIsPulledUntilItIsLetGo() {
         Runner runner(yard(), Runner::Mode::Manual);

@@ -133,8 +133,8 @@ class BugCapsuleTest : public QObject {
         TestWindow to;
         paste(to, from.copied());
         to.trigger(Act::Restart);
-        QTRY_VERIFY(to.window->liveRun().runner()->startLevel() != nullptr &&
-                    *to.window->liveRun().runner()->startLevel() == edited);
+        QTRY_VERIFY(to.window->liveRun().runner()->askRecording()().start != nullptr &&
+                    *to.window->liveRun().runner()->askRecording()().start == edited);
     }
 
     void whatWasNotEditedHasNothingToKeep() {

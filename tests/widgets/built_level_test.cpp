@@ -90,7 +90,7 @@ Replay flownByKeys(Game& game, const Level& level) {
         game.run(1);
     }
     pressKeys(game.view(), held, {});
-    return game.live().runner()->recording();
+    return game.live().runner()->askRecording()().run;
 }
 
 } // namespace

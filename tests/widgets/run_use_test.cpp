@@ -54,7 +54,7 @@ class RunUseTest : public QObject {
         QTest::keyRelease(&test.canvas(), Qt::Key_Right); // before the runner has come to the second, perhaps
         test.trigger(Act::Step);
         QTRY_COMPARE(run.updates(), before + 3);
-        Replay recording = run.runner()->recording();
+        Replay recording = run.runner()->askRecording()().run;
         QVERIFY(recording.runs.size() >= 2 && recording.runs.back() == (Replay::Run{idle, 1}));
         QVERIFY(recording.runs[recording.runs.size() - 2] == (Replay::Run{right, 2}));
     }

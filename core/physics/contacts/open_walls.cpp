@@ -84,9 +84,7 @@ class Chain {
 
     Chain(const Bodies& bodies, const PairTable& table, std::uint32_t index, Count count)
         : m_bodies(bodies), m_table(table), m_pair(table.pairs[index]), m_range(pairsAlong(table, m_pair)),
-          m_body(bodyAt(m_pair)), m_orJustLeft(count == Count::OrJustLeft) {
-        m_reached.reserve(usualCount);
-    }
+          m_body(bodyAt(m_pair)), m_orJustLeft(count == Count::OrJustLeft) {}
 
     /// Of another part through the same wall: pairs of parts come and go.
     Passage passageOfBody(const WallPart& wall) const {
@@ -109,18 +107,26 @@ class Chain {
     }
     /// Of others than the pair itself; through hollow joints, too, or not: there what passes one wall may meet the
     /// front of the next.
-    bool isPassedAnywhere(const WallPart& from, bool throughHollow) {
-        m_reached.clear();
-        m_reached.push_back(&from);
-        for (std::size_t i = 0; i < m_reached.size(); ++i) {
-            if (isPassed(*m_reached[i])) {
+    bool isPassedAnywhere(const WallPart& from, bool throughHollow) const {
+        // Room for as many joined walls as a body usually meets: a steady update allocates nothing.
+        constexpr std::size_t usualCount = 64;
+        alignas(const WallPart*) std::array<std::byte, usualCount * sizeof(const WallPart*)> buffer;
+        std::pmr::monotonic_buffer_resource memory{buffer.data(), buffer.size()};
+        std::pmr::vector<const WallPart*> reached{&memory};
+        reached.reserve(usualCount);
+        reached.push_back(&from);
+        const auto hasReached = [&reached](const WallPart& wall) {
+            return std::ranges::any_of(reached, [&](const WallPart* known) { return isSame(*known, wall); });
+        };
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            if (isPassed(*reached[i])) {
                 return true;
             }
             any([&](const Door& door, Passage) {
-                const EdgeJoint joint = jointOf(*door.wall, *m_reached[i]);
+                const EdgeJoint joint = jointOf(*door.wall, *reached[i]);
                 if ((joint == EdgeJoint::Other || (joint == EdgeJoint::Hollow && throughHollow)) &&
                     !hasReached(*door.wall)) {
-                    m_reached.push_back(door.wall);
+                    reached.push_back(door.wall);
                 }
                 return false;
             });
@@ -133,9 +139,6 @@ class Chain {
         return std::holds_alternative<WallPart>(*pair.shapeA) ? pair.bodyB : pair.bodyA;
     }
     static bool isSame(const WallPart& a, const WallPart& b) { return a.a == b.a && a.b == b.b; }
-    bool hasReached(const WallPart& wall) const {
-        return std::ranges::any_of(m_reached, [&](const WallPart* reached) { return isSame(*reached, wall); });
-    }
     template <class Test>
     bool any(const Test& test) const {
         for (std::size_t i = m_range.first; i < m_range.last; ++i) {
@@ -157,12 +160,6 @@ class Chain {
     PairRange m_range;
     Slot m_body; // that meets the wall
     bool m_orJustLeft;
-
-    // Room for as many joined walls as a body usually meets: a steady update allocates nothing.
-    static constexpr std::size_t usualCount = 64;
-    alignas(const WallPart*) std::array<std::byte, usualCount * sizeof(const WallPart*)> m_buffer;
-    std::pmr::monotonic_buffer_resource m_memory{m_buffer.data(), m_buffer.size()};
-    std::pmr::vector<const WallPart*> m_reached{&m_memory};
 };
 
 /// Whether the parts move apart at all points of a contact.

@@ -1,7 +1,7 @@
 #pragma once
 // Manifolds of one or two points between parts of any shape. A manifold is kept while the relative pose of its parts
-// stays within the manifold tolerance. The points and the normal of a kept manifold are fixed to
-// the bodies; separations and levers are updated in every iteration.
+// stays within the manifold tolerance. The points and the normal of a kept manifold are fixed to the bodies;
+// separations and levers are updated in every iteration.
 
 #include "core/physics/contacts/contact_stage.h"
 
