@@ -5531,6 +5531,10 @@
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
         <translation>Die Wand ist innen fest, wo Schiff oder Fracht starten: Sie wurde im Uhrzeigersinn gezeichnet. Kehren Sie sie um, damit aus dem Fels eine Höhle wird.</translation>
     </message>
+    <message>
+        <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
+        <translation>„%2“ ist auf dem Weg durch eine einseitige Kante von „%1“, von (%3, %4) bis (%5, %6): Es kam von hinten und berührt nichts, bis es ganz davor ist.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>

@@ -5531,6 +5531,10 @@
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
         <translation>La pared es sólida por dentro, donde empiezan la nave o la carga: se dibujó en sentido horario. Inviértala para hacer de la roca una cueva.</translation>
     </message>
+    <message>
+        <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
+        <translation>«%2» está atravesando un muro de una cara de «%1», de (%3, %4) a (%5, %6): vino por detrás y no toca nada hasta que esté entero delante.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>

@@ -5531,6 +5531,10 @@
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
         <translation>Le mur est plein à l’intérieur, là où commencent le vaisseau ou la charge : il a été dessiné dans le sens horaire. Inversez-le pour faire du rocher une grotte.</translation>
     </message>
+    <message>
+        <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
+        <translation>« %2 » traverse un mur à sens unique de « %1 », de (%3, %4) à (%5, %6) : il est venu de derrière et ne touche rien tant qu’il n’est pas entièrement devant.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>

@@ -5495,6 +5495,10 @@
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
         <translation>墙的内侧是实心的，而飞船或货物从那里出发：它是顺时针绘制的。请将其反转，使岩石变成洞穴。</translation>
     </message>
+    <message>
+        <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
+        <translation>“%2”正在穿过“%1”的单向墙，从 (%3, %4) 到 (%5, %6)：它来自背面，在完全到达正面之前不会接触任何东西。</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>

@@ -209,6 +209,8 @@ std::string codeFor(const CollisionAnswer& answer) {
         return answer.felt ? "apart-felt" : "apart-intangible";
     case WhyApart::Walls:
         return "apart-walls";
+    case WhyApart::Passing:
+        return "apart-passing";
     case WhyApart::Behind:
         return "apart-behind";
     case WhyApart::Distance:
@@ -274,6 +276,7 @@ Error apartCode(const Level& level, const ApartObjects& apart) {
                 {nameIn(level, about), nameIn(level, other), connector}};
     case WhyApart::Distance:
         return {codeFor(answer), {nameIn(level, about), nameIn(level, other), metersText(answer.distance)}};
+    case WhyApart::Passing:
     case WhyApart::Behind:
         return {codeFor(answer),
                 {nameIn(level, about), nameIn(level, other), metersText(answer.from.x()), metersText(answer.from.y()),

@@ -160,6 +160,33 @@ class WhyApartTest : public QObject {
         QVERIFY((answer.from - Vec2(-1, 0)).norm() < 1e-12 && (answer.to - Vec2(1, 0)).norm() < 1e-12);
     }
 
+    void whatIsOnItsWayThroughAOneWayWallFromBehindIsToldSo() {
+        BodyDef wall{.kind = BodyKind::Static};
+        wall.position = {0.5, 1};
+        wall.shapes = {Edge{{-3, 0}, {3, 0}, 0.2}};
+        for (const char* const what : {"ball", "box", "ship"}) {
+            BodyDef body = dropped(what, {0, 0});
+            body.velocity = {0, 1};
+            Two two(body, wall);
+            int passing = 0;
+            while (two.world.body(two.a).pose.position.y() < 2) {
+                two.world.update();
+                const CollisionAnswer answer = two.answer();
+                QVERIFY2(answer.why == WhyApart::Passing || answer.why == WhyApart::Behind ||
+                             answer.why == WhyApart::Distance,
+                         what);
+                if (answer.why == WhyApart::Passing) {
+                    QCOMPARE(answer.body, two.b);
+                    QVERIFY((answer.from - Vec2(-2.5, 1)).norm() < 1e-12);
+                    QVERIFY((answer.to - Vec2(3.5, 1)).norm() < 1e-12);
+                    ++passing;
+                }
+            }
+            QVERIFY2(passing > 10, what);
+            QCOMPARE(two.answer().why, WhyApart::Distance);
+        }
+    }
+
     void othersAreNamedByWhatTheyAre() {
         BodyDef fixed = ball({0, 0}, 0.5);
         fixed.kind = BodyKind::Static;

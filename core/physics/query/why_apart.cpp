@@ -17,6 +17,8 @@ namespace {
 struct Touching {
     bool any = false;
     bool solid = false;
+    const Pair* passing = nullptr; // with a one-way wall that the other body passes, or has come up to, from behind
+    bool isBetween = false;        // the face of that wall is open
 };
 
 /// Marks of the last update, in a table whose pairs are sorted by their bodies.
@@ -27,6 +29,12 @@ void lookUp(const PairTable& table, Slot a, Slot b, Touching& touching) {
     for (auto i = static_cast<std::size_t>(first - table.pairs.begin());
          i < table.size() && table.pairs[i].bodies() == bodies; ++i) {
         touching.any |= table.flags[i].touching || table.flags[i].passed;
+        const Passage passage = table.flags[i].passage;
+        const bool comes = passage == Passage::Behind || passage == Passage::Between;
+        if (comes && !touching.isBetween) {
+            touching.passing = &table.pairs[i];
+            touching.isBetween = passage == Passage::Between;
+        }
     }
 }
 
@@ -79,6 +87,20 @@ std::optional<CollisionAnswer> answerByRules(const Bodies& bodies, const Forces&
     } else {
         return std::nullopt;
     }
+    return answer;
+}
+
+CollisionAnswer answerOfPassing(const Bodies& bodies, const Pair& pair, BodyId a, BodyId b) {
+    const auto* wallA = std::get_if<WallPart>(pair.shapeA);
+    const WallPart& wall = wallA != nullptr ? *wallA : std::get<WallPart>(*pair.shapeB);
+    const Slot slot = wallA != nullptr ? pair.bodyA : pair.bodyB;
+    const bool isInWorld = wallA == nullptr && pair.staticB;
+    const Transform pose = isInWorld ? Transform{} : bodies.pose(slot);
+    CollisionAnswer answer;
+    answer.why = WhyApart::Passing;
+    answer.body = slot == a.index ? a : b;
+    answer.from = pose.toWorld(wall.a);
+    answer.to = pose.toWorld(wall.b);
     return answer;
 }
 
@@ -201,7 +223,13 @@ CollisionAnswer whyNotColliding(const World& world, BodyId a, BodyId b) {
         answer.why = WhyApart::Walls;
         return answer;
     }
-    return Distance(data, a, b).answer();
+    if (touching.isBetween) {
+        return answerOfPassing(data.bodies, *touching.passing, a, b);
+    }
+    answer = Distance(data, a, b).answer();
+    // What overlaps the wall and has come from behind meets nothing in the next update either.
+    const bool passes = answer.why == WhyApart::NextUpdate && touching.passing != nullptr;
+    return passes ? answerOfPassing(data.bodies, *touching.passing, a, b) : answer;
 }
 
 } // namespace spacetow

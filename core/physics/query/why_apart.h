@@ -16,6 +16,7 @@ enum class WhyApart : std::uint8_t {
     Connected,  // `connectors` join them, with bodiesCollide off
     Intangible, // `body` is a sensor: it reports touches and stops nothing
     Walls,      // both have walls only, and walls do not collide with walls
+    Passing,    // the other is on its way from behind through one-way walls of `body`; one of them is `from`–`to`
     Behind,     // the other is behind the one-way walls of `body`; one of them is `from`–`to`
     Distance,   // they are `distance` apart; the nearest points are `from` and `to`
     NextUpdate, // they overlap, and the next update will find the contact
