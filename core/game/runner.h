@@ -25,7 +25,8 @@ struct Frame {
     double period = 0.02;                        // s that pass between the two; simulated are `speed` times as many
     double speed = 1;                            // of the game, in that of the clock
     bool paused = false;
-    std::shared_ptr<const Session> session{};          // a copy as it is at `now`; null unless it is wanted
+    std::shared_ptr<const Session> session{};          // a copy, of `now` or a little older; null unless it is wanted
+    std::shared_ptr<const Snapshot> ofSession{};       // of the moment at which it is
     std::shared_ptr<const TimelineSummary> timeline{}; // never null
     std::shared_ptr<const StepProfile> profile{};      // null unless it is wanted
 };

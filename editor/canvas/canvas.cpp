@@ -227,13 +227,17 @@ void Canvas::finishPainting() {
     repaint();
 }
 
+Frame2D Canvas::frame() const {
+    const double ratio = devicePixelRatioF();
+    return {alignedToPixels(m_view, ratio), ratio};
+}
+
 void Canvas::paintEvent(QPaintEvent*) {
     const Edit& shown = m_document.shown();
-    const double ratio = devicePixelRatioF();
     m_overlay = m_toolbox.overlay();
     const bool isLong = isLongToHover(*shown.level, m_overlay.hovered, m_view.visible());
     BoardRequest request;
-    request.frame = {alignedToPixels(m_view, ratio), ratio};
+    request.frame = frame();
     request.theme = &editingTheme(shadeOf(palette()));
     request.level = shown.level;
     request.base = m_document.current().level;

@@ -38,6 +38,8 @@ class Canvas : public QWidget {
     ~Canvas() override;
 
     const Viewport& view() const { return m_view; }
+    /// As it is painted.
+    Frame2D frame() const;
     void setView(const Viewport& view);
     bool isGridVisible() const { return m_grid; }
     void setGridVisible(bool visible);

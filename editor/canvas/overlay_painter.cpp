@@ -9,14 +9,14 @@ namespace spacetow {
 
 namespace {
 
-DebugView debugView(const Stage& stage, const OverlayRequest& request) {
+DebugView debugView(const Viewport& viewport, Shade shade, const OverlayRequest& request) {
     constexpr double spare = 8; // px, for pens and marks
     DebugView view;
-    view.view = stage.view.transform();
+    view.view = viewport.transform();
     view.shapes = false;
     view.overlays = request.flags;
-    view.colors = overlayColors(request.palette, stage.theme.shade);
-    view.area = stage.view.visible().grown(spare * stage.view.pixel());
+    view.colors = overlayColors(request.palette, shade);
+    view.area = viewport.visible().grown(spare * viewport.pixel());
     view.trails = request.trails;
     if (const Level* level = request.level; level != nullptr) {
         view.nameOf = [level](std::uint64_t user) {
@@ -49,8 +49,9 @@ std::vector<Key> hiddenKeys(const Level& level) {
 
 void draw(const Stage& stage, const World& world, const DebugView& view) {
     if (view.overlays.any()) {
-        PainterDraw batch(stage);
-        drawWorld(world, view, batch);
+        PainterDraw marks(stage.view.size);
+        drawWorld(world, view, marks);
+        marks.paint(stage);
     }
 }
 
@@ -58,12 +59,18 @@ void draw(const Stage& stage, const World& world, const DebugView& view) {
 
 void paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request) {
     const SavedPainter saved(stage.painter);
-    draw(stage, world, debugView(stage, request));
+    draw(stage, world, debugView(stage.view, stage.theme.shade, request));
+}
+
+PainterDraw worldOverlays(const Viewport& view, Shade shade, const World& world, const OverlayRequest& request) {
+    PainterDraw marks(view.size);
+    drawWorld(world, debugView(view, shade, request), marks);
+    return marks;
 }
 
 void paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request) {
     const SavedPainter saved(stage.painter);
-    DebugView view = debugView(stage, request);
+    DebugView view = debugView(stage.view, stage.theme.shade, request);
     view.trails = worlds.trails;
     const std::vector<Key> hidden = request.level != nullptr ? hiddenKeys(*request.level) : std::vector<Key>();
     const auto showsOf = [&hidden](const World& world) {

@@ -6,6 +6,7 @@
 #include "editor/canvas/label_painter.h"
 #include "editor/canvas/overlay_palette.h"
 #include "editor/canvas/overlay_worlds.h"
+#include "editor/canvas/painter_draw.h"
 #include "editor/canvas/stage.h"
 #include "editor/editing/overlay.h"
 
@@ -24,6 +25,8 @@ struct OverlayRequest {
 
 /// Over a world that runs or stands still: that of a session, say. Only what is in view costs time.
 void paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request);
+/// The same, to be painted later or part by part.
+PainterDraw worldOverlays(const Viewport& view, Shade shade, const World& world, const OverlayRequest& request);
 /// Over a level while nothing runs: what the physics makes of it at its start.
 void paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request);
 

@@ -75,8 +75,7 @@ QColor toQColor(const Color& color) {
     return {color.red, color.green, color.blue, color.alpha};
 }
 
-PainterDraw::PainterDraw(const Stage& stage)
-    : m_stage(stage), m_painter(stage.painter), m_visible(Aabb{Vec2(0, 0), stage.view.size}.grown(spare)) {}
+PainterDraw::PainterDraw(const Vec2& size) : m_visible(Aabb{Vec2(0, 0), size}.grown(spare)) {}
 
 PainterDraw::Batch& PainterDraw::batch(const Color& color) {
     ++m_marks;
@@ -158,85 +157,82 @@ void PainterDraw::arrow(const Vec2& from, const Vec2& to, const Color& color) {
     }
 }
 
-void PainterDraw::flush() {
+void PainterDraw::paint(const Stage& stage) const {
     for (const Batch& one : m_batches) {
-        paintFillings(one);
+        paintFillings(stage.painter, one);
     }
     for (const Batch& one : m_batches) {
-        paintLines(one);
+        paintLines(stage.painter, one);
     }
-    paintTexts();
-    m_batches.clear();
-    m_texts.clear();
-    m_last = m_marks = 0;
+    paintTexts(stage);
 }
 
-void PainterDraw::paintFillings(const Batch& batch) {
-    const bool wasSmooth = m_painter.testRenderHint(QPainter::Antialiasing);
-    m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth && !isCrowd());
-    m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(toQColor(batch.color));
+void PainterDraw::paintFillings(QPainter& painter, const Batch& batch) const {
+    const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::Antialiasing, wasSmooth && !isCrowd());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(toQColor(batch.color));
     for (const QRectF& box : batch.filledBoxes) {
-        m_painter.fillRect(box, toQColor(batch.color));
+        painter.fillRect(box, toQColor(batch.color));
     }
     for (const QPolygonF& area : batch.areas) {
-        m_painter.drawPolygon(area);
+        painter.drawPolygon(area);
     }
-    paintDiscs(batch);
-    m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
+    paintDiscs(painter, batch);
+    painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
 }
 
 /// With the brush that is set. Those of a crowd that are hardly more than a point are squares.
-void PainterDraw::paintDiscs(const Batch& batch) {
+void PainterDraw::paintDiscs(QPainter& painter, const Batch& batch) const {
     constexpr double tiny = 3.5; // px, of a radius
     if (!isCrowd()) {
         for (const QRectF& disc : batch.discs) {
-            m_painter.drawEllipse(disc);
+            painter.drawEllipse(disc);
         }
         return;
     }
     std::vector<QRectF> round;
     for (const QRectF& disc : batch.discs) {
         if (disc.width() < 2 * tiny) {
-            m_painter.fillRect(disc, toQColor(batch.color));
+            painter.fillRect(disc, toQColor(batch.color));
         } else {
             round.push_back(disc);
         }
     }
-    stampEllipses(m_painter, round);
+    stampEllipses(painter, round);
 }
 
-void PainterDraw::paintLines(const Batch& batch) {
-    const bool wasSmooth = m_painter.testRenderHint(QPainter::Antialiasing);
-    m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth && !isCrowd());
+void PainterDraw::paintLines(QPainter& painter, const Batch& batch) const {
+    const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::Antialiasing, wasSmooth && !isCrowd());
     const auto pen = [&](double width) { return stroke(toQColor(batch.color), isCrowd() ? 1 : width); };
-    m_painter.setBrush(Qt::NoBrush);
-    m_painter.setPen(pen(boxWidth));
-    m_painter.drawRects(batch.boxes.data(), static_cast<int>(batch.boxes.size()));
-    m_painter.setPen(pen(lineWidth));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(pen(boxWidth));
+    painter.drawRects(batch.boxes.data(), static_cast<int>(batch.boxes.size()));
+    painter.setPen(pen(lineWidth));
     for (const QPolygonF& outline : batch.outlines) {
-        m_painter.drawPolygon(outline);
+        painter.drawPolygon(outline);
     }
     if (isCrowd()) {
-        stampEllipses(m_painter, batch.circles);
+        stampEllipses(painter, batch.circles);
     } else {
         for (const QRectF& circle : batch.circles) {
-            m_painter.drawEllipse(circle);
+            painter.drawEllipse(circle);
         }
     }
-    m_painter.drawLines(batch.lines.data(), static_cast<int>(batch.lines.size()));
-    m_painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
+    painter.drawLines(batch.lines.data(), static_cast<int>(batch.lines.size()));
+    painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
 }
 
 /// With a halo, as they may lie on anything.
-void PainterDraw::paintTexts() {
+void PainterDraw::paintTexts(const Stage& stage) const {
     for (const Text& one : m_texts) {
-        m_painter.setPen(m_stage.theme.halo);
+        stage.painter.setPen(stage.theme.halo);
         for (const QPointF& beside : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)}) {
-            m_painter.drawText(one.at + beside, one.text);
+            stage.painter.drawText(one.at + beside, one.text);
         }
-        m_painter.setPen(toQColor(one.color));
-        m_painter.drawText(one.at, one.text);
+        stage.painter.setPen(toQColor(one.color));
+        stage.painter.drawText(one.at, one.text);
     }
 }
 

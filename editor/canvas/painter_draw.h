@@ -1,7 +1,7 @@
 #pragma once
-// The engine's debug drawing on a painter. Positions are those of the stage's view; what is out of it is left out.
-// Thousands of marks are a matter of every frame, so what has one colour is painted at once: fillings first, in their
-// order, then lines, then texts, each colour in the order in which it first came.
+// The engine's debug drawing, gathered to be painted at once, or part by part. Positions are those of the view; what is
+// out of it is left out. Thousands of marks are a matter of every frame, so what has one colour is painted together:
+// fillings first, in their order, then lines, then texts, each colour in the order in which it first came.
 
 #include "core/physics/query/debug_draw.h"
 #include "editor/canvas/stage.h"
@@ -17,16 +17,14 @@ namespace spacetow {
 Color toColor(const QColor& color);
 QColor toQColor(const Color& color);
 
-/// The stage must outlive it. What was drawn is on the painter when it is destroyed or flushed. Pen and brush are left
-/// changed.
 class PainterDraw : public DebugDraw {
   public:
-    explicit PainterDraw(const Stage& stage);
-    ~PainterDraw() override { flush(); }
-    PainterDraw(const PainterDraw&) = delete;
-    PainterDraw& operator=(const PainterDraw&) = delete;
+    /// The size of the view, logical pixels.
+    explicit PainterDraw(const Vec2& size);
 
-    void flush();
+    /// All that has been drawn, with the stage's painter, of which pen and brush are left changed. Several threads may
+    /// do so at the same time, each with a painter of its own.
+    void paint(const Stage& stage) const;
 
     void circle(const Vec2& center, double radius, const Color& color) override;
     void filledCircle(const Vec2& center, double radius, const Color& color) override;
@@ -60,13 +58,11 @@ class PainterDraw : public DebugDraw {
     /// Of so many marks that smooth ones would take five times as long, and nobody would see it.
     bool isCrowd() const { return m_marks > 1500; }
     Batch& batch(const Color& color);
-    void paintFillings(const Batch& batch);
-    void paintDiscs(const Batch& batch);
-    void paintLines(const Batch& batch);
-    void paintTexts();
+    void paintFillings(QPainter& painter, const Batch& batch) const;
+    void paintDiscs(QPainter& painter, const Batch& batch) const;
+    void paintLines(QPainter& painter, const Batch& batch) const;
+    void paintTexts(const Stage& stage) const;
 
-    const Stage& m_stage;
-    QPainter& m_painter;
     Aabb m_visible; // logical pixels
     std::vector<Batch> m_batches;
     std::size_t m_last = 0; // used last

@@ -96,6 +96,14 @@ Aabb Frame2D::worldIn(const QRect& device) const {
     return box;
 }
 
+Frame2D Frame2D::part(const QRect& device) const {
+    Frame2D frame = *this;
+    const Vec2 size = Vec2(device.width(), device.height()) / pixelRatio;
+    frame.view.center = view.toWorld(Vec2(device.x(), device.y()) / pixelRatio + 0.5 * size);
+    frame.view.size = size;
+    return frame;
+}
+
 Frame2D Frame2D::grown(int pixels) const {
     Frame2D frame = *this;
     frame.view.size += Vec2(2, 2) * (pixels / pixelRatio);
@@ -199,10 +207,7 @@ void PictureLayer::paint(const QRegion& region, const Theme& theme, const Paint&
     clear(m_image, region);
     for (const QRect& device : region) {
         const QRectF strip(device.x() / ratio, device.y() / ratio, device.width() / ratio, device.height() / ratio);
-        Viewport view = m_frame.view;
-        const QPointF middle = strip.center();
-        view.center = m_frame.view.toWorld(Vec2(middle.x(), middle.y()));
-        view.size = Vec2(strip.width(), strip.height());
+        const Viewport view = m_frame.part(device).view;
         QPainter painter(&m_image);
         painter.setClipRect(strip);
         painter.translate(strip.topLeft());

@@ -30,6 +30,8 @@ struct Frame2D {
     Frame2D grown(int pixels) const;
     /// Where the whole of `other` lies in this one. Of the same scale.
     QRect rectOf(const Frame2D& other) const;
+    /// A rectangle of it as a frame of its own.
+    Frame2D part(const QRect& device) const;
     /// The world in a rectangle of the frame.
     Aabb worldIn(const QRect& device) const;
     QRect all() const { return {QPoint(0, 0), deviceSize()}; }

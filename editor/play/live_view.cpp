@@ -4,7 +4,6 @@
 #include "core/level/groups.h"
 #include "editor/canvas/grid_painter.h"
 #include "editor/canvas/guide_painter.h"
-#include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/palette.h"
 #include "editor/canvas/scene_painter.h"
 #include "editor/play/backdrop.h"
@@ -46,6 +45,7 @@ LiveView::LiveView(Document& document, Toolbox& toolbox, Canvas& canvas, LiveRun
     });
     connect(&run, &LiveRun::stopped, this, [this] { m_menu->hide(); });
     m_ground.painted = [this] { m_canvas.update(); };
+    m_marks.painted = [this] { refresh(); };
 }
 
 LiveView::~LiveView() {
@@ -84,8 +84,8 @@ void LiveView::show(const Level& level, bool anew) {
     }
     m_firstScale = m_canvas.view().scale;
     m_following = true;
-    m_trails.forget();
-    m_session.reset();
+    m_marks.forget();
+    m_frame.reset();
     m_run.wantSession(this, m_overlays.any());
 }
 
@@ -97,12 +97,18 @@ void LiveView::hide() {
     m_menu->hide();
     m_shown = false;
     m_ground.forget();
+    m_marks.forget();
+    m_frame.reset();
     m_canvas.showLive(nullptr);
 }
 
 void LiveView::setOverlays(const OverlayFlags& overlays) {
     m_overlays = overlays;
     m_run.wantSession(this, overlays.any());
+    if (!overlays.any()) {
+        m_frame.reset();
+        m_marks.forget();
+    }
     m_canvas.update();
 }
 
@@ -116,12 +122,12 @@ void LiveView::refresh() {
     if (!m_shown || !m_run.isRunning()) {
         return;
     }
-    m_session = m_overlays.any() ? m_run.session() : nullptr;
-    m_picture = m_session ? *m_session->snapshot() : m_run.picture(); // overlays and bodies of one moment
-    m_hand.see(m_picture);
-    if (m_session && m_overlays.trails) {
-        m_trails.note(*m_session);
+    takePicture();
+    const std::shared_ptr<const Snapshot> before = std::exchange(m_marked, m_marks.picture());
+    if (m_marks.isPainting() && m_marked && before == m_marked) {
+        return; // there is nothing new until that is there
     }
+    m_hand.see(m_picture);
     const double simulated = m_run.frame()->period * static_cast<double>(m_picture.update - m_lastUpdate);
     const double passed = m_run.isPaused() ? 0 : static_cast<double>(m_sinceLook.elapsed()) / 1000;
     m_sinceLook.restart();
@@ -131,6 +137,29 @@ void LiveView::refresh() {
         moveView(chased(m_canvas.view(), *ship, std::clamp(std::max(simulated, passed), 0.0, longest)));
     }
     m_canvas.update();
+}
+
+/// Overlays and bodies of one moment.
+void LiveView::takePicture() {
+    const std::shared_ptr<const Frame> frame = m_run.frame();
+    m_frame = m_overlays.any() && frame->session ? frame : nullptr;
+    if (!m_frame) {
+        m_picture = m_run.picture();
+        return;
+    }
+    seeOverlays(m_canvas.frame());
+    m_picture = m_marks.picture() ? *m_marks.picture() : *m_frame->ofSession;
+}
+
+void LiveView::seeOverlays(const Frame2D& frame) {
+    if (m_frame) {
+        m_marks.see({m_frame->session, m_frame->ofSession, m_overlays, m_canvas.overlayPalette(),
+                     m_document.selection().keys(), &theme(), frame});
+    }
+}
+
+const Theme& LiveView::theme() const {
+    return m_run.isGame() ? canvasTheme() : editingTheme(shadeOf(m_canvas.palette()));
 }
 
 void LiveView::shiftView(const Vec2& pixels) {
@@ -241,7 +270,7 @@ void LiveView::paintHold(const Stage& stage, LabelPainter& labels) const {
 void LiveView::paint(QPainter& painter, const Frame2D& frame) {
     countFrame();
     const bool game = m_run.isGame();
-    const Theme& theme = game ? canvasTheme() : editingTheme(shadeOf(m_canvas.palette()));
+    const Theme& theme = this->theme();
     const Stage stage{painter, frame.view, theme};
     if (game) {
         paintBackdrop(stage, m_background);
@@ -260,20 +289,10 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
     }
     paintFlame(stage, m_picture);
     paintMoving(stage, m_picture, &m_discs);
-    paintOverlays(stage);
+    seeOverlays(frame);
+    m_marks.draw(stage, frame);
     if (game) {
         paintTowRange(stage, m_picture, m_towRange);
-    }
-}
-
-void LiveView::paintOverlays(const Stage& stage) {
-    if (m_session && m_overlays.any()) {
-        paintWorldOverlays(stage, m_session->world(),
-                           {.flags = m_overlays,
-                            .palette = m_canvas.overlayPalette(),
-                            .level = &m_session->level(),
-                            .selected = m_document.selection().keys(),
-                            .trails = m_trails.trails()});
     }
 }
 
@@ -293,7 +312,7 @@ void LiveView::paintWords(const Stage& stage) const {
 }
 
 void LiveView::paintOver(QPainter& painter, const Frame2D& frame) {
-    const Stage stage{painter, frame.view, m_run.isGame() ? canvasTheme() : editingTheme(shadeOf(m_canvas.palette()))};
+    const Stage stage{painter, frame.view, theme()};
     if (const Key hovered = m_hand.hovered(); hovered != 0 && !showsTool() && !m_run.isGame()) {
         paintHovered(stage, posedShown(std::span(&hovered, 1)), hovered);
     }

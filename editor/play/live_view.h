@@ -8,8 +8,8 @@
 #include "editor/canvas/live_scene.h"
 #include "editor/play/ground_picture.h"
 #include "editor/play/live_hand.h"
+#include "editor/play/live_overlays.h"
 #include "editor/play/live_run.h"
-#include "editor/play/trail_keeper.h"
 
 #include <QElapsedTimer>
 
@@ -90,7 +90,9 @@ class LiveView : public QObject, public LiveScene {
     void takeClassicView();
     bool isSteering() const;
     void countFrame();
-    void paintOverlays(const Stage& stage);
+    const Theme& theme() const;
+    void seeOverlays(const Frame2D& frame);
+    void takePicture();
     void paintWords(const Stage& stage) const;
     bool isTransportKey(const QKeyEvent& event) const;
     void drawPaper(QPainter& painter, const Paper& wanted);
@@ -103,8 +105,9 @@ class LiveView : public QObject, public LiveScene {
     LiveHand m_hand;
     PauseMenu* m_menu; // owned by the canvas
     OverlayFlags m_overlays;
-    TrailKeeper m_trails;
-    std::shared_ptr<const Session> m_session; // of which the picture is, while an overlay needs it
+    std::shared_ptr<const Frame> m_frame; // of the run, newest, while an overlay needs its session
+    LiveOverlays m_marks;
+    std::shared_ptr<const Snapshot> m_marked; // that the canvas was told of last
     GroundPicture m_ground;
     DiscStamps m_discs;
     const Theme* m_groundTheme = nullptr; // in whose colours it is

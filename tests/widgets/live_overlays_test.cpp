@@ -16,6 +16,15 @@ Level fallingBall() {
     return level;
 }
 
+/// In a square of so many by so many, one metre apart.
+Level fallingBalls(int across) {
+    Level level;
+    for (int i = 0; i < across * across; ++i) {
+        addBall(level, Vec2(i % across, i / across), 0.3, Vec2(5, 0));
+    }
+    return level;
+}
+
 /// How many pixels are magenta, or nearly so where lines are smooth.
 int magentaPixels(const QImage& image) {
     int count = 0;
@@ -69,6 +78,56 @@ class LiveOverlaysTest : public QObject {
         game.scene().refresh();
         QVERIFY(game.live().session() == nullptr); // nobody pays for copies that nobody looks at
         QCOMPARE(magentaPixels(game.view().grab().toImage()), 0);
+    }
+
+    void overlaysOfACrowdBelongToTheBodiesThatAreShown_data() {
+        QTest::addColumn<int>("across");
+        QTest::newRow("few, within the frame") << 10;
+        QTest::newRow("many, beside the window") << 25;
+    }
+    void overlaysOfACrowdBelongToTheBodiesThatAreShown() {
+        QFETCH(int, across);
+        Game game(fallingBalls(across), {400, 400}, LiveRun::Kind::Simulation);
+        game.view().setView(game.view().view().showing({{-1, -1}, {1.0 * across, 1.0 * across}}));
+        game.view().setOverlayPalette({.own = {{"mass-center", Color{255, 0, 255}}}});
+        game.scene().setOverlays({.masses = true});
+        game.run(1);
+        game.scene().refresh();
+        QTRY_VERIFY(magentaPixels(game.view().grab().toImage()) > 0);
+        for (int moment = 0; moment < 8; ++moment) {
+            game.run(5); // half of the way to where its neighbour was
+            game.scene().refresh(); // the next picture may not be there yet
+            const QImage image = game.view().grab().toImage();
+            for (const BodyPicture& body : game.scene().picture().bodies) {
+                const Vec2 center = game.view().view().toScreen(body.pose.position);
+                const QRect about(static_cast<int>(center.x()) - 3, static_cast<int>(center.y()) - 3, 7, 7);
+                QVERIFY(!image.rect().contains(about) || magentaPixels(image.copy(about)) > 0);
+            }
+        }
+        QTRY_COMPARE(game.scene().picture().update, game.picture()->update);
+        game.scene().setOverlays({});
+        game.scene().refresh();
+        QCOMPARE(magentaPixels(game.view().grab().toImage()), 0);
+    }
+
+    void overlaysOfACrowdFollowViewAndSelectionThoughTimeStands() {
+        Game game(fallingBalls(25), {400, 400}, LiveRun::Kind::Simulation);
+        game.live().setPaused(true);
+        game.view().setOverlayPalette({.own = {{"mass-center", Color{255, 0, 255}}}});
+        game.scene().setOverlays({.masses = true});
+        game.scene().refresh();
+        const auto isMarked = [&](const Vec2& at) {
+            const Vec2 screen = game.view().view().toScreen(at);
+            const QRect about(static_cast<int>(screen.x()) - 3, static_cast<int>(screen.y()) - 3, 7, 7);
+            return magentaPixels(game.view().grab().toImage().copy(about)) > 0;
+        };
+        for (const double scale : {10.0, 40.0, 25.0}) {
+            Viewport view = game.view().view();
+            view.center = Vec2(scale / 10, 2);
+            view.scale = scale;
+            game.view().setView(view);
+            QTRY_VERIFY(isMarked({2, 2}) && isMarked({3, 1}));
+        }
     }
 
     void trailsFollowBodiesAndBeginAnewWhenTimeGoesBack() {

@@ -46,7 +46,7 @@ constexpr Color orange{255, 128, 0};
 QImage rowsOfCircles(bool filled, bool crowded) {
     return painted(viewOf(200, 200), [&](const Stage& stage) {
         stage.painter.setRenderHint(QPainter::Antialiasing);
-        PainterDraw draw(stage);
+        PainterDraw draw(stage.view.size);
         for (int i = 0; i < 80; ++i) {
             const Vec2 at(15.25 + 18 * (i % 10), 15.75 + 18 * (i / 10));
             const double radius = i % 5 == 0 ? 8 : 5.3;
@@ -55,6 +55,7 @@ QImage rowsOfCircles(bool filled, bool crowded) {
         for (int i = 0; crowded && i < 2000; ++i) {
             draw.line({190, 190}, {191, 190}, orange);
         }
+        draw.paint(stage);
     });
 }
 
@@ -79,7 +80,7 @@ class PainterDrawTest : public QObject {
         QFETCH(bool, filled);
         const std::vector<Vec2> corners{Vec2(20, 40), Vec2(60, 40), Vec2(60, 80), Vec2(20, 80)};
         const QImage image = painted(viewOf(100, 100), [&](const Stage& stage) {
-            PainterDraw draw(stage);
+            PainterDraw draw(stage.view.size);
             switch (form) {
             case 0:
                 draw.circle({40, 60}, 20, orange);
@@ -100,6 +101,7 @@ class PainterDrawTest : public QObject {
                 draw.filledRectangle({{20, 40}, {60, 80}}, orange);
                 break;
             }
+            draw.paint(stage);
         });
         const QRect box = inked(image);
         QVERIFY(QRect(18, 38, 45, 45).contains(box) && box.contains(QRect(21, 41, 38, 38)));
@@ -141,7 +143,9 @@ class PainterDrawTest : public QObject {
             return inked(image.copy(from, 0, to - from, 100)).height();
         };
         const QImage image = painted(viewOf(100, 100), [](const Stage& stage) {
-            PainterDraw(stage).arrow({10, 50}, {80, 50}, orange);
+            PainterDraw draw(stage.view.size);
+            draw.arrow({10, 50}, {80, 50}, orange);
+            draw.paint(stage);
         });
         QVERIFY(heightAt(image, 8, 40) <= 3);
         QVERIFY(heightAt(image, 70, 82) >= 5);
@@ -150,7 +154,9 @@ class PainterDrawTest : public QObject {
     void whatIsOutOfViewIsLeftOutAndWhatPassesThroughIsNot() {
         const auto draws = [](const Vec2& a, const Vec2& b) {
             return !inked(painted(viewOf(100, 100), [&](const Stage& stage) {
-                        PainterDraw(stage).line(a, b, orange);
+                        PainterDraw draw(stage.view.size);
+                        draw.line(a, b, orange);
+                        draw.paint(stage);
                     })).isEmpty();
         };
         QVERIFY(draws({-1e6, 50}, {1e6, 50}));
@@ -166,8 +172,9 @@ class PainterDrawTest : public QObject {
         view.overlays = {};
         const auto picture = [&] {
             return painted(window, [&](const Stage& stage) {
-                PainterDraw draw(stage);
+                PainterDraw draw(stage.view.size);
                 drawWorld(world, view, draw);
+                draw.paint(stage);
             });
         };
         const QImage first = picture();

@@ -58,9 +58,10 @@ QImage picture(const Shape& shape, const OverlayFlags& overlays, BodyRole role =
             view.view = stage.view.transform();
             view.shapes = false;
             view.overlays = overlays;
-            PainterDraw draw(stage);
+            PainterDraw draw(stage.view.size);
             drawBody({.kind = BodyKind::Dynamic, .shapes = shapes, .bounds = Aabb{Vec2(-5, -5), Vec2(5, 5)}}, view,
                      draw);
+            draw.paint(stage);
         },
         mode);
 }

@@ -1,0 +1,70 @@
+#pragma once
+// The debug overlays of a run. Those of a few bodies are painted within the frame. Those of a crowd take longer than a
+// frame may, so they are painted beside the window; what is shown of the run meanwhile is the moment that they are of,
+// so that overlays and bodies belong together.
+
+#include "core/game/session.h"
+#include "editor/canvas/background_task.h"
+#include "editor/canvas/overlay_palette.h"
+#include "editor/canvas/picture_layer.h"
+#include "editor/play/trail_keeper.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace spacetow {
+
+class LiveOverlays {
+  public:
+    /// Bodies and walls whose overlays are painted within the frame.
+    static constexpr std::size_t few = 300;
+
+    struct Wanted {
+        std::shared_ptr<const Session> session;
+        std::shared_ptr<const Snapshot> picture; // of the same moment
+        OverlayFlags flags;
+        OverlayPalette palette;
+        std::vector<Key> selected;    // ascending
+        const Theme* theme = nullptr; // lives on
+        Frame2D frame;
+
+        bool operator==(const Wanted&) const = default;
+    };
+
+    /// Whether the overlays of this session are painted beside the window.
+    static bool areMany(const Session& session);
+
+    /// There is a new moment to be shown, or another view of it. Of a crowd it is painted beside the window, unless
+    /// another picture is being painted; then whoever is told of that asks again.
+    void see(const Wanted& wanted);
+    /// Bodies at the moment of the run that the overlays are of; null as long as there are none.
+    const std::shared_ptr<const Snapshot>& picture() const { return m_shown.picture; }
+    /// What has been seen last. Of a crowd, the last picture that is there, where it belongs in the frame.
+    void draw(const Stage& stage, const Frame2D& frame) const;
+    void forget();
+
+    /// Once what was painted beside the window is there.
+    std::function<void()> painted;
+    bool isPainting() const { return m_task.isRunning(); }
+    /// Waits for what is being painted.
+    void finish() { m_task.finish(); }
+
+  private:
+    /// Upper and lower part of the view: each is painted by a thread of its own.
+    using Bands = std::array<PictureLayer, 2>;
+
+    static void paint(Bands& bands, const Wanted& wanted, std::span<const DebugTrail> trails);
+    void paintBeside(const Wanted& wanted);
+
+    Wanted m_shown;
+    Bands m_bands;                                                          // of a crowd
+    Bands m_spare;                                                          // painted into next
+    std::shared_ptr<TrailKeeper> m_trails{std::make_shared<TrailKeeper>()}; // touched by the task while one runs
+    std::uint64_t m_epoch = 0;                                              // how often all was forgotten
+    BackgroundTask m_task;
+};
+
+} // namespace spacetow
