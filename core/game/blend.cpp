@@ -30,16 +30,16 @@ Snapshot blended(const Snapshot& before, const Snapshot& now, double share) {
     const double t = std::clamp(share, 0.0, 1.0);
     // Both lists are in order of creation within each kind, so that equal bodies come in equal order.
     std::size_t next = 0;
-    for (BodyPicture& body : picture.bodies) {
+    for (BodyPicture& body : picture.moving) {
         const std::pair place(body.look->kind, body.look->id);
         const auto at = [&](std::size_t i) {
-            return std::pair(before.bodies[i].look->kind, before.bodies[i].look->id);
+            return std::pair(before.moving[i].look->kind, before.moving[i].look->id);
         };
-        while (next < before.bodies.size() && at(next) < place) {
+        while (next < before.moving.size() && at(next) < place) {
             ++next;
         }
-        if (next < before.bodies.size() && at(next) == place) {
-            const BodyPicture& old = before.bodies[next];
+        if (next < before.moving.size() && at(next) == place) {
+            const BodyPicture& old = before.moving[next];
             body.pose.position = between(old.pose.position, body.pose.position, t);
             body.pose.rotation = between(old.pose.rotation, body.pose.rotation, t);
         }

@@ -86,6 +86,7 @@ void Session::beginAttempt() {
     for (FlyingDebris& one : debris) {
         addDebris(one);
     }
+    listStatics();
 }
 
 void Session::step(const StepInput& input) {

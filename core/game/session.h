@@ -136,6 +136,8 @@ class Session {
     void ageDebris();
     void moveCamera();
     void noteFlight();
+    void appendPictures(BodyKind kind, BodyPictures& pictures) const;
+    void listStatics();
 
     BodyId addActor(const BodyDef& def, BodyRole role, Key key);
     BodyId addActor(const std::optional<StartBody>& start, BodyRole role);
@@ -151,7 +153,8 @@ class Session {
     World m_world;
     std::vector<Actor> m_actors; // in order of creation; the first m_startActors are those of m_start
     std::size_t m_startActors = 0;
-    Table<BodyId> m_bodies; // of objects; some may no longer be in the world
+    std::shared_ptr<const BodyPictures> m_statics; // of the actors
+    Table<BodyId> m_bodies;                        // of objects; some may no longer be in the world
     Table<ConnectorId> m_connectors;
     std::vector<FlyingDebris> m_debris;
     std::uint64_t m_lastLook = 0;

@@ -92,6 +92,7 @@ void Session::adopt(const std::shared_ptr<const Level>& level) {
     adoption.figures();
     m_start = nullptr;
     indexBodies();
+    listStatics();
 }
 
 void Session::Adoption::objects() {

@@ -45,6 +45,28 @@ std::optional<ConnectorId> Session::rope() const {
     return m_rope && m_world.contains(m_rope) ? std::optional(m_rope) : std::nullopt;
 }
 
+void Session::appendPictures(BodyKind kind, BodyPictures& pictures) const {
+    for (const Actor& actor : m_actors) {
+        if (actor.look->kind == kind && m_world.contains(actor.body)) {
+            const BodyState state = m_world.body(actor.body);
+            pictures.push_back({actor.look, state.pose, state.velocity, state.angularVelocity});
+        }
+    }
+}
+
+/// The list stays the same one as long as what is in it does, so that who shows it sees at once that it does.
+void Session::listStatics() {
+    auto now = std::make_shared<BodyPictures>();
+    appendPictures(BodyKind::Static, *now);
+    const bool same =
+        m_statics && std::ranges::equal(*m_statics, *now, [](const BodyPicture& a, const BodyPicture& b) {
+            return a.look == b.look && a.pose.position == b.pose.position && a.pose.rotation == b.pose.rotation;
+        });
+    if (!same) {
+        m_statics = std::move(now);
+    }
+}
+
 std::shared_ptr<const Snapshot> Session::snapshot() const {
     auto picture = std::make_shared<Snapshot>();
     picture->update = m_update;
@@ -54,14 +76,10 @@ std::shared_ptr<const Snapshot> Session::snapshot() const {
     picture->camera = m_camera.position();
     picture->controls = m_controls;
     picture->sounds = m_sounds;
-    picture->bodies.reserve(m_actors.size());
-    for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic}) {
-        for (const Actor& actor : m_actors) {
-            if (actor.look->kind == kind && m_world.contains(actor.body)) {
-                const BodyState state = m_world.body(actor.body);
-                picture->bodies.push_back({actor.look, state.pose, state.velocity, state.angularVelocity});
-            }
-        }
+    picture->statics = m_statics;
+    picture->moving.reserve(m_actors.size() - m_statics->size());
+    for (const BodyKind kind : {BodyKind::Kinematic, BodyKind::Dynamic}) {
+        appendPictures(kind, picture->moving);
     }
     for (const ConnectorId id : m_world.connectors()) {
         const ConnectorState state = m_world.connector(id);

@@ -82,16 +82,34 @@ struct Loss {
     bool operator==(const Loss&) const = default;
 };
 
+using BodyPictures = std::vector<BodyPicture>;
+
 struct Snapshot {
     std::int64_t update = 0; // number of updates since the start
     Phase phase = Phase::Sandbox;
     Hud hud{};
-    std::optional<Loss> loss;        // while the attempt is over that it ended
-    Vec2 camera{0, 0};               // world point in the middle of the view
-    Controls controls;               // of the last update
-    std::vector<BodyPicture> bodies; // statics, kinematics, dynamics, each in order of creation
+    std::optional<Loss> loss; // while the attempt is over that it ended
+    Vec2 camera{0, 0};        // world point in the middle of the view
+    Controls controls;        // of the last update
+    // Static bodies, in order of creation. The same list for as long as none of them changes; never null.
+    std::shared_ptr<const BodyPictures> statics = std::make_shared<const BodyPictures>();
+    BodyPictures moving; // kinematic bodies, then dynamic ones, each in order of creation
     std::vector<ConnectorPicture> connectors;
     std::uint32_t sounds = 0; // Sound bits
+
+    std::size_t bodies() const { return statics->size() + moving.size(); }
+    /// The first body that is such, of those that move before those that stand; null where none is. Linear.
+    template <class Is>
+    const BodyPicture* find(const Is& is) const {
+        for (const BodyPictures* list : {&moving, statics.get()}) {
+            for (const BodyPicture& body : *list) {
+                if (is(body)) {
+                    return &body;
+                }
+            }
+        }
+        return nullptr;
+    }
 };
 
 } // namespace spacetow

@@ -55,10 +55,10 @@ void paintStamp(const Stage& stage, const BodyPicture& body, DiscStamps& stamps)
 
 } // namespace
 
-Ground groundOf(const Snapshot& snapshot) {
+Ground groundOf(const BodyPictures& statics) {
     Ground ground;
-    for (const BodyPicture& body : snapshot.bodies) {
-        if (body.look->kind == BodyKind::Static && body.look->tangible) {
+    for (const BodyPicture& body : statics) {
+        if (body.look->tangible) {
             for (WallRun& run : wallRuns(body.look->shapes, body.pose)) {
                 ground.hollow = ground.hollow || (run.hollow && std::isinf(run.depth));
                 ground.runs.push_back(std::move(run));
@@ -68,7 +68,7 @@ Ground groundOf(const Snapshot& snapshot) {
     return ground;
 }
 
-void paintStatics(const Stage& stage, const Snapshot& snapshot, const Ground& ground) {
+void paintStatics(const Stage& stage, const BodyPictures& statics, const Ground& ground) {
     const SavedPainter saved(stage.painter);
     Ground thin{{}, ground.hollow};
     for (const WallRun& run : ground.runs) {
@@ -76,21 +76,16 @@ void paintStatics(const Stage& stage, const Snapshot& snapshot, const Ground& gr
     }
     stage.painter.fillPath(rockBehind(stage, thin), stage.theme.rock);
     paintGroundRims(stage, thin);
-    for (const BodyPicture& body : snapshot.bodies) {
-        if (body.look->kind == BodyKind::Static) {
-            paintPicture(stage, body);
-        }
+    for (const BodyPicture& body : statics) {
+        paintPicture(stage, body);
     }
 }
 
 void paintMoving(const Stage& stage, const Snapshot& snapshot, DiscStamps* stamps) {
     constexpr std::size_t crowd = 300; // bodies
     const SavedPainter saved(stage.painter);
-    const bool stamped = stamps != nullptr && snapshot.bodies.size() > crowd;
-    for (const BodyPicture& body : snapshot.bodies) {
-        if (body.look->kind == BodyKind::Static) {
-            continue;
-        }
+    const bool stamped = stamps != nullptr && snapshot.moving.size() > crowd;
+    for (const BodyPicture& body : snapshot.moving) {
         if (stamped && isSmallDisc(stage, body)) {
             paintStamp(stage, body, *stamps);
         } else {
@@ -103,7 +98,7 @@ void paintMoving(const Stage& stage, const Snapshot& snapshot, DiscStamps* stamp
 }
 
 void paintSnapshot(const Stage& stage, const Snapshot& snapshot) {
-    paintStatics(stage, snapshot, groundOf(snapshot));
+    paintStatics(stage, *snapshot.statics, groundOf(*snapshot.statics));
     paintMoving(stage, snapshot);
 }
 

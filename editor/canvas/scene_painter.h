@@ -38,8 +38,8 @@ bool isLongToHover(const Level& level, Key hovered, const Aabb& view);
 void paintSnapshot(const Stage& stage, const Snapshot& snapshot);
 
 /// The same in two parts, of which the first may be kept as long as nothing static changes.
-Ground groundOf(const Snapshot& snapshot);
-void paintStatics(const Stage& stage, const Snapshot& snapshot, const Ground& ground);
+Ground groundOf(const BodyPictures& statics);
+void paintStatics(const Stage& stage, const BodyPictures& statics, const Ground& ground);
 /// Small discs, where there are many, with the stamps that are given.
 void paintMoving(const Stage& stage, const Snapshot& snapshot, DiscStamps* stamps = nullptr);
 

@@ -75,9 +75,9 @@ bool canFlyBy(const Viewport& view, const Vec2& ship) {
 }
 
 std::optional<Vec2> shipIn(const Snapshot& snapshot) {
-    const auto ship = std::ranges::find_if(snapshot.bodies,
-                                           [](const BodyPicture& body) { return body.look->role == BodyRole::Ship; });
-    return ship != snapshot.bodies.end() ? std::optional(ship->pose.position) : std::nullopt;
+    const auto ship =
+        std::ranges::find(snapshot.moving, BodyRole::Ship, [](const BodyPicture& body) { return body.look->role; });
+    return ship != snapshot.moving.end() ? std::optional(ship->pose.position) : std::nullopt;
 }
 
 } // namespace spacetow

@@ -11,14 +11,6 @@ namespace {
 
 constexpr int ahead = 5; // of the shorter side of the view, the part that is painted beyond it on each side
 
-bool isStatic(const BodyPicture& body) {
-    return body.look->kind == BodyKind::Static;
-}
-
-bool standsAlike(const BodyPicture& a, const BodyPicture& b) {
-    return a.look == b.look && a.pose.position == b.pose.position && a.pose.rotation == b.pose.rotation;
-}
-
 int roomAround(const Frame2D& frame) {
     const QSize size = frame.deviceSize();
     return std::min(size.width(), size.height()) / ahead;
@@ -27,8 +19,8 @@ int roomAround(const Frame2D& frame) {
 } // namespace
 
 void GroundPicture::draw(QPainter& painter, const Frame2D& frame, const Snapshot& snapshot, const Theme& theme) {
-    if (!stillStands(snapshot)) {
-        m_standing = taken(snapshot);
+    if (!m_standing || m_standing->bodies != snapshot.statics) {
+        m_standing = standing(snapshot);
         m_isOld = m_layer.isValid();
     }
     if (m_standing->isMuch) {
@@ -55,11 +47,11 @@ bool GroundPicture::shows(const Frame2D& frame) const {
 
 void GroundPicture::paint(PictureLayer& layer, const Frame2D& frame, Standing& standing, const Theme& theme) {
     if (!standing.ground) {
-        standing.ground = std::make_unique<const Ground>(groundOf(standing.bodies));
+        standing.ground = std::make_unique<const Ground>(groundOf(*standing.bodies));
     }
     const QRegion missing = layer.missingIn(frame);
     layer.shiftTo(frame);
-    layer.paint(missing, theme, [&](const Stage& stage) { paintStatics(stage, standing.bodies, *standing.ground); });
+    layer.paint(missing, theme, [&](const Stage& stage) { paintStatics(stage, *standing.bodies, *standing.ground); });
 }
 
 /// One picture at a time, and the next before the view has left this one.
@@ -85,33 +77,12 @@ void GroundPicture::paintBeside(const Frame2D& frame, const Theme& theme) {
     });
 }
 
-bool GroundPicture::stillStands(const Snapshot& snapshot) const {
-    if (!m_standing) {
-        return false;
-    }
-    const std::vector<BodyPicture>& standing = m_standing->bodies.bodies;
-    std::size_t count = 0;
-    for (const BodyPicture& body : snapshot.bodies) {
-        if (!isStatic(body)) {
-            break; // they come first
-        }
-        if (count == standing.size() || !standsAlike(standing[count], body)) {
-            return false;
-        }
-        ++count;
-    }
-    return count == standing.size();
-}
-
-std::shared_ptr<GroundPicture::Standing> GroundPicture::taken(const Snapshot& snapshot) {
-    auto standing = std::make_shared<Standing>();
+std::shared_ptr<GroundPicture::Standing> GroundPicture::standing(const Snapshot& snapshot) {
+    auto standing =
+        std::make_shared<Standing>(Standing{.bodies = snapshot.statics, .ground = nullptr, .isMuch = false});
     std::size_t shapes = 0;
-    for (const BodyPicture& body : snapshot.bodies) {
-        if (!isStatic(body)) {
-            break;
-        }
-        standing->bodies.bodies.push_back(body);
-        shapes += body.look->shapes.size();
+    for (auto body = snapshot.statics->begin(); body != snapshot.statics->end() && shapes <= few; ++body) {
+        shapes += body->look->shapes.size();
     }
     standing->isMuch = shapes > few;
     return standing;

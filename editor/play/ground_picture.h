@@ -31,12 +31,11 @@ class GroundPicture {
   private:
     /// What stands, and its walls once they are asked for, which is by one thread at a time.
     struct Standing {
-        Snapshot bodies;
+        std::shared_ptr<const BodyPictures> bodies;
         std::unique_ptr<const Ground> ground;
         bool isMuch = false;
     };
-    bool stillStands(const Snapshot& snapshot) const;
-    static std::shared_ptr<Standing> taken(const Snapshot& snapshot);
+    static std::shared_ptr<Standing> standing(const Snapshot& snapshot);
     static void paint(PictureLayer& layer, const Frame2D& frame, Standing& standing, const Theme& theme);
     bool shows(const Frame2D& frame) const;
     void paintBeside(const Frame2D& frame, const Theme& theme);

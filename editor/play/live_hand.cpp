@@ -95,7 +95,7 @@ std::optional<Grab> LiveHand::grabAt(const Pointer& pointer) const {
     if (m_pile.empty()) {
         return {};
     }
-    for (const BodyPicture& body : m_picture->bodies) {
+    for (const BodyPicture& body : m_picture->moving) {
         if (body.look->key == m_pile.front().object && body.look->kind == BodyKind::Dynamic) {
             return Grab{body.look->key, body.pose.toLocal(pointer.world), pointer.world};
         }

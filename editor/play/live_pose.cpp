@@ -12,10 +12,10 @@ namespace {
 
 using Poses = std::unordered_map<Key, Transform>;
 
-/// Of all bodies that objects have become.
+/// Of all bodies that move and that objects have become.
 Poses posesIn(const Snapshot& snapshot) {
     Poses poses;
-    for (const BodyPicture& body : snapshot.bodies) {
+    for (const BodyPicture& body : snapshot.moving) {
         if (body.look->key != 0 && body.look->role != BodyRole::Debris) {
             poses.emplace(body.look->key, body.pose);
         }
@@ -116,9 +116,8 @@ Level standing(const Level& level) {
 // NOLINTNEXTLINE(bugprone-easily-swappable-parameters): all of the level, and a part of it
 Level posedNear(const Level& level, const Level& standing, const Snapshot& snapshot, const Aabb& box) {
     std::vector<Key> keys;
-    for (const BodyPicture& body : snapshot.bodies) {
-        const bool moves = body.look->key != 0 && body.look->role != BodyRole::Debris;
-        if (moves && body.look->kind != BodyKind::Static && isNear(body, box)) {
+    for (const BodyPicture& body : snapshot.moving) {
+        if (body.look->key != 0 && body.look->role != BodyRole::Debris && isNear(body, box)) {
             keys.push_back(body.look->key);
         }
     }

@@ -257,8 +257,8 @@ void LiveView::drawPaper(QPainter& painter, const Paper& wanted) {
 void LiveView::paintHold(const Stage& stage, LabelPainter& labels) const {
     const std::optional<Grab>& grab = m_hand.grab();
     const auto body = std::ranges::find_if(
-        m_picture.bodies, [&](const BodyPicture& one) { return grab && one.look->key == grab->object; });
-    if (body == m_picture.bodies.end()) {
+        m_picture.moving, [&](const BodyPicture& one) { return grab && one.look->key == grab->object; });
+    if (body == m_picture.moving.end()) {
         return;
     }
     const std::shared_ptr<const Session> session = m_run.session();

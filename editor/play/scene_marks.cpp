@@ -12,9 +12,7 @@ namespace spacetow {
 namespace {
 
 const BodyPicture* find(const Snapshot& snapshot, BodyRole role) {
-    const auto found =
-        std::ranges::find_if(snapshot.bodies, [&](const BodyPicture& body) { return body.look->role == role; });
-    return found == snapshot.bodies.end() ? nullptr : &*found;
+    return snapshot.find([&](const BodyPicture& body) { return body.look->role == role; });
 }
 
 /// Part of a flame.

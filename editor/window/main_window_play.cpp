@@ -253,12 +253,10 @@ void MainWindow::updateMotion() {
         showTension(object);
         return;
     }
-    const std::vector<BodyPicture>& bodies = m_live.picture().bodies;
-    const auto body = std::ranges::find_if(bodies, [&](const BodyPicture& one) {
-        return one.look->key == object->key && one.look->role != BodyRole::Debris;
-    });
-    m_inspector.showMotion(
-        body == bodies.end() ? std::nullopt : std::optional(Motion{body->pose, body->velocity, body->angularVelocity}));
+    const BodyPicture* const body = m_live.picture().find(
+        [&](const BodyPicture& one) { return one.look->key == object->key && one.look->role != BodyRole::Debris; });
+    m_inspector.showMotion(body != nullptr ? std::optional(Motion{body->pose, body->velocity, body->angularVelocity})
+                                           : std::nullopt);
 }
 
 /// Of a connector; of everything else there is nothing to say.

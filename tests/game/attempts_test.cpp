@@ -112,7 +112,7 @@ class AttemptsTest : public QObject {
         addBall(level, Vec2(5, 0), 0.3, Vec2(0.5, 0));
         const auto ballAt = [](const Session& session) {
             const std::shared_ptr<const Snapshot> picture = session.snapshot();
-            for (const BodyPicture& body : picture->bodies) {
+            for (const BodyPicture& body : picture->moving) {
                 if (body.look->kind == BodyKind::Dynamic && body.look->role == BodyRole::Object) {
                     return body.pose.position;
                 }

@@ -16,7 +16,7 @@ struct Reading {
 
 std::vector<Reading> readingsOf(const Snapshot& snapshot) {
     std::vector<Reading> readings;
-    for (const BodyPicture& body : snapshot.bodies) {
+    for (const BodyPicture& body : allBodies(snapshot)) {
         readings.push_back({body.pose, body.velocity, body.angularVelocity, body.look->shapes});
     }
     return readings;

@@ -70,7 +70,7 @@ class LiveRunnerTest : public QObject {
         runner.setLevel(higher(1));
         runner.setLevel(higher(4));
         QVERIFY(std::abs(stateOf(*runner.frame()->session, ballKey).pose.position.y() - height - 4) < 1e-9);
-        QCOMPARE(runner.frame()->now->bodies.size(), std::size_t(3));
+        QCOMPARE(runner.frame()->now->bodies(), std::size_t(3));
         runner.resume();
         runner.advance();
         Session fresh(yard());

@@ -111,10 +111,10 @@ class RunnerTest : public QObject {
         }
         const std::shared_ptr<const Frame> frame = runner.frame();
         const auto again = session.snapshot();
-        QCOMPARE(again->bodies.size(), frame->now->bodies.size());
+        QCOMPARE(again->moving.size(), frame->now->moving.size());
         QCOMPARE(again->phase, frame->now->phase);
-        for (std::size_t i = 0; i < again->bodies.size(); ++i) {
-            QVERIFY(again->bodies[i].pose.position == frame->now->bodies[i].pose.position);
+        for (std::size_t i = 0; i < again->moving.size(); ++i) {
+            QVERIFY(again->moving[i].pose.position == frame->now->moving[i].pose.position);
         }
     }
     void aRecordingThatIsFollowedIsFlownAgainAndThenThePlayerIsAtTheHelm() {
@@ -130,7 +130,7 @@ class RunnerTest : public QObject {
         again.hold(right); // counts for nothing yet
         again.advance(100);
         QVERIFY(again.askRecording()().run == recorded.askRecording()().run);
-        const auto bodies = [](Runner& runner) { return runner.frame()->now->bodies; };
+        const auto bodies = [](Runner& runner) { return runner.frame()->now->moving; };
         for (std::size_t i = 0; i < bodies(recorded).size(); ++i) {
             QVERIFY(bodies(again)[i].pose.position == bodies(recorded)[i].pose.position);
         }
@@ -250,7 +250,7 @@ class RunnerTest : public QObject {
                 double sum = 0;
                 for (int i = 0; !stop; ++i) {
                     const std::shared_ptr<const Frame> frame = runner.frame();
-                    for (const BodyPicture& body : frame->now->bodies) {
+                    for (const BodyPicture& body : frame->now->moving) {
                         sum += body.pose.position.x();
                     }
                     runner.hold(controlsFromBits(static_cast<std::uint8_t>((i + t) % 16)));

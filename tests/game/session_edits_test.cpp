@@ -173,9 +173,8 @@ class SessionEditsTest : public QObject {
         stepOn(session, 100);
         QVERIFY(stateOf(session, boxKey).pose.position.y() < -1); // through the floor
         const std::shared_ptr<const Snapshot> picture = session.snapshot();
-        const auto box =
-            std::ranges::find(picture->bodies, boxKey, [](const BodyPicture& body) { return body.look->key; });
-        QVERIFY(box != picture->bodies.end() && !box->look->tangible);
+        const BodyPicture* const box = picture->find([](const BodyPicture& one) { return one.look->key == boxKey; });
+        QVERIFY(box != nullptr && !box->look->tangible);
         QCOMPARE(box->look->tags, TagMask::bit(7).bits);
     }
     void aMassThatCannotBeLeavesTheBodyAsItWas() {
@@ -200,7 +199,7 @@ class SessionEditsTest : public QObject {
         session.step(withLevel(std::make_shared<const Level>(more)));
         QCOMPARE(session.world().bodyCount(), 4);
         QVERIFY(std::abs(stateOf(session, 50).pose.position.y() - 9) < 0.02);
-        QCOMPARE(session.snapshot()->bodies.size(), std::size_t(4));
+        QCOMPARE(session.snapshot()->bodies(), std::size_t(4));
         session.step(withLevel(without(more, boxKey)));
         QCOMPARE(session.world().bodyCount(), 3);
         QVERIFY(!session.bodyOf(boxKey));

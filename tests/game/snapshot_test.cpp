@@ -37,13 +37,14 @@ class SnapshotTest : public QObject {
             session.step({.thrust = true, .tow = i % 40 == 0});
             const auto picture = session.snapshot();
             std::set<std::uint64_t> ids;
-            for (std::size_t b = 0; b < picture->bodies.size(); ++b) {
-                const BodyLook& look = *picture->bodies[b].look;
+            const std::vector<BodyPicture> bodies = allBodies(*picture);
+            for (std::size_t b = 0; b < bodies.size(); ++b) {
+                const BodyLook& look = *bodies[b].look;
                 QVERIFY(ids.insert(look.id).second);
                 const auto [entry, isNew] = known.emplace(look.id, look.role);
                 QVERIFY(entry->second == look.role);
                 if (b > 0) {
-                    const BodyLook& before = *picture->bodies[b - 1].look;
+                    const BodyLook& before = *bodies[b - 1].look;
                     QVERIFY(before.kind < look.kind || (before.kind == look.kind && before.id < look.id));
                 }
             }
@@ -56,16 +57,17 @@ class SnapshotTest : public QObject {
         const auto one = session.snapshot();
         session.step(idle);
         const auto other = session.snapshot();
-        QCOMPARE(one->bodies.size(), other->bodies.size());
-        for (std::size_t i = 0; i < one->bodies.size(); ++i) {
-            QVERIFY(one->bodies[i].look == other->bodies[i].look);
+        QCOMPARE(one->moving.size(), other->moving.size());
+        for (std::size_t i = 0; i < one->moving.size(); ++i) {
+            QVERIFY(one->moving[i].look == other->moving[i].look);
         }
+        QVERIFY(one->statics == other->statics);
     }
     void aSnapshotSaysWhatThereIs() {
         Session session = towing(busyLevel());
         const auto picture = session.snapshot();
         std::map<BodyRole, Key> keys;
-        for (const BodyPicture& body : picture->bodies) {
+        for (const BodyPicture& body : allBodies(*picture)) {
             keys[body.look->role] = body.look->key;
             QVERIFY(!body.look->shapes.empty());
             QVERIFY(body.look->role != BodyRole::Finish || !body.look->tangible);
@@ -86,12 +88,12 @@ class SnapshotTest : public QObject {
         const auto now = session.snapshot();
         const Snapshot start = blended(*before, *now, 0), half = blended(*before, *now, 0.5),
                        end = blended(*before, *now, 1);
-        for (std::size_t i = 0; i < now->bodies.size(); ++i) {
-            const Transform &a = before->bodies[i].pose, &b = now->bodies[i].pose;
-            QVERIFY((start.bodies[i].pose.position - a.position).norm() < 1e-12);
-            QVERIFY((end.bodies[i].pose.position - b.position).norm() < 1e-12);
-            QVERIFY((half.bodies[i].pose.position - 0.5 * (a.position + b.position)).norm() < 1e-12);
-            const Rot r = half.bodies[i].pose.rotation;
+        for (std::size_t i = 0; i < now->moving.size(); ++i) {
+            const Transform &a = before->moving[i].pose, &b = now->moving[i].pose;
+            QVERIFY((start.moving[i].pose.position - a.position).norm() < 1e-12);
+            QVERIFY((end.moving[i].pose.position - b.position).norm() < 1e-12);
+            QVERIFY((half.moving[i].pose.position - 0.5 * (a.position + b.position)).norm() < 1e-12);
+            const Rot r = half.moving[i].pose.rotation;
             QVERIFY(std::abs(r.c * r.c + r.s * r.s - 1) < 1e-12);
             QVERIFY(std::abs(r.angle() - (a.rotation.angle() + b.rotation.angle()) / 2) < 1e-6);
         }
@@ -106,7 +108,7 @@ class SnapshotTest : public QObject {
         QCOMPARE(now->phase, Phase::AwaitingInput);
         const Snapshot half = blended(*before, *now, 0.5);
         QVERIFY(half.camera == now->camera);
-        for (const BodyPicture& body : half.bodies) {
+        for (const BodyPicture& body : half.moving) {
             if (body.look->role == BodyRole::Ship) {
                 QVERIFY(body.pose.position == Vec2(0, 0));
             }

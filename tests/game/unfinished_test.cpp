@@ -21,7 +21,7 @@ class UnfinishedTest : public QObject {
         hold(session, {.left = true, .thrust = true, .tow = true}, 50);
         QCOMPARE(session.phase(), Phase::Sandbox);
         QCOMPARE(session.fuel(), 0.0);
-        const Vec2 at = session.snapshot()->bodies.at(0).pose.position;
+        const Vec2 at = session.snapshot()->moving.at(0).pose.position;
         QVERIFY(std::abs(at.x() - 1) < 1e-6);
         QVERIFY(std::abs(at.y() + 0.5 * 0.95) < 1e-6);
     }

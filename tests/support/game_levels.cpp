@@ -66,10 +66,16 @@ Level spaceWithCeiling() {
     return level;
 }
 
+std::vector<BodyPicture> allBodies(const Snapshot& picture) {
+    std::vector<BodyPicture> all = *picture.statics;
+    all.insert(all.end(), picture.moving.begin(), picture.moving.end());
+    return all;
+}
+
 std::size_t count(const Session& session, BodyRole role) {
     const std::shared_ptr<const Snapshot> picture = session.snapshot();
     std::size_t found = 0;
-    for (const BodyPicture& body : picture->bodies) {
+    for (const BodyPicture& body : allBodies(*picture)) {
         found += body.look->role == role ? 1u : 0u;
     }
     return found;

@@ -36,6 +36,8 @@ bool holdUntil(Session& session, const Controls& controls, Phase phase, int upda
 /// A session of openSpace in which the ship has just taken the payload in tow.
 Session towing(const Level& level);
 
+/// Statics, kinematics, dynamics.
+std::vector<BodyPicture> allBodies(const Snapshot& picture);
 /// How many bodies of the role are in the picture.
 std::size_t count(const Session& session, BodyRole role);
 /// The sound began with the last update.

@@ -41,12 +41,10 @@ class Game {
     Phase phase() { return picture()->phase; }
     std::shared_ptr<const Snapshot> picture() { return m_run.runner()->frame()->now; }
     const BodyPicture& body(Key key) {
-        for (const BodyPicture& one : picture()->bodies) {
-            if (one.look->key == key) {
-                return one;
-            }
-        }
-        qFatal("no such body");
+        const BodyPicture* const found =
+            picture()->find([key](const BodyPicture& one) { return one.look->key == key; });
+        EXPECTS(found != nullptr);
+        return *found;
     }
     /// As it is shown now.
     Viewport viewport() {

@@ -55,7 +55,7 @@ bool leftTheSame(const TestWindow& a, const TestWindow& b) {
 }
 
 bool sameBodies(const Snapshot& a, const Snapshot& b) {
-    return std::ranges::equal(a.bodies, b.bodies, [](const BodyPicture& one, const BodyPicture& other) {
+    return std::ranges::equal(a.moving, b.moving, [](const BodyPicture& one, const BodyPicture& other) {
         return one.pose.position == other.pose.position && one.velocity == other.velocity;
     });
 }

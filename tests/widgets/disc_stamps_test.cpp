@@ -49,7 +49,7 @@ Snapshot crowdOfDiscs(int count) {
                                                       .shapes = {Circle{{0, 0}, i % 3 == 0 ? 0.1375 : 0.2}}});
         const int row = i / perRow;
         const Vec2 place(-4.5 + 0.4625 * (i % perRow), -4.5 + 0.4375 * row);
-        crowd.bodies.push_back({look, {place, Rot::fromAngle(0.1 * i)}, {0, 0}, 0});
+        crowd.moving.push_back({look, {place, Rot::fromAngle(0.1 * i)}, {0, 0}, 0});
     }
     return crowd;
 }

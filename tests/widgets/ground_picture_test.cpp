@@ -57,7 +57,7 @@ QImage paintedFrame(const Frame2D& frame, Paint paint) {
 
 QImage fromScratch(const Frame2D& frame, const Snapshot& snapshot) {
     return paintedFrame(frame, [&](QPainter& painter) {
-        paintStatics({painter, frame.view, canvasTheme()}, snapshot, groundOf(snapshot));
+        paintStatics({painter, frame.view, canvasTheme()}, *snapshot.statics, groundOf(*snapshot.statics));
     });
 }
 

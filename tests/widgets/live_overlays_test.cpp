@@ -95,10 +95,10 @@ class LiveOverlaysTest : public QObject {
         game.scene().refresh();
         QTRY_VERIFY(magentaPixels(game.view().grab().toImage()) > 0);
         for (int moment = 0; moment < 8; ++moment) {
-            game.run(5); // half of the way to where its neighbour was
+            game.run(5);            // half of the way to where its neighbour was
             game.scene().refresh(); // the next picture may not be there yet
             const QImage image = game.view().grab().toImage();
-            for (const BodyPicture& body : game.scene().picture().bodies) {
+            for (const BodyPicture& body : game.scene().picture().moving) {
                 const Vec2 center = game.view().view().toScreen(body.pose.position);
                 const QRect about(static_cast<int>(center.x()) - 3, static_cast<int>(center.y()) - 3, 7, 7);
                 QVERIFY(!image.rect().contains(about) || magentaPixels(image.copy(about)) > 0);

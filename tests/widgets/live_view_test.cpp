@@ -317,7 +317,7 @@ class LiveViewTest : public QObject {
         QTest::keyPress(&game.view(), Qt::Key_W);
         for (int i = 0; i < 200; ++i) {
             game.run(5);
-            for (const BodyPicture& body : game.picture()->bodies) {
+            for (const BodyPicture& body : game.picture()->moving) {
                 if (body.look->role == BodyRole::Ship) {
                     QVERIFY2(game.viewport().visible().contains(body.pose.position), qPrintable(QString::number(i)));
                 }

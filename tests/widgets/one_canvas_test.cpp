@@ -246,7 +246,7 @@ class OneCanvasTest : public QObject {
         test.trigger(Act::PlayFromHere);
         QVERIFY(test.window->isInGame());
         const auto shipAt = [&] {
-            for (const BodyPicture& body : test.window->liveView().picture().bodies) {
+            for (const BodyPicture& body : test.window->liveView().picture().moving) {
                 if (body.look->key == shipKey) {
                     return body.pose.position;
                 }

@@ -50,7 +50,7 @@ QImage picture(const Shape& shape, const OverlayFlags& overlays, BodyRole role =
     Snapshot snapshot;
     const std::vector<Shape> shapes{shape};
     auto look = std::make_shared<BodyLook>(BodyLook{1, 1, role, BodyKind::Dynamic, true, 1, shapes});
-    snapshot.bodies.push_back({look, Transform{}, Vec2(0, 0), 0});
+    snapshot.moving.push_back({look, Transform{}, Vec2(0, 0), 0});
     return painted(
         [&](const Stage& stage) {
             paintSnapshot(stage, snapshot);

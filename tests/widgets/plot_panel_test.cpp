@@ -203,7 +203,7 @@ class PlotPanelTest : public QObject {
             see();
         }
         QCOMPARE(history.size(), std::size_t(21)); // update 31; not what was on the way there
-        QCOMPARE(history.column(0)[10], runner.frame()->session->snapshot()->bodies[0].pose.position.x());
+        QCOMPARE(history.column(0)[10], runner.frame()->session->snapshot()->moving[0].pose.position.x());
         runner.seek(30);
         runner.setGrab(Grab{1, Vec2(0, 0), Vec2(-50, 0)});
         runner.resume();

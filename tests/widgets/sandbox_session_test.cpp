@@ -42,12 +42,9 @@ struct SandboxSession : TestWindow {
     const BodyObject& body(Key key) { return std::get<BodyObject>(level().objects.find(key)->data); }
     /// As it is now in the run; none while it is not there.
     std::optional<BodyPicture> running(Key key) {
-        for (const BodyPicture& one : run().frame()->now->bodies) {
-            if (one.look->key == key) {
-                return one;
-            }
-        }
-        return {};
+        const BodyPicture* const found =
+            run().frame()->now->find([key](const BodyPicture& one) { return one.look->key == key; });
+        return found != nullptr ? std::optional(*found) : std::nullopt;
     }
     void press(const QString& words) {
         for (QPushButton* each : window->runChangesPanel().findChildren<QPushButton*>()) {

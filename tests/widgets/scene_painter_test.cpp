@@ -261,7 +261,7 @@ class ScenePainterTest : public QObject {
             look->shapes.emplace_back(Edge{corners[i], corners[(i + 1) % corners.size()], noBack});
         }
         Snapshot snapshot;
-        snapshot.bodies.push_back({look, Transform{}, Vec2(0, 0), 0});
+        snapshot.statics = std::make_shared<const BodyPictures>(BodyPictures{{look, Transform{}, Vec2(0, 0), 0}});
         const QImage played = paintedScene(sceneView(), [&](const Stage& stage) { paintSnapshot(stage, snapshot); });
         QCOMPARE(played, picture(levelOf({body(1, EdgeChain{corners, true, noBack})})));
     }

@@ -292,7 +292,7 @@ class TransportTest : public QObject {
         test.document().reset(flyingBall());
         test.trigger(Act::Simulate);
         LiveRun& run = test.window->liveRun();
-        const auto bodies = [&] { return run.frame()->now->bodies.size(); };
+        const auto bodies = [&] { return run.frame()->now->bodies(); };
         QTRY_VERIFY(run.updates() > 5);
         QCOMPARE(bodies(), std::size_t(1));
         test.trigger(ToolId::Circle);
