@@ -63,6 +63,15 @@ class SnapshotTest : public QObject {
         }
         QVERIFY(one->statics == other->statics);
     }
+    void theListOfStaticsStaysTheSameOverANewAttempt() {
+        Session session(busyLevel());
+        const auto statics = session.snapshot()->statics;
+        QVERIFY(holdUntil(session, thrust, Phase::Crashed));
+        hold(session, idle, 20);
+        session.step(tow);
+        QCOMPARE(session.phase(), Phase::AwaitingInput);
+        QVERIFY(session.snapshot()->statics == statics);
+    }
     void aSnapshotSaysWhatThereIs() {
         Session session = towing(busyLevel());
         const auto picture = session.snapshot();
