@@ -376,18 +376,19 @@ void Runner::keepPace() {
 
 void Runner::post(std::shared_ptr<const Snapshot> before) {
     const std::shared_ptr<const Frame> last = m_frames.latest();
+    m_lender.collect();
     std::shared_ptr<const Session> session;
     std::shared_ptr<const Snapshot> ofSession = m_last;
     if (m_withSession && m_more && last && last->session) {
         session = last->session; // others follow at once
         ofSession = last->ofSession;
     } else if (m_withSession) {
-        session = std::make_shared<const Session>(m_course->isShownAsIs() ? m_course->session() : m_course->shown());
+        session = m_lender.copyOf(m_course->isShownAsIs() ? m_course->session() : m_course->shown());
     }
     const bool paused = m_paused || m_unattended;
-    m_frames.post(
-        std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(), m_speed, paused,
-                                            std::move(session), std::move(ofSession), m_course->summary(m_paused), profileOf(m_watch)}));
+    m_frames.post(std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(),
+                                                      m_speed, paused, std::move(session), std::move(ofSession),
+                                                      m_course->summary(m_paused), profileOf(m_watch)}));
 }
 
 } // namespace spacetow

@@ -5,6 +5,7 @@
 #include "core/base/mailbox.h"
 #include "core/game/course.h"
 #include "core/game/pacer.h"
+#include "core/game/session_lender.h"
 #include "core/game/step_profile.h"
 
 #include <atomic>
@@ -148,6 +149,7 @@ class Runner {
     bool m_paused = false;
     bool m_unattended = false;
     bool m_withSession = false;
+    SessionLender m_lender;
     std::optional<StepWatch> m_watch; // while a profile is wanted
     bool m_more = false;              // updates are due at once
 

@@ -186,10 +186,10 @@ ConnectorReading explained(const World& world, ConnectorId connector) {
 WorldReading totals(const World& world) {
     const WorldData& data = world.data();
     WorldReading sum;
-    for (Slot slot = 0; slot < data.bodies.records.size(); ++slot) {
+    const auto add = [&](Slot slot) {
         const BodyRecord& record = data.bodies.records[slot];
         if (!isFree(record)) {
-            continue;
+            return;
         }
         const BodyMotion& m = data.bodies.motions[slot];
         const BodyEnergy energy = energyOf(data, slot);
@@ -198,6 +198,13 @@ WorldReading totals(const World& world) {
         sum.momentum += record.mass * m.velocity;
         sum.motion += record.mass * m.velocity.norm();
         sum.angularMomentum += record.inertia * m.angularVelocity + record.mass * cross(m.center, m.velocity);
+    };
+    if (data.bodies.changedBodies.empty()) { // else the list of those that are not static is an old one
+        std::ranges::for_each(data.bodies.nonStatic, add);
+    } else {
+        for (Slot slot = 0; slot < data.bodies.records.size(); ++slot) {
+            add(slot);
+        }
     }
     for (const ConnectorRecord& c : data.forces.connectors) {
         sum.elastic += c.used ? storedEnergy(c, stretchOf(data.bodies, c).distance) : 0;
