@@ -42,7 +42,13 @@ QString nameOf(FlightNews news) {
     return QStringLiteral("other");
 }
 
-/// One line a flight. Whether it ends as it did; of one of which that is not known, whether it is won.
+/// Instead of who won.
+void tellOfSimulation(const QString& file) {
+    complain(file + QStringLiteral(" is a simulation: nobody flies, and nothing is won or lost"));
+}
+
+/// One line a flight, and a sentence where nobody flew. Whether it ends as it did; of one of which that is not known,
+/// whether it is won.
 bool printFlight(const Level& level, const StoredFlight& flight) {
     const QString name = harmless(QString::fromStdString(flight.path.string()));
     if (!flight.replay) {
@@ -52,6 +58,14 @@ bool printFlight(const Level& level, const StoredFlight& flight) {
     const FlightResult result = flightResult(level, *flight.replay);
     const std::optional<FlightResult>& before = flight.replay->ended;
     const auto number = [](double value) { return QString::fromStdString(spelledNumber(value)); };
+    if (flight.replay->kind == RunKind::Simulation && result.end != FlightEnd::Crowded) {
+        tellOfSimulation(name);
+        printLine(QStringLiteral("%1: outcome=simulation update=%2 seconds=%3")
+                      .arg(name)
+                      .arg(result.update)
+                      .arg(number(result.seconds)));
+        return true;
+    }
     QString line = QStringLiteral("%1: outcome=%2 before=%3 news=%4 time=%5 fuel=%6 update=%7 seconds=%8")
                        .arg(name, QLatin1String(nameOf(result.end)),
                             before ? QLatin1String(nameOf(before->end)) : QLatin1String("unknown"),
@@ -69,8 +83,8 @@ bool printFlight(const Level& level, const StoredFlight& flight) {
 
 int replayCommand(const QStringList& arguments) {
     CommandLine line(QStringLiteral("replay"),
-                     QStringLiteral("Flies a recorded flight. Exit status: 0 when it is won, 1 when not, 2 when a file "
-                                    "cannot be read."));
+                     QStringLiteral("Flies a recorded flight. Exit status: 0 when it is won, or is a simulation, in "
+                                    "which nothing is, 1 when not, 2 when a file cannot be read."));
     line.parser.addOption(
         {QStringLiteral("dump"), QStringLiteral("Writes where every body is at the end."), QStringLiteral("OUT.json")});
     line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level file."), QStringLiteral("FILE"));
@@ -97,7 +111,11 @@ int replayCommand(const QStringList& arguments) {
     if (outcome.levelChanged) {
         complain(QStringLiteral("the level has been changed since the flight was recorded"));
     }
-    const char* result = outcome.won() ? "won" : outcome.lost() ? "lost" : "running";
+    const bool isSimulation = replay.value().kind == RunKind::Simulation;
+    if (isSimulation) {
+        tellOfSimulation(files[1]);
+    }
+    const char* result = isSimulation ? "simulation" : outcome.won() ? "won" : outcome.lost() ? "lost" : "running";
     const QString dump = line.parser.value(QStringLiteral("dump"));
     printBeside(dump, QStringLiteral("outcome=%1 time=%2 fuel=%3 lives=%4 hash=%5")
                           .arg(QLatin1String(result), QString::fromStdString(spelledNumber(outcome.time)),
@@ -107,7 +125,7 @@ int replayCommand(const QStringList& arguments) {
     if (!dump.isEmpty() && !dumpEnd(dump, *level, replay.value())) {
         return exit_status::unusable;
     }
-    return outcome.won() ? exit_status::good : exit_status::bad;
+    return isSimulation || outcome.won() ? exit_status::good : exit_status::bad;
 }
 
 int flightsCommand(const QStringList& arguments) {

@@ -6,7 +6,7 @@ namespace spacetow {
 
 bool Capsule::operator==(const Capsule& other) const {
     return program == other.program && platform == other.platform && *level == *other.level && run == other.run &&
-           hash == other.hash && isSimulation == other.isSimulation;
+           hash == other.hash;
 }
 
 Session sessionOf(const Capsule& capsule, const std::stop_token& stop) {

@@ -3,6 +3,7 @@
 // and the hash of the session then. As JSON:
 //   {"capsule": 1, "program": "…", "platform": "…", "hash": "0123456789abcdef",
 //    "simulation": true, "level": "text of the level file", "run": "text of the replay file"}
+// A capsule that does not say is that of a game. Its replay leaves it to the capsule what it is of.
 
 #include "core/base/result.h"
 #include "core/game/replay.h"
@@ -25,7 +26,6 @@ struct Capsule {
     std::shared_ptr<const Level> level; // at the start
     Replay run;                         // up to the moment, with an edit then; without a hash of the level
     std::uint64_t hash = 0;             // of the session then
-    bool isSimulation = false;          // rather than a game; a capsule that does not say is that of a game
 
     bool operator==(const Capsule& other) const;
 };

@@ -67,9 +67,11 @@ Result<Capsule> capsuleFrom(const CapsuleValue& json) {
     if (!run) {
         return run.error();
     }
-    return Capsule{
-        textOf(json, "program"), textOf(json, "platform"),     std::make_shared<const Level>(std::move(*file.level)),
-        std::move(run).value(),  hashOf(textOf(json, "hash")), isSimulation(json)};
+    Replay replay = std::move(run).value();
+    replay.kind = isSimulation(json) ? RunKind::Simulation : replay.kind;
+    return Capsule{textOf(json, "program"), textOf(json, "platform"),
+                   std::make_shared<const Level>(std::move(*file.level)), std::move(replay),
+                   hashOf(textOf(json, "hash"))};
 }
 
 } // namespace
@@ -89,9 +91,11 @@ Result<std::string> capsuleJson(const Capsule& capsule) {
     json["program"] = capsule.program;
     json["platform"] = capsule.platform;
     json["hash"] = hash;
-    json["simulation"] = capsule.isSimulation;
+    json["simulation"] = capsule.run.kind == RunKind::Simulation;
     json["level"] = level.value();
-    json["run"] = replayText(capsule.run);
+    Replay run = capsule.run;
+    run.kind = RunKind::Game; // so that programs which do not know of kinds read it
+    json["run"] = replayText(run);
     return json.dump(-1, ' ', false, CapsuleValue::error_handler_t::replace);
 }
 

@@ -31,7 +31,7 @@ struct TimelineSummary {
 
 /// What is recorded of a run.
 struct Recording {
-    Replay run;                         // the name of the level is left to who writes it
+    Replay run;                         // what it is of, and the name of the level, is left to who writes it
     std::shared_ptr<const Level> start; // with which it begins; null where there is none
     std::int64_t updates = 0;           // of the run, which may be longer than a recording can be
 

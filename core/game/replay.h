@@ -10,7 +10,10 @@
 // beside: what the mouse held, or that it let go, and the level file of what was changed; see LevelDelta. How the
 // flight ended in the level that it was flown in makes it a file of version 3, which has
 //    "end": {"outcome": "won", "time": 31.2, "fuel": 9.8, "update": 1571, "seconds": 31.42, "place": [11, 8.9]}
-// beside: the outcome is won, lost or running; see FlightResult. `place` is missing where there is no ship.
+// beside: the outcome is won, lost or running; see FlightResult. `place` is missing where there is no ship. A
+// simulation rather than a game makes it a file of version 4, which says
+//    "kind": "simulation"
+// A file that does not say is that of a game.
 
 #include "core/base/whole_file.h"
 #include "core/game/controls.h"
@@ -28,9 +31,12 @@
 
 namespace spacetow {
 
-constexpr int replayVersion = 3;
+constexpr int replayVersion = 4;
 constexpr std::size_t maxReplayBytes = 8u << 20;
 constexpr std::int64_t maxReplayUpdates = 1'000'000; // five and a half hours
+
+/// A game is flown and won or lost; a simulation runs, and nobody flies.
+enum class RunKind : std::uint8_t { Game, Simulation };
 
 struct Replay {
     struct Run {
@@ -58,6 +64,7 @@ struct Replay {
     std::string level; // file name, for people and tools
     std::optional<std::uint64_t> levelHash;
     std::uint64_t seed = 1;
+    RunKind kind = RunKind::Game;
     std::vector<Run> runs;
     std::vector<Hold> holds;           // in order, each later than the one before
     std::vector<Edit> edits;           // likewise

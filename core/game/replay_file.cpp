@@ -1,7 +1,7 @@
-// The spelling of recorded flights.
+// Recorded flights are read.
 
-#include "core/base/contract.h"
 #include "core/game/replay.h"
+#include "core/game/replay_words.h"
 #include "core/level/file.h"
 #include "core/level/key_text.h"
 
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <utility>
 
 namespace spacetow {
@@ -72,12 +71,6 @@ std::int64_t integer(const Json& value, std::int64_t least, std::int64_t most, c
         throw BadField{pointer};
     }
     return value.get<std::int64_t>();
-}
-
-std::string hex(std::uint64_t number) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
-    return text;
 }
 
 std::uint64_t fromHex(const Json& value, const char* pointer) {
@@ -177,11 +170,17 @@ Replay::Edit editFrom(std::int64_t update, const Json& entry, const std::string&
     return {update, {keysFrom(entry[2], pointer + "/2"), *std::move(file.level), keysFrom(entry[3], pointer + "/3")}};
 }
 
-constexpr std::array<std::pair<FlightEnd, std::string_view>, 3> outcomes{
-    {{FlightEnd::Won, "won"}, {FlightEnd::Lost, "lost"}, {FlightEnd::UnderWay, "running"}}};
+RunKind kindFrom(const Json& value) {
+    for (const auto& [kind, name] : replay_words::kinds) {
+        if (value == name) {
+            return kind;
+        }
+    }
+    throw BadField{"/kind"};
+}
 
 FlightEnd outcomeFrom(const Json& value) {
-    for (const auto& [end, name] : outcomes) {
+    for (const auto& [end, name] : replay_words::outcomes) {
         if (value == name) {
             return end;
         }
@@ -252,6 +251,12 @@ Result<Replay> replayFrom(const Json& json) {
     if (version < 3 && json.contains("end")) {
         return Error{"replay-unknown-field", {"end"}};
     }
+    if (const auto kind = json.find("kind"); kind != json.end()) {
+        if (version < 4) {
+            return Error{"replay-unknown-field", {"kind"}};
+        }
+        replay.kind = kindFrom(*kind);
+    }
     replay.runs = runsFrom(member(json, "updates"));
     readUpdates(json, "holds", [&replay](std::int64_t update, const Json& entry, const std::string& pointer) {
         replay.holds.push_back(holdFrom(update, entry, pointer));
@@ -268,68 +273,11 @@ Result<Replay> replayFrom(const Json& json) {
     return replay;
 }
 
-/// What is not UTF-8 is spelled with replacement characters rather than refused.
-std::string spelledText(const std::string& text) {
-    return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-std::string listText(const std::vector<Key>& keys) {
-    std::string text = "[";
-    for (const Key key : keys) {
-        text += (text.size() > 1 ? ",\"" : "\"") + keyText(key) + '"';
-    }
-    return text + ']';
-}
-
-std::string holdText(const Replay::Hold& hold) {
-    std::string text = '[' + std::to_string(hold.update);
-    if (hold.grab) {
-        text += ",\"" + keyText(hold.grab->object) + '"';
-        for (const double number :
-             {hold.grab->anchor.x(), hold.grab->anchor.y(), hold.grab->target.x(), hold.grab->target.y()}) {
-            text += ',' + Json(number).dump();
-        }
-    }
-    return text + ']';
-}
-
-std::string editText(const Replay::Edit& edit) {
-    return '[' + std::to_string(edit.update) + ',' + spelledText(levelText(edit.delta.changed)) + ',' +
-           listText(edit.delta.removed) + ',' + listText(edit.delta.order) + ']';
-}
-
-std::string endText(const FlightResult& ended) {
-    const auto* const outcome = std::ranges::find(outcomes, ended.end, &std::pair<FlightEnd, std::string_view>::first);
-    EXPECTS(outcome != outcomes.end());
-    std::string text = "{\"outcome\": \"" + std::string(outcome->second) + "\", \"time\": " + Json(ended.time).dump() +
-                       ", \"fuel\": " + Json(ended.fuel).dump() + ", \"update\": " + std::to_string(ended.update) +
-                       ", \"seconds\": " + Json(ended.seconds).dump();
-    if (ended.place && isFinite(*ended.place)) {
-        text += ", \"place\": [" + Json(ended.place->x()).dump() + ", " + Json(ended.place->y()).dump() + ']';
-    }
-    return text + '}';
-}
-
-/// The oldest that will do.
-int versionFor(const Replay& replay) {
-    return replay.ended ? 3 : replay.holds.empty() && replay.edits.empty() ? 1 : 2;
-}
-
-/// One entry a line; nothing for none.
-template <class Entry>
-std::string entriesText(const char* name, const std::vector<Entry>& entries, std::string (*spell)(const Entry&)) {
-    std::string text;
-    for (const Entry& entry : entries) {
-        text += (text.empty() ? "\n" : ",\n") + spell(entry);
-    }
-    return entries.empty() ? text : std::string(",\n\"") + name + "\": [" + text + "\n]";
-}
-
 } // namespace
 
 Result<Replay> parseReplay(std::string_view text) {
     try {
-        FieldsSeen fields({"replay", "level", "levelHash", "seed", "updates", "holds", "edits", "end"});
+        FieldsSeen fields({"replay", "kind", "level", "levelHash", "seed", "updates", "holds", "edits", "end"});
         FieldsSeen endFields({"outcome", "time", "fuel", "update", "seconds", "place"});
         const auto bounded = [&fields, &endFields](int depth, Json::parse_event_t event, Json& value) {
             if (event == Json::parse_event_t::key && depth == 1) {
@@ -359,30 +307,6 @@ Result<Replay> parseReplay(std::string_view text) {
     } catch (const Json::exception&) { // a number too large to hold, say
         return Error{"replay-not-json", {"1"}};
     }
-}
-
-std::string replayText(const Replay& replay) {
-    const std::string name = spelledText(replay.level);
-    std::string text = "{\n\"replay\": " + std::to_string(versionFor(replay)) + ",\n\"level\": " + name + ",\n";
-    if (replay.levelHash) {
-        text += "\"levelHash\": \"" + hex(*replay.levelHash) + "\",\n";
-    }
-    text += "\"seed\": " + std::to_string(replay.seed) + ",\n\"updates\": [";
-    std::size_t lineStart = text.size();
-    for (std::size_t i = 0; i < replay.runs.size(); ++i) {
-        const Replay::Run& run = replay.runs[i];
-        if (i > 0) {
-            text += ',';
-        }
-        if (i == 0 || text.size() - lineStart > 110) {
-            lineStart = text.size();
-            text += '\n';
-        }
-        text += '[' + std::to_string(toBits(run.controls)) + ',' + std::to_string(run.count) + ']';
-    }
-    text += replay.runs.empty() ? "]" : "\n]";
-    text += entriesText("holds", replay.holds, holdText) + entriesText("edits", replay.edits, editText);
-    return text + (replay.ended ? ",\n\"end\": " + endText(*replay.ended) : std::string()) + "\n}\n";
 }
 
 Result<Replay> readReplay(const std::filesystem::path& path, Sources sources) {

@@ -75,7 +75,16 @@ QString underWayWords(const FlightResult& now, const std::optional<FlightResult>
     }
 }
 
-QString wordsOf(const FlightResult& now, const std::optional<FlightResult>& before) {
+/// Where a flight came to its end; of a simulation there is nothing that would be won or lost.
+bool runsOut(const FlightResult& now, RunKind kind) {
+    const bool ends = now.end == FlightEnd::Won || now.end == FlightEnd::Lost || now.end == FlightEnd::UnderWay;
+    return ends && kind == RunKind::Simulation;
+}
+
+QString wordsOf(const FlightResult& now, const std::optional<FlightResult>& before, RunKind kind) {
+    if (runsOut(now, kind)) {
+        return FlightWords::tr("is a simulation of %1 s").arg(shortNumberText(now.seconds));
+    }
     switch (now.end) {
     case FlightEnd::Won:
         return wonWords(now, before);
@@ -94,9 +103,12 @@ QString wordsOf(const FlightResult& now, const std::optional<FlightResult>& befo
 }
 
 /// What ends as it did is good, however that is.
-QString iconOf(const FlightResult& now, const std::optional<FlightResult>& before) {
+QString iconOf(const FlightResult& now, const std::optional<FlightResult>& before, RunKind kind) {
     if (now.end == FlightEnd::Stopped) {
         return QStringLiteral("restart");
+    }
+    if (runsOut(now, kind)) {
+        return QStringLiteral("simulate");
     }
     const FlightNews news = newsOf(before, now);
     const bool isBad = news == FlightNews::Worse || (news == FlightNews::New && now.end == FlightEnd::Lost);
@@ -212,9 +224,10 @@ void FlightsPanel::fill() {
     for (std::size_t i = 0; i < m_flights->size(); ++i) {
         const std::shared_ptr<const Replay>& replay = (*m_flights)[i].replay;
         const std::optional<FlightResult> before = replay ? replay->ended : std::nullopt;
+        const RunKind kind = replay ? replay->kind : RunKind::Game;
         auto* const item = new QListWidgetItem( // owned by the list
-            icon(iconOf(m_results[i], before), palette()),
-            QStringLiteral("%1: %2").arg(nameOf((*m_flights)[i]), wordsOf(m_results[i], before)), &m_list);
+            icon(iconOf(m_results[i], before, kind), palette()),
+            QStringLiteral("%1: %2").arg(nameOf((*m_flights)[i]), wordsOf(m_results[i], before, kind)), &m_list);
         item->setToolTip(item->text());
     }
     m_list.setCurrentRow(row);

@@ -41,9 +41,9 @@ void LiveRun::start(std::shared_ptr<const Level> level, Kind wanted) {
 }
 
 void LiveRun::start(std::shared_ptr<const Level> level, const Replay& recorded,
-                    const std::shared_ptr<const Level>& then, Kind wanted) {
+                    const std::shared_ptr<const Level>& then) {
     stop();
-    m_kind = wanted;
+    m_kind = recorded.kind;
     const Recorded whole{recorded, then};
     begin(std::move(level), &whole);
 }

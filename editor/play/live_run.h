@@ -23,7 +23,7 @@ class LiveRun : public QObject {
 
   public:
     /// A game has lives, a head-up display and the keyboard; beside a simulation the editor works on.
-    enum class Kind : std::uint8_t { Game, Simulation };
+    using Kind = RunKind;
 
     /// With a manual runner nothing moves but by Runner::advance, for tests and screenshots.
     explicit LiveRun(QObject* parent = nullptr, Runner::Mode mode = Runner::Mode::Threaded);
@@ -32,10 +32,11 @@ class LiveRun : public QObject {
     /// Runs the level from its beginning; what was running before is stopped. A level without a ship is no game. What
     /// takes long to build is built beside the window: until then the run is starting, and can be told what to do.
     void start(std::shared_ptr<const Level> level, Kind wanted = Kind::Game);
-    /// The same as it was flown once: all of it can be looked at. Who steers takes over, and another future begins.
+    /// The same as it ran once, of the kind that it was: all of it can be looked at. Who steers takes over, and another
+    /// future begins.
     /// `then`: see Course::open.
     void start(std::shared_ptr<const Level> level, const Replay& recorded,
-               const std::shared_ptr<const Level>& then = nullptr, Kind wanted = Kind::Game);
+               const std::shared_ptr<const Level>& then = nullptr);
     void start(const Level& level, Kind wanted = Kind::Game) { start(std::make_shared<const Level>(level), wanted); }
     /// Of a level that is too much an update takes seconds; nobody waits for the one that is running.
     void stop();
@@ -45,6 +46,8 @@ class LiveRun : public QObject {
     double startingFor() const { return static_cast<double>(m_startTime.elapsed()) / 1000; }
     /// Also what is starting, where that was wanted; whether the level has a ship is known when it runs.
     bool isGame() const { return m_runner && m_kind == Kind::Game; }
+    /// Of what runs or is starting.
+    Kind kind() const { return m_kind; }
     /// Runs whose last update has not ended yet.
     int ending() const;
 

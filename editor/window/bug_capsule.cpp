@@ -46,7 +46,7 @@ Report reportOf(MainWindow& window) {
         return report;
     }
     report.hasRun = true;
-    capsule.isSimulation = !window.liveRun().isGame();
+    capsule.run.kind = window.liveRun().kind();
     const std::shared_ptr<const Frame> frame = runner->frame();
     report.recording = runner->askRecording(); // afterwards, so that what is shown is recorded
     report.shown = frame->timeline->shown;
@@ -153,7 +153,7 @@ void BugCapsule::opened(const std::shared_ptr<const Capsule>& capsule, const std
     }
     place->comeForward();
     place->messageBar().dismiss();
-    place->reopenRun(capsule->run, edited, capsule->isSimulation ? LiveRun::Kind::Simulation : LiveRun::Kind::Game);
+    place->reopenRun(capsule->run, edited);
     place->liveRun().seek(capsule->run.updates());
     place->bugCapsule().m_opened = capsule;
     place->bugCapsule().compare();

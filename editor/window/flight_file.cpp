@@ -19,8 +19,12 @@ struct FlightWords {
 } // namespace
 
 QString FlightFile::savedWords(const QString& file, const Recording& recording) {
-    const QString saved =
-        FlightWords::tr("The flight has been saved as %1. Drop the file on a window to see it again.").arg(file);
+    const QString words = recording.run.kind == RunKind::Simulation
+                              ? FlightWords::tr("The simulation has been saved as %1. Drop the file on a window to see "
+                                                "it again.")
+                              : FlightWords::tr("The flight has been saved as %1. Drop the file on a window to see it "
+                                                "again.");
+    const QString saved = words.arg(file);
     if (recording.isWhole()) {
         return saved;
     }
@@ -48,9 +52,10 @@ void FlightFile::save() {
         path += QStringLiteral(".replay.json");
     }
     const std::string name = QFileInfo(levelPath).fileName().toStdString();
-    m_task.start([this, path, name, ask = runner->askRecording(),
+    m_task.start([this, path, name, ask = runner->askRecording(), kind = m_window.liveRun().kind(),
                   now = m_window.document().current().level](const std::stop_token&) -> BackgroundTask::Then {
         Recording recording = ask();
+        recording.run.kind = kind;
         Error error{"capsule-no-run", {}};
         if (recording.start) { // the level may have been edited since: the flight then begins with becoming what it was
             Replay replay = basedOn(recording.run, *recording.start, *now);

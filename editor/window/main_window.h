@@ -95,12 +95,10 @@ class MainWindow : public QMainWindow {
     void simulate();
     /// A game in which the ship starts at the pointer.
     void playFromPointer();
-    /// The flight as it was recorded.
-    void playReplay(const Replay& recorded) { enterReplay({recorded, nullptr}, LiveRun::Kind::Game); }
+    /// The run as it was recorded, as the game or the simulation that it was.
+    void playReplay(const Replay& recorded) { enterReplay({recorded, nullptr}); }
     /// A run that was edited, and the level as it was at its end, which is edited on.
-    void reopenRun(const Replay& run, const std::shared_ptr<const Level>& edited, LiveRun::Kind kind) {
-        enterReplay({run, edited}, kind);
-    }
+    void reopenRun(const Replay& run, const std::shared_ptr<const Level>& edited) { enterReplay({run, edited}); }
     void stopPlaying();
     /// What has been flown, into a file that the user chooses.
     void saveFlight() { m_flightFile.save(); }
@@ -255,7 +253,7 @@ class MainWindow : public QMainWindow {
         const Replay& replay;
         std::shared_ptr<const Level> then; // see Course::open
     };
-    void enterReplay(const Recorded& recorded, LiveRun::Kind kind);
+    void enterReplay(const Recorded& recorded);
     void putDown();
     void enterRun(LiveRun::Kind wanted, const Recorded* recorded);
     void showRun();

@@ -57,10 +57,10 @@ std::shared_ptr<const Level> MainWindow::levelToRun() const {
     return moved;
 }
 
-void MainWindow::enterReplay(const Recorded& recorded, LiveRun::Kind kind) {
+void MainWindow::enterReplay(const Recorded& recorded) {
     stopPlaying();
     m_shipAt.reset();
-    enterRun(kind, &recorded);
+    enterRun(recorded.replay.kind, &recorded);
 }
 
 /// The run knows its edits already; the document is told of them, so that they are changes of the run.
@@ -94,7 +94,7 @@ void MainWindow::enterRun(LiveRun::Kind wanted, const Recorded* recorded) {
     wantSession();
     m_reopened = m_recorded ? recorded->then : nullptr;
     if (m_recorded) {
-        m_run.start(levelToRun(), recorded->replay, recorded->then, wanted);
+        m_run.start(levelToRun(), recorded->replay, recorded->then);
     } else {
         m_run.start(levelToRun(), wanted);
     }

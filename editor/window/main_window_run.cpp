@@ -75,7 +75,9 @@ QString MainWindow::runHint() const {
             .arg(seconds(timeline->last), seconds(timeline->goal), key(Act::Stop));
     }
     if (m_run.isWatching() && !m_run.isPaused()) {
-        return tr("Playing a recorded flight · who steers takes over · %1: back to the editor").arg(key(Act::Stop));
+        return isInGame() ? tr("Playing a recorded flight · who steers takes over · %1: back to the editor")
+                                .arg(key(Act::Stop))
+                          : tr("Playing a recorded simulation · %1: back to the editor").arg(key(Act::Stop));
     }
     if (m_run.isPaused()) {
         return heldHint();

@@ -1,4 +1,4 @@
-#include "core/game/flights.h"
+#include "core/game/replay.h"
 #include "core/level/file.h"
 #include "tests/support/folders.h"
 #include "tests/support/random_level.h"
@@ -324,37 +324,6 @@ class LevelcTest : public QObject {
                      "^outcome=(running|lost) time=[0-9.]+ fuel=[0-9.]+ lives=5 hash=[0-9a-f]{16}\n$")),
                  qPrintable(run.out));
         QVERIFY(!bodyNamed(contents(path("out.json")), "ship").isEmpty());
-    }
-
-    void allFlightsBesideALevelAreFlown() {
-        QVERIFY(QFile::copy(sourceFolder() + "/levels/01_first_haul.json", path("haul.json")));
-        QVERIFY(QFile::copy(sourceFolder() + "/tests/replays/01_first_haul.replay.json", path("haul.a.replay.json")));
-        const Run run = levelc({"flights", path("haul.json")});
-        QCOMPARE(run.status, 0);
-        QCOMPARE(run.out.count('\n'), 1);
-        QVERIFY2(run.out.contains("haul.a.replay.json: outcome=won before=unknown news=new time="),
-                 qPrintable(run.out));
-        Replay flight =
-            readReplay((sourceFolder() + "/tests/replays/01_first_haul.replay.json").toStdU16String()).value();
-        flight.runs.resize(flight.runs.size() / 2); // and so it is not won
-        flight.ended = flightResult(
-            *readLevel((sourceFolder() + "/levels/01_first_haul.json").toStdU16String()).value().level, flight);
-        write("haul.b.replay.json", replayText(flight));
-        const Run same = levelc({"flights", path("haul.json")});
-        QCOMPARE(same.status, 0);
-        QVERIFY2(
-            same.out.contains(QRegularExpression("haul.b.replay.json: outcome=(lost|running) before=\\1 news=same ")),
-            qPrintable(same.out));
-        flight.ended->end = FlightEnd::Won;
-        write("haul.b.replay.json", replayText(flight));
-        const Run worse = levelc({"flights", path("haul.json")});
-        QCOMPARE(worse.status, 1);
-        QVERIFY2(worse.out.contains("before=won news=worse "), qPrintable(worse.out));
-        write("haul.b.replay.json", "{");
-        const Run both = levelc({"flights", path("haul.json")});
-        QCOMPARE(both.status, 1);
-        QVERIFY2(both.out.contains("haul.b.replay.json: outcome=unreadable"), qPrintable(both.out));
-        QCOMPARE(levelc({"flights", path("nothing.json")}).status, 2);
     }
 
     void aRecordedFlightWinsItsLevel_data() {

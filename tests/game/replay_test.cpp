@@ -103,8 +103,23 @@ class ReplayTest : public QObject {
             const Result<Replay> read = parseReplay(text);
             QVERIFY2(read, qPrintable(file.fileName()));
             QCOMPARE(QString::fromStdString(replayText(read.value())), QString::fromStdString(text));
-            QCOMPARE(read.value().ended.has_value(), version == 3);
+            QCOMPARE(read.value().ended.has_value(), version >= 3);
+            QCOMPARE(read.value().kind, version >= 4 ? RunKind::Simulation : RunKind::Game);
         }
+    }
+    void whatItIsOfIsWrittenAndReadBack() {
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            Replay replay = seed % 2 == 0 ? randomReplay(seed) : randomPlay(seed);
+            replay.kind = RunKind::Simulation;
+            const std::string text = replayText(replay);
+            QVERIFY(text.starts_with("{\n\"replay\": 4,\n\"kind\": \"simulation\","));
+            QVERIFY(parseReplay(text).value() == replay);
+            replay.kind = RunKind::Game;
+            QVERIFY(replayText(replay).find("\n\"kind\"") == std::string::npos); // older programs know that
+        }
+        const std::string rest = R"("level": "a.json", "seed": 1, "updates": [[0, 1]]})";
+        QCOMPARE(parseReplay(R"({"replay": 4, "kind": "game", )" + rest).value().kind, RunKind::Game);
+        QCOMPARE(parseReplay(R"({"replay": 4, )" + rest).value().kind, RunKind::Game);
     }
     void otherInputsMayEndOtherwise() {
         Replay replay = randomReplay(2);
@@ -235,7 +250,7 @@ class ReplayTest : public QObject {
         row("no version", "{}", "replay-bad-field", "/replay");
         row("version as text", "{\"replay\":\"1\"}", "replay-bad-field", "/replay");
         row("version 0", "{\"replay\":0}", "replay-bad-field", "/replay");
-        row("newer", "{\"replay\":4}", "replay-newer", "4");
+        row("newer", "{\"replay\":5}", "replay-newer", "5");
         const auto quoted = [](QByteArray text) { return text.replace('\'', '"'); };
         row("hands in the first version", quoted("{'replay':1,'level':'','seed':1,'updates':[],'holds':[]}"),
             "replay-unknown-field", "holds");
@@ -260,6 +275,12 @@ class ReplayTest : public QObject {
             "/end/place");
         row("an end with more", end + quoted("'update':2,'time':1,'x':1}}"), "replay-unknown-field", "x");
         row("an end told twice", end + quoted("'update':2,'time':1,'time':1}}"), "replay-duplicate-field", "time");
+        row("a kind in the third version", quoted("{'replay':3,'kind':'game','level':'','seed':1,'updates':[]}"),
+            "replay-unknown-field", "kind");
+        const QByteArray four = quoted("{'replay':4,'level':'','seed':1,'updates':[],'kind':");
+        row("a kind that is none", four + quoted("'film'}"), "replay-bad-field", "/kind");
+        row("a kind that is a number", four + "1}", "replay-bad-field", "/kind");
+        row("a kind told twice", four + quoted("'game','kind':'simulation'}"), "replay-duplicate-field", "kind");
         row("no level", "{\"replay\":1}", "replay-bad-field", "/level");
         row("level as number", "{\"replay\":1,\"level\":7}", "replay-bad-field", "/level");
         const QByteArray head = "{\"replay\":1,\"level\":\"a\",";
@@ -316,7 +337,7 @@ class ReplayTest : public QObject {
         QVERIFY((parseReplay(good + R"(, "seed": 2})").error() == Error{"replay-duplicate-field", {"seed"}}));
         QVERIFY((parseReplay(good + R"(, "se\u0065d": 2})").error() == Error{"replay-duplicate-field", {"seed"}}));
         // What a newer version has added is its own business.
-        QCOMPARE(parseReplay(R"({"replay": 4, "level": "", "speed": 2})").error().code, std::string("replay-newer"));
+        QCOMPARE(parseReplay(R"({"replay": 5, "level": "", "speed": 2})").error().code, std::string("replay-newer"));
     }
     void filesAreWrittenWholeOrNotAtAll() {
         const QTemporaryDir dir;

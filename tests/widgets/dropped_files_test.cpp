@@ -56,6 +56,25 @@ class DroppedFilesTest : public QObject {
         QCOMPARE(test.window(0).messageBar().text(), QString());
     }
 
+    void aSimulationThatIsSavedAndDroppedOpensAsASimulationAndRunsToItsEnd() {
+        TestApplication test;
+        test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
+        MainWindow& window = test.window(0);
+        const QString path = test.file("watched.replay.json");
+        window.whereToSaveFlight = [&](const QString&) { return path; };
+        test.trigger(0, Act::Simulate);
+        QTRY_VERIFY(window.liveRun().updates() > 5);
+        test.trigger(0, Act::SaveFlight);
+        window.flightFile().finish();
+        QVERIFY2(window.messageBar().text().startsWith("The simulation "), qPrintable(window.messageBar().text()));
+        test.trigger(0, Act::Stop);
+        drop(window, {path});
+        QTRY_VERIFY(window.isPlaying());
+        QVERIFY(!window.isInGame());
+        QTRY_VERIFY(window.liveRun().isPaused()); // at its end
+        QCOMPARE(window.liveRun().updates(), readReplay(path.toStdU16String()).value().updates());
+    }
+
     void aFlightInAChangedLevelIsFlownWithAWarning() {
         TestApplication test;
         test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});

@@ -110,6 +110,15 @@ class FlightsPanelTest : public QObject {
         QVERIFY(row(store(test, crash)).startsWith("crashes at ("));
     }
 
+    void ofASimulationNothingIsSaidToBeWonOrLost() {
+        TestWindow test;
+        test.document().reset(spaceWithCeiling());
+        Replay stored;
+        stored.kind = RunKind::Simulation;
+        stored.runs = {{{}, 200}};
+        QVERIFY2(store(test, stored).endsWith(": is a simulation of 4 s"), qPrintable(store(test, stored)));
+    }
+
     void whatIsSaidOfAFlightIsWrappedInANarrowPanel() {
         TestWindow test;
         FlightsPanel& panel = flightsShown(test);
