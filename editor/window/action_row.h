@@ -30,7 +30,7 @@ enum ActionFlag : unsigned {
     KeyOfCanvas = 1u << 10,    // its key does something else in panels, as Tab does
     InOutlinerMenu = 1u << 11, // beside those of the context menu
     WithoutLevel = 1u << 12,   // also while the welcome page is shown; all others rest then
-    WhileStarting = 1u << 13,  // with OnlyPlaying: also while what is to run is being built
+    WhileStarting = 1u << 13,  // with OnlyPlaying: also while what is to run is being read or built
     WithPanels = 1u << 14,     // while a game is running as well, once its panels are shown
     YieldsToGame = 1u << 15,   // with WhilePlaying: a key that the game has is the game's first
 };

@@ -171,7 +171,7 @@ void Actions::tint(const QPalette& palette) const {
 
 bool Actions::runsEnough(const ActionRow& row) const {
     return (row.flags & OnlyPlaying) == 0 || m_window.isPlaying() ||
-           ((row.flags & WhileStarting) != 0 && m_window.liveRun().isStarting());
+           ((row.flags & WhileStarting) != 0 && m_window.isGettingReady());
 }
 
 bool Actions::isOfGame(const ActionRow& row) const {

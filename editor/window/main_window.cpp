@@ -37,7 +37,7 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
       m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
       m_exchange(m_document, m_toolbox, m_canvas,
                  [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }),
-      m_bugCapsule(*this), m_flightFile(*this), m_legend(m_canvas) {
+      m_bugCapsule(*this), m_flightFile(*this), m_flightReader(*this), m_legend(m_canvas) {
     setAcceptDrops(true);
     layOut();
     makeMenus();
@@ -334,7 +334,7 @@ void MainWindow::updateOrigin() {
 
 void MainWindow::updateTool() {
     const bool byTool = !isPlaying() || m_live.showsTool() || m_toolbox.isDragging();
-    const bool byRun = m_run.isStarting() || (isPlaying() && (m_run.behind() > 0 || !byTool));
+    const bool byRun = isGettingReady() || (isPlaying() && (m_run.behind() > 0 || !byTool));
     m_status.setHint(byRun           ? runHint()
                      : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")
                                      : sentence(m_toolbox.hint()) + snapHint() + solidHint());

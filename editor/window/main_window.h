@@ -27,6 +27,7 @@
 #include "editor/window/explanations.h"
 #include "editor/window/finder.h"
 #include "editor/window/flight_file.h"
+#include "editor/window/flight_reader.h"
 #include "editor/window/menus.h"
 #include "editor/window/message_bar.h"
 #include "editor/window/open_level.h"
@@ -103,6 +104,9 @@ class MainWindow : public QMainWindow {
     /// What has been flown, into a file that the user chooses.
     void saveFlight() { m_flightFile.save(); }
     FlightFile& flightFile() { return m_flightFile; }
+    FlightReader& flightReader() { return m_flightReader; }
+    /// What is to run is being built, or the flight that is to be shown read.
+    bool isGettingReady() const { return m_run.isStarting() || m_flightReader.isReading(); }
     /// Where to, after a suggestion; empty: nowhere. Asks with a dialog, unless a test answers.
     std::function<QString(const QString& suggestion)> whereToSaveFlight;
     /// The level as it is edited, but for what was said about this run.
@@ -332,6 +336,7 @@ class MainWindow : public QMainWindow {
     Exchange m_exchange;
     BugCapsule m_bugCapsule;
     FlightFile m_flightFile;
+    FlightReader m_flightReader;
     std::optional<Panels> m_panels; // once there is a window to add them to
     std::optional<Finder> m_finder; // above all the rest
     OverlayFlags m_overlays;

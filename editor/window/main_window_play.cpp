@@ -167,6 +167,7 @@ void MainWindow::tellErrors() {
 
 void MainWindow::stopPlaying() {
     m_bugCapsule.forgetRun();
+    m_flightReader.leave();
     m_run.stop();
     if (!isPlaying()) {
         return;
@@ -197,10 +198,12 @@ void MainWindow::listenToRun() {
     connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateExplanations);
     connect(&m_run, &LiveRun::started, this, &MainWindow::updateExplanations);
     connect(&m_run, &LiveRun::started, this, &MainWindow::showRun);
-    connect(&m_run, &LiveRun::startingChanged, this, [this] {
+    const auto tellProgress = [this] {
         m_actions.refresh();
         updateTool();
-    });
+    };
+    connect(&m_run, &LiveRun::startingChanged, this, tellProgress);
+    m_flightReader.changed = tellProgress;
     connect(&m_run, &LiveRun::stopped, this, [this] { m_explanations.setRuns(false); });
     connect(&m_explanations.panel(), &ExplainPanel::objectWanted, this, &MainWindow::showObject);
     connect(&m_explanations.plots(), &PlotPanel::exportWanted, this, &MainWindow::writePlots);

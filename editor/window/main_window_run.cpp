@@ -56,9 +56,10 @@ QString MainWindow::solidHint() const {
 /// What keys and mouse do to what runs.
 QString MainWindow::runHint() const {
     const auto key = [this](Act act) { return m_actions[act].shortcut().toString(QKeySequence::NativeText); };
-    if (m_run.isStarting()) {
+    if (isGettingReady()) {
+        const double seconds = m_run.isStarting() ? m_run.startingFor() : m_flightReader.readingFor();
         return tr("Getting ready to run: %1 s so far · %2: leave it")
-            .arg(QLocale().toString(m_run.startingFor(), 'f', 1), key(Act::Stop));
+            .arg(QLocale().toString(seconds, 'f', 1), key(Act::Stop));
     }
     if (m_run.behind() > 0) {
         return tr("Too much for this computer: %1 s behind real time · %2: back to the editor")

@@ -10,12 +10,14 @@
 #include <QFile>
 #include <QMimeData>
 
+#include <sys/stat.h>
+
 using namespace spacetow;
 using spacetow::test::TestApplication;
 
 namespace {
 
-void drop(MainWindow& window, const QStringList& paths) {
+void letFall(MainWindow& window, const QStringList& paths) {
     QList<QUrl> urls;
     for (const QString& path : paths) {
         urls << QUrl::fromLocalFile(path);
@@ -27,6 +29,16 @@ void drop(MainWindow& window, const QStringList& paths) {
     QVERIFY(enter.isAccepted());
     QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&window, &event);
+}
+
+/// The same, and waits until flights have been read.
+void drop(MainWindow& window, const QStringList& paths) {
+    letFall(window, paths);
+    window.flightReader().finish();
+}
+
+QString storedFlight(const QString& level) {
+    return spacetow::test::sourceFolder() + "/tests/replays/" + level + ".replay.json";
 }
 
 } // namespace
@@ -83,6 +95,76 @@ class DroppedFilesTest : public QObject {
         QVERIFY(test.window(0).isPlaying());
         QVERIFY(test.window(0).messageBar().text().contains(QStringLiteral("changed")));
         test.unsaved = Unsaved::Discard;
+    }
+
+    void aFlightIsReadBesideTheWindowWhichSaysSo() {
+        TestApplication test;
+        test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
+        MainWindow& window = test.window(0);
+        letFall(window, {storedFlight("01_first_haul")});
+        QVERIFY(!window.isPlaying() && window.flightReader().isReading());
+        QVERIFY2(window.statusLine().hint().contains("Getting ready"), qPrintable(window.statusLine().hint()));
+        QVERIFY(window.actions()[Act::Stop].isEnabled() && !window.actions()[Act::Pause].isEnabled());
+        QTRY_VERIFY(window.isInGame());
+        QVERIFY(!window.flightReader().isReading());
+        QVERIFY(!window.statusLine().hint().contains("Getting ready"));
+    }
+
+    void whatIsBeingReadCanBeLeftAndAnotherFlightOpened() {
+        TestApplication test;
+        test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
+        MainWindow& window = test.window(0);
+        letFall(window, {storedFlight("01_first_haul")});
+        test.trigger(0, Act::Stop);
+        QVERIFY(!window.flightReader().isReading());
+        QVERIFY(!window.statusLine().hint().contains("Getting ready"));
+        window.flightReader().finish();
+        QVERIFY(!window.isPlaying() && test.count() == 1);
+        letFall(window, {storedFlight("01_first_haul")});
+        letFall(window, {storedFlight("02_airlock")}); // instead
+        window.flightReader().finish();
+        QVERIFY(!window.isPlaying() && test.count() == 2 && test.window(1).isInGame());
+    }
+
+    void severalFlightsAreFlownEachInItsLevel() {
+        TestApplication test;
+        test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
+        drop(test.window(0), {storedFlight("02_airlock"), storedFlight("01_first_haul")});
+        QVERIFY(test.count() == 2 && test.window(0).isInGame() && test.window(1).isInGame());
+    }
+
+    void whatIsTooMuchOrNeverEndsIsRefusedWithASentence_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("said");
+        for (const char* name : {"x.replay.json", "x.json"}) {
+            QTest::addRow("many bytes in %s", name) << name << "large"
+                                                    << "too large";
+            QTest::addRow("pipe in %s", name) << name << "pipe"
+                                              << "not a regular file";
+            QTest::addRow("device in %s", name) << name << "/dev/zero"
+                                                << "not a regular file";
+        }
+    }
+    void whatIsTooMuchOrNeverEndsIsRefusedWithASentence() {
+        QFETCH(QString, name);
+        QFETCH(QString, kind);
+        QFETCH(QString, said);
+        TestApplication test;
+        test.start({test.writtenLevel("a.json")});
+        const QString path = test.file(name);
+        if (kind == "large") {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.resize(qint64{700} << 20)); // takes no room on the disk
+        } else if (kind == "pipe") {
+            QCOMPARE(mkfifo(qPrintable(path), 0600), 0);
+        } else {
+            QVERIFY(QFile::link(kind, path));
+        }
+        drop(test.window(0), {path});
+        QVERIFY(!test.window(0).isPlaying());
+        const QString words = test.window(0).messageBar().text();
+        QVERIFY2(words.contains(said), qPrintable(words));
     }
 
     void aFlightWhoseLevelIsNowhereSaysSo() {
