@@ -71,7 +71,7 @@ void Board::drawStill(QPainter& painter) {
         return;
     }
     if (!m_flat.isValid()) {
-        m_flat = m_picture.flattened(*m_wanted.theme);
+        m_flat = m_picture.flattened(*m_wanted.theme, BoardLayer::Rock, BoardLayer::Hover);
     }
     m_flat.draw(painter, m_wanted.frame);
 }

@@ -27,6 +27,12 @@ class Board {
     /// the same; nothing when it is everywhere.
     std::optional<QRegion> takeStillChanges() { return std::exchange(m_stillChanges, QRegion()); }
 
+    /// The objects, as they were shown last, on the rock or without it.
+    PictureLayer objectsPicture(bool onRock) const {
+        const BoardLayer first = onRock ? BoardLayer::Rock : BoardLayer::Objects;
+        return m_picture.isEmpty() ? PictureLayer() : m_picture.flattened(*m_wanted.theme, first, BoardLayer::Moving);
+    }
+
     /// Forgets what was painted, so that the next picture shows nothing of it: another level has been opened.
     void forget();
     /// Waits until all is painted that was asked for last.

@@ -348,15 +348,9 @@ void BoardPicture::bring(const Plan& plan) {
     m_moving = plan.moving;
 }
 
-void BoardPicture::drawStill(QPainter& painter, const Frame2D& frame) const {
-    for (const BoardLayer layer : {BoardLayer::Rock, BoardLayer::Objects}) {
-        part(layer).picture.draw(painter, frame, part(layer).moved);
-    }
-}
-
-void BoardPicture::drawRest(QPainter& painter, const Frame2D& frame) const {
-    for (const BoardLayer layer : {BoardLayer::Moving, BoardLayer::Overlays, BoardLayer::Marks, BoardLayer::Hover}) {
-        part(layer).picture.draw(painter, frame, part(layer).moved);
+void BoardPicture::draw(QPainter& painter, const Frame2D& frame, BoardLayer first, BoardLayer last) const {
+    for (auto i = static_cast<std::size_t>(first); i <= static_cast<std::size_t>(last); ++i) {
+        m_parts[i].picture.draw(painter, frame, m_parts[i].moved);
     }
 }
 
@@ -375,14 +369,11 @@ std::optional<QRegion> BoardPicture::stillTouchedBy(const Plan& plan, const Fram
     return touched;
 }
 
-PictureLayer BoardPicture::flattened(const Theme& theme) const {
+PictureLayer BoardPicture::flattened(const Theme& theme, BoardLayer first, BoardLayer last) const {
     const Frame2D& frame = part(BoardLayer::Objects).picture.frame();
     PictureLayer all;
     all.shiftTo(frame);
-    all.paint(frame.all(), theme, [&](const Stage& stage) {
-        drawStill(stage.painter, frame);
-        drawRest(stage.painter, frame);
-    });
+    all.paint(frame.all(), theme, [&](const Stage& stage) { draw(stage.painter, frame, first, last); });
     return all;
 }
 

@@ -61,13 +61,17 @@ class BoardPicture {
     bool follow(const Plan& plan);
     /// As it is, though the request may want another view or something else by now: what stands still, and what comes
     /// on top of it.
-    void drawStill(QPainter& painter, const Frame2D& frame) const;
-    void drawRest(QPainter& painter, const Frame2D& frame) const;
+    void drawStill(QPainter& painter, const Frame2D& frame) const {
+        draw(painter, frame, BoardLayer::Rock, BoardLayer::Objects);
+    }
+    void drawRest(QPainter& painter, const Frame2D& frame) const {
+        draw(painter, frame, BoardLayer::Moving, BoardLayer::Hover);
+    }
     /// Where in the frame the plan would change what stands still; nothing when it is everywhere.
     std::optional<QRegion> stillTouchedBy(const Plan& plan, const Frame2D& frame) const;
 
-    /// All layers in one, to be drawn larger or smaller.
-    PictureLayer flattened(const Theme& theme) const;
+    /// Layers in one, to be drawn larger or smaller.
+    PictureLayer flattened(const Theme& theme, BoardLayer first, BoardLayer last) const;
     /// Whether the view has come close to the border of what was painted ahead.
     bool isNearBorder(const Frame2D& frame) const;
     bool isOfScale(double scale) const { return part(BoardLayer::Objects).picture.frame().view.scale == scale; }
@@ -87,6 +91,7 @@ class BoardPicture {
     };
 
     void makeWorlds(const Plan& plan);
+    void draw(QPainter& painter, const Frame2D& frame, BoardLayer first, BoardLayer last) const;
     bool hasWorldsOf(const std::shared_ptr<const Level>& level, const OverlayFlags& overlays) const {
         return m_worlds && m_worlds->level == level && covers(m_worlds->worlds->made, overlays);
     }

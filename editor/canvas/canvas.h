@@ -68,6 +68,8 @@ class Canvas : public QWidget {
     /// must outlive its being shown.
     void showLive(LiveScene* scene);
     bool isLive() const { return m_live != nullptr; }
+    /// The objects of the board as they were shown last, on the rock or without it.
+    PictureLayer objectsPicture(bool onRock) const { return m_board.objectsPicture(onRock); }
 
     /// A drag that began on a ruler and goes on here. Positions are global; a guide of this angle comes out of it.
     void beginGuide(double angle, const QPointF& global, Qt::KeyboardModifiers modifiers);

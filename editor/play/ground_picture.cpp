@@ -19,6 +19,10 @@ int roomAround(const Frame2D& frame) {
 } // namespace
 
 void GroundPicture::draw(QPainter& painter, const Frame2D& frame, const Snapshot& snapshot, const Theme& theme) {
+    if (std::exchange(m_theme, &theme) != &theme) {
+        ++m_epoch;
+        m_standing.reset();
+    }
     if (!m_standing || m_standing->bodies != snapshot.statics) {
         m_standing = standing(snapshot);
         m_isOld = m_layer.isValid();
@@ -34,11 +38,11 @@ void GroundPicture::draw(QPainter& painter, const Frame2D& frame, const Snapshot
     m_layer.draw(painter, frame);
 }
 
-void GroundPicture::forget() {
+void GroundPicture::forget(const PictureLayer& meanwhile) {
     ++m_epoch; // what is being painted will not be taken
     m_standing.reset();
-    m_layer.discard();
-    m_isOld = false;
+    m_layer = meanwhile;
+    m_isOld = m_layer.isValid();
 }
 
 bool GroundPicture::shows(const Frame2D& frame) const {

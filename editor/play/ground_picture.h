@@ -21,7 +21,8 @@ class GroundPicture {
 
     /// The frame's view is aligned to pixels. Of what is being painted beside the window, the last picture is shown.
     void draw(QPainter& painter, const Frame2D& frame, const Snapshot& snapshot, const Theme& theme);
-    void forget();
+    /// Another level: until its picture is there, what is much is shown as in this one.
+    void forget(const PictureLayer& meanwhile = {});
     /// Once what was painted beside the window is there.
     std::function<void()> painted;
     bool isPainting() const { return m_task.isRunning(); }
@@ -41,6 +42,7 @@ class GroundPicture {
     void paintBeside(const Frame2D& frame, const Theme& theme);
 
     std::shared_ptr<Standing> m_standing;
+    const Theme* m_theme = nullptr; // in whose colours it is
     PictureLayer m_layer;
     bool m_isOld = false;      // the layer shows what stood before
     std::uint64_t m_epoch = 0; // how often all was forgotten

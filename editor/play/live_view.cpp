@@ -65,7 +65,7 @@ void LiveView::show(const Level& level, bool anew) {
     if (!isFinite(m_bounds.size())) {
         m_bounds = {};
     }
-    m_ground.forget();
+    m_ground.forget(m_canvas.objectsPicture(!m_run.isGame())); // in space the board's rock would end at its border
     m_shown = true;
     m_classic = false;
     m_lastUpdate = 0;
@@ -276,9 +276,6 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
         paintBackdrop(stage, m_background);
     } else {
         drawPaper(painter, {frame, &theme, m_canvas.isGridVisible() ? m_toolbox.snap.fineStep() : 0});
-    }
-    if (std::exchange(m_groundTheme, &theme) != &theme) {
-        m_ground.forget();
     }
     m_ground.draw(painter, frame, m_picture, theme);
     if (!game && m_toolbox.guidesVisible) {

@@ -110,7 +110,6 @@ class LiveView : public QObject, public LiveScene {
     std::shared_ptr<const Snapshot> m_marked; // that the canvas was told of last
     GroundPicture m_ground;
     DiscStamps m_discs;
-    const Theme* m_groundTheme = nullptr; // in whose colours it is
     Paper m_paperOf;
     QPixmap m_paper; // the board below a simulation
     Snapshot m_picture;

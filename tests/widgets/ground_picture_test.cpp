@@ -4,6 +4,10 @@
 #include "editor/canvas/scene_painter.h"
 #include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
+#include "tests/support/window.h"
+
+#include <algorithm>
+#include <map>
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -88,6 +92,20 @@ Level wallsWithPillarAt(const Vec2& position) {
     return level;
 }
 
+/// How many pixels of the canvas are other than most of their row.
+int marksIn(const QImage& image) {
+    int marks = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        std::map<QRgb, int> colors;
+        for (int x = 0; x < image.width(); ++x) {
+            ++colors[image.pixel(x, y)];
+        }
+        const auto most = std::ranges::max_element(colors, {}, &std::pair<const QRgb, int>::second);
+        marks += image.width() - most->second;
+    }
+    return marks;
+}
+
 } // namespace
 
 class GroundPictureTest : public QObject {
@@ -161,6 +179,43 @@ class GroundPictureTest : public QObject {
         QVERIFY(alike(kept(ground, frame, *fourth), fromScratch(frame, *third)));
         ground.finish();
         QVERIFY(alike(kept(ground, frame, *fourth), fromScratch(frame, *fourth)));
+    }
+
+    void untilItIsPaintedWhatTheBoardShowedStandsInItsPlace() {
+        const auto snapshot = Session(manyWalls()).snapshot();
+        const Frame2D frame = frameAt({0, 0}, 40);
+        PictureLayer board;
+        board.shiftTo(frame);
+        board.paint(frame.all(), canvasTheme(),
+                    [&](const Stage& stage) { paintStatics(stage, *snapshot->statics, groundOf(*snapshot->statics)); });
+        GroundPicture ground;
+        ground.forget(board);
+        const Frame2D aside = frameAt({0.25, 0}, 40);
+        const QImage first = kept(ground, aside, *snapshot);
+        const QRect known(0, 0, 220, 160); // the rest was beyond the board
+        QVERIFY(alike(first.copy(known), fromScratch(aside, *snapshot).copy(known)));
+        ground.finish();
+        QVERIFY(alike(kept(ground, aside, *snapshot), fromScratch(aside, *snapshot)));
+        ground.forget(board);
+        const Frame2D nearer = frameAt({0, 0}, 70);
+        QVERIFY(kept(ground, nearer, *snapshot) != paintedFrame(nearer, [](QPainter&) {})); // enlarged
+        const auto few = Session(openSpace()).snapshot();
+        ground.forget(board);
+        QVERIFY(alike(kept(ground, frame, *few), fromScratch(frame, *few))); // painted at once
+    }
+
+    void nothingBlinksWhenALargeLevelIsRun() {
+        for (const Act act : {Act::Simulate, Act::Play}) {
+            TestWindow test;
+            test.document().reset(manyWalls());
+            test.canvas().fitLevel();
+            test.canvas().finishPainting();
+            test.trigger(act);
+            QTRY_VERIFY(test.window->isPlaying());
+            const QRect cave(test.at(-5, -1.9), test.at(5, -2.4));
+            const QImage first = test.canvas().grab(cave).toImage();
+            QVERIFY2(marksIn(first) > first.width(), qPrintable(QString::number(marksIn(first))));
+        }
     }
 
     void whatIsForgottenWhileItIsPaintedIsNotShown() {
