@@ -296,6 +296,7 @@ bool BoardPicture::follow(const Plan& plan) {
 void BoardPicture::makeWorlds(const Plan& plan) {
     const Step& step = plan.steps[static_cast<std::size_t>(BoardLayer::Overlays)];
     const OverlayFlags& overlays = plan.request.overlays;
+    m_leavesOut &= overlays.any() && !(QRegion(step.frame.all()) - step.region).isEmpty(); // what of it stays
     if (!overlays.any()) {
         m_worlds.reset();
     } else if (!step.region.isEmpty() && !hasWorldsOf(step.level, overlays)) {
@@ -316,8 +317,9 @@ void BoardPicture::bring(const Plan& plan) {
         case BoardLayer::Overlays:
             return [&](const Stage& stage) {
                 const BoardRequest& wanted = plan.request;
-                paintLevelOverlays(stage, *m_worlds->worlds,
-                                   {.flags = wanted.overlays, .palette = wanted.palette, .level = step.level.get()});
+                m_leavesOut |= paintLevelOverlays(
+                    stage, *m_worlds->worlds,
+                    {.flags = wanted.overlays, .palette = wanted.palette, .level = step.level.get()});
             };
         case BoardLayer::Hover:
             return [&](const Stage& stage) { paintHovered(stage, *step.level, plan.request.hovered); };

@@ -72,6 +72,8 @@ class BoardPicture {
 
     /// Layers in one, to be drawn larger or smaller.
     PictureLayer flattened(const Theme& theme, BoardLayer first, BoardLayer last) const;
+    /// Whether overlays have left out marks that would be no more than dots.
+    bool leavesOut() const { return m_leavesOut; }
     /// Whether the view has come close to the border of what was painted ahead.
     bool isNearBorder(const Frame2D& frame) const;
     bool isOfScale(double scale) const { return part(BoardLayer::Objects).picture.frame().view.scale == scale; }
@@ -99,6 +101,7 @@ class BoardPicture {
 
     std::array<Part, 6> m_parts;
     std::shared_ptr<const Worlds> m_worlds;
+    bool m_leavesOut = false;
     BoardRequest m_shown;
     std::vector<int> m_moving; // places in the level, ascending
 };

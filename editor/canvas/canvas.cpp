@@ -25,32 +25,6 @@ Vec2 toVec(const QPointF& point) {
     return {point.x(), point.y()};
 }
 
-Qt::CursorShape shapeFor(CursorShape shape) {
-    switch (shape) {
-    case CursorShape::Arrow:
-        return Qt::ArrowCursor;
-    case CursorShape::Cross:
-        return Qt::CrossCursor;
-    case CursorShape::Move:
-        return Qt::SizeAllCursor;
-    case CursorShape::OpenHand:
-        return Qt::OpenHandCursor;
-    case CursorShape::Insert:
-        return Qt::DragCopyCursor;
-    case CursorShape::SizeAcross:
-        return Qt::SizeHorCursor;
-    case CursorShape::SizeUpright:
-        return Qt::SizeVerCursor;
-    case CursorShape::SizeRising:
-        return Qt::SizeBDiagCursor;
-    case CursorShape::SizeFalling:
-        return Qt::SizeFDiagCursor;
-    case CursorShape::Pointing:
-        break;
-    }
-    return Qt::PointingHandCursor;
-}
-
 Aabb boundsOfSelected(const Edit& edit) {
     return boundsOf(*edit.level, edit.selection.keys());
 }
@@ -251,9 +225,11 @@ void Canvas::paintEvent(QPaintEvent*) {
     if (isLive()) {
         QPainter painter(this);
         paintLive(painter, request.frame);
+        tellLeftOut(m_live->leavesOut());
         return;
     }
     m_board.prepare(request);
+    tellLeftOut(m_board.leavesOut());
     composeStill({request.frame, request.theme, m_grid ? m_toolbox.snap.fineStep() : 0, m_board.stillRevision()});
 
     QPainter painter(this);
@@ -291,6 +267,13 @@ void Canvas::paintEvent(QPaintEvent*) {
         paintSnap(stage, *m_overlay.snap, m_snapName ? m_snapName(*m_overlay.snap) : QString(), labels);
     }
     paintFocus(painter);
+}
+
+/// Not while it is being painted.
+void Canvas::tellLeftOut(bool leavesOut) {
+    if (std::exchange(m_leavesOut, leavesOut) != leavesOut) {
+        QMetaObject::invokeMethod(this, &Canvas::leftOutChanged, Qt::QueuedConnection);
+    }
 }
 
 void Canvas::paintFocus(QPainter& painter) const {
@@ -387,16 +370,6 @@ void Canvas::resizeEvent(QResizeEvent*) {
 
 void Canvas::panBy(const QPointF& pixels) {
     setView(m_view.panned(toVec(pixels)));
-}
-
-void Canvas::updateCursor() {
-    const Qt::CursorShape shape = m_drag == Drag::Pan ? Qt::ClosedHandCursor
-                                  : m_spaceHeld       ? Qt::OpenHandCursor
-                                  : isLive()          ? shapeFor(m_live->cursor())
-                                                      : shapeFor(m_toolbox.cursor());
-    if (shape != cursor().shape()) {
-        setCursor(shape);
-    }
 }
 
 } // namespace spacetow

@@ -70,6 +70,8 @@ class Canvas : public QWidget {
     bool isLive() const { return m_live != nullptr; }
     /// The objects of the board as they were shown last, on the rock or without it.
     PictureLayer objectsPicture(bool onRock) const { return m_board.objectsPicture(onRock); }
+    /// Whether overlays have left out marks that would be no more than dots, here and now.
+    bool leavesOut() const { return m_leavesOut; }
 
     /// A drag that began on a ruler and goes on here. Positions are global; a guide of this angle comes out of it.
     void beginGuide(double angle, const QPointF& global, Qt::KeyboardModifiers modifiers);
@@ -113,6 +115,7 @@ class Canvas : public QWidget {
     void pointerMoved(double x, double y); // m
     void pointerLeft();
     void viewChanged();
+    void leftOutChanged();
     void menuWanted(const QPoint& global);
     /// Somebody wants to type where this guide is.
     void guideOpened(std::size_t index);
@@ -152,6 +155,7 @@ class Canvas : public QWidget {
     void paintLive(QPainter& painter, const Frame2D& frame);
     void paintFocus(QPainter& painter) const;
     void composeStill(const Still& wanted);
+    void tellLeftOut(bool leavesOut);
     void drawProblems(QPainter& painter, const Frame2D& frame, const Theme& theme);
 
     Document& m_document;
@@ -163,6 +167,7 @@ class Canvas : public QWidget {
     Overlay m_overlay; // shown
     OverlayFlags m_overlays;
     OverlayPalette m_overlayPalette;
+    bool m_leavesOut = false;
     std::shared_ptr<const ShownDifference> m_difference;
     std::shared_ptr<const ShownReach> m_reach;
     std::shared_ptr<const std::vector<Key>> m_highlighted = std::make_shared<const std::vector<Key>>();

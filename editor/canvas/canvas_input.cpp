@@ -24,6 +24,32 @@ constexpr double arrowPan = 60;    // px
 constexpr double fineSteps = 5;    // arrow keys move by this fraction of a grid step
 constexpr int belowKey = Qt::Key_B;
 
+Qt::CursorShape shapeFor(CursorShape shape) {
+    switch (shape) {
+    case CursorShape::Arrow:
+        return Qt::ArrowCursor;
+    case CursorShape::Cross:
+        return Qt::CrossCursor;
+    case CursorShape::Move:
+        return Qt::SizeAllCursor;
+    case CursorShape::OpenHand:
+        return Qt::OpenHandCursor;
+    case CursorShape::Insert:
+        return Qt::DragCopyCursor;
+    case CursorShape::SizeAcross:
+        return Qt::SizeHorCursor;
+    case CursorShape::SizeUpright:
+        return Qt::SizeVerCursor;
+    case CursorShape::SizeRising:
+        return Qt::SizeBDiagCursor;
+    case CursorShape::SizeFalling:
+        return Qt::SizeFDiagCursor;
+    case CursorShape::Pointing:
+        break;
+    }
+    return Qt::PointingHandCursor;
+}
+
 /// Keys that change what the mouse does while they are held.
 bool isModifier(const QKeyEvent& event) {
     return event.key() == Qt::Key_Shift || event.key() == Qt::Key_Control || event.key() == Qt::Key_Alt ||
@@ -304,6 +330,16 @@ void Canvas::leaveEvent(QEvent*) {
 void Canvas::focusOutEvent(QFocusEvent* event) {
     loseMouse();
     QWidget::focusOutEvent(event);
+}
+
+void Canvas::updateCursor() {
+    const Qt::CursorShape shape = m_drag == Drag::Pan ? Qt::ClosedHandCursor
+                                  : m_spaceHeld       ? Qt::OpenHandCursor
+                                  : isLive()          ? shapeFor(m_live->cursor())
+                                                      : shapeFor(m_toolbox.cursor());
+    if (shape != cursor().shape()) {
+        setCursor(shape);
+    }
 }
 
 } // namespace spacetow

@@ -106,6 +106,13 @@ void Legend::fill() {
             addOverlay(*list, static_cast<int>(row));
         }
     }
+    if (m_shown->leavesOut) {
+        auto* remark = new QLabel(tr("What is too small at this zoom is not drawn"));
+        remark->setWordWrap(true);
+        remark->setForegroundRole(QPalette::PlaceholderText);
+        remark->setContentsMargins(margin, margin / 2, 0, 0);
+        list->addWidget(remark);
+    }
     list->addStretch(1);
     if (QWidget* old = m_scroll.takeWidget()) {
         old->deleteLater(); // a click on one of its buttons may have led here

@@ -28,8 +28,9 @@ class Legend : public QFrame {
         OverlayFlags overlays;
         OverlayPalette palette;
         TagTable tags;
-        Shade ground;  // of what they are drawn on
-        int spare = 0; // px that stay free above and below, where a game has its display
+        Shade ground;           // of what they are drawn on
+        int spare = 0;          // px that stay free above and below, where a game has its display
+        bool leavesOut = false; // marks that would be no more than dots
 
         bool operator==(const Explained&) const = default;
     };

@@ -18,6 +18,8 @@ class LiveScene {
     virtual void paint(QPainter& painter, const Frame2D& frame) = 0;
     /// What comes above the marks of the tools: selection, readings.
     virtual void paintOver(QPainter& painter, const Frame2D& frame) = 0;
+    /// Whether overlays have left out marks that would be no more than dots.
+    virtual bool leavesOut() const = 0;
     /// Whether marks of the tool in the hand mean something in this scene.
     virtual bool showsTool() const = 0;
     /// Whether plain keys and the secondary button are the run's, as those of a game are.

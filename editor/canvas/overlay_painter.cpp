@@ -47,19 +47,22 @@ std::vector<Key> hiddenKeys(const Level& level) {
     return hidden;
 }
 
-void draw(const Stage& stage, const World& world, const DebugView& view) {
-    if (view.overlays.any()) {
-        PainterDraw marks(stage.view.size);
-        drawWorld(world, view, marks);
-        marks.paint(stage);
+/// Whether it left marks out.
+bool draw(const Stage& stage, const World& world, const DebugView& view) {
+    if (!view.overlays.any()) {
+        return false;
     }
+    PainterDraw marks(stage.view.size);
+    drawWorld(world, view, marks);
+    marks.paint(stage);
+    return marks.leavesOut();
 }
 
 } // namespace
 
-void paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request) {
+bool paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request) {
     const SavedPainter saved(stage.painter);
-    draw(stage, world, debugView(stage.view, stage.theme.shade, request));
+    return draw(stage, world, debugView(stage.view, stage.theme.shade, request));
 }
 
 PainterDraw worldOverlays(const Viewport& view, Shade shade, const World& world, const OverlayRequest& request) {
@@ -68,7 +71,7 @@ PainterDraw worldOverlays(const Viewport& view, Shade shade, const World& world,
     return marks;
 }
 
-void paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request) {
+bool paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request) {
     const SavedPainter saved(stage.painter);
     DebugView view = debugView(stage.view, stage.theme.shade, request);
     view.trails = worlds.trails;
@@ -79,14 +82,14 @@ void paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const O
     view.shows = showsOf(worlds.touched);
     const OverlayFlags& all = request.flags;
     view.overlays = {.islands = all.islands, .problems = false};
-    draw(stage, worlds.touched, view);
+    bool leavesOut = draw(stage, worlds.touched, view);
     view.overlays = all;
     view.overlays.islands = view.overlays.contacts = view.overlays.tension = false;
     view.shows = showsOf(worlds.start);
-    draw(stage, worlds.start, view);
+    leavesOut = draw(stage, worlds.start, view) || leavesOut;
     view.shows = showsOf(worlds.touched);
     view.overlays = {.contacts = all.contacts, .tension = all.tension, .problems = false};
-    draw(stage, worlds.touched, view);
+    return draw(stage, worlds.touched, view) || leavesOut;
 }
 
 } // namespace spacetow

@@ -23,12 +23,13 @@ struct OverlayRequest {
     std::span<const DebugTrail> trails; // likewise alive
 };
 
-/// Over a world that runs or stands still: that of a session, say. Only what is in view costs time.
-void paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request);
+/// Over a world that runs or stands still: that of a session, say. Only what is in view costs time. Whether marks were
+/// left out, as they would be no more than dots.
+bool paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request);
 /// The same, to be painted later or part by part.
 PainterDraw worldOverlays(const Viewport& view, Shade shade, const World& world, const OverlayRequest& request);
-/// Over a level while nothing runs: what the physics makes of it at its start.
-void paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request);
+/// Over a level while nothing runs: what the physics makes of it at its start. Whether marks were left out.
+bool paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request);
 
 /// Drafts, handles, rubber band, snap marks and measurements.
 void paintToolOverlay(const Stage& stage, const Overlay& overlay, LabelPainter& labels);

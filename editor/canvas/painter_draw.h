@@ -35,6 +35,9 @@ class PainterDraw : public DebugDraw {
     void filledRectangle(const Aabb& box, const Color& color) override;
     void text(const Vec2& at, std::string_view text, const Color& color) override;
     void arrow(const Vec2& from, const Vec2& to, const Color& color) override;
+    void leftOut() override { m_leavesOut = true; }
+    /// Whether marks were left out, as they would be no more than dots.
+    bool leavesOut() const { return m_leavesOut; }
 
   private:
     /// Everything of one colour.
@@ -67,6 +70,7 @@ class PainterDraw : public DebugDraw {
     std::vector<Batch> m_batches;
     std::size_t m_last = 0; // used last
     std::size_t m_marks = 0;
+    bool m_leavesOut = false;
     std::vector<Text> m_texts;
 };
 

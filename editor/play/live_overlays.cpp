@@ -45,23 +45,25 @@ void LiveOverlays::see(const Wanted& wanted) {
     m_shown = wanted;
 }
 
-void LiveOverlays::draw(const Stage& stage, const Frame2D& frame) const {
+bool LiveOverlays::draw(const Stage& stage, const Frame2D& frame) const {
     if (m_shown.session && !areMany(*m_shown.session)) {
-        paintWorldOverlays(stage, m_shown.session->world(), requestOf(m_shown, m_trails->trails()));
+        return paintWorldOverlays(stage, m_shown.session->world(), requestOf(m_shown, m_trails->trails()));
     }
     for (const PictureLayer& band : m_bands) {
         band.draw(stage.painter, frame);
     }
+    return m_leavesOut;
 }
 
 void LiveOverlays::forget() {
     ++m_epoch; // what is being painted will not be taken
     m_shown = {};
     m_bands = {};
+    m_leavesOut = false;
     m_trails = std::make_shared<TrailKeeper>();
 }
 
-void LiveOverlays::paint(Bands& bands, const Wanted& wanted, std::span<const DebugTrail> trails) {
+bool LiveOverlays::paint(Bands& bands, const Wanted& wanted, std::span<const DebugTrail> trails) {
     const Frame2D& whole = wanted.frame;
     const PainterDraw marks =
         worldOverlays(whole.view, wanted.theme->shade, wanted.session->world(), requestOf(wanted, trails));
@@ -81,16 +83,18 @@ void LiveOverlays::paint(Bands& bands, const Wanted& wanted, std::span<const Deb
     std::future<void> second = std::async(std::launch::async, [&] { paintBand(1); });
     paintBand(0);
     second.get();
+    return marks.leavesOut();
 }
 
 void LiveOverlays::paintBeside(const Wanted& wanted) {
     m_task.start([this, wanted, trails = m_trails, epoch = m_epoch,
                   bands = std::exchange(m_spare, {})](const std::stop_token&) mutable -> BackgroundTask::Then {
         noteTrails(*trails, wanted);
-        paint(bands, wanted, trails->trails());
-        return [this, wanted, epoch, bands = std::move(bands)]() mutable {
+        const bool leavesOut = paint(bands, wanted, trails->trails());
+        return [this, wanted, epoch, leavesOut, bands = std::move(bands)]() mutable {
             if (epoch == m_epoch) {
                 m_spare = std::exchange(m_bands, std::move(bands));
+                m_leavesOut = leavesOut;
                 m_shown = wanted;
             }
             if (painted) {

@@ -42,8 +42,9 @@ class LiveOverlays {
     void see(const Wanted& wanted);
     /// Bodies at the moment of the run that the overlays are of; null as long as there are none.
     const std::shared_ptr<const Snapshot>& picture() const { return m_shown.picture; }
-    /// What has been seen last. Of a crowd, the last picture that is there, where it belongs in the frame.
-    void draw(const Stage& stage, const Frame2D& frame) const;
+    /// What has been seen last. Of a crowd, the last picture that is there, where it belongs in the frame. Whether
+    /// marks were left out, as they would be no more than dots.
+    bool draw(const Stage& stage, const Frame2D& frame) const;
     void forget();
 
     /// Once what was painted beside the window is there.
@@ -56,11 +57,13 @@ class LiveOverlays {
     /// Upper and lower part of the view: each is painted by a thread of its own.
     using Bands = std::array<PictureLayer, 2>;
 
-    static void paint(Bands& bands, const Wanted& wanted, std::span<const DebugTrail> trails);
+    /// Whether marks were left out.
+    static bool paint(Bands& bands, const Wanted& wanted, std::span<const DebugTrail> trails);
     void paintBeside(const Wanted& wanted);
 
     Wanted m_shown;
     Bands m_bands;                                                          // of a crowd
+    bool m_leavesOut = false;                                               // these do
     Bands m_spare;                                                          // painted into next
     std::shared_ptr<TrailKeeper> m_trails{std::make_shared<TrailKeeper>()}; // touched by the task while one runs
     std::uint64_t m_epoch = 0;                                              // how often all was forgotten

@@ -287,7 +287,7 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
     paintFlame(stage, m_picture);
     paintMoving(stage, m_picture, &m_discs);
     seeOverlays(frame);
-    m_marks.draw(stage, frame);
+    m_leavesOut = m_marks.draw(stage, frame);
     if (game) {
         paintTowRange(stage, m_picture, m_towRange);
     }

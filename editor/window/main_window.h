@@ -42,6 +42,7 @@
 #include <QMenu>
 #include <QPointer>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <functional>
@@ -288,6 +289,7 @@ class MainWindow : public QMainWindow {
     void updateProblems();
     void showCured(Key key);
     void updateLegend();
+    void updateLeftOut();
     Shade overlayGround() const;
     void listenToLegend();
     void chooseOverlayColor(int ink);
@@ -343,6 +345,8 @@ class MainWindow : public QMainWindow {
     OverlayPalette m_overlayPalette;
     Legend m_legend; // on the canvas
     bool m_legendShown = true;
+    bool m_leavesOut = false; // as the legend says
+    QTimer m_leftOutEnds;
     QPointer<OverlayColorsDialog> m_overlayColors; // null while nobody chooses
     bool m_panelsHidden = false;
     bool m_panelsInGame = false;  // called back

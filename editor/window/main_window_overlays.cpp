@@ -7,6 +7,8 @@
 #include <QColorDialog>
 #include <QCoreApplication>
 
+#include <utility>
+
 namespace spacetow {
 
 void MainWindow::setOverlays(const OverlayFlags& overlays) {
@@ -33,7 +35,7 @@ void MainWindow::setLegendShown(bool shown) {
 
 void MainWindow::updateLegend() {
     m_legend.showOverlays({m_legendShown ? m_overlays : OverlayFlags(), m_overlayPalette, m_document.level().tags,
-                           overlayGround(), isInGame() ? 3 * fontMetrics().height() : 0});
+                           overlayGround(), isInGame() ? 3 * fontMetrics().height() : 0, m_leavesOut});
     if (m_overlayColors != nullptr) {
         m_overlayColors->showPalette(m_overlayPalette, overlayGround());
     }
@@ -58,7 +60,27 @@ Shade MainWindow::overlayGround() const {
     return isInGame() ? Shade::Dark : shadeOf(palette());
 }
 
+/// At once where something is left out, and for a while afterwards: in a run it changes from frame to frame.
+void MainWindow::updateLeftOut() {
+    constexpr int linger = 1000; // ms
+    if (m_canvas.leavesOut()) {
+        m_leftOutEnds.stop();
+    } else if (isPlaying() && m_leavesOut) {
+        m_leftOutEnds.start(linger);
+        return;
+    }
+    if (std::exchange(m_leavesOut, m_canvas.leavesOut()) != m_leavesOut) {
+        updateLegend();
+    }
+}
+
 void MainWindow::listenToLegend() {
+    connect(&m_canvas, &Canvas::leftOutChanged, this, &MainWindow::updateLeftOut);
+    m_leftOutEnds.setSingleShot(true);
+    connect(&m_leftOutEnds, &QTimer::timeout, this, [this] {
+        m_leavesOut = false;
+        updateLegend();
+    });
     connect(&m_legend, &Legend::switchedOff, this, [this](int row) {
         OverlayFlags flags = m_overlays;
         flags.*overlayRows()[static_cast<std::size_t>(row)].flag = false;

@@ -97,6 +97,7 @@ class DebugDrawTest : public QObject {
     void severalShapesShareOneBoxOneOrientationAndOneVelocity();
     void aConcavePolygonKeepsItsOutline();
     void whatHasNoExtentIsLeftOut();
+    void ofWhatIsTooSmallToBeSeenTheHostIsTold();
 };
 
 void DebugDrawTest::eachShapeOfEachKindLooksAsInTheTable_data() {
@@ -253,6 +254,30 @@ void DebugDrawTest::whatHasNoExtentIsLeftOut() {
     RecordingDraw draw;
     drawBody({BodyKind::Static, shapes, {}, {0, 0}, {0, 0}, {}, {}}, bareView(), draw);
     QVERIFY(draw.calls.empty());
+}
+
+void DebugDrawTest::ofWhatIsTooSmallToBeSeenTheHostIsTold() {
+    World world;
+    add(world, {.kind = BodyKind::Static, .shapes = {Edge{{0, 0}, {0.5, 0}, 0.2}}});
+    add(world, {.kind = BodyKind::Dynamic, .shapes = {Circle{{3, 0}, 0.5}}, .velocity = {0.5, 0}});
+    add(world,
+        {.kind = BodyKind::Dynamic, .shapes = {Circle{{5, 0}, 0.5}}, .velocity = {1e-3, 0}}); // as good as at rest
+    const auto leftOut = [&world](double scale, const OverlayFlags& overlays, const Vec2& middle) {
+        DebugView view = bareView();
+        view.view.scale = scale;
+        view.overlays = overlays;
+        view.isSelected = [](std::uint64_t) { return true; };
+        view.area = Aabb{middle - Vec2(10, 10), middle + Vec2(10, 10)};
+        RecordingDraw draw;
+        drawWorld(world, view, draw);
+        return draw.leftOutCount;
+    };
+    for (const OverlayFlags& overlays :
+         {OverlayFlags{.velocity = true}, OverlayFlags{.normals = true}, OverlayFlags{.collides = true}}) {
+        QVERIFY(leftOut(1, overlays, {0, 0}) > 0);
+        QCOMPARE(leftOut(1, overlays, {100, 0}), 0); // elsewhere nothing is
+        QCOMPARE(leftOut(10, overlays, {0, 0}), 0);
+    }
 }
 
 SPACETOW_TEST(DebugDrawTest)

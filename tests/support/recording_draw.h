@@ -23,6 +23,7 @@ struct DrawCall {
 class RecordingDraw : public DebugDraw {
   public:
     std::vector<DrawCall> calls;
+    int leftOutCount = 0;
 
     void circle(const Vec2& center, double radius, const Color& color) override {
         calls.push_back({Form::Circle, {center}, radius, color});
@@ -48,6 +49,7 @@ class RecordingDraw : public DebugDraw {
     void text(const Vec2& at, std::string_view text, const Color& color) override {
         calls.push_back({Form::Text, {at}, 0, color, std::string(text)});
     }
+    void leftOut() override { ++leftOutCount; }
 };
 
 /// A picture whose origin is the world's and whose unit is a metre: (x, y) lies at (x, −y).

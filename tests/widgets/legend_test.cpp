@@ -14,6 +14,8 @@
 #include <QScrollBar>
 #include <QToolButton>
 
+#include <algorithm>
+
 using namespace spacetow;
 using namespace spacetow::test;
 
@@ -94,6 +96,35 @@ class LegendTest : public QObject {
         }
         test.trigger(Act::OverlaysOff);
         QVERIFY(!legend.isVisible());
+    }
+
+    void itSaysWhenSomethingIsTooSmallToBeDrawn() {
+        TestWindow test;
+        test.drawWalls();
+        test.trigger(Act::OverlayNormals);
+        const auto isSaid = [&test] {
+            test.canvas().finishPainting();
+            QApplication::processEvents();
+            const auto labels = test.window->legend().findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [](const QLabel* label) { return label->text().contains("too small"); });
+        };
+        QVERIFY(!isSaid());
+        test.canvas().zoomTo(0.5);
+        QVERIFY(isSaid());
+        test.trigger(Act::OverlayNormals);
+        test.trigger(Act::OverlayVelocity);
+        QVERIFY(!isSaid()); // of which there is none
+        test.trigger(Act::OverlayNormals);
+        QVERIFY(isSaid());
+        test.canvas().zoomTo(60);
+        QVERIFY(!isSaid());
+        test.trigger(Act::Simulate);
+        test.trigger(Act::Pause);
+        QVERIFY(test.canvas().isLive() && !isSaid());
+        test.canvas().zoomTo(0.5);
+        QTRY_VERIFY(isSaid());
+        test.canvas().zoomTo(60);
+        QTRY_VERIFY(!isSaid()); // a moment later
     }
 
     void aClickOnAnOverlaySwitchesItOff() {

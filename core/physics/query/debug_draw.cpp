@@ -87,7 +87,13 @@ class ShapeDrawing {
     }
 
     /// Of metres, whether nobody would see so much.
-    bool isTiny(double extent) const { return m_view.area && m_view.view.toView(extent) < leastExtent; }
+    bool isTiny(double extent) const {
+        const bool tiny = m_view.area && m_view.view.toView(extent) < leastExtent;
+        if (tiny) {
+            m_draw.leftOut();
+        }
+        return tiny;
+    }
 
     template <class Wall>
     void wall(const Wall& wall, bool bothSides) const {
@@ -137,7 +143,7 @@ void drawBody(const DebugBody& body, const DebugView& view, DebugDraw& draw) {
         draw.line(view.view.toView(from), view.view.toView(from + body.pose.rotation.up()), view.colors.orientation);
     }
     const double speed = body.velocity.norm();
-    if (view.overlays.velocity && speed > 0 && !isDot(view, speed)) {
+    if (view.overlays.velocity && speed > 0 && !isLeftOut(view, speed, draw)) {
         draw.arrow(view.view.toView(body.massCenter), view.view.toView(body.massCenter + body.velocity),
                    view.colors.velocity);
     }

@@ -36,8 +36,16 @@ bool isSeen(const DebugView& view, const Vec2& world) {
     return !view.area || view.area->contains(world);
 }
 
-bool isSeen(const DebugView& view, const Aabb& world) {
-    return view.area->overlaps(world) && view.view.toView(world.size().maxCoeff()) >= leastExtent;
+/// What is too small to be drawn is left out.
+bool isSeen(const DebugView& view, const Aabb& world, DebugDraw& draw) {
+    if (!view.area->overlaps(world)) {
+        return false;
+    }
+    const bool isLarge = view.view.toView(world.size().maxCoeff()) >= leastExtent;
+    if (!isLarge) {
+        draw.leftOut();
+    }
+    return isLarge;
 }
 
 /// Of forces, in metres, by how many times they are the weight of the lighter body: so that those below a pile do not
@@ -84,7 +92,7 @@ struct PosedShapes {
 void drawOutline(const PosedShapes& body, const Ink& ink, const DebugView& view, DebugDraw& draw) {
     const OutlineDrawing drawing{body.pose, view, draw, ink.color, ink.filled};
     for (const Shape& shape : body.shapes) {
-        if (!view.area || isSeen(view, boundsOf(shape, body.pose))) {
+        if (!view.area || isSeen(view, boundsOf(shape, body.pose), draw)) {
             std::visit(drawing, shape);
         }
     }
@@ -125,7 +133,7 @@ bool mayMeet(const BodyState& a, const BodyState& b) {
 /// From a point of the world, along a unit vector; negative forces point the other way.
 void drawForce(const Vec2& from, const Vec2& along, double weights, const DebugView& view, DebugDraw& draw) {
     const double length = std::copysign(forceLength(std::abs(weights)), weights);
-    if (weights != 0 && std::isfinite(weights) && !isDot(view, length)) {
+    if (weights != 0 && std::isfinite(weights) && !isLeftOut(view, length, draw)) {
         draw.arrow(view.view.toView(from), view.view.toView(from + length * along), view.colors.impulse);
     }
 }

@@ -16,6 +16,19 @@ inline bool isDot(const DebugView& view, double length) {
     return view.area && view.view.toView(std::abs(length)) < 1;
 }
 
+/// The same of a mark that is then left out, which the host is told: not of what nobody would see from nearer either,
+/// such as the velocities of what rests.
+inline bool isLeftOut(const DebugView& view, double length, DebugDraw& draw) {
+    constexpr double worthSeeing = 0.01; // m
+    if (!isDot(view, length)) {
+        return false;
+    }
+    if (std::abs(length) >= worthSeeing) {
+        draw.leftOut();
+    }
+    return true;
+}
+
 /// The leaves of both quadtrees: the more a leaf holds, the more opaque; with the count where it fits.
 void drawTrees(const World& world, const DebugView& view, DebugDraw& draw);
 /// The body filled in the colour of its island, or in the colour of sleep.

@@ -39,6 +39,8 @@ class DebugDraw {
     virtual void text(const Vec2& at, std::string_view text, const Color& color) = 0;
     /// Velocities and normals. By default a line; the host may add a head.
     virtual void arrow(const Vec2& from, const Vec2& to, const Color& color) { line(from, to, color); }
+    /// A mark of an overlay has not been drawn, as it would be no more than a dot; from nearer it can be seen.
+    virtual void leftOut() {}
 };
 
 struct ShapeColors {
