@@ -4,6 +4,7 @@
 #include "core/level/groups.h"
 #include "editor/canvas/grid_painter.h"
 #include "editor/canvas/guide_painter.h"
+#include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/palette.h"
 #include "editor/canvas/scene_painter.h"
 #include "editor/play/backdrop.h"
