@@ -50,7 +50,8 @@ void boundByDiscs(const Bodies& bodies, Contacts& contacts, NarrowPhase& narrow)
         const std::uint32_t i = narrow.candidates[k];
         PairBound& bound = contacts.table.bounds[i];
         const Discs discs = discsOf(bodies, bound);
-        const bool apart = isUnknown(contacts.table.pairs[i]) & discs.areApart();
+        bool apart = isUnknown(contacts.table.pairs[i]);
+        apart &= discs.areApart(); // without a branch
         const double until = bodies.motionOf(bound) + discs.gap();
         bound.separationBound = apart ? until : bound.separationBound;
         contacts.table.flags[i].touching &= !apart;

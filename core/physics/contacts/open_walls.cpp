@@ -110,8 +110,8 @@ class Chain {
     bool isPassedAnywhere(const WallPart& from, bool throughHollow) const {
         // Room for as many joined walls as a body usually meets: a steady update allocates nothing.
         constexpr std::size_t usualCount = 64;
-        alignas(const WallPart*) std::array<std::byte, usualCount * sizeof(const WallPart*)> buffer;
-        std::pmr::monotonic_buffer_resource memory{buffer.data(), buffer.size()};
+        std::array<const WallPart*, usualCount> buffer;
+        std::pmr::monotonic_buffer_resource memory{buffer.data(), sizeof(buffer)};
         std::pmr::vector<const WallPart*> reached{&memory};
         reached.reserve(usualCount);
         reached.push_back(&from);

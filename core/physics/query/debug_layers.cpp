@@ -130,11 +130,17 @@ bool mayMeet(const BodyState& a, const BodyState& b) {
            !(a.kind == BodyKind::Static && b.kind == BodyKind::Static);
 }
 
-/// From a point of the world, along a unit vector; negative forces point the other way.
-void drawForce(const Vec2& from, const Vec2& along, double weights, const DebugView& view, DebugDraw& draw) {
-    const double length = std::copysign(forceLength(std::abs(weights)), weights);
-    if (weights != 0 && std::isfinite(weights) && !isLeftOut(view, length, draw)) {
-        draw.arrow(view.view.toView(from), view.view.toView(from + length * along), view.colors.impulse);
+struct DrawnForce {
+    Vec2 from;          // world
+    Vec2 along;         // a unit vector
+    double weights = 0; // negative ones point the other way
+};
+
+void drawForce(const DrawnForce& force, const DebugView& view, DebugDraw& draw) {
+    const double length = std::copysign(forceLength(std::abs(force.weights)), force.weights);
+    if (force.weights != 0 && std::isfinite(force.weights) && !isLeftOut(view, length, draw)) {
+        const Vec2 tip = force.from + length * force.along;
+        draw.arrow(view.view.toView(force.from), view.view.toView(tip), view.colors.impulse);
     }
 }
 
@@ -166,11 +172,11 @@ void drawContact(const World& world, const ContactManifold& contact, const Debug
         }
         constexpr double normalLength = 16;
         draw.line(at, at + normalLength * Vec2(contact.normal.x(), -contact.normal.y()), view.colors.contactNormal);
-        drawForce(point.at, contact.normal, weights * point.normalImpulse, view, draw);
+        drawForce({point.at, contact.normal, weights * point.normalImpulse}, view, draw);
         draw.filledCircle(at, dotRadius, view.colors.touchPoint);
     }
     if (contact.touching) {
-        drawForce(contact.points[0].at, leftOf(contact.normal), weights * contact.tangentImpulse, view, draw);
+        drawForce({contact.points[0].at, leftOf(contact.normal), weights * contact.tangentImpulse}, view, draw);
     }
 }
 
