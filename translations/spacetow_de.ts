@@ -1979,6 +1979,10 @@
         <source>Another flight is still being saved.</source>
         <translation>Ein anderer Flug wird noch gespeichert.</translation>
     </message>
+    <message>
+        <source>The simulation has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>Die Simulation wurde als %1 gespeichert. Ziehen Sie die Datei auf ein Fenster, um sie wieder anzusehen.</translation>
+    </message>
 </context>
 <context>
     <name>FlightsPanel</name>
@@ -2061,6 +2065,10 @@
     <message>
         <source>cannot be flown: too many bodies lie in the same place. Move them apart.</source>
         <translation>kann nicht geflogen werden: Zu viele Körper liegen an derselben Stelle. Schieben Sie sie auseinander.</translation>
+    </message>
+    <message>
+        <source>is a simulation of %1 s</source>
+        <translation>ist eine Simulation von %1 s</translation>
     </message>
 </context>
 <context>
@@ -6345,6 +6353,10 @@
         <source>Choose another color</source>
         <translation>Eine andere Farbe wählen</translation>
     </message>
+    <message>
+        <source>What is too small at this zoom is not drawn</source>
+        <translation>Was in dieser Vergrößerung zu klein ist, wird nicht gezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::LevelPanel</name>
@@ -6705,6 +6717,10 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>Simulating the run: %1 of %2 s so far · %3: leave it</source>
         <translation>Der Lauf wird simuliert: bisher %1 von %2 s · %3: abbrechen</translation>
+    </message>
+    <message>
+        <source>Playing a recorded simulation · %1: back to the editor</source>
+        <translation>Aufgezeichnete Simulation läuft · %1: zurück zum Editor</translation>
     </message>
 </context>
 <context>

@@ -1979,6 +1979,10 @@
         <source>Another flight is still being saved.</source>
         <translation>Todavía se está guardando otro vuelo.</translation>
     </message>
+    <message>
+        <source>The simulation has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>La simulación se guardó como %1. Suelte el archivo sobre una ventana para volver a verla.</translation>
+    </message>
 </context>
 <context>
     <name>FlightsPanel</name>
@@ -2061,6 +2065,10 @@
     <message>
         <source>cannot be flown: too many bodies lie in the same place. Move them apart.</source>
         <translation>no se puede volar: hay demasiados cuerpos en el mismo lugar. Sepárelos.</translation>
+    </message>
+    <message>
+        <source>is a simulation of %1 s</source>
+        <translation>es una simulación de %1 s</translation>
     </message>
 </context>
 <context>
@@ -6345,6 +6353,10 @@
         <source>Choose another color</source>
         <translation>Elegir otro color</translation>
     </message>
+    <message>
+        <source>What is too small at this zoom is not drawn</source>
+        <translation>Lo que es demasiado pequeño con este zoom no se dibuja</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::LevelPanel</name>
@@ -6705,6 +6717,10 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     <message>
         <source>Simulating the run: %1 of %2 s so far · %3: leave it</source>
         <translation>Simulando la ejecución: %1 de %2 s hasta ahora · %3: dejarlo</translation>
+    </message>
+    <message>
+        <source>Playing a recorded simulation · %1: back to the editor</source>
+        <translation>Se reproduce una simulación grabada · %1: volver al editor</translation>
     </message>
 </context>
 <context>

@@ -1979,6 +1979,10 @@
         <source>Another flight is still being saved.</source>
         <translation>Un autre vol est encore en cours d’enregistrement.</translation>
     </message>
+    <message>
+        <source>The simulation has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>La simulation a été enregistrée sous %1. Déposez le fichier sur une fenêtre pour la revoir.</translation>
+    </message>
 </context>
 <context>
     <name>FlightsPanel</name>
@@ -2061,6 +2065,10 @@
     <message>
         <source>cannot be flown: too many bodies lie in the same place. Move them apart.</source>
         <translation>ne peut pas être volé : trop de corps se trouvent au même endroit. Écartez-les.</translation>
+    </message>
+    <message>
+        <source>is a simulation of %1 s</source>
+        <translation>est une simulation de %1 s</translation>
     </message>
 </context>
 <context>
@@ -6345,6 +6353,10 @@
         <source>Choose another color</source>
         <translation>Choisir une autre couleur</translation>
     </message>
+    <message>
+        <source>What is too small at this zoom is not drawn</source>
+        <translation>Ce qui est trop petit à ce zoom n’est pas dessiné</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::LevelPanel</name>
@@ -6705,6 +6717,10 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <message>
         <source>Simulating the run: %1 of %2 s so far · %3: leave it</source>
         <translation>Simulation de l’exécution : %1 sur %2 s jusqu’ici · %3 : abandonner</translation>
+    </message>
+    <message>
+        <source>Playing a recorded simulation · %1: back to the editor</source>
+        <translation>Lecture d’une simulation enregistrée · %1&#xa0;: retour à l’éditeur</translation>
     </message>
 </context>
 <context>

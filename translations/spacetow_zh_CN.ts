@@ -1979,6 +1979,10 @@
         <source>Another flight is still being saved.</source>
         <translation>另一个飞行仍在保存中。</translation>
     </message>
+    <message>
+        <source>The simulation has been saved as %1. Drop the file on a window to see it again.</source>
+        <translation>模拟已保存为 %1。把该文件拖放到窗口上即可重新观看。</translation>
+    </message>
 </context>
 <context>
     <name>FlightsPanel</name>
@@ -2061,6 +2065,10 @@
     <message>
         <source>cannot be flown: too many bodies lie in the same place. Move them apart.</source>
         <translation>无法飞行：同一位置的物体过多。请将它们移开。</translation>
+    </message>
+    <message>
+        <source>is a simulation of %1 s</source>
+        <translation>是一段 %1 秒的模拟</translation>
     </message>
 </context>
 <context>
@@ -6303,6 +6311,10 @@
         <source>Choose another color</source>
         <translation>选择其他颜色</translation>
     </message>
+    <message>
+        <source>What is too small at this zoom is not drawn</source>
+        <translation>在此缩放比例下过小的内容不绘制</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::LevelPanel</name>
@@ -6662,6 +6674,10 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     <message>
         <source>Simulating the run: %1 of %2 s so far · %3: leave it</source>
         <translation>正在模拟运行：已完成 %1 / %2 秒 · %3：放弃</translation>
+    </message>
+    <message>
+        <source>Playing a recorded simulation · %1: back to the editor</source>
+        <translation>正在播放录制的模拟 · %1：返回编辑器</translation>
     </message>
 </context>
 <context>

@@ -177,26 +177,6 @@ class SessionEditsTest : public QObject {
         QVERIFY(box != nullptr && !box->look->tangible);
         QCOMPARE(box->look->tags, TagMask::bit(7).bits);
     }
-    void snapshotsShareOneListOfStaticsUntilOneOfThemIsEdited() {
-        Session session(yard());
-        const auto before = session.snapshot()->statics;
-        QVERIFY(!before->empty());
-        session.step(idle);
-        session.step(withLevel(edited<BodyObject>(session.level(), boxKey, [](BodyObject& box) { box.mass = 3; })));
-        stepOn(session, 5);
-        QVERIFY(session.snapshot()->statics == before); // of what stands, nothing has changed
-        session.step(withLevel(edited<BodyObject>(session.level(), floorKey, [](BodyObject& floor) {
-            floor.position += Vec2(0, -1);
-        })));
-        const auto after = session.snapshot()->statics;
-        QVERIFY(after != before && after->size() == before->size());
-        const auto isFloor = [](const BodyPicture& body) { return body.look->key == floorKey; };
-        QVERIFY(session.snapshot()->find(isFloor)->pose.position == Vec2(0, -1));
-        session.step(withLevel(without(session.level(), floorKey)));
-        QVERIFY(session.snapshot()->find(isFloor) == nullptr);
-        stepOn(session, 5);
-        QCOMPARE(session.snapshot()->bodies(), session.world().bodies().size());
-    }
     void aMassThatCannotBeLeavesTheBodyAsItWas() {
         for (const double mass : {0.0, -1.0, std::nan(""), 1e-320}) {
             Session session(yard());

@@ -1,6 +1,6 @@
 #include "core/game/blend.h"
 #include "core/game/session.h"
-#include "tests/support/game_levels.h"
+#include "tests/support/live_level.h"
 #include "tests/support/test_main.h"
 
 #include <map>
@@ -71,6 +71,26 @@ class SnapshotTest : public QObject {
         session.step(tow);
         QCOMPARE(session.phase(), Phase::AwaitingInput);
         QVERIFY(session.snapshot()->statics == statics);
+    }
+    void snapshotsShareOneListOfStaticsUntilOneOfThemIsEdited() {
+        Session session(yard());
+        const auto before = session.snapshot()->statics;
+        QVERIFY(!before->empty());
+        session.step(idle);
+        session.step(withLevel(edited<BodyObject>(session.level(), boxKey, [](BodyObject& box) { box.mass = 3; })));
+        stepOn(session, 5);
+        QVERIFY(session.snapshot()->statics == before); // of what stands, nothing has changed
+        session.step(withLevel(edited<BodyObject>(session.level(), floorKey, [](BodyObject& floor) {
+            floor.position += Vec2(0, -1);
+        })));
+        const auto after = session.snapshot()->statics;
+        QVERIFY(after != before && after->size() == before->size());
+        const auto isFloor = [](const BodyPicture& body) { return body.look->key == floorKey; };
+        QVERIFY(session.snapshot()->find(isFloor)->pose.position == Vec2(0, -1));
+        session.step(withLevel(without(session.level(), floorKey)));
+        QVERIFY(session.snapshot()->find(isFloor) == nullptr);
+        stepOn(session, 5);
+        QCOMPARE(session.snapshot()->bodies(), session.world().bodies().size());
     }
     void aSnapshotSaysWhatThereIs() {
         Session session = towing(busyLevel());
