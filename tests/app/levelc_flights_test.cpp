@@ -50,7 +50,7 @@ class LevelcFlightsTest : public QObject {
         QVERIFY2(run.err.contains("level.replay.json is a simulation"), qPrintable(run.err));
         const Flew all = told({"flights", path("level.json")});
         QCOMPARE(all.status, 0);
-        QVERIFY2(all.out.endsWith("level.replay.json: outcome=simulation update=50 seconds=1\n"), qPrintable(all.out));
+        QVERIFY2(all.out.endsWith("level.replay.json: outcome=simulation update=50 seconds=0.5\n"), qPrintable(all.out));
         QVERIFY2(all.err.contains("level.replay.json is a simulation"), qPrintable(all.err));
     }
 
