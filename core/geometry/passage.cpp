@@ -70,23 +70,28 @@ struct Survey {
         const Vec2 p = passer.pose.toWorld(local);
         return {side.along(p), side.above(p)};
     }
-    void noteCenter(const Vec2& center) {
-        if (over.has(center.x())) {
-            highestCenter = std::max(highestCenter, center.y());
+    /// Beyond a hollow joint nothing is in front of the wall that is behind its neighbour.
+    void noteCenter(const Vec2& local) {
+        const Vec2 p = passer.pose.toWorld(local);
+        const double t = side.along(p);
+        if (over.has(t)) {
+            const WallEnd* joint = t < 0 ? &side.start : t > side.length ? &side.end : nullptr;
+            const double beside = joint != nullptr ? joint->nextNormal.dot(p - joint->point) : nothing;
+            highestCenter = std::max(highestCenter, std::min(side.above(p), beside));
         }
     }
     void operator()(const Circle& circle) {
         const Vec2 center = seen(circle.center);
         lowest = std::min(lowest, lowestOver(over, center, circle.radius));
         highest = std::max(highest, center.y() + circle.radius);
-        noteCenter(center);
+        noteCenter(circle.center);
     }
     void operator()(const WallPart& wall) {
         const Vec2 from = seen(wall.a);
         const Vec2 to = seen(wall.b);
         lowest = std::min(lowest, lowestOver(over, from, to));
         highest = std::max({highest, from.y(), to.y()});
-        noteCenter(0.5 * (from + to));
+        noteCenter(0.5 * (wall.a + wall.b));
     }
     void operator()(const ConvexPart& convex) {
         Vec2 from = seen(cornerOf(convex, convex.count - 1));
@@ -96,7 +101,7 @@ struct Survey {
             highest = std::max(highest, to.y());
             from = to;
         }
-        noteCenter(seen(convex.center));
+        noteCenter(convex.center);
     }
 
     Passage passage(Passage before) const {
@@ -104,7 +109,7 @@ struct Survey {
             return before == Passage::Between ? Passage::Left : Passage::None;
         }
         const Vec2 center = seen({0, 0});
-        const bool deep = center.y() < -side.depth - onTheFace;
+        const bool deep = side.isDeeperThanDepth(passer.pose.position);
         // What hooks around an end has a part in front of the wall, and its centre behind.
         const bool comes = isComing(before) || passer.parts.size() == 1 || highestCenter < -onTheFace;
         if (deep && comes && over.has(center.x())) {

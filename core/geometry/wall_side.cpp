@@ -2,6 +2,8 @@
 
 #include "core/geometry/near_points.h"
 
+#include <algorithm>
+
 namespace spacetow {
 
 namespace {
@@ -26,6 +28,13 @@ bool isOnSide(JoinedSide joined, bool right) {
     return joined != (right ? JoinedSide::Left : JoinedSide::Right);
 }
 
+/// Whether the point, which is behind both walls of a hollow joint and over neither, is farther from it than the depth
+/// reaches.
+bool isPastJoint(const WallSide& side, const WallEnd& end, const Vec2& p) {
+    const Vec2 middle = side.middleOf(end);
+    return (end.point - p).dot(middle) > side.depthBehind(middle) + onTheFace;
+}
+
 void join(WallEnd& end, const Vec2& next, const Vec2& direction) {
     end.next = next;
     end.nextDirection = direction;
@@ -38,13 +47,26 @@ bool WallSide::spans(const Vec2& p) const {
     const double t = along(p);
     if (t < 0) {
         return start.kind == WallEnd::Kind::Smooth &&
-               (t >= -slack || (above(p) < 0 && start.nextDirection.dot(p - start.point) > 0));
+               (t >= -slack ||
+                (above(p) < 0 && start.nextDirection.dot(p - start.point) > 0 && !isPastJoint(*this, start, p)));
     }
     if (t > length) {
         return end.kind == WallEnd::Kind::Smooth &&
-               (t <= length + slack || (above(p) < 0 && end.nextDirection.dot(p - end.point) < 0));
+               (t <= length + slack ||
+                (above(p) < 0 && end.nextDirection.dot(p - end.point) < 0 && !isPastJoint(*this, end, p)));
     }
     return true;
+}
+
+double WallSide::depthBehind(const Vec2& middle) const {
+    return depth / std::max(middle.dot(normal), sharpestHollow);
+}
+
+bool WallSide::isDeeperThanDepth(const Vec2& p) const {
+    const double t = along(p);
+    return above(p) < -depth - onTheFace ||
+           (t < 0 && start.kind == WallEnd::Kind::Smooth && isPastJoint(*this, start, p)) ||
+           (t > length && end.kind == WallEnd::Kind::Smooth && isPastJoint(*this, end, p));
 }
 
 WallSide faceOf(const WallPart& wall, bool right) {

@@ -20,6 +20,10 @@ struct WallEnd {
 
 constexpr double onTheFace = 1e-9; // m: what is no farther behind a face counts as in front of it
 
+// Cosine of half the bend of a hollow joint: behind sharper ones the depth of the walls ends as far from the joint as
+// behind this one, where it would go on for ever.
+constexpr double sharpestHollow = 0.5;
+
 struct WallSide {
     Vec2 direction{1, 0}; // unit, from start to end
     Vec2 normal{0, 1};    // unit, to the free side
@@ -35,6 +39,12 @@ struct WallSide {
     bool spans(const Vec2& p) const;
     /// Whether something with this reference point is stopped by the face, wherever its surface is.
     bool holds(const Vec2& p) const { return above(p) >= -depth - onTheFace && spans(p); }
+    /// Unit, to the free sides: half way between the wall's own normal and that of the neighbour.
+    Vec2 middleOf(const WallEnd& end) const { return (normal + end.nextNormal).normalized(); }
+    /// How far from a hollow joint, against the middle of both normals, the depth ends, m.
+    double depthBehind(const Vec2& middle) const;
+    /// Whether the point is farther behind the face than the depth, or behind a hollow joint where that has ended.
+    bool isDeeperThanDepth(const Vec2& p) const;
 };
 
 /// One side of the wall; the right one is that of the wall turned round. A wall without length has an arbitrary

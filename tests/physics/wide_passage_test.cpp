@@ -8,7 +8,7 @@ using namespace spacetow::test;
 
 namespace {
 
-constexpr double anyBends[] = {-170, -151, -133, -97, -71, -38, -17, -5, 5, 23, 44, 83, 101}; // degrees
+constexpr double anyBends[] = {-170, -151, -133, -97, -71, -38, -17, -5, 5, 23, 44, 83, 101, 138, 159, 170}; // degrees
 constexpr double wallDepths[] = {0, 0.1, 0.5};
 
 double halfOf(double degrees) {

@@ -4,8 +4,6 @@
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/moved.h"
 
-#include <algorithm>
-
 namespace spacetow {
 
 namespace {
@@ -19,14 +17,13 @@ bool isDeepWall(const Part& part) {
 
 /// With what is behind hollow joints, where the face goes on: what comes from there has to be seen in time.
 Aabb boxToFind(const StaticGeometry::Collider& collider) {
-    constexpr double leastCosine = 0.5; // of half the bend; behind sharper ones it goes on without end
     Aabb box = collider.bounds;
     const WallSide& side = collider.side;
     const auto* wall = std::get_if<WallPart>(&collider.shape);
     for (const WallEnd* end : {&side.start, &side.end}) {
         if (wall != nullptr && wall->oneWay && end->kind == WallEnd::Kind::Smooth) {
-            const Vec2 middle = (side.normal + end->nextNormal).normalized();
-            box.include(end->point - side.depth / std::max(middle.dot(side.normal), leastCosine) * middle);
+            const Vec2 middle = side.middleOf(*end);
+            box.include(end->point - side.depthBehind(middle) * middle);
         }
     }
     return box;
