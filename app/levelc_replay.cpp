@@ -83,8 +83,8 @@ bool printFlight(const Level& level, const StoredFlight& flight) {
 
 int replayCommand(const QStringList& arguments) {
     CommandLine line(QStringLiteral("replay"),
-                     QStringLiteral("Flies a recorded flight. Exit status: 0 when it is won, or is a simulation, in "
-                                    "which nothing is, 1 when not, 2 when a file cannot be read."));
+                     QStringLiteral("Flies a recorded flight. Exit status: 0 when it is won or is a simulation, 1 when "
+                                    "it is not won, 2 when a file cannot be read."));
     line.parser.addOption(
         {QStringLiteral("dump"), QStringLiteral("Writes where every body is at the end."), QStringLiteral("OUT.json")});
     line.parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Level file."), QStringLiteral("FILE"));

@@ -379,11 +379,15 @@ void Runner::post(std::shared_ptr<const Snapshot> before) {
     m_lender.collect();
     std::shared_ptr<const Session> session;
     std::shared_ptr<const Snapshot> ofSession = m_last;
-    if (m_withSession && m_more && last && last->session) {
-        session = last->session; // others follow at once
+    if (m_withSession && !m_paused && last && last->session && (m_more || Clock::now() < m_nextCopy)) {
+        session = last->session; // others follow soon
         ofSession = last->ofSession;
     } else if (m_withSession) {
+        const Clock::time_point begun = Clock::now();
         session = m_lender.copyOf(m_course->isShownAsIs() ? m_course->session() : m_course->shown());
+        constexpr int share = 10; // of the time, that copying takes at most
+        const Clock::time_point done = Clock::now();
+        m_nextCopy = m_mode == Mode::Manual ? done : done + share * (done - begun);
     }
     const bool paused = m_paused || m_unattended;
     m_frames.post(std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(),

@@ -76,7 +76,8 @@ class Runner {
     /// is that of the runner.
     void follow(const Replay& recorded);
     void follow(std::vector<Replay::Run> recorded);
-    /// Whether frames have a copy of the session. It costs what the copy does, once for what is due at a time.
+    /// Whether frames have a copy of the session. While time passes, a tenth of it at most is spent on copies: that of
+    /// a large level may be some updates old.
     void wantSession(bool wanted);
     /// Whether updates are timed, and frames have the figures. It costs looks at the clock.
     void wantProfile(bool wanted);
@@ -150,8 +151,9 @@ class Runner {
     bool m_unattended = false;
     bool m_withSession = false;
     SessionLender m_lender;
-    std::optional<StepWatch> m_watch; // while a profile is wanted
-    bool m_more = false;              // updates are due at once
+    std::chrono::steady_clock::time_point m_nextCopy{}; // not before, while time passes
+    std::optional<StepWatch> m_watch;                   // while a profile is wanted
+    bool m_more = false;                                // updates are due at once
 
     // Between the threads.
     Mailbox<Frame> m_frames;

@@ -21,9 +21,13 @@ void SessionLender::collect() {
     std::vector<std::unique_ptr<const Session>> sessions;
     {
         const std::lock_guard lock(m_returned->mutex);
-        m_returned->lent -= m_returned->sessions.size();
+        if (m_returned->sessions.empty()) {
+            return;
+        }
+        const std::size_t stillLent = m_returned->lent - m_returned->sessions.size();
+        sessions.reserve(stillLent); // before anything has changed, as it may fail
         sessions.swap(m_returned->sessions);
-        m_returned->sessions.reserve(m_returned->lent);
+        m_returned->lent = stillLent;
     }
 }
 

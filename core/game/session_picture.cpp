@@ -8,6 +8,13 @@
 
 namespace spacetow {
 
+bool standAlike(const BodyPictures& a, const BodyPictures& b) {
+    return std::ranges::equal(a, b, [](const BodyPicture& one, const BodyPicture& other) {
+        return one.look == other.look && one.pose.position == other.pose.position &&
+               one.pose.rotation == other.pose.rotation;
+    });
+}
+
 Hud Session::hud() const {
     return {m_lives, fuel(), time(), payloadInRange(), m_flippedFor};
 }
@@ -58,11 +65,7 @@ void Session::appendPictures(BodyKind kind, BodyPictures& pictures) const {
 void Session::listStatics() {
     auto now = std::make_shared<BodyPictures>();
     appendPictures(BodyKind::Static, *now);
-    const bool same =
-        m_statics && std::ranges::equal(*m_statics, *now, [](const BodyPicture& a, const BodyPicture& b) {
-            return a.look == b.look && a.pose.position == b.pose.position && a.pose.rotation == b.pose.rotation;
-        });
-    if (!same) {
+    if (!m_statics || !standAlike(*m_statics, *now)) {
         m_statics = std::move(now);
     }
 }

@@ -112,4 +112,7 @@ struct Snapshot {
     }
 };
 
+/// Whether the same bodies stand in the same places.
+bool standAlike(const BodyPictures& a, const BodyPictures& b);
+
 } // namespace spacetow

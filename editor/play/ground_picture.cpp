@@ -23,7 +23,8 @@ void GroundPicture::draw(QPainter& painter, const Frame2D& frame, const Snapshot
         ++m_epoch;
         m_standing.reset();
     }
-    if (!m_standing || m_standing->bodies != snapshot.statics) {
+    const bool sameList = std::exchange(m_seen, snapshot.statics) == snapshot.statics;
+    if (!m_standing || !(sameList || standAlike(*m_standing->bodies, *snapshot.statics))) {
         m_standing = standing(snapshot);
         m_isOld = m_layer.isValid();
     }

@@ -42,7 +42,8 @@ class GroundPicture {
     void paintBeside(const Frame2D& frame, const Theme& theme);
 
     std::shared_ptr<Standing> m_standing;
-    const Theme* m_theme = nullptr; // in whose colours it is
+    std::shared_ptr<const BodyPictures> m_seen; // last
+    const Theme* m_theme = nullptr;             // in whose colours it is
     PictureLayer m_layer;
     bool m_isOld = false;      // the layer shows what stood before
     std::uint64_t m_epoch = 0; // how often all was forgotten

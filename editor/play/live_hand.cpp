@@ -30,9 +30,7 @@ GroupPick nextBelow(const std::vector<GroupPick>& pile, const Selection& selecti
 LiveHand::LiveHand(Document& document, Toolbox& toolbox, LiveRun& run)
     : m_document(document), m_toolbox(toolbox), m_run(run), m_picture(std::make_shared<const Snapshot>()) {}
 
-LiveHand::~LiveHand() {
-    m_run.wantSession(this, false);
-}
+LiveHand::~LiveHand() = default;
 
 void LiveHand::see(const Snapshot& picture) {
     constexpr qint64 patience = 180; // ms, after which a press without a move is no click
@@ -109,7 +107,6 @@ void LiveHand::takeHold() {
     m_grab = m_inReach;
     if (m_grab) {
         m_grab->target = m_pointer.world;
-        m_run.wantSession(this, true); // which tells the force
         m_run.setGrab(m_grab);
     }
 }
@@ -118,7 +115,6 @@ void LiveHand::letGo() {
     if (m_grab) {
         m_grab.reset();
         m_run.setGrab({});
-        m_run.wantSession(this, false);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "editor/canvas/overlay_painter.h"
 
 #include <future>
+#include <system_error>
 #include <utility>
 
 namespace spacetow {
@@ -41,13 +42,13 @@ void LiveOverlays::see(const Wanted& wanted) {
         forget();
         finish();
     }
-    noteTrails(*m_trails, wanted);
+    noteTrails(m_trails, wanted);
     m_shown = wanted;
 }
 
 bool LiveOverlays::draw(const Stage& stage, const Frame2D& frame) const {
     if (m_shown.session && !areMany(*m_shown.session)) {
-        return paintWorldOverlays(stage, m_shown.session->world(), requestOf(m_shown, m_trails->trails()));
+        return paintWorldOverlays(stage, m_shown.session->world(), requestOf(m_shown, m_trails.trails()));
     }
     for (const PictureLayer& band : m_bands) {
         band.draw(stage.painter, frame);
@@ -60,7 +61,7 @@ void LiveOverlays::forget() {
     m_shown = {};
     m_bands = {};
     m_leavesOut = false;
-    m_trails = std::make_shared<TrailKeeper>();
+    m_trails.forget();
 }
 
 bool LiveOverlays::paint(Bands& bands, const Wanted& wanted, std::span<const DebugTrail> trails) {
@@ -80,19 +81,31 @@ bool LiveOverlays::paint(Bands& bands, const Wanted& wanted, std::span<const Deb
             marks.paint(stage);
         });
     };
-    std::future<void> second = std::async(std::launch::async, [&] { paintBand(1); });
+    std::future<void> second;
+    try {
+        second = std::async(std::launch::async, [&] { paintBand(1); });
+    } catch (const std::system_error&) { // there are no more threads
+        paintBand(1);
+    }
     paintBand(0);
-    second.get();
+    if (second.valid()) {
+        second.get();
+    }
     return marks.leavesOut();
 }
 
 void LiveOverlays::paintBeside(const Wanted& wanted) {
+    if (std::exchange(m_failed, true)) { // for want of memory: the run goes on without
+        forget();
+    }
     m_task.start([this, wanted, trails = m_trails, epoch = m_epoch,
                   bands = std::exchange(m_spare, {})](const std::stop_token&) mutable -> BackgroundTask::Then {
-        noteTrails(*trails, wanted);
-        const bool leavesOut = paint(bands, wanted, trails->trails());
-        return [this, wanted, epoch, leavesOut, bands = std::move(bands)]() mutable {
+        noteTrails(trails, wanted);
+        const bool leavesOut = paint(bands, wanted, trails.trails());
+        return [this, wanted, epoch, leavesOut, trails = std::move(trails), bands = std::move(bands)]() mutable {
+            m_failed = false;
             if (epoch == m_epoch) {
+                m_trails = std::move(trails);
                 m_spare = std::exchange(m_bands, std::move(bands));
                 m_leavesOut = leavesOut;
                 m_shown = wanted;

@@ -62,11 +62,12 @@ class LiveOverlays {
     void paintBeside(const Wanted& wanted);
 
     Wanted m_shown;
-    Bands m_bands;                                                          // of a crowd
-    bool m_leavesOut = false;                                               // these do
-    Bands m_spare;                                                          // painted into next
-    std::shared_ptr<TrailKeeper> m_trails{std::make_shared<TrailKeeper>()}; // touched by the task while one runs
-    std::uint64_t m_epoch = 0;                                              // how often all was forgotten
+    Bands m_bands;            // of a crowd
+    bool m_leavesOut = false; // these do
+    Bands m_spare;            // painted into next
+    TrailKeeper m_trails;
+    bool m_failed = false;     // until a picture that was begun is there
+    std::uint64_t m_epoch = 0; // how often all was forgotten
     BackgroundTask m_task;
 };
 

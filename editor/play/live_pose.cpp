@@ -5,6 +5,7 @@
 #include "core/level/object_geometry.h"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 
 namespace spacetow {
@@ -12,10 +13,10 @@ namespace {
 
 using Poses = std::unordered_map<Key, Transform>;
 
-/// Of all bodies that move and that objects have become.
-Poses posesIn(const Snapshot& snapshot) {
+/// Of those that objects have become.
+Poses posesOf(const BodyPictures& bodies) {
     Poses poses;
-    for (const BodyPicture& body : snapshot.moving) {
+    for (const BodyPicture& body : bodies) {
         if (body.look->key != 0 && body.look->role != BodyRole::Debris) {
             poses.emplace(body.look->key, body.pose);
         }
@@ -61,7 +62,18 @@ std::vector<Key> withEnds(const Level& level, std::vector<Key> keys) {
 } // namespace
 
 Level posed(const Level& level, const Snapshot& snapshot) {
-    const Poses poses = posesIn(snapshot);
+    const Poses poses = posesOf(snapshot.moving);
+    std::optional<Poses> standing; // of bodies that have been made to move since
+    const auto poseOf = [&](Key key) -> std::optional<Transform> {
+        if (const auto moving = poses.find(key); moving != poses.end()) {
+            return moving->second;
+        }
+        if (!standing) {
+            standing = posesOf(*snapshot.statics);
+        }
+        const auto found = standing->find(key);
+        return found != standing->end() ? std::optional(found->second) : std::nullopt;
+    };
     Level now = level;
     std::vector<Key> gone;
     for (int i = 0; i < level.objects.size(); ++i) {
@@ -69,8 +81,8 @@ Level posed(const Level& level, const Snapshot& snapshot) {
             continue;
         }
         Object object = level.objects[i];
-        if (const auto pose = poses.find(object.key); pose != poses.end()) {
-            place(object.data, pose->second);
+        if (const std::optional<Transform> pose = poseOf(object.key)) {
+            place(object.data, *pose);
             now.objects.replace(i, std::move(object));
         } else {
             gone.push_back(object.key);

@@ -44,6 +44,8 @@ class LiveView : public QObject, public LiveScene {
     void setKeys(const PlayKeys& keys);
     /// Shows what the run has come to; it does so by itself at the display's rate.
     void refresh();
+    /// Whether overlays of a crowd are being painted beside the window.
+    bool isPaintingOverlays() const { return m_marks.isPainting(); }
     /// What is shown of the run.
     const Snapshot& picture() const { return m_picture; }
     /// These objects where they are in it; what is being dragged, as far from there as it has been dragged.

@@ -178,9 +178,14 @@ bool Actions::isOfGame(const ActionRow& row) const {
     return (row.flags & WhilePlaying) != 0 || ((row.flags & WithPanels) != 0 && !m_window.arePanelsHidden());
 }
 
+/// What is being read there can be left.
+bool Actions::isForWelcome(const ActionRow& row) const {
+    return (row.flags & WithoutLevel) != 0 || ((row.flags & WhileStarting) != 0 && m_window.isGettingReady());
+}
+
 bool Actions::isPossible(const ActionRow& row) const {
     const bool inThisMode = m_window.isInGame()      ? isOfGame(row)
-                            : m_window.isWelcoming() ? (row.flags & WithoutLevel) != 0
+                            : m_window.isWelcoming() ? isForWelcome(row)
                                                      : runsEnough(row);
     const Selection& selection = m_window.document().selection();
     const int selected = selection.size();
@@ -196,7 +201,7 @@ QString Actions::whyNot(const ActionRow& row) const {
     if (m_window.isInGame() && !isOfGame(row)) {
         why = (row.flags & WithPanels) != 0 ? QT_TRANSLATE_NOOP("Actions", "In a game only while its panels are shown.")
                                             : QT_TRANSLATE_NOOP("Actions", "Not while a game is running.");
-    } else if (m_window.isWelcoming() && (row.flags & WithoutLevel) == 0) {
+    } else if (m_window.isWelcoming() && !isForWelcome(row)) {
         why = QT_TRANSLATE_NOOP("Actions", "Open a level first.");
     } else if (!runsEnough(row)) {
         why = QT_TRANSLATE_NOOP("Actions", "Only while a game is running.");

@@ -58,7 +58,13 @@ QString levelFileFor(const Replay& replay, const QString& replayPath) {
 
 FlightReader::FlightReader(MainWindow& window) : m_window(window) {
     QObject::connect(&m_ticks, &QTimer::timeout, &m_ticks, [this] {
-        setReading(m_reading && m_task.isRunning()); // it may have failed for want of memory
+        const bool failed = m_reading && !m_task.isRunning(); // for want of memory
+        setReading(m_reading && !failed);
+        if (failed) {
+            m_window.messageBar().say(MessageBar::Tone::Error,
+                                      FlownWords::tr("There is not enough memory to read the flight."));
+            next();
+        }
     });
 }
 

@@ -271,7 +271,6 @@ class MainWindow : public QMainWindow {
     QString solidHint() const;
     void updateMotion();
     void showTension(const Object* object);
-    void wantSession();
     void updateTimeline();
     void updatePace();
     void updateExplanations();

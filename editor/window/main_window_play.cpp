@@ -3,7 +3,6 @@
 #include "editor/window/main_window.h"
 
 #include "core/base/whole_file.h"
-#include "core/level/build.h"
 #include "core/level/object_geometry.h"
 #include "editor/window/messages.h"
 
@@ -91,23 +90,13 @@ void MainWindow::enterRun(LiveRun::Kind wanted, const Recorded* recorded) {
     m_open->check.hurry();
     m_recorded = recorded != nullptr;
     m_told = m_document.current().level;
-    wantSession();
+    m_run.wantSession(this, true);
     m_reopened = m_recorded ? recorded->then : nullptr;
     if (m_recorded) {
         m_run.start(levelToRun(), recorded->replay, recorded->then);
     } else {
         m_run.start(levelToRun(), wanted);
     }
-}
-
-/// For what plots can go back to, and for the tension of a connector. Of a large level a copy takes as long as many
-/// updates, so there is one only while somebody looks at it.
-void MainWindow::wantSession() {
-    constexpr std::size_t large = 5000; // parts
-    const std::vector<Key>& keys = m_document.selection().keys();
-    const Object* const object = keys.size() == 1 ? m_document.level().objects.find(keys.front()) : nullptr;
-    const bool connects = object != nullptr && std::holds_alternative<ConnectorObject>(object->data);
-    m_run.wantSession(this, connects || partsToBuild(m_document.level(), large) < large);
 }
 
 /// In place of the board.
@@ -261,7 +250,6 @@ void MainWindow::updateMotion() {
     m_sinceMotion.start();
     updateTool(); // what the mouse holds
     updateSelection();
-    wantSession();
     const std::vector<Key>& keys = m_document.selection().keys();
     const Object* const object = keys.size() == 1 ? m_document.level().objects.find(keys.front()) : nullptr;
     if (object == nullptr || !poseOf(*object)) {

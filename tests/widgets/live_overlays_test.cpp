@@ -105,9 +105,53 @@ class LiveOverlaysTest : public QObject {
             }
         }
         QTRY_COMPARE(game.scene().picture().update, game.picture()->update);
+        game.run(5);
+        game.scene().refresh();
+        QCOMPARE(game.scene().isPaintingOverlays(), across > 20);
         game.scene().setOverlays({});
         game.scene().refresh();
         QCOMPARE(magentaPixels(game.view().grab().toImage()), 0);
+    }
+
+    void overlaysThatAreSwitchedOffWhileTheyArePaintedDoNotComeBack() {
+        Game game(fallingBalls(25), {400, 400}, LiveRun::Kind::Simulation);
+        game.view().setOverlayPalette({.own = {{"mass-center", Color{255, 0, 255}}}});
+        game.scene().setOverlays({.masses = true});
+        game.run(1);
+        game.scene().refresh();
+        QVERIFY(game.scene().isPaintingOverlays());
+        game.scene().setOverlays({});
+        QTRY_VERIFY(!game.scene().isPaintingOverlays());
+        game.scene().refresh();
+        QCOMPARE(magentaPixels(game.view().grab().toImage()), 0);
+        QCOMPARE(game.scene().picture().update, game.picture()->update);
+    }
+
+    void aFewThatBecomeACrowdKeepTheirTrails() {
+        Level level = fallingBalls(10);
+        Game game(level, {400, 400}, LiveRun::Kind::Simulation);
+        game.view().setOverlayPalette({.own = {{"trail", Color{255, 0, 255}}}});
+        game.scene().setOverlays({.trails = true});
+        for (int i = 0; i < 10; ++i) {
+            game.run(1);
+            game.scene().refresh();
+        }
+        const int before = magentaPixels(game.view().grab().toImage());
+        QVERIFY(before > 0);
+        for (int i = 0; i < 400; ++i) {
+            addBall(level, Vec2(i, 1000), 0.3, Vec2(0, 0));
+        }
+        game.live().setLevel(std::make_shared<const Level>(level));
+        game.run(1);
+        game.scene().refresh();
+        QVERIFY(game.scene().isPaintingOverlays());
+        QTRY_VERIFY(!game.scene().isPaintingOverlays() && game.scene().picture().update == game.picture()->update);
+        QVERIFY(magentaPixels(game.view().grab().toImage()) > before / 2);
+        game.live().setLevel(std::make_shared<const Level>(fallingBalls(10)));
+        game.run(1);
+        game.scene().refresh();
+        QVERIFY(!game.scene().isPaintingOverlays()); // they are few again
+        QVERIFY(magentaPixels(game.view().grab().toImage()) > 0);
     }
 
     void overlaysOfACrowdFollowViewAndSelectionThoughTimeStands() {
@@ -128,6 +172,13 @@ class LiveOverlaysTest : public QObject {
             game.view().setView(view);
             QTRY_VERIFY(isMarked({2, 2}) && isMarked({3, 1}));
         }
+        game.view().setOverlayPalette({.own = {{"collides", Color{255, 0, 255}}}});
+        game.scene().setOverlays({.collides = true});
+        game.scene().refresh();
+        QTRY_VERIFY(!game.scene().isPaintingOverlays());
+        QCOMPARE(magentaPixels(game.view().grab().toImage()), 0); // nothing is selected
+        game.document().select(Selection({game.document().level().objects[7].key}));
+        QTRY_VERIFY(magentaPixels(game.view().grab().toImage()) > 0);
     }
 
     void trailsFollowBodiesAndBeginAnewWhenTimeGoesBack() {
