@@ -203,6 +203,8 @@ void removeConstraint(Contacts& contacts, Constraints& constraints, std::uint32_
 void findMergeCandidates(const Bodies& bodies, Constraints& constraints) {
     const std::vector<GeneralContact>& all = constraints.generalContacts;
     constraints.mergeCandidates.clear();
+    constraints.mergeCandidates.reserve(
+        all.capacity()); // more than ever come, so that a steady update allocates nothing
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].mergeable || constraints.mergeableContacts[all[i].a] < 2) {
             continue;

@@ -137,18 +137,31 @@ bool stop(const ToiStage& stage, const Pair& pair, const Stoppable& which, const
     return changed;
 }
 
+/// Whether in this iteration the parts come nearer each other by as much as this, m.
+bool mayClose(const BodyStep& a, const BodyStep& b, double distance) {
+    return std::sqrt((a.deltaPosition - b.deltaPosition).squaredNorm()) + a.maxTurnMotion() +
+               std::abs(b.deltaAngle) * (b.outerRadius + distance) >=
+           distance;
+}
+
 /// Whether contacts have sent one of them where it may meet the other.
 bool isDeflected(const Bodies& bodies, const Contacts& contacts, std::uint32_t index) {
     const Pair& pair = contacts.table.pairs[index];
     const BodyStep& a = bodies.steps[pair.bodyA];
     const BodyStep& b = bodies.steps[pair.bodyB];
-    if (!(a.deflected || b.deflected) || !contacts.mayTouchNow(bodies, index)) {
-        return false;
-    }
-    const double tolerance = separationBoundOf(bodies, contacts, pair);
-    return std::sqrt((a.deltaPosition - b.deltaPosition).squaredNorm()) + a.maxTurnMotion() +
-               std::abs(b.deltaAngle) * (b.outerRadius + tolerance) >=
-           tolerance;
+    return (a.deflected || b.deflected) && contacts.mayTouchNow(bodies, index) &&
+           mayClose(a, b, separationBoundOf(bodies, contacts, pair));
+}
+
+/// Whether other contacts have sent one of them so far that it may meet the other at points that their manifold lacks:
+/// the speculative margin in which these were looked for is that of the motion without contacts. A circle has one
+/// point.
+bool isDeflectedPastManifold(const Bodies& bodies, const Contacts& contacts, const Pair& pair) {
+    const BodyStep& a = bodies.steps[pair.bodyA];
+    const BodyStep& b = bodies.steps[pair.bodyB];
+    return (a.deflected || b.deflected) && pair.kind == PairKind::General && hasContact(contacts, pair) &&
+           !std::holds_alternative<Circle>(*pair.shapeA) && !std::holds_alternative<Circle>(*pair.shapeB) &&
+           mayClose(a, b, std::max(toleranceLeftOf(bodies, contacts, pair), 0.0));
 }
 
 /// Who is to be stopped where the parts of the pair meet.
@@ -180,8 +193,8 @@ double depthAt(const Bodies& bodies, const Pair& pair, double share) {
     return depth;
 }
 
-/// Where one corner touches another may be about to bounce: the solver does not know of it, and a sweep sees the first
-/// alone. Looks where it goes in. True when the motion of either body was cut short.
+/// Where one corner touches another may be about to bounce, or a hit elsewhere may turn it in: the solver does not know
+/// of it, and a sweep sees the first alone. Looks where it goes in. True when the motion of either body was cut short.
 bool stopDeepening(const ToiStage& stage, const Pair& pair) {
     constexpr int visits = 16;
     const double covered = safeTurnFraction(stage.bodies, pair);
@@ -233,8 +246,11 @@ bool sweptBoundsOverlap(const Bodies& bodies, const BroadPhase& broadPhase, cons
     return !((bodies.motions[pair.bodyB].center - centerA).squaredNorm() > reach * reach);
 }
 
-/// Whether the pair is far apart or has a contact, while nothing is fast or bounces.
+/// Whether the pair is far apart or has a contact that holds, while nothing is fast or bounces.
 bool cannotHit(const Bodies& bodies, const Contacts& contacts, std::uint32_t index) {
+    if (isDeflectedPastManifold(bodies, contacts, contacts.table.pairs[index])) {
+        return false;
+    }
     const PairBound& bound = contacts.table.bounds[index];
     const bool yield =
         bound.moverB == Mover::Static || (bodies.movable[bound.moverA] & bodies.movable[bound.moverB]) != 0;
@@ -257,13 +273,14 @@ void listToiCandidates(const ToiStage& stage) {
         }
         // The solver keeps those that have a contact from closing their gap.
         if (!pair.sweep && hasContact(stage.contacts, pair)) {
-            if (stage.flags.anyFast && pair.kind == PairKind::General) {
-                stage.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, true});
+            const bool deepens = isDeflectedPastManifold(stage.bodies, stage.contacts, pair);
+            if (deepens || (stage.flags.anyFast && pair.kind == PairKind::General)) {
+                stage.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, true, deepens});
             }
         } else if (sweptBoundsOverlap(stage.bodies, stage.broadPhase, pair)) {
             const Stoppable which = sweptOf(stage.bodies, stage.contacts, i);
             if (which.a || which.b) {
-                stage.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, false, which.a, which.b});
+                stage.toi.candidates.push_back({i, pair.bodyA, pair.bodyB, 0, false, false, which.a, which.b});
             }
         }
     }
@@ -279,7 +296,7 @@ bool visit(const ToiStage& stage, ToiCandidate& candidate) {
     candidate.visitedAt = ++stage.toi.visits;
     const Pair& pair = stage.contacts.table.pairs[candidate.pair];
     if (candidate.touches) {
-        return limitTurn(stage, pair);
+        return candidate.deepens ? stopDeepening(stage, pair) : limitTurn(stage, pair);
     }
     Stoppable which = stoppable(stage.bodies, pair);
     which.a = candidate.stopsA;

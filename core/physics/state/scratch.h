@@ -85,6 +85,7 @@ struct ToiCandidate {
     Slot bodyA = 0, bodyB = 0;
     std::uint32_t visitedAt = 0; // 0: not yet
     bool touches = false;        // then only its turns are limited
+    bool deepens = false;        // and maybe where it has no contact point yet
     bool stopsA = false, stopsB = false;
 };
 
