@@ -12,11 +12,8 @@ namespace spacetow {
 namespace {
 
 /// Whether what can be changed of a body in the world is all that differs.
-bool sameInside(const BodyDef& a, const BodyDef& b) {
-    const auto numbers = [](const BodyDef& d) {
-        return std::tuple(d.kind, d.mass, d.density, d.restitution, d.friction, d.linearDamping, d.angularDamping);
-    };
-    return numbers(a) == numbers(b) && a.shapes == b.shapes;
+bool sameShape(const BodyDef& a, const BodyDef& b) {
+    return a.kind == b.kind && a.shapes == b.shapes;
 }
 
 /// By as much as the level's own pose was changed. What still is where it started is put exactly where it would start.
@@ -51,7 +48,6 @@ struct Session::Adoption {
     const Level& after;
     std::vector<std::pair<Key, ConnectorId>> connected = *session.m_connectors;
     std::vector<Key> replaced{}; // whose bodies are others now
-    bool shipReplaced = false;   // or the payload
 
     void objects();
     void body(const ObjectEdit& edit);
@@ -130,7 +126,10 @@ BodyId Session::Adoption::changed(BodyId old, const BodyDef& was, BodyDef def, B
     const BodyState now = session.m_world.body(old);
     const bool moved = def.position != was.position || def.angle != was.angle;
     moveAlong(def, was, now);
-    if (sameInside(was, def)) {
+    if (sameShape(was, def)) {
+        if (!session.m_world.setMaterial(old, materialOf(def))) { // refused by the physics
+            return old;
+        }
         if (moved) {
             session.m_world.setPose(old, def.position, def.angle);
         }
@@ -138,7 +137,7 @@ BodyId Session::Adoption::changed(BodyId old, const BodyDef& was, BodyDef def, B
         return old;
     }
     const BodyId made = session.addActor(def, role, static_cast<Key>(now.user));
-    if (!made) { // refused by the physics
+    if (!made) { // likewise
         return old;
     }
     remove(old);
@@ -213,15 +212,16 @@ void Session::Adoption::connect(Key key, const ConnectorObject& connector) {
                           was->anchorA == connector.anchorA && was->anchorB == connector.anchorB;
         length = same ? session.m_world.connector(*there).length : startLength(after, connector);
     }
-    letGo(key);
     const std::optional<BodyId> a = session.bodyOf(connector.a);
     const std::optional<BodyId> b = session.bodyOf(connector.b);
-    if (a && b && *a != *b) {
-        ConnectorDef def = connectorDef(connector, *a, *b);
-        def.length = length;
-        if (const Result<ConnectorId> added = session.m_world.addConnector(def)) {
-            connected.emplace_back(key, added.value());
-        }
+    ConnectorDef def = connectorDef(connector, a.value_or(BodyId{}), b.value_or(BodyId{}));
+    def.length = length;
+    if (there && session.m_world.setConnector(*there, def)) {
+        return;
+    }
+    letGo(key);
+    if (const Result<ConnectorId> added = session.m_world.addConnector(def)) {
+        connected.emplace_back(key, added.value());
     }
 }
 
@@ -252,9 +252,7 @@ void Session::Adoption::payload() {
             is->def.positionFrozen = is->def.rotationFrozen = waits;
             BodyDef old = was->def;
             old.positionFrozen = old.rotationFrozen = waits;
-            const BodyId now = changed(s.m_payload, old, is->def, BodyRole::Payload);
-            shipReplaced = shipReplaced || now != s.m_payload;
-            s.m_payload = now;
+            s.m_payload = changed(s.m_payload, old, is->def, BodyRole::Payload);
         }
         return;
     }
@@ -279,9 +277,7 @@ void Session::Adoption::ship() {
             is->def.positionFrozen = is->def.rotationFrozen = waits;
             BodyDef old = was->def;
             old.positionFrozen = old.rotationFrozen = waits;
-            const BodyId now = changed(s.m_ship, old, is->def, BodyRole::Ship);
-            shipReplaced = shipReplaced || now != s.m_ship;
-            s.m_ship = now;
+            s.m_ship = changed(s.m_ship, old, is->def, BodyRole::Ship);
         }
         return;
     }
@@ -297,19 +293,15 @@ void Session::Adoption::ship() {
     }
 }
 
-/// One that is fastened to other bodies now, or obeys other rules, is as long as the old one.
+/// It may be fastened to other bodies now, or obey other rules, but is as long as before.
 void Session::Adoption::rope() {
-    Session& s = session;
-    if (!s.m_rope || !s.m_ship || !s.m_payload || !(shipReplaced || before.rules != after.rules)) {
+    World& world = session.m_world;
+    if (!session.m_ship || !session.m_payload || !world.contains(session.m_rope)) {
         return;
     }
-    ConnectorDef def = towRope(s.m_ship, s.m_payload, after.rules.rope);
-    if (s.m_world.contains(s.m_rope)) {
-        def.length = s.m_world.connector(s.m_rope).length;
-        s.m_world.removeConnector(s.m_rope);
-    }
-    const Result<ConnectorId> added = s.m_world.addConnector(def);
-    s.m_rope = added ? added.value() : ConnectorId{};
+    ConnectorDef def = towRope(session.m_ship, session.m_payload, after.rules.rope);
+    def.length = world.connector(session.m_rope).length;
+    static_cast<void>(world.setConnector(session.m_rope, def)); // or it stays as it was
 }
 
 void Session::Adoption::figures() {

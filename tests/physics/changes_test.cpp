@@ -72,7 +72,7 @@ struct Host {
         if (!world.contains(id)) {
             id = any();
         }
-        switch (random.below(12)) {
+        switch (random.below(14)) {
         case 0:
             return remove(id);
         case 1:
@@ -96,6 +96,10 @@ struct Host {
         case 9:
             return connect(id, any());
         case 10:
+            return setMaterial(id);
+        case 11:
+            return connectElsewhere(id);
+        case 12:
             return known.size() < most ? addBody(randomBody()) : remove(id);
         default:
             static_cast<void>(world.applyForce(id, {random.uniform(-50, 50), random.uniform(-50, 50)}));
@@ -108,6 +112,22 @@ struct Host {
         }
         const bool made = bool(world.addConnector({.a = a, .b = b, .stiffness = 50, .damping = 1}));
         failed |= made != (a != b);
+    }
+
+    void setMaterial(BodyId id) {
+        failed |= !world.setMaterial(id, {.mass = random.uniform(0.1, 10),
+                                          .restitution = random.unit(),
+                                          .friction = random.unit(),
+                                          .linearDamping = random.unit()});
+    }
+
+    void connectElsewhere(BodyId a) {
+        const BodyId b = any();
+        if (!world.connectors().empty()) {
+            const bool made =
+                bool(world.setConnector(world.connectors().front(), {.a = a, .b = b, .stiffness = 80, .slack = true}));
+            failed |= made != (a != b);
+        }
     }
 
     void answerEvents() {

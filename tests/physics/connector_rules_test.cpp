@@ -1,6 +1,7 @@
 #include "tests/support/contact_scenes.h"
 #include "tests/support/known_values.h"
 #include "tests/support/rows.h"
+#include "tests/support/sleepers.h"
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -216,6 +217,72 @@ class ConnectorRulesTest : public QObject {
         world.removeConnector(first ? one : two);
         run(world, 0.1);
         QVERIFY(world.body(a).massCenter.x() < 0);
+    }
+
+    void aChangedConnectorPullsAsOneThatWasMadeSo() {
+        const ConnectorDef soft{.length = 1, .stiffness = 10};
+        const ConnectorDef stiff{.anchorA = {0.5, 0},
+                                 .length = 0.5,
+                                 .stiffness = 70,
+                                 .damping = 2,
+                                 .slack = true,
+                                 .bodiesCollide = true,
+                                 .truncation = {TruncationRule::Clamp, 20, 0.5, {}}};
+        Moored changed(2, 0.1, {2, 0}, soft);
+        Moored made(2, 0.1, {2, 0}, stiff);
+        ConnectorDef def = stiff;
+        def.a = changed.id;
+        def.b = changed.postId;
+        QVERIFY(changed.world.setConnector(changed.rope, def).value());
+        QCOMPARE(changed.world.hash(), made.world.hash());
+        for (int i = 0; i < 100; ++i) {
+            changed.world.update({.gravity = {0, 0}, .iterations = 4});
+            made.world.update({.gravity = {0, 0}, .iterations = 4});
+            QCOMPARE(changed.world.hash(), made.world.hash());
+        }
+        QVERIFY(changed.world.contains(changed.rope));
+        const std::uint64_t before = changed.world.hash();
+        QVERIFY(!changed.world.setConnector(changed.rope, def).value()); // nothing is new
+        QCOMPARE(changed.world.hash(), before);
+    }
+
+    void aChangedConnectorMayHaveOtherEndsAndLetThemCollide() {
+        World world({.gravity = {0, 0}, .iterations = 4});
+        std::vector<BodyId> ids;
+        for (const double x : {0.0, 0.5, 5.0}) {
+            ids.push_back(add(world, ball({x, 0}, 0.3))); // the first two overlap
+        }
+        ConnectorDef def{.a = ids[0], .b = ids[1], .stiffness = 0};
+        const ConnectorId rope = world.addConnector(def).value();
+        runUpdates(world, 5);
+        QVERIFY(world.events().began.empty() && world.body(ids[1]).massCenter == Vec2(0.5, 0));
+        def.b = ids[2];
+        QVERIFY(world.setConnector(rope, def).value());
+        QCOMPARE(world.connector(rope).length, 5.0); // measured again
+        QCOMPARE(world.connector(rope).b, ids[2]);
+        world.update();
+        QCOMPARE(world.events().began.size(), std::size_t(1));
+        runUpdates(world, 50);
+        QVERIFY(world.body(ids[1]).massCenter.x() > 0.5); // pushed out
+        world.removeBody(ids[2]);
+        world.update();
+        QVERIFY(!world.contains(rope));
+    }
+
+    void aConnectorThatCannotBeChangedSoStaysAsItWas() {
+        Moored moored(2, 0.1, {2, 0}, {.length = 1, .stiffness = 10});
+        const std::uint64_t before = moored.world.hash();
+        const ConnectorDef good{.a = moored.id, .b = moored.postId};
+        const auto refused = [&](const Error& error, auto change) {
+            ConnectorDef def = good;
+            change(def);
+            const Result<bool> changed = moored.world.setConnector(moored.rope, def);
+            return !changed && changed.error() == error && moored.world.hash() == before;
+        };
+        QVERIFY(refused({"no-such-body", {"b"}}, [](ConnectorDef& d) { d.b = BodyId{}; }));
+        QVERIFY(refused({"same-body", {}}, [](ConnectorDef& d) { d.b = d.a; }));
+        QVERIFY(refused({"not-finite", {"stiffness"}}, [](ConnectorDef& d) { d.stiffness = std::nan(""); }));
+        QVERIFY(refused({"out-of-range", {"length"}}, [](ConnectorDef& d) { d.length = -1; }));
     }
 
     void connectorsAreListedInTheOrderInWhichTheyWereAdded() {

@@ -4,6 +4,32 @@
 
 namespace spacetow {
 
+namespace {
+
+void mixMaterials(const BodyRecord& a, const BodyRecord& b, Contact& contact) {
+    contact.friction = std::sqrt(a.friction * b.friction);
+    contact.restitution = std::clamp(0.5 * (a.restitution + b.restitution), 0.0, 1.0);
+}
+
+/// Returns whether any of its contacts in the table has points.
+bool remixMaterials(const Bodies& bodies, std::vector<Contact>& pool, const PairTable& table, Slot slot) {
+    bool any = false;
+    for (const Pair& pair : table.pairs) {
+        if (pair.contact == Pair::none || (pair.bodyA != slot && pair.bodyB != slot)) {
+            continue;
+        }
+        Contact& contact = pool[pair.contact];
+        mixMaterials(bodies.records[pair.bodyA], bodies.records[pair.bodyB], contact);
+        if (contact.count > 0) {
+            any = true;
+            contact.manifold.tolerance = contact.restitution > 0 ? -1 : contact.manifold.tolerance;
+        }
+    }
+    return any;
+}
+
+} // namespace
+
 Contact& contactOf(const Bodies& bodies, Contacts& contacts, Pair& pair) {
     if (pair.contact != Pair::none) {
         return contacts.pool[pair.contact];
@@ -15,12 +41,9 @@ Contact& contactOf(const Bodies& bodies, Contacts& contacts, Pair& pair) {
         pair.contact = contacts.freeInPool.back();
         contacts.freeInPool.pop_back();
     }
-    const BodyRecord& a = bodies.records[pair.bodyA];
-    const BodyRecord& b = bodies.records[pair.bodyB];
     Contact& contact = contacts.pool[pair.contact];
     contact = Contact{};
-    contact.friction = std::sqrt(a.friction * b.friction);
-    contact.restitution = std::clamp(0.5 * (a.restitution + b.restitution), 0.0, 1.0);
+    mixMaterials(bodies.records[pair.bodyA], bodies.records[pair.bodyB], contact);
     return contact;
 }
 
@@ -47,6 +70,15 @@ void resetManifolds(Contacts& contacts) {
     for (Contact& contact : contacts.pool) {
         contact.manifold.tolerance = -1;
     }
+}
+
+bool refreshMaterials(const ContactStage& stage, const PairTable& sleepers, Slot slot) {
+    const bool awake = remixMaterials(stage.bodies, stage.contacts.pool, stage.contacts.table, slot);
+    const bool asleep = remixMaterials(stage.bodies, stage.contacts.pool, sleepers, slot);
+    if (awake || asleep) {
+        releaseConstraints(stage.contacts, stage.constraints, stage.flags);
+    }
+    return awake || asleep;
 }
 
 void beginPart(const ContactStage& stage, double share) {

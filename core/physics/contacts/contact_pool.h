@@ -18,6 +18,11 @@ void freeContactsOfDropped(const ContactStage& stage);
 /// Marks all manifolds as out of date. Impulses stay for the warm start.
 void resetManifolds(Contacts& contacts);
 
+/// The body has another mass, friction or restitution: its contacts, also those in the table of sleepers, keep their
+/// manifolds and impulses but get its material. Releases all constraints if the body has contact points;
+/// returns whether it has.
+bool refreshMaterials(const ContactStage& stage, const PairTable& sleepers, Slot slot);
+
 /// Scale impulses for an iteration that is divided into shorter parts. `share` is the length of the part divided by the
 /// length of the iteration, 0 … 1. beginPart() multiplies all impulses with `share`, as the warm start of a shorter
 /// step needs. endPart() adds 1 − share of the impulses before the part. The sum approximates a whole iteration:

@@ -42,6 +42,20 @@ struct BodyDef {
     std::uint64_t user = 0;      // set by the owner of the world; the engine never reads it
 };
 
+/// What can be changed of a body without changing its shape, as in BodyDef.
+struct BodyMaterial {
+    std::optional<double> mass;
+    double density = 1;
+    double restitution = 0;
+    double friction = 0.3;
+    double linearDamping = 0;
+    double angularDamping = 0;
+};
+
+inline BodyMaterial materialOf(const BodyDef& def) {
+    return {def.mass, def.density, def.restitution, def.friction, def.linearDamping, def.angularDamping};
+}
+
 /// The state of one body. `pose` places the local origin; `velocity` is that of the centre of mass.
 struct BodyState {
     BodyKind kind;

@@ -60,14 +60,18 @@ void forgetKinematicEdges(const ContactGraph& graph, SolverScratch& solver) {
 /// What it weighs, and nothing of what was there before.
 void renewSlot(Bodies& bodies, Constraints& constraints, ContactGraph& graph, Slot slot) {
     const BodyMotion& m = bodies.motions[slot];
-    const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
-    graph.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
+    refreshInertia(m, graph, slot);
     bodies.movable[slot] = m.isMovable() ? 1 : 0;
     graph.roots[slot] = slot;
     constraints.mergeableContacts[slot] = 0;
 }
 
 } // namespace
+
+void refreshInertia(const BodyMotion& m, ContactGraph& graph, Slot slot) {
+    const double mass = m.inverseMass > 0 ? 1 / m.inverseMass : 0;
+    graph.inertias[slot] = {mass, mass, m.inverseInertia > 0 ? 1 / m.inverseInertia : 0, 0};
+}
 
 void findComponents(const SolverStage& stage) {
     if (!stage.flags.contactGraphStale) {

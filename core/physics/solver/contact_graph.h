@@ -33,6 +33,9 @@ void addEdge(std::vector<Slot>& parents, const EdgeEnd& a, const EdgeEnd& b, con
 /// Resets the per-slot data of bodies that are new or have changed: inertia, mobility, and the results of iterations.
 void renewSlots(const SolverStage& stage, std::span<const Slot> slots);
 
+/// The body, whose slot is known to the graph, has another mass.
+void refreshInertia(const BodyMotion& m, ContactGraph& graph, Slot slot);
+
 /// Resizes per-slot data to `size` slots; new slots get the initial value. Slots of bodies that no longer move were
 /// reset when the moving bodies were listed.
 template <class T>

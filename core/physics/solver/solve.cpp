@@ -127,6 +127,9 @@ void finishBounces(Bodies& bodies, Constraints& constraints) {
 /// What is held back has less energy; and what has less energy may have to be held back.
 void converge(const SolverStage& stage, double dt) {
     reserveForUnconverged(stage);
+    if (stage.flags.constraintsRebuilt) { // as after each change of a mass that contacts bear
+        solveReweighed(stage);
+    }
     for (int round = 0; round < roundsOfConverging; ++round) {
         const bool closes = measureVelocities(stage.constraints.batches, stage.solver.velocities);
         const bool holds = closes && (round > 0 || solveClosingComponents(stage));

@@ -12,6 +12,8 @@ namespace {
 
 constexpr int rounds = 10;
 constexpr int passesInRound = 4;
+// Once for each change of a mass: what rests on it is not to sink meanwhile.
+constexpr int passesForNewWeight = 400;
 
 bool isUnconverged(const SolverScratch& solver, Slot root) {
     return solver.unconverged[root] != 0;
@@ -105,6 +107,25 @@ bool solveClosingComponents(const SolverStage& stage) {
         closes = measureVelocities(stage.constraints.batches, stage.solver.velocities);
     }
     return closes;
+}
+
+void solveReweighed(const SolverStage& stage) {
+    ContactGraph& graph = stage.graph;
+    bool any = false;
+    for (const Slot slot : stage.bodies.moving) {
+        const BodyVelocity before = graph.inertias[slot];
+        refreshInertia(stage.bodies.motions[slot], graph, slot);
+        if (before.x != graph.inertias[slot].x || before.angular != graph.inertias[slot].angular) {
+            if (!any) {
+                clearUnconverged(stage.bodies, graph, stage.sleep, stage.solver);
+            }
+            stage.solver.unconverged[graph.roots[slot]] = 1;
+            any = true;
+        }
+    }
+    if (any) {
+        solveUnconverged(stage, passesForNewWeight);
+    }
 }
 
 void reserveForUnconverged(const SolverStage& stage) {

@@ -14,40 +14,22 @@ namespace {
 // Beyond this doubles no longer resolve a millimetre, m.
 constexpr double farthest = 1e9;
 
-std::optional<Error> checkNumbers(const BodyDef& d) {
-    const std::pair<const char*, bool> finite[] = {
-        {"position", isFinite(d.position)},
-        {"angle", std::isfinite(d.angle)},
-        {"velocity", isFinite(d.velocity)},
-        {"angular velocity", std::isfinite(d.angularVelocity)},
-        {"mass", !d.mass || std::isfinite(*d.mass)},
-        {"density", std::isfinite(d.density)},
-        {"restitution", std::isfinite(d.restitution)},
-        {"friction", std::isfinite(d.friction)},
-        {"linear damping", std::isfinite(d.linearDamping)},
-        {"angular damping", std::isfinite(d.angularDamping)},
-    };
-    for (const auto& [name, ok] : finite) {
-        if (!ok) {
-            return Error{"not-finite", {name}};
-        }
+using Checks = std::initializer_list<std::pair<const char*, bool>>;
+
+/// The error names the first field that does not hold.
+std::optional<Error> firstWrong(const char* code, Checks checks) {
+    const auto* wrong = std::find_if(checks.begin(), checks.end(), [](const auto& check) { return !check.second; });
+    return wrong == checks.end() ? std::nullopt : std::optional(Error{code, {wrong->first}});
+}
+
+std::optional<Error> checkMotion(const BodyDef& d) {
+    if (auto error = firstWrong("not-finite", {{"position", isFinite(d.position)},
+                                               {"angle", std::isfinite(d.angle)},
+                                               {"velocity", isFinite(d.velocity)},
+                                               {"angular velocity", std::isfinite(d.angularVelocity)}})) {
+        return error;
     }
-    const std::pair<const char*, bool> inRange[] = {
-        {"position", d.position.cwiseAbs().maxCoeff() <= farthest},
-        {"restitution", d.restitution >= 0 && d.restitution <= 1},
-        {"friction", d.friction >= 0},
-        {"linear damping", d.linearDamping >= 0},
-        {"angular damping", d.angularDamping >= 0},
-    };
-    for (const auto& [name, ok] : inRange) {
-        if (!ok) {
-            return Error{"out-of-range", {name}};
-        }
-    }
-    if ((d.mass && *d.mass <= 0) || d.density <= 0) {
-        return Error{"bad-mass", {d.mass ? "mass" : "density"}};
-    }
-    return {};
+    return firstWrong("out-of-range", {{"position", d.position.cwiseAbs().maxCoeff() <= farthest}});
 }
 
 struct IsGoodShape {
@@ -160,9 +142,41 @@ std::optional<MassProperties> usableMass(std::span<const Shape> shapes, double d
     return usable ? std::optional(total) : std::nullopt;
 }
 
+std::optional<Error> checkMaterial(const BodyMaterial& m) {
+    if (auto error = firstWrong("not-finite", {{"mass", !m.mass || std::isfinite(*m.mass)},
+                                               {"density", std::isfinite(m.density)},
+                                               {"restitution", std::isfinite(m.restitution)},
+                                               {"friction", std::isfinite(m.friction)},
+                                               {"linear damping", std::isfinite(m.linearDamping)},
+                                               {"angular damping", std::isfinite(m.angularDamping)}})) {
+        return error;
+    }
+    if (auto error = firstWrong("out-of-range", {{"restitution", m.restitution >= 0 && m.restitution <= 1},
+                                                 {"friction", m.friction >= 0},
+                                                 {"linear damping", m.linearDamping >= 0},
+                                                 {"angular damping", m.angularDamping >= 0}})) {
+        return error;
+    }
+    return (m.mass && *m.mass <= 0) || m.density <= 0 ? std::optional(badMass(m)) : std::nullopt;
+}
+
+Error badMass(const BodyMaterial& material) {
+    return {"bad-mass", {material.mass ? "mass" : "density"}};
+}
+
+void setSurface(BodyRecord& record, const BodyMaterial& material) {
+    record.restitution = material.restitution;
+    record.friction = material.friction;
+    record.linearDamping = material.linearDamping;
+    record.angularDamping = material.angularDamping;
+}
+
 Result<MadeBody> makeBody(const BodyDef& def) {
-    if (std::optional<Error> error = checkNumbers(def)) {
-        return *std::move(error);
+    const BodyMaterial material = materialOf(def);
+    for (std::optional<Error> error : {checkMotion(def), checkMaterial(material)}) {
+        if (error) {
+            return *std::move(error);
+        }
     }
     if (def.shapes.empty() && def.kind != BodyKind::Static) {
         return Error{"no-shape", {"shapes"}};
@@ -177,14 +191,11 @@ Result<MadeBody> makeBody(const BodyDef& def) {
     r.kind = def.kind;
     r.shapes = std::make_shared<const std::vector<Shape>>(def.shapes);
     if (def.kind != BodyKind::Static && !setMass(r, def)) {
-        return Error{"bad-mass", {def.mass ? "mass" : "density"}};
+        return badMass(material);
     }
     setParts(r, def);
     made.step = stepOf(r);
-    r.restitution = def.restitution;
-    r.friction = def.friction;
-    r.linearDamping = def.linearDamping;
-    r.angularDamping = def.angularDamping;
+    setSurface(r, material);
     r.filter = def.filter;
     r.tangible = def.tangible;
     r.active = def.active;

@@ -46,10 +46,19 @@ class World {
     void setFrozen(BodyId body, bool frozen) { setFrozen(body, frozen, frozen); }
     void setFrozen(BodyId body, bool position, bool rotation);
 
+    /// At once, in place; it may have other ends. Without a length it gets the distance of its anchors now. The value
+    /// says whether anything has changed; what is as it was wakes nobody. Errors as in addConnector.
+    Result<bool> setConnector(ConnectorId connector, const ConnectorDef& def);
+
     /// At once. For a static body the next update also patches the static tree.
     void setPose(BodyId body, const Vec2& position, double angle);
     void setVelocity(BodyId body, const Vec2& velocity, double angularVelocity);
     void setFilter(BodyId body, const Filter& filter);
+    /// At once, in place: contacts go on with their manifolds and impulses, connectors stay. The centre of mass stays
+    /// where it is; a static body takes restitution and friction alone. The value says whether anything has changed;
+    /// what is as it was wakes nobody. Errors: "not-finite", "out-of-range", "bad-mass", as in addBody; the body then
+    /// keeps what it had.
+    Result<bool> setMaterial(BodyId body, const BodyMaterial& material);
     /// Whether Events::tagsTouched has entries of the body.
     void setReportsTouches(BodyId body, bool reports);
 

@@ -7,12 +7,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace spacetow {
 
 namespace {
 
-std::optional<Error> check(const ConnectorDef& d) {
+std::optional<Error> check(const World& world, const ConnectorDef& d) {
+    if (!world.contains(d.a) || !world.contains(d.b)) {
+        return Error{"no-such-body", {world.contains(d.a) ? "b" : "a"}};
+    }
+    if (d.a == d.b) {
+        return Error{"same-body", {}};
+    }
     const std::pair<const char*, bool> finite[] = {
         {"anchor", isFinite(d.anchorA) && isFinite(d.anchorB)},
         {"length", !d.length || std::isfinite(*d.length)},
@@ -41,6 +48,33 @@ std::optional<Error> check(const ConnectorDef& d) {
     return {};
 }
 
+/// All of the record that its definition says.
+void define(const Bodies& bodies, const ConnectorDef& def, ConnectorRecord& c) {
+    c.a = def.a.index;
+    c.b = def.b.index;
+    c.anchorA = def.anchorA - bodies.records[c.a].localCenter;
+    c.anchorB = def.anchorB - bodies.records[c.b].localCenter;
+    const auto measured = [&] {
+        return (bodies.pose(c.b).toWorld(c.anchorB) - bodies.pose(c.a).toWorld(c.anchorA)).norm();
+    };
+    c.length = def.length ? *def.length : measured();
+    c.stiffness = def.stiffness;
+    c.damping = def.damping;
+    c.slack = def.slack;
+    c.bodiesCollide = def.bodiesCollide;
+    c.truncation = def.truncation;
+}
+
+/// Functions cannot be compared.
+bool isSame(const ConnectorRecord& c, const ConnectorRecord& d) {
+    const auto values = [](const ConnectorRecord& r) {
+        return std::tuple(r.a, r.b, r.length, r.stiffness, r.damping, r.slack, r.bodiesCollide, r.truncation.rule,
+                          r.truncation.limit, r.truncation.proportion);
+    };
+    return values(c) == values(d) && c.anchorA == d.anchorA && c.anchorB == d.anchorB &&
+           c.truncation.rule != TruncationRule::Custom;
+}
+
 /// Nothing changes for others near a static body to which something is connected.
 void requestWakeOfEnds(Bodies& bodies, Sleep& sleep, const ConnectorRecord& c) {
     for (const Slot slot : {c.a, c.b}) {
@@ -53,13 +87,7 @@ void requestWakeOfEnds(Bodies& bodies, Sleep& sleep, const ConnectorRecord& c) {
 } // namespace
 
 Result<ConnectorId> World::addConnector(const ConnectorDef& def) {
-    if (!contains(def.a) || !contains(def.b)) {
-        return Error{"no-such-body", {contains(def.a) ? "b" : "a"}};
-    }
-    if (def.a == def.b) {
-        return Error{"same-body", {}};
-    }
-    if (std::optional<Error> error = check(def)) {
+    if (std::optional<Error> error = check(*this, def)) {
         return *std::move(error);
     }
     WorldData& data = *m_data;
@@ -71,24 +99,32 @@ Result<ConnectorId> World::addConnector(const ConnectorDef& def) {
         data.forces.freeConnectors.pop_back();
     }
     ConnectorRecord& c = data.forces.connectors[index];
-    const BodyState a = body(def.a);
-    const BodyState b = body(def.b);
     c.used = true;
     c.serial = data.bodies.nextSerial++;
-    c.a = def.a.index;
-    c.b = def.b.index;
-    c.anchorA = def.anchorA - data.bodies.records[c.a].localCenter;
-    c.anchorB = def.anchorB - data.bodies.records[c.b].localCenter;
-    c.length = def.length.value_or((b.pose.toWorld(def.anchorB) - a.pose.toWorld(def.anchorA)).norm());
-    c.stiffness = def.stiffness;
-    c.damping = def.damping;
-    c.slack = def.slack;
-    c.bodiesCollide = def.bodiesCollide;
-    c.truncation = def.truncation;
     c.tension = 0;
+    define(data.bodies, def, c);
     data.flags.connectionsStale = true;
     requestWakeOfEnds(data.bodies, data.sleep, c);
     return ConnectorId{index, c.generation};
+}
+
+Result<bool> World::setConnector(ConnectorId connector, const ConnectorDef& def) {
+    EXPECTS(contains(connector));
+    if (std::optional<Error> error = check(*this, def)) {
+        return *std::move(error);
+    }
+    WorldData& data = *m_data;
+    ConnectorRecord& c = data.forces.connectors[connector.index];
+    ConnectorRecord next = c;
+    define(data.bodies, def, next);
+    if (isSame(c, next)) {
+        return false;
+    }
+    data.flags.connectionsStale |= c.a != next.a || c.b != next.b || c.bodiesCollide != next.bodiesCollide;
+    requestWakeOfEnds(data.bodies, data.sleep, c);
+    c = std::move(next);
+    requestWakeOfEnds(data.bodies, data.sleep, c);
+    return true;
 }
 
 bool World::contains(ConnectorId connector) const {
