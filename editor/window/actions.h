@@ -60,6 +60,7 @@ class Actions {
     template <class Do>
     void carryOut(const Do& action);
     bool isOfGame(const ActionRow& row) const; // while one is running
+    bool isForWelcome(const ActionRow& row) const;
     bool isPossible(const ActionRow& row) const;
     /// For what needs a run.
     bool runsEnough(const ActionRow& row) const;

@@ -19,7 +19,7 @@ class DeterminismTest : public QObject {
         QTest::addColumn<QString>("hash");
         QTest::newRow("balls") << "balls" << 300 << 200 << "b5c080c4e9339ecf";
         QTest::newRow("pyramid") << "pyramid" << 12 << 200 << "d24f88476a2251ea";
-        QTest::newRow("tumbler") << "tumbler" << 200 << 100 << "9a42459bc8f278f3";
+        QTest::newRow("tumbler") << "tumbler" << 200 << 100 << "1ec46312e5612ccc";
         QTest::newRow("tow") << "tow" << 1 << 100 << "755868d89ee64c3a";
         QTest::newRow("mesh") << "mesh" << 10 << 60 << "7b7c2e12b9fb5ca2";
     }

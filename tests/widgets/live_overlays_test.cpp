@@ -172,7 +172,7 @@ class LiveOverlaysTest : public QObject {
             game.view().setView(view);
             QTRY_VERIFY(isMarked({2, 2}) && isMarked({3, 1}));
         }
-        game.view().setOverlayPalette({.own = {{"collides", Color{255, 0, 255}}}});
+        game.view().setOverlayPalette({.own = {{"meets", Color{255, 0, 255}}}});
         game.scene().setOverlays({.collides = true});
         game.scene().refresh();
         QTRY_VERIFY(!game.scene().isPaintingOverlays());
