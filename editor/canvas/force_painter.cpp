@@ -18,10 +18,10 @@ constexpr double forceArrowHead = 9;        // px
 constexpr double leastForce = 1e-9;         // N
 constexpr std::size_t mostForceLabels = 12; // of many contacts only the strongest have words
 
-constexpr std::array<const char*, 6> forceNames{
-    QT_TRANSLATE_NOOP("Forces", "Gravity"),    QT_TRANSLATE_NOOP("Forces", "Applied"),
-    QT_TRANSLATE_NOOP("Forces", "Connectors"), QT_TRANSLATE_NOOP("Forces", "Fields"),
-    QT_TRANSLATE_NOOP("Forces", "Contact"),    QT_TRANSLATE_NOOP("Forces", "Damping")};
+constexpr std::array<const char*, 5> forceNames{
+    QT_TRANSLATE_NOOP("Forces", "Gravity"), QT_TRANSLATE_NOOP("Forces", "Applied"),
+    QT_TRANSLATE_NOOP("Forces", "Connectors"), QT_TRANSLATE_NOOP("Forces", "Contact"),
+    QT_TRANSLATE_NOOP("Forces", "Damping")};
 
 void paintArrow(const Stage& stage, const QPointF& from, const QPointF& to) {
     const QPointF way = to - from;
@@ -43,7 +43,6 @@ std::vector<ForceArrow> forceArrows(const World& world, BodyId body) {
     std::vector<ForceArrow> arrows{{Source::Gravity, center, forces.gravity.force},
                                    {Source::Applied, center, forces.applied.force},
                                    {Source::Connectors, center, forces.connectors.force},
-                                   {Source::Fields, center, forces.fields.force},
                                    {Source::Damping, center, forces.damping.force}};
     if (world.body(body).kind == BodyKind::Dynamic) {
         for (const ContactReading& contact : contactsOf(world, body)) {
@@ -64,9 +63,8 @@ QString forceName(ForceArrow::Source source) {
 }
 
 QColor forceColor(ForceArrow::Source source, Shade shade) {
-    static constexpr std::array<QRgb, 6> onDark{0xff56b4e9, 0xffe69f00, 0xff00c08d, 0xffe59bc8, 0xffff7a3c, 0xffd0d0d0};
-    static constexpr std::array<QRgb, 6> onLight{0xff0072b2, 0xff9a6700, 0xff00714f,
-                                                 0xffa0417f, 0xffb84600, 0xff505050};
+    static constexpr std::array<QRgb, 5> onDark{0xff56b4e9, 0xffe69f00, 0xff00c08d, 0xffff7a3c, 0xffd0d0d0};
+    static constexpr std::array<QRgb, 5> onLight{0xff0072b2, 0xff9a6700, 0xff00714f, 0xffb84600, 0xff505050};
     return QColor::fromRgb((shade == Shade::Dark ? onDark : onLight)[static_cast<std::size_t>(source)]);
 }
 

@@ -11,7 +11,7 @@
 namespace spacetow {
 
 struct ForceArrow {
-    enum class Source : std::uint8_t { Gravity, Applied, Connectors, Fields, Contact, Damping };
+    enum class Source : std::uint8_t { Gravity, Applied, Connectors, Contact, Damping };
 
     Source source = Source::Gravity;
     Vec2 at{0, 0};    // world

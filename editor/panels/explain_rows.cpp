@@ -66,7 +66,6 @@ ExplainSection forceSection(const Session& session, BodyId body, const BodyForce
         add(QT_TRANSLATE_NOOP("Explain", "Pulled by the mouse"), {grab->force, 0});
     }
     add(QT_TRANSLATE_NOOP("Explain", "Connectors"), forces.connectors);
-    add(QT_TRANSLATE_NOOP("Explain", "Fields"), forces.fields);
     add(QT_TRANSLATE_NOOP("Explain", "Contacts"), forces.contacts);
     add(QT_TRANSLATE_NOOP("Explain", "Damping"), forces.damping);
     add(QT_TRANSLATE_NOOP("Explain", "Total"), forces.sum());

@@ -265,7 +265,6 @@ constexpr MessageText problems[] = {
     {"bad-shape", QT_TRANSLATE_NOOP("messages", "The body has a shape that cannot be simulated.")},
     {"no-such-body", QT_TRANSLATE_NOOP("messages", "The end “%1” of the connector is not in the world.")},
     {"same-body", QT_TRANSLATE_NOOP("messages", "Both ends of the connector are on the same body.")},
-    {"no-force", QT_TRANSLATE_NOOP("messages", "The force field has no force.")},
     {"replay-bad-field", QT_TRANSLATE_NOOP("messages", "The replay cannot be understood at “%1”.")},
     {"replay-unknown-field", QT_TRANSLATE_NOOP("messages", "The field “%1” is none that a replay has.")},
     {"replay-duplicate-field", QT_TRANSLATE_NOOP("messages", "The field “%1” is given twice in the replay.")},

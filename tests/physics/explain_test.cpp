@@ -195,7 +195,6 @@ class ExplainTest : public QObject {
         def.linearDamping = 0.5;
         def.velocity = {4, 0};
         const BodyId id = add(world, def);
-        world.addField({.force = [](const FieldSample& s) { return FieldForce{{3 * s.mass, 0}, 0.25}; }}).value();
         world.applyForce(id, {0, 7});
         world.applyTorque(id, -0.5);
         world.update();
@@ -203,8 +202,6 @@ class ExplainTest : public QObject {
         QVERIFY((forces.gravity.force - Vec2(0, -2 * 9.81)).norm() < 1e-9);
         QVERIFY((forces.applied.force - Vec2(0, 7)).norm() < 1e-9);
         QVERIFY(std::abs(forces.applied.torque + 0.5) < 1e-12);
-        QVERIFY((forces.fields.force - Vec2(6, 0)).norm() < 1e-9);
-        QVERIFY(std::abs(forces.fields.torque - 0.25) < 1e-12);
         QVERIFY((forces.damping.force + 0.5 * 2 * world.body(id).velocity).norm() < 1e-9);
         QVERIFY(forces.contacts.force.norm() == 0);
         world.update(); // applied for one update only

@@ -87,12 +87,6 @@ const std::vector<Reason>& reasons() {
          true},
         {"a connector of two islands",
          [](Sleepers& s) { EXPECTS(bool(s.world.addConnector({.a = s.lower, .b = s.beside}))); }, 1, true, true},
-        {"a new field",
-         [](Sleepers& s) {
-             const auto force = [](const FieldSample&) { return FieldForce{{0, 0.1}, 0}; };
-             EXPECTS(bool(s.world.addField({.force = force, .body = s.beside})));
-         },
-         1, false, true},
         {"removal of the static body below", [](Sleepers& s) { s.world.removeBody(s.block); }, 1, false, true},
         {"switching off the static body below", [](Sleepers& s) { s.world.setActive(s.block, false); }, 1, false, true},
         {"a static body below made intangible", [](Sleepers& s) { s.world.setTangible(s.block, false); }, 1, false,

@@ -2,7 +2,6 @@
 // What happened during the last update, each list in a deterministic order. The next update clears all lists.
 
 #include "core/physics/def/body.h"
-#include "core/physics/def/force_field.h"
 
 #include <vector>
 
@@ -41,13 +40,6 @@ struct FaultEvent {
     BodyId body;
 };
 
-/// A force field returned a value that is not finite. The value was ignored. At most one event a field and update.
-struct FieldFaultEvent {
-    int iteration;
-    FieldId field;
-    BodyId body;
-};
-
 /// A body fell asleep or woke up.
 struct SleepEvent {
     int iteration; // −1: before the first
@@ -61,7 +53,6 @@ struct Events {
     std::vector<CrushedEvent> crushed;
     std::vector<RemovedEvent> removed;
     std::vector<FaultEvent> faults;
-    std::vector<FieldFaultEvent> fieldFaults;
     std::vector<SleepEvent> fellAsleep;
     std::vector<SleepEvent> wokeUp;
 
@@ -72,7 +63,6 @@ struct Events {
         crushed.clear();
         removed.clear();
         faults.clear();
-        fieldFaults.clear();
         fellAsleep.clear();
         wokeUp.clear();
     }

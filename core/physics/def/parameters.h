@@ -6,7 +6,7 @@
 namespace spacetow {
 
 /// An update has `iterations` equal time steps. Each is integrated in `substeps` sub-steps, then collided and solved.
-/// The forces of connectors and fields are recomputed before each sub-step.
+/// The forces of connectors are recomputed before each sub-step.
 struct UpdateParameters {
     Vec2 gravity{0, -9.81}; // m/s²
     double seconds = 0.02;  // simulated time of one update, > 0

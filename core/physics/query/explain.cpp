@@ -1,7 +1,6 @@
 #include "core/physics/query/explain.h"
 
 #include "core/base/contract.h"
-#include "core/physics/solver/field_forces.h"
 #include "core/physics/state/world_data.h"
 
 #include <algorithm>
@@ -33,28 +32,6 @@ ForceReading appliedTo(const WorldData& data, Slot slot) {
     const BodyStep& s = data.bodies.steps[slot];
     const Vec2 falls = record.kind == BodyKind::Dynamic ? data.parameters.gravity : Vec2(0, 0);
     return {record.mass * (s.acceleration - falls), record.inertia * s.angularAcceleration};
-}
-
-ForceReading fieldsOn(const Bodies& bodies, const Forces& forces, Slot slot) {
-    const BodyRecord& record = bodies.records[slot];
-    const BodyMotion& m = bodies.motions[slot];
-    const FieldSample sample{.body = bodies.idOf(slot),
-                             .pose = {m.center - m.rotation * record.localCenter, m.rotation},
-                             .massCenter = m.center,
-                             .velocity = m.velocity,
-                             .angularVelocity = m.angularVelocity,
-                             .mass = record.mass,
-                             .inertia = record.inertia};
-    ForceReading sum;
-    for (const FieldRecord& field : forces.fields) {
-        if (actsOn(bodies, field, slot)) {
-            const FieldForce f = field.def->force(sample);
-            if (isFinite(f.force) && std::isfinite(f.torque)) {
-                addForce(sum, {f.force, f.torque});
-            }
-        }
-    }
-    return sum;
 }
 
 struct Stretch {
@@ -110,7 +87,6 @@ BodyForces forcesOn(const World& world, BodyId body) {
     }
     forces.applied = appliedTo(data, body.index);
     forces.connectors = connectorsOn(data.bodies, data.forces, body.index);
-    forces.fields = fieldsOn(data.bodies, data.forces, body.index);
     forces.contacts = contactsOn(world, body);
     forces.damping = {-record.linearDamping * record.mass * m.velocity,
                       -record.angularDamping * record.inertia * m.angularVelocity};
@@ -153,7 +129,7 @@ void countBody(const BodyRecord& record, WorldCounters& count) {
 
 ForceReading BodyForces::sum() const {
     ForceReading all;
-    for (const ForceReading& one : {gravity, applied, connectors, fields, contacts, damping}) {
+    for (const ForceReading& one : {gravity, applied, connectors, contacts, damping}) {
         addForce(all, one);
     }
     return all;

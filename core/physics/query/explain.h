@@ -41,7 +41,6 @@ struct BodyForces {
     ForceReading gravity;
     ForceReading applied;    // by World::applyForce and applyTorque, for example thrust
     ForceReading connectors; // of the last sub-step
-    ForceReading fields;
     ForceReading contacts;
     ForceReading damping;
 

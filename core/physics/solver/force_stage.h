@@ -10,12 +10,10 @@ struct ForceStage {
     Bodies& bodies;
     Forces& forces;
     const Sleep& sleep;
-    Events& events;
     Substeps& substeps;
 
     ForceStage(WorldData& data)
-        : bodies(data.bodies), forces(data.forces), sleep(data.sleep), events(data.events),
-          substeps(data.scratch.substeps) {}
+        : bodies(data.bodies), forces(data.forces), sleep(data.sleep), substeps(data.scratch.substeps) {}
 };
 
 } // namespace spacetow

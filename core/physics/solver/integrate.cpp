@@ -2,7 +2,6 @@
 
 #include "core/math/trig.h"
 #include "core/physics/solver/connector_forces.h"
-#include "core/physics/solver/field_forces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,11 +65,6 @@ void shorten(BodyMotion& m, const BodyStep& s, double dt) {
     }
 }
 
-void kick(const ForceStage& stage, const IterationStep& step, Kick kick) {
-    applyConnectorForces(stage, step.substep, kick);
-    applyFields(stage, kickTime(step.substep, kick), step.index);
-}
-
 /// The kick of forces that are constant in the iteration. It is as long as that of the connectors and comes first: a
 /// body that hangs at rest is then about to fall by what its connectors have to hold, however stiff or damped these
 /// are.
@@ -80,7 +74,7 @@ void accelerate(Bodies& bodies, Slot slot, double time) {
 }
 
 bool anySubstepped(const Forces& forces) {
-    return forces.connectors.size() != forces.freeConnectors.size() || !forces.fieldBodies.empty();
+    return forces.connectors.size() != forces.freeConnectors.size();
 }
 
 void integrateInSubsteps(const ForceStage& stage, const IterationStep& step) {
@@ -108,7 +102,7 @@ void integrateInSubsteps(const ForceStage& stage, const IterationStep& step) {
     }
     for (int i = 0; i < step.substeps; ++i) {
         const Kick next = i + 1 < step.substeps ? Kick::Between : Kick::Last;
-        kick(stage, step, i == 0 ? Kick::First : Kick::Between);
+        applyConnectorForces(stage, step.substep, i == 0 ? Kick::First : Kick::Between);
         for (const Slot slot : bodies.moving) {
             if (!bodies.records[slot].substepped) {
                 continue;
@@ -121,7 +115,7 @@ void integrateInSubsteps(const ForceStage& stage, const IterationStep& step) {
             accelerate(bodies, slot, timeOf(next, slot));
         }
     }
-    kick(stage, step, Kick::Last);
+    applyConnectorForces(stage, step.substep, Kick::Last);
 }
 
 } // namespace

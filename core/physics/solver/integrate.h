@@ -1,6 +1,6 @@
 #pragma once
-// Integration without contacts: forces, gravity, damping, connectors and fields change the velocities and give the
-// planned motion of each body. After the contacts are solved, `advance` moves the bodies.
+// Integration without contacts: forces, gravity, damping and connectors change the velocities and give the planned
+// motion of each body. After the contacts are solved, `advance` moves the bodies.
 
 #include "core/physics/solver/force_stage.h"
 
@@ -9,8 +9,8 @@ namespace spacetow {
 /// Computes accelerations and damping factors for this update, and clears the applied forces.
 void prepareMotion(Bodies& bodies, const IterationStep& step, const Vec2& gravity);
 
-/// Computes the coefficients of one integration step of each body: an iteration, or a sub-step if connectors or fields
-/// act on it. Part of prepareMotion; call it alone after connections have changed during an update.
+/// Computes the coefficients of one integration step of each body: an iteration, or a sub-step if connectors act
+/// on it. Part of prepareMotion; call it alone after connections have changed during an update.
 void prepareSteps(Bodies& bodies, const IterationStep& step);
 
 /// Computes the velocities at the end of the iteration, with delta position and delta angle, without contacts.

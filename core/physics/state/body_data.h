@@ -143,7 +143,7 @@ struct BodyRecord {
     bool positionFrozen = false;
     bool rotationFrozen = false;
     bool reportsTouches = false;
-    bool substepped = false; // moves in sub-steps: an active connector or a force field acts on it
+    bool substepped = false; // moves in sub-steps: an active connector acts on it
     bool asleep = false;
     Slot island = 0;      // of a sleeper: one of the bodies that sleep and wake with it
     double stillTime = 0; // s

@@ -1,14 +1,12 @@
 #pragma once
-// Records of connectors and force fields, and deferred changes. SI units.
+// Records of connectors, and deferred changes. SI units.
 
 #include "core/math/vec.h"
 #include "core/physics/def/body.h"
-#include "core/physics/def/force_field.h"
 #include "core/physics/def/truncation.h"
 #include "core/physics/lanes/wide.h"
 
 #include <cstdint>
-#include <memory>
 
 namespace spacetow {
 
@@ -35,12 +33,6 @@ inline double storedEnergy(const ConnectorRecord& connector, double distance) {
     const bool isLoose = connector.stiffness == 0 || (connector.slack && stretch < 0);
     return isLoose ? 0 : truncatedWork(connector.truncation, connector.stiffness * stretch) / connector.stiffness;
 }
-
-/// A force field. Copies of a world share the definition.
-struct FieldRecord {
-    std::uint32_t generation = 0;             // as above
-    std::shared_ptr<const ForceFieldDef> def; // null: the record is free
-};
 
 /// A change of a body that waits until no stage of the update is running.
 struct PendingChange {

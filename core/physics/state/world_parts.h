@@ -67,10 +67,7 @@ struct Forces {
     std::vector<ConnectorRecord> connectors;
     std::vector<std::uint32_t> freeConnectors;
     std::vector<SlotPair> notColliding; // sorted
-    std::vector<FieldRecord> fields;
-    std::vector<std::uint32_t> freeFields;
-    std::vector<Slot> fieldBodies; // on which any of the fields acts
-    std::vector<Slot> substepped;  // see BodyRecord
+    std::vector<Slot> substepped;       // see BodyRecord
 };
 
 struct BroadPhase {

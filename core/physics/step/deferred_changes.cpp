@@ -3,7 +3,6 @@
 #include "core/physics/contacts/constraint_list.h"
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/sleep/touches.h"
-#include "core/physics/solver/field_forces.h"
 
 #include <algorithm>
 
@@ -26,7 +25,6 @@ void removeNow(WorldData& data, Slot slot, int iteration) {
             data.forces.freeConnectors.push_back(i);
         }
     }
-    removeFieldsOf(data.bodies, data.forces, slot);
     BodyRecord& record = data.bodies.records[slot];
     if (record.kind == BodyKind::Static) {
         data.noteStaticChange(slot);
@@ -62,6 +60,27 @@ void setActiveNow(WorldData& data, Slot slot, bool active, int iteration) {
         data.noteStaticChange(slot);
     }
     record.active = active;
+}
+
+void noteSubstepped(Bodies& bodies, Forces& forces, Slot slot) {
+    if (!bodies.records[slot].substepped) {
+        bodies.records[slot].substepped = true;
+        forces.substepped.push_back(slot);
+    }
+}
+
+/// Lists the bodies that are integrated in sub-steps.
+void refreshSubsteps(Bodies& bodies, Forces& forces) {
+    for (const Slot slot : forces.substepped) {
+        bodies.records[slot].substepped = false;
+    }
+    forces.substepped.clear();
+    for (const ConnectorRecord& c : forces.connectors) {
+        if (c.used && bodies.records[c.a].active && bodies.records[c.b].active) {
+            noteSubstepped(bodies, forces, c.a);
+            noteSubstepped(bodies, forces, c.b);
+        }
+    }
 }
 
 } // namespace
@@ -121,20 +140,6 @@ void refreshConnections(Bodies& bodies, Forces& forces, StepFlags& flags) {
     }
     std::sort(forces.notColliding.begin(), forces.notColliding.end());
     refreshSubsteps(bodies, forces);
-}
-
-void refreshSubsteps(Bodies& bodies, Forces& forces) {
-    for (const Slot slot : forces.substepped) {
-        bodies.records[slot].substepped = false;
-    }
-    forces.substepped.clear();
-    for (const ConnectorRecord& c : forces.connectors) {
-        if (c.used && bodies.records[c.a].active && bodies.records[c.b].active) {
-            noteSubstepped(bodies, forces, c.a);
-            noteSubstepped(bodies, forces, c.b);
-        }
-    }
-    refreshFields(bodies, forces);
 }
 
 } // namespace spacetow

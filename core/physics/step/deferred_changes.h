@@ -12,10 +12,8 @@ bool applyPending(WorldData& data, int iteration);
 /// Sets the inverse mass and inertia of a body from its kind, mass and frozen flags.
 void refreshInverseMass(Bodies& bodies, Slot slot);
 
-/// Lists the connected bodies, and the pairs that do not collide because a connector joins them.
+/// Lists the bodies that connectors act on, which are integrated in sub-steps, and the pairs that do not collide
+/// because a connector joins them.
 void refreshConnections(Bodies& bodies, Forces& forces, StepFlags& flags);
-
-/// Lists the bodies that are integrated in sub-steps: the part of refreshConnections that does not concern collisions.
-void refreshSubsteps(Bodies& bodies, Forces& forces);
 
 } // namespace spacetow

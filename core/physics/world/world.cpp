@@ -3,7 +3,6 @@
 #include "core/base/contract.h"
 #include "core/geometry/bounds.h"
 #include "core/physics/sleep/sleep.h"
-#include "core/physics/solver/field_forces.h"
 #include "core/physics/state/world_data.h"
 #include "core/physics/step/deferred_changes.h"
 #include "core/physics/step/update.h"
@@ -79,7 +78,6 @@ Result<BodyId> World::addBody(const BodyDef& def) {
         data.noteStaticChange(slot);
     }
     data.bodies.changedBodies.push_back(slot);
-    refreshFieldsOf(data.bodies, data.forces, slot);
     requestWake(data.bodies, data.sleep, slot);
     return data.bodies.idOf(slot);
 }
@@ -135,9 +133,6 @@ void World::setFilter(BodyId body, const Filter& filter) {
     m_data->bodies.records[body.index].filter = filter;
     m_data->flags.pairsStale = true;
     requestWake(m_data->bodies, m_data->sleep, body.index);
-    if (!m_data->forces.fields.empty()) {
-        refreshSubsteps(m_data->bodies, m_data->forces);
-    }
 }
 
 void World::setReportsTouches(BodyId body, bool reports) {

@@ -1,13 +1,12 @@
 #pragma once
-// The world: bodies, connectors and force fields, and the update that moves them. A world is a value: a copy is a saved
-// state. No two threads may use one world at a time. SI units, radians, y up.
+// The world: bodies and connectors, and the update that moves them. A world is a value: a copy is a saved state. No
+// two threads may use one world at a time. SI units, radians, y up.
 
 #include "core/base/result.h"
 #include "core/math/aabb.h"
 #include "core/physics/def/body.h"
 #include "core/physics/def/connector.h"
 #include "core/physics/def/events.h"
-#include "core/physics/def/force_field.h"
 #include "core/physics/def/parameters.h"
 
 #include <cstdint>
@@ -33,14 +32,10 @@ class World {
     /// Errors: "not-finite", "out-of-range", "no-such-body", "same-body"; argument 1 names the field.
     Result<ConnectorId> addConnector(const ConnectorDef& def);
 
-    /// Errors: "no-force", "no-such-body". The field acts from the next update on.
-    Result<FieldId> addField(ForceFieldDef def);
-
     /// Deferred to the start of the next update, as are the setters of flags below. The connectors of the body are
     /// removed with the body.
     void removeBody(BodyId body);
-    void removeConnector(ConnectorId connector);
-    void removeField(FieldId field); // at once; removeConnector likewise
+    void removeConnector(ConnectorId connector); // at once
     void setActive(BodyId body, bool active);
     void setTangible(BodyId body, bool tangible);
     void setFrozen(BodyId body, bool frozen) { setFrozen(body, frozen, frozen); }
@@ -95,7 +90,6 @@ class World {
 
     bool contains(BodyId body) const;
     bool contains(ConnectorId connector) const;
-    bool contains(FieldId field) const;
     /// The id must be in the world, here and below; EXPECTS checks that.
     BodyState body(BodyId body) const;
     const std::vector<Shape>& shapes(BodyId body) const;
@@ -110,7 +104,7 @@ class World {
 
     /// Kinetic energy, potential energy in the gravity of `parameters()`, and elastic energy of connectors, J.
     double energy() const;
-    /// A hash of the state; shapes and the functions of connectors and fields are not in it. Worlds that were made from
+    /// A hash of the state; shapes and the functions of connectors are not in it. Worlds that were made from
     /// the same definitions and have equal hashes have equal futures.
     std::uint64_t hash() const;
 

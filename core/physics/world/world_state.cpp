@@ -87,15 +87,6 @@ void addSleepState(StateHash& hash, const WorldData& data) {
     }
 }
 
-void addFieldState(StateHash& hash, const FieldRecord& field) {
-    hash.add(std::uint64_t{field.def != nullptr} | std::uint64_t{field.generation} << 32);
-    if (field.def) {
-        const BodyId body = field.def->body.value_or(BodyId{});
-        hash.add(std::uint64_t{body.index} << 32 | body.generation);
-        hash.add(std::uint64_t{field.def->tags.bits} | static_cast<std::uint64_t>(field.def->source) << 32);
-    }
-}
-
 void addParameters(StateHash& hash, const UpdateParameters& p) {
     add(hash, p.gravity);
     hash.add(p.seconds);
@@ -134,9 +125,6 @@ std::uint64_t World::hash() const {
     }
     for (const ConnectorRecord& c : data.forces.connectors) {
         addConnectorState(hash, c);
-    }
-    for (const FieldRecord& field : data.forces.fields) {
-        addFieldState(hash, field);
     }
     for (const PendingChange& change : data.bodies.pending) {
         hash.add(std::uint64_t{change.body.index} << 32 | change.body.generation);
