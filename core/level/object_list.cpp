@@ -275,19 +275,6 @@ void ObjectList::erase(int index) {
     --m_size;
 }
 
-void ObjectList::move(int from, int to) {
-    EXPECTS(from >= 0 && from < size() && to >= 0 && to < size());
-    if (from == to) {
-        return;
-    }
-    forgetKeys();
-    Piece moved = piece(from);
-    for (int i = from; i != to; i += from < to ? 1 : -1) {
-        ownPiece(i) = piece(from < to ? i + 1 : i - 1);
-    }
-    ownPiece(to) = std::move(moved);
-}
-
 void ObjectList::rearrange(const std::vector<int>& order) {
     EXPECTS(std::ssize(order) == m_size);
     int first = 0; // that changes its place

@@ -49,8 +49,6 @@ class ObjectList {
     /// Removes every object for which `predicate(object)` holds, in one pass.
     template <class Predicate>
     void eraseIf(Predicate predicate);
-    /// The object at `from` comes to stand at `to`; those between make room.
-    void move(int from, int to);
     /// All objects in another order: the one that is at `order[i]` comes to stand at `i`.
     void rearrange(const std::vector<int>& order);
 

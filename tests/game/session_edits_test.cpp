@@ -1,6 +1,7 @@
 #include "core/game/payload.h"
 #include "core/game/session.h"
 #include "core/level/file.h"
+#include "core/physics/state/world_data.h"
 #include "tests/support/live_level.h"
 #include "tests/support/test_main.h"
 
@@ -77,7 +78,7 @@ class SessionEditsTest : public QObject {
         QCOMPARE(session.phase(), Phase::Towing);
         QCOMPARE(session.ship()->mass, 4.0);
         QVERIFY(std::abs(session.ship()->velocity.norm() - speed) < 1e-12);
-        QVERIFY(!session.world().sleeping());
+        QVERIFY(!session.world().data().sleep.allowed);
         double tension = 0;
         for (int i = 0; i < 40; ++i) {
             session.step(thrust);

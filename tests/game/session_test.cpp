@@ -1,5 +1,6 @@
 #include "core/game/session.h"
 #include "core/game/ship.h"
+#include "core/physics/state/world_data.h"
 #include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
 
@@ -114,7 +115,7 @@ class SessionTest : public QObject {
             addBall(level, Vec2(0, 0.3), 0.3, Vec2(0, 0));
             Session session(level);
             hold(session, idle, 100);
-            QCOMPARE(session.world().sleeping(), sleeping);
+            QCOMPARE(session.world().data().sleep.allowed, sleeping);
             QCOMPARE(session.world().body(session.world().bodies().back()).asleep, sleeping);
         }
     }

@@ -1,4 +1,5 @@
 #include "core/level/level_delta.h"
+#include "tests/support/move_object.h"
 #include "tests/support/random_level.h"
 #include "tests/support/test_main.h"
 
@@ -23,7 +24,7 @@ Level shuffledAndChanged(Level level, std::uint64_t seed) {
         level.objects.insert(any(), object);
     }
     if (random.below(3) == 0) {
-        level.objects.move(any(), any());
+        moveObject(level.objects, any(), any());
     }
     level.gravity.x() += random.uniform(-1, 1);
     return level;
@@ -59,7 +60,7 @@ class LevelDeltaTest : public QObject {
         object.key = freshKey(after, 1);
         after.objects.append(object);
         QVERIFY(deltaBetween(before, after).order.empty());
-        after.objects.move(3, 9);
+        moveObject(after.objects, 3, 9);
         QVERIFY(!deltaBetween(before, after).order.empty());
     }
     void onAnotherLevelItDoesWhatItCan() {

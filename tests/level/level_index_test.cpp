@@ -4,6 +4,7 @@
 #include "core/level/bounds.h"
 #include "core/level/edits.h"
 #include "tests/support/full_run.h"
+#include "tests/support/move_object.h"
 #include "tests/support/random_level.h"
 #include "tests/support/seed_text.h"
 #include "tests/support/test_main.h"
@@ -97,7 +98,7 @@ Level edited(Level level, Random& random) {
         return level;
     case 5:
         if (level.objects.size() > 1) {
-            level.objects.move(0, static_cast<int>(random.below(static_cast<unsigned>(level.objects.size()))));
+            moveObject(level.objects, 0, static_cast<int>(random.below(static_cast<unsigned>(level.objects.size()))));
         }
         return level;
     default:

@@ -43,24 +43,6 @@ class LevelTest : public QObject {
         QVERIFY(list.find('x') == nullptr);
     }
 
-    void movingAnObjectMakesRoom_data() {
-        QTest::addColumn<int>("from");
-        QTest::addColumn<int>("to");
-        QTest::addColumn<QString>("names");
-        QTest::newRow("forwards") << 0 << 2 << "bcad";
-        QTest::newRow("to the end") << 1 << 3 << "acdb";
-        QTest::newRow("backwards") << 3 << 1 << "adbc";
-        QTest::newRow("nowhere") << 2 << 2 << "abcd";
-    }
-    void movingAnObjectMakesRoom() {
-        QFETCH(int, from);
-        QFETCH(int, to);
-        QFETCH(QString, names);
-        ObjectList list = abcd();
-        list.move(from, to);
-        QCOMPARE(QString::fromStdString(order(list)), names);
-    }
-
     void insertingReplacingAndErasingKeepTheOrder() {
         ObjectList list = abcd();
         list.insert(1, named('x', "x"));

@@ -46,11 +46,11 @@ struct Twin {
             keys[static_cast<std::size_t>(at)] = ++last;
             list.replace(at, named(last));
         } else if (kind == 5) {
-            const int to = below(random, size);
-            const Key moved = keys[static_cast<std::size_t>(at)];
-            keys.erase(keys.begin() + at);
-            keys.insert(keys.begin() + to, moved);
-            list.move(at, to);
+            std::vector<int> order(keys.size());
+            std::iota(order.begin(), order.end(), 0);
+            std::rotate(order.begin() + at / 2, order.begin() + at, order.begin() + at + 1); // one goes forward
+            std::rotate(keys.begin() + at / 2, keys.begin() + at, keys.begin() + at + 1);
+            list.rearrange(order);
         } else if (kind == 6) {
             const unsigned divisor = 2 + random.below(90);
             std::erase_if(keys, [&](Key key) { return key % divisor == 0; });

@@ -1,3 +1,4 @@
+#include "core/physics/query/explain.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/rows.h"
 
@@ -27,7 +28,7 @@ struct ElasticRow {
             def.friction = 0;
             flying = add(world, def);
         }
-        energy = world.energy();
+        energy = totals(world).energy();
     }
 };
 
@@ -61,7 +62,7 @@ class ElasticRowsTest : public QObject {
         QFETCH(int, iterations);
         ElasticRow scene(what, count, atWall, iterations);
         run(scene.world, 1.2);
-        const double share = scene.world.energy() / scene.energy;
+        const double share = totals(scene.world).energy() / scene.energy;
         QVERIFY2(share > 0.99 && share < 1 + 1e-6, qPrintable(QString::number(share)));
         const double speed = scene.world.body(scene.flying).velocity.y();
         QVERIFY2(!atWall || speed > 1.9, qPrintable(QString("%1 m/s").arg(speed)));

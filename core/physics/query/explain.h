@@ -83,10 +83,12 @@ struct WorldCounters {
 };
 
 struct WorldReading {
-    double kinetic = 0, potential = 0, elastic = 0; // J; their sum is World::energy
-    Vec2 momentum{0, 0};                            // kg m/s, of dynamic bodies
-    double motion = 0;                              // kg m/s: the sum of the magnitudes of all momenta
-    double angularMomentum = 0;                     // kg m²/s, of dynamic bodies, about the origin
+    double kinetic = 0;         // J
+    double potential = 0;       // J, in the gravity of the world's parameters
+    double elastic = 0;         // J, of connectors
+    Vec2 momentum{0, 0};        // kg m/s, of dynamic bodies
+    double motion = 0;          // kg m/s: the sum of the magnitudes of all momenta
+    double angularMomentum = 0; // kg m²/s, of dynamic bodies, about the origin
 
     double energy() const { return kinetic + potential + elastic; }
 };

@@ -135,28 +135,11 @@ void World::setFilter(BodyId body, const Filter& filter) {
     requestWake(m_data->bodies, m_data->sleep, body.index);
 }
 
-void World::setReportsTouches(BodyId body, bool reports) {
-    EXPECTS(contains(body));
-    m_data->bodies.records[body.index].reportsTouches = reports;
-    std::vector<Slot>& reporters = m_data->bodies.reporters;
-    const auto at = std::lower_bound(reporters.begin(), reporters.end(), body.index);
-    const bool listed = at != reporters.end() && *at == body.index;
-    if (reports && !listed) {
-        reporters.insert(at, body.index);
-    } else if (!reports && listed) {
-        reporters.erase(at);
-    }
-}
-
 void World::setSleeping(bool allowed) {
     m_data->sleep.allowed = allowed;
     for (BodyRecord& record : m_data->bodies.records) {
         record.stillTime = 0;
     }
-}
-
-bool World::sleeping() const {
-    return m_data->sleep.allowed;
 }
 
 void World::setRecordsImpulses(bool records) {

@@ -54,8 +54,6 @@ class World {
     /// what is as it was wakes nobody. Errors: "not-finite", "out-of-range", "bad-mass", as in addBody; the body then
     /// keeps what it had.
     Result<bool> setMaterial(BodyId body, const BodyMaterial& material);
-    /// Whether Events::tagsTouched has entries of the body.
-    void setReportsTouches(BodyId body, bool reports);
 
     /// Forces (N) and torques (N m) act during the next update and are then cleared. With a value that is not finite
     /// the call returns false and changes nothing.
@@ -71,7 +69,6 @@ class World {
     /// bodies sleeps once no point of its bodies has moved faster than 0.01 m/s for half a second. It wakes when an
     /// awake body touches it, or when a call changes one of its bodies or a body that they rest on.
     void setSleeping(bool allowed);
-    bool sleeping() const;
 
     /// Whether updates record the impulse of each contact, for core/physics/query/explain.h; off by default. Recording
     /// changes no result.
@@ -102,8 +99,6 @@ class World {
     std::vector<ConnectorId> connectors() const;
     int bodyCount() const;
 
-    /// Kinetic energy, potential energy in the gravity of `parameters()`, and elastic energy of connectors, J.
-    double energy() const;
     /// A hash of the state; shapes and the functions of connectors are not in it. Worlds that were made from
     /// the same definitions and have equal hashes have equal futures.
     std::uint64_t hash() const;

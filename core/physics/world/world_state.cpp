@@ -1,10 +1,8 @@
-// World: energy and hash of the whole state.
+// World: hash of the whole state.
 
 #include "core/base/hash.h"
 #include "core/physics/state/world_data.h"
 #include "core/physics/world/world.h"
-
-#include <algorithm>
 
 namespace spacetow {
 
@@ -94,27 +92,6 @@ void addParameters(StateHash& hash, const UpdateParameters& p) {
 }
 
 } // namespace
-
-double World::energy() const {
-    const WorldData& data = *m_data;
-    double energy = 0;
-    for (Slot slot = 0; slot < data.bodies.records.size(); ++slot) {
-        const BodyRecord& r = data.bodies.records[slot];
-        if (!r.used || r.kind != BodyKind::Dynamic || !r.active) {
-            continue;
-        }
-        const BodyMotion& m = data.bodies.motions[slot];
-        energy += 0.5 * r.mass * m.velocity.squaredNorm() + 0.5 * r.inertia * m.angularVelocity * m.angularVelocity -
-                  r.mass * data.parameters.gravity.dot(m.center);
-    }
-    for (const ConnectorRecord& c : data.forces.connectors) {
-        if (c.used) {
-            const Vec2 span = data.bodies.pose(c.b).toWorld(c.anchorB) - data.bodies.pose(c.a).toWorld(c.anchorA);
-            energy += storedEnergy(c, span.norm());
-        }
-    }
-    return energy;
-}
 
 std::uint64_t World::hash() const {
     const WorldData& data = *m_data;
