@@ -94,7 +94,7 @@ std::vector<Impulses> impulsesOf(const World& world) {
     std::vector<Impulses> all;
     for (const Pair& pair : world.data().contacts.table.pairs) {
         if (pair.contact != Pair::none) {
-            const Contact& c = world.data().contacts.pool[pair.contact];
+            const spacetow::Contact& c = world.data().contacts.pool[pair.contact];
             all.push_back(
                 {c.tangentImpulse, c.points[0].normalImpulse, c.points[1].normalImpulse, c.manifold.relative.position});
         }
