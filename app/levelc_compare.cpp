@@ -42,7 +42,7 @@ QChar markOf(const DifferenceLine& line) {
 
 /// What neither side has got wrong, but both together: two ships, or a rope tied to one ball at both ends.
 std::vector<Problem> madeByMerging(const Level& result, const Level& ours, const Level& theirs) {
-    std::set<std::pair<std::string, Key>> known;
+    std::set<std::pair<LevelCode, Key>> known;
     for (const Level* const side : {&ours, &theirs}) {
         for (const Problem& problem : lint(*side)) {
             known.emplace(problem.code, problem.object);

@@ -18,7 +18,7 @@ QString curedLine(const Level& before, const Problem& problem) {
             object->name.empty() ? QString::fromStdString(keyText(object->key)) : QString::fromStdString(object->name);
         which += QStringLiteral(": ");
     }
-    const Label label{std::string(fixFor(problem)->label), 1};
+    const Label label{fixFor(problem)->label, 1};
     return sentence(label) + QStringLiteral(": ") + which + sentence(problem);
 }
 
@@ -36,7 +36,7 @@ void printJson(const QString& file, const FixedLevel& fixed, const std::vector<P
     JsonText cured = JsonText::array();
     for (const Problem& problem : fixed.cured) {
         JsonText one = problemJson(file, problem);
-        one.append("did", JsonText::text(std::string(fixFor(problem)->label)));
+        one.append("did", JsonText::text(std::string(fixFor(problem)->label.text())));
         cured.append(std::move(one));
     }
     JsonText rest = JsonText::array();

@@ -137,7 +137,7 @@ QString problemLine(const QString& file, const Problem& problem) {
     const char* severity = severityName(problem.severity);
     // Put together, as a file name may hold what looks like a place for an argument.
     return file + ':' + QString::number(problem.line) + ": " + QLatin1String(severity) + ": " +
-           QString::fromStdString(problem.code) + ": " + sentence(problem) + " (" +
+           QString::fromUtf8(problem.code.text()) + ": " + sentence(problem) + " (" +
            QString::fromStdString(problem.pointer) + ')';
 }
 
@@ -146,7 +146,7 @@ JsonText problemJson(const QString& file, const Problem& problem) {
     json.append("file", JsonText::text(toPath(file).string()));
     json.append("line", JsonText::integer(problem.line));
     json.append("severity", JsonText::text(severityName(problem.severity)));
-    json.append("code", JsonText::text(problem.code));
+    json.append("code", JsonText::text(std::string(problem.code.text())));
     json.append("message", JsonText::text(sentence(problem).toStdString()));
     json.append("pointer", JsonText::text(problem.pointer));
     json.append("object", problem.object == 0 ? JsonText::null() : JsonText::text(keyText(problem.object)));

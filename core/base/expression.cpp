@@ -1,5 +1,6 @@
 #include "core/base/expression.h"
 
+#include "core/base/codes.h"
 #include "core/base/decimal.h"
 #include "core/base/expression_parser.h"
 #include "core/base/expression_tokens.h"
@@ -28,11 +29,13 @@ Quantity unitOf(std::string_view unit) {
 }
 
 Error wrongUnit(std::string_view unit) {
-    return unit.empty() ? Error{"expression-needs-no-unit", {}} : Error{"expression-wrong-unit", {std::string(unit)}};
+    return unit.empty() ? Error{BaseCode("expression-needs-no-unit"), {}}
+                        : Error{BaseCode("expression-wrong-unit"), {std::string(unit)}};
 }
 
 Result<double> finite(double number) {
-    return std::isfinite(number) ? Result<double>(number) : Result<double>(Error{"expression-not-finite", {}});
+    return std::isfinite(number) ? Result<double>(number)
+                                 : Result<double>(Error{BaseCode("expression-not-finite"), {}});
 }
 
 Result<double> evaluatedTokens(std::span<const Token> tokens, std::string_view unit) {
@@ -56,7 +59,7 @@ Result<double> evaluatedTokens(std::span<const Token> tokens, std::string_view u
 }
 
 Result<std::vector<Token>> tokensOf(std::string_view text) {
-    return text.size() > longest ? Error{"expression-too-deep", {}} : expressionTokens(text);
+    return text.size() > longest ? Error{BaseCode("expression-too-deep"), {}} : expressionTokens(text);
 }
 
 bool isSign(const Token& token, char sign) {
@@ -96,7 +99,7 @@ Result<NumberChange> numberChange(std::string_view text, std::string_view unit) 
     }
     change.operand = operand.value();
     if (change.kind == Kind::Divide && change.operand == 0) {
-        return Error{"expression-divided-by-zero", {}};
+        return Error{BaseCode("expression-divided-by-zero"), {}};
     }
     return change;
 }

@@ -1,5 +1,7 @@
 #include "core/base/expression_functions.h"
 
+#include "core/base/codes.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,7 +43,8 @@ double tangentOf(const Quantity& q) {
 }
 
 Result<Quantity> checked(const Quantity& q) {
-    return std::isfinite(q.number) ? Result<Quantity>(q) : Result<Quantity>(Error{"expression-not-finite", {}});
+    return std::isfinite(q.number) ? Result<Quantity>(q)
+                                   : Result<Quantity>(Error{BaseCode("expression-not-finite"), {}});
 }
 
 using Arguments = std::span<const Quantity>;
@@ -52,14 +55,14 @@ Result<Quantity> ofAngle(double value) {
 
 Result<Quantity> trigonometry(std::string_view name, const Quantity& q) {
     if (!isAngle(q)) {
-        return Error{"expression-units-differ", {}};
+        return Error{BaseCode("expression-units-differ"), {}};
     }
     return checked(plainNumber(name == "sin" ? sineOf(q, 0) : name == "cos" ? sineOf(q, 1) : tangentOf(q)));
 }
 
 Result<Quantity> ofPlainNumber(std::string_view name, const Quantity& q) {
     if (!q.dimension.isNone()) {
-        return Error{"expression-units-differ", {}};
+        return Error{BaseCode("expression-units-differ"), {}};
     }
     const double x = q.si();
     if (name == "asin" || name == "acos" || name == "atan") {
@@ -72,7 +75,7 @@ Result<Quantity> squareRoot(const Quantity& q) {
     const auto isEven = [](int n) { return n % 2 == 0; };
     const Dimension& d = q.dimension;
     if (!isEven(d.metre) || !isEven(d.kilogram) || !isEven(d.second) || !isEven(d.radian)) {
-        return Error{"expression-units-differ", {}};
+        return Error{BaseCode("expression-units-differ"), {}};
     }
     const auto half = [](int n) { return static_cast<std::int8_t>(n / 2); };
     return checked({std::sqrt(q.si()), 1, 1, {half(d.metre), half(d.kilogram), half(d.second), half(d.radian)}});
@@ -89,7 +92,7 @@ Result<Quantity> rounded(std::string_view name, Quantity q) {
 
 Result<Quantity> ofTwo(std::string_view name, const Quantity& a, const Quantity& b) {
     if (!(a.dimension == b.dimension)) {
-        return Error{"expression-units-differ", {}};
+        return Error{BaseCode("expression-units-differ"), {}};
     }
     if (name == "atan2") {
         return ofAngle(std::atan2(a.si(), b.si()));
@@ -110,7 +113,7 @@ bool isFunction(std::string_view name) {
 Result<Quantity> functionValue(std::string_view name, Arguments arguments) {
     const std::size_t wanted = std::ranges::find(ofPairs, name) != ofPairs.end() ? 2 : 1;
     if (arguments.size() != wanted) {
-        return Error{"expression-arguments", {std::string(name)}};
+        return Error{BaseCode("expression-arguments"), {std::string(name)}};
     }
     const Quantity& first = arguments[0];
     if (wanted == 2) {

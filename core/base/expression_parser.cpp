@@ -1,5 +1,6 @@
 #include "core/base/expression_parser.h"
 
+#include "core/base/codes.h"
 #include "core/base/decimal.h"
 #include "core/base/expression_functions.h"
 
@@ -30,7 +31,7 @@ class Parser {
 
     Result<Quantity> whole() {
         if (next().kind == Token::Kind::End) {
-            return Error{"expression-empty", {}};
+            return Error{BaseCode("expression-empty"), {}};
         }
         const Quantity value = sum();
         if (!m_error && next().kind != Token::Kind::End) {
@@ -47,7 +48,7 @@ class Parser {
         m_at += is ? 1 : 0;
         return is;
     }
-    void fail(const char* code, std::vector<std::string> arguments = {}) {
+    void fail(BaseCode code, std::vector<std::string> arguments = {}) {
         if (!m_error) {
             m_error = Error{code, std::move(arguments)};
         }
@@ -180,7 +181,7 @@ class Parser {
         }
         const Result<Quantity> value = functionValue(name, arguments);
         if (!value) {
-            fail(value.error().code.c_str(), value.error().arguments);
+            fail(value.error().code, value.error().arguments);
             return {};
         }
         return value.value();

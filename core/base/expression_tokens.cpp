@@ -1,5 +1,7 @@
 #include "core/base/expression_tokens.h"
 
+#include "core/base/codes.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -108,7 +110,7 @@ Result<Token> numberToken(std::string_view spelled) {
     if (failure == std::errc::result_out_of_range) {
         const std::size_t exponent = digits.find_first_of("eE");
         if (exponent == std::string::npos || digits[exponent + 1] != '-') {
-            return Error{"expression-not-finite", {}};
+            return Error{BaseCode("expression-not-finite"), {}};
         }
         token.number = 0; // too small for a double
     }
@@ -131,7 +133,7 @@ Result<std::vector<Token>> expressionTokens(std::string_view typed) {
         if (isDigit(first) || isDecimalSign(first)) {
             length = numberLength(text);
             if (length == 0) {
-                return Error{"expression-unexpected", {std::string(1, first)}};
+                return Error{BaseCode("expression-unexpected"), {std::string(1, first)}};
             }
             Result<Token> token = numberToken(text.substr(0, length));
             if (!token) {
@@ -144,7 +146,7 @@ Result<std::vector<Token>> expressionTokens(std::string_view typed) {
         } else if (std::string_view("+-*/^();=").find(first) != std::string_view::npos) {
             tokens.push_back({Token::Kind::Sign, 0, std::string(1, first)});
         } else {
-            return Error{"expression-unexpected", {std::string(text.substr(0, characterLength(text, 0)))}};
+            return Error{BaseCode("expression-unexpected"), {std::string(text.substr(0, characterLength(text, 0)))}};
         }
         text.remove_prefix(length);
     }

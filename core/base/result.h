@@ -1,6 +1,7 @@
 #pragma once
 // A value, or the reason why there is none. For failures that a user or a file can cause.
 
+#include "core/base/code.h"
 #include "core/base/contract.h"
 
 #include <string>
@@ -10,10 +11,9 @@
 
 namespace spacetow {
 
-/// Why something failed: a stable code (kebab-case, such as "not-finite") and the facts that its sentence needs.
-/// Sentences are made in one place, editor/window/messages.
+/// Why something failed, and the facts that the sentence of its code needs.
 struct Error {
-    std::string code;
+    Code code;
     std::vector<std::string> arguments;
 
     bool operator==(const Error&) const = default;

@@ -1,5 +1,6 @@
 #include "core/base/whole_file.h"
 
+#include "core/base/codes.h"
 #include "core/base/replace_file.h"
 
 #include <fcntl.h>
@@ -19,7 +20,7 @@ std::string reasonOf(int code) {
 }
 
 Error cannotRead(const fs::path& path, int code) {
-    return Error{"cannot-read", {path.string(), reasonOf(code)}};
+    return Error{BaseCode("cannot-read"), {path.string(), reasonOf(code)}};
 }
 
 /// The file that a chain of links leads to, even when it does not exist yet.
@@ -44,33 +45,34 @@ Error writeError(const fs::path& path, const fs::path& file, const disk::WriteFa
     const int code = failure.code;
     const bool denied = code == EACCES || code == EPERM;
     if (failure.step == Step::Damaged && !failure.copy.empty()) {
-        return Error{"file-damaged-but-beside", {name, reasonOf(code), (file.parent_path() / failure.copy).string()}};
+        return Error{BaseCode("file-damaged-but-beside"),
+                     {name, reasonOf(code), (file.parent_path() / failure.copy).string()}};
     }
     if (failure.step == Step::Damaged) {
-        return Error{"file-damaged", {name, reasonOf(code)}};
+        return Error{BaseCode("file-damaged"), {name, reasonOf(code)}};
     }
     if (failure.step == Step::Changed) {
-        return Error{"changed-on-disk", {name}};
+        return Error{BaseCode("changed-on-disk"), {name}};
     }
     if (code == ENOSPC) {
-        return Error{"disk-full", {name}};
+        return Error{BaseCode("disk-full"), {name}};
     }
     if (code == EDQUOT) {
-        return Error{"quota-full", {name}};
+        return Error{BaseCode("quota-full"), {name}};
     }
     if (code == EROFS) {
-        return Error{"disk-read-only", {name}};
+        return Error{BaseCode("disk-read-only"), {name}};
     }
     if (failure.step == Step::Folder && (code == ENOENT || code == ENOTDIR)) {
-        return Error{"folder-missing", {name, folder}};
+        return Error{BaseCode("folder-missing"), {name, folder}};
     }
     if ((failure.step == Step::Folder || failure.step == Step::Create) && denied) {
-        return Error{"folder-protected", {name, folder}};
+        return Error{BaseCode("folder-protected"), {name, folder}};
     }
     if (failure.step == Step::File && denied) {
-        return Error{"file-protected", {name}};
+        return Error{BaseCode("file-protected"), {name}};
     }
-    return Error{"cannot-write", {name, failure.words.empty() ? reasonOf(code) : failure.words}};
+    return Error{BaseCode("cannot-write"), {name, failure.words.empty() ? reasonOf(code) : failure.words}};
 }
 
 bool isSame(const struct stat& a, const struct stat& b) {
@@ -106,7 +108,7 @@ Result<ReadText> readFile(const fs::path& path, std::size_t most, Sources source
         return cannotRead(path, EISDIR);
     }
     if (!S_ISREG(info.st_mode) && sources == Sources::Files) {
-        return Error{"cannot-read", {path.string(), "not a regular file"}};
+        return Error{BaseCode("cannot-read"), {path.string(), "not a regular file"}};
     }
     ReadText read;
     read.stamp = disk::stampOf(info);
@@ -116,7 +118,7 @@ Result<ReadText> readFile(const fs::path& path, std::size_t most, Sources source
         return cannotRead(path, code);
     }
     if (told || read.text.size() > most) {
-        return Error{"file-too-large", {path.string(), std::to_string(most)}};
+        return Error{BaseCode("file-too-large"), {path.string(), std::to_string(most)}};
     }
     return read;
 }

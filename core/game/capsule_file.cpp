@@ -1,5 +1,6 @@
 // The spelling of capsules.
 #include "core/game/capsule.h"
+#include "core/game/codes.h"
 #include "core/level/file.h"
 
 #include <nlohmann/json.hpp>
@@ -50,18 +51,18 @@ bool isSimulation(const CapsuleValue& object) {
 
 Result<Capsule> capsuleFrom(const CapsuleValue& json) {
     if (!json.is_object()) {
-        return Error{"capsule-damaged", {}};
+        return Error{GameCode("capsule-damaged"), {}};
     }
     const CapsuleValue& version = memberOf(json, "capsule");
     if (!version.is_number_unsigned()) {
-        return Error{"capsule-bad-field", {"capsule"}};
+        return Error{GameCode("capsule-bad-field"), {"capsule"}};
     }
     if (version.get<std::uint64_t>() > static_cast<std::uint64_t>(capsuleVersion)) {
-        return Error{"capsule-newer", {version.dump(), std::to_string(capsuleVersion)}};
+        return Error{GameCode("capsule-newer"), {version.dump(), std::to_string(capsuleVersion)}};
     }
     LevelFile file = parseLevel(textOf(json, "level"), Checks::FileOnly);
     if (!file.level) {
-        return Error{"capsule-bad-level", {}};
+        return Error{GameCode("capsule-bad-level"), {}};
     }
     Result<Replay> run = parseReplay(textOf(json, "run"));
     if (!run) {
@@ -82,7 +83,7 @@ Result<std::string> capsuleJson(const Capsule& capsule) {
         return level.error();
     }
     if (capsule.run.updates() > maxReplayUpdates) {
-        return Error{"capsule-too-long", {std::to_string(maxReplayUpdates)}};
+        return Error{GameCode("capsule-too-long"), {std::to_string(maxReplayUpdates)}};
     }
     char hash[17];
     std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(capsule.hash));
@@ -106,11 +107,11 @@ Result<Capsule> parseCapsule(std::string_view json) {
         };
         return capsuleFrom(CapsuleValue::parse(json.begin(), json.end(), bounded));
     } catch (const BadCapsuleField& bad) {
-        return Error{"capsule-bad-field", {bad.name}};
+        return Error{GameCode("capsule-bad-field"), {bad.name}};
     } catch (const CapsuleTooDeep&) {
-        return Error{"capsule-damaged", {}};
+        return Error{GameCode("capsule-damaged"), {}};
     } catch (const CapsuleValue::exception&) {
-        return Error{"capsule-damaged", {}};
+        return Error{GameCode("capsule-damaged"), {}};
     }
 }
 

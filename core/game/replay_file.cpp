@@ -1,5 +1,6 @@
 // Recorded flights are read.
 
+#include "core/game/codes.h"
 #include "core/game/replay.h"
 #include "core/game/replay_words.h"
 #include "core/level/file.h"
@@ -24,7 +25,7 @@ struct BadField {
 };
 struct TooDeep {};
 struct WrongField {
-    const char* code;
+    GameCode code;
     std::string name;
 };
 
@@ -225,16 +226,16 @@ bool tooLong(const std::vector<Replay::Run>& runs) {
 
 Result<Replay> replayFrom(const Json& json) {
     if (!json.is_object()) {
-        return Error{"replay-bad-field", {""}};
+        return Error{GameCode("replay-bad-field"), {""}};
     }
     const std::int64_t version = integer(member(json, "replay"), 1, std::int64_t{1} << 62, "/replay");
     if (version > replayVersion) {
-        return Error{"replay-newer", {std::to_string(version), std::to_string(replayVersion)}};
+        return Error{GameCode("replay-newer"), {std::to_string(version), std::to_string(replayVersion)}};
     }
     Replay replay;
     const Json& level = member(json, "level");
     if (!level.is_string()) {
-        return Error{"replay-bad-field", {"/level"}};
+        return Error{GameCode("replay-bad-field"), {"/level"}};
     }
     replay.level = level.get<std::string>();
     if (json.contains("levelHash")) {
@@ -242,18 +243,18 @@ Result<Replay> replayFrom(const Json& json) {
     }
     const Json& seed = member(json, "seed");
     if (!seed.is_number_unsigned()) {
-        return Error{"replay-bad-field", {"/seed"}};
+        return Error{GameCode("replay-bad-field"), {"/seed"}};
     }
     replay.seed = seed.get<std::uint64_t>();
     if (version == 1 && (json.contains("holds") || json.contains("edits"))) {
-        return Error{"replay-unknown-field", {json.contains("holds") ? "holds" : "edits"}};
+        return Error{GameCode("replay-unknown-field"), {json.contains("holds") ? "holds" : "edits"}};
     }
     if (version < 3 && json.contains("end")) {
-        return Error{"replay-unknown-field", {"end"}};
+        return Error{GameCode("replay-unknown-field"), {"end"}};
     }
     if (const auto kind = json.find("kind"); kind != json.end()) {
         if (version < 4) {
-            return Error{"replay-unknown-field", {"kind"}};
+            return Error{GameCode("replay-unknown-field"), {"kind"}};
         }
         replay.kind = kindFrom(*kind);
     }
@@ -268,7 +269,7 @@ Result<Replay> replayFrom(const Json& json) {
         replay.ended = endFrom(*end);
     }
     if (tooLong(replay.runs)) {
-        return Error{"replay-too-long", {std::to_string(maxReplayUpdates)}};
+        return Error{GameCode("replay-too-long"), {std::to_string(maxReplayUpdates)}};
     }
     return replay;
 }
@@ -297,15 +298,15 @@ Result<Replay> parseReplay(std::string_view text) {
     } catch (const WrongField& wrong) {
         return Error{wrong.code, {wrong.name}};
     } catch (const BadField& bad) {
-        return Error{"replay-bad-field", {bad.pointer}};
+        return Error{GameCode("replay-bad-field"), {bad.pointer}};
     } catch (const TooDeep&) {
-        return Error{"replay-bad-field", {""}};
+        return Error{GameCode("replay-bad-field"), {""}};
     } catch (const Json::parse_error& error) {
         const std::size_t upTo = std::min(text.size(), error.byte);
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(upTo), '\n');
-        return Error{"replay-not-json", {std::to_string(line)}};
+        return Error{GameCode("replay-not-json"), {std::to_string(line)}};
     } catch (const Json::exception&) { // a number too large to hold, say
-        return Error{"replay-not-json", {"1"}};
+        return Error{GameCode("replay-not-json"), {"1"}};
     }
 }
 

@@ -1,5 +1,6 @@
 #include "core/level/adopt_tags.h"
 
+#include "core/level/codes.h"
 #include "core/level/tag_edits.h"
 #include "core/level/tag_spelling.h"
 
@@ -26,10 +27,10 @@ class Adoption {
 
     void tell() const {
         if (!m_made.empty()) {
-            m_result.notes.push_back(Error{"tags-made", {m_made}});
+            m_result.notes.push_back(Error{LevelCode("tags-made"), {m_made}});
         }
         if (!m_dropped.empty()) {
-            m_result.notes.push_back(Error{"tags-dropped", {m_dropped}});
+            m_result.notes.push_back(Error{LevelCode("tags-dropped"), {m_dropped}});
         }
     }
 
@@ -57,7 +58,7 @@ class Adoption {
             return *known;
         }
         if (tag < ownTags && !tags[tag].name.empty()) {
-            m_result.notes.push_back(Error{"tag-renamed", {info.name, tags[tag].name}});
+            m_result.notes.push_back(Error{LevelCode("tag-renamed"), {info.name, tags[tag].name}});
             return tag;
         }
         return reserved(info, info.name);

@@ -2,6 +2,7 @@
 
 #include "core/geometry/polygon.h"
 #include "core/level/arrange.h"
+#include "core/level/codes.h"
 #include "core/level/edits.h"
 #include "core/level/key_text.h"
 #include "core/level/object_geometry.h"
@@ -66,10 +67,10 @@ Result<CombinedBodies> combinedBodies(Level level, std::span<const Key> keys, Po
         }
         const std::optional<PolygonSet> own = areasOf(*body);
         if (!own) {
-            return Error{"combine-no-polygon", {object.name.empty() ? keyText(object.key) : object.name}};
+            return Error{LevelCode("combine-no-polygon"), {object.name.empty() ? keyText(object.key) : object.name}};
         }
         if (isFar(*own)) {
-            return Error{"combine-too-far", {}};
+            return Error{LevelCode("combine-too-far"), {}};
         }
         if (first.key == 0) {
             first = object;
@@ -84,16 +85,16 @@ Result<CombinedBodies> combinedBodies(Level level, std::span<const Key> keys, Po
         }
     }
     if (gone.empty()) {
-        return Error{"combine-too-few", {}};
+        return Error{LevelCode("combine-too-few"), {}};
     }
     if (how != PolygonBoolean::Intersection) {
         areas = combined(areas, others, how);
     }
     if (areas.empty()) {
-        return Error{"combine-empty", {}};
+        return Error{LevelCode("combine-empty"), {}};
     }
     if (!std::ranges::all_of(areas, [](const std::vector<Vec2>& area) { return isSimple(area); })) {
-        return Error{"combine-not-simple", {}};
+        return Error{LevelCode("combine-not-simple"), {}};
     }
     auto& body = std::get<BodyObject>(first.data);
     body.shapes = shapesOf(areas, body);

@@ -39,13 +39,13 @@ void FieldReader::report(Severity severity, Error error, JsonView at, const Plac
     m_state.hasErrors = m_state.hasErrors || severity == Severity::Error;
     if (m_state.problems.size() < maxProblems) {
         m_state.problems.push_back(
-            {severity, std::move(error.code), std::move(error.arguments), place.pointer(), at.line(), m_state.object});
+            {severity, error.code, std::move(error.arguments), place.pointer(), at.line(), m_state.object});
     }
 }
 
-void FieldReader::reject(std::string code, const Place& place, JsonView value) {
+void FieldReader::reject(LevelCode code, const Place& place, JsonView value) {
     std::string name = place.index >= 0 ? std::string(place.parent->name) : std::string(place.name);
-    report(Severity::Error, {std::move(code), {std::move(name), value.spelled(excerpt)}}, value, place);
+    report(Severity::Error, {code, {std::move(name), value.spelled(excerpt)}}, value, place);
 }
 
 std::optional<JsonView> FieldReader::member(const char* name, bool required) {
@@ -64,7 +64,7 @@ std::optional<JsonView> FieldReader::member(const char* name, bool required) {
         }
     }
     if (required) {
-        report(Severity::Error, {"missing-field", {name}}, m_object, m_place);
+        report(Severity::Error, {LevelCode("missing-field"), {name}}, m_object, m_place);
     }
     return {};
 }
@@ -90,10 +90,10 @@ void FieldReader::integer(const Field& field, int& value, int byDefault) {
     if (!json->isNumber() || json->number() != std::floor(json->number())) {
         reject("not-an-integer", place, *json);
     } else if (json->number() < field.min || json->number() > field.max) {
-        report(
-            Severity::Error,
-            {"out-of-range", {field.name, json->spelled(excerpt), spelledNumber(field.min), spelledNumber(field.max)}},
-            *json, place);
+        report(Severity::Error,
+               {LevelCode("out-of-range"),
+                {field.name, json->spelled(excerpt), spelledNumber(field.min), spelledNumber(field.max)}},
+               *json, place);
     } else {
         value = static_cast<int>(json->number());
     }
@@ -212,7 +212,7 @@ TagMask FieldReader::maskOf(JsonView list, const Place& place) {
         if (const int known = tagOf(tag.text()); known >= 0) {
             mask = mask | TagMask::bit(known);
         } else {
-            report(Severity::Error, {"unknown-tag", {tag.text()}}, tag, here);
+            report(Severity::Error, {LevelCode("unknown-tag"), {tag.text()}}, tag, here);
         }
     }
     return mask;
@@ -278,8 +278,8 @@ int FieldReader::spelling(JsonView value, std::string_view name, std::span<const
     if (found != names.end()) {
         return static_cast<int>(found - names.begin());
     }
-    report(Severity::Error, {"unknown-choice", {std::string(name), value.spelled(excerpt), joined(names)}}, value,
-           {&m_place, name});
+    report(Severity::Error, {LevelCode("unknown-choice"), {std::string(name), value.spelled(excerpt), joined(names)}},
+           value, {&m_place, name});
     return -1;
 }
 
@@ -333,7 +333,8 @@ void FieldReader::finish() {
         if (!std::exchange(isMade, true)) {
             where = m_state.ownerPointer + m_place.pointer().substr(m_state.owner->pointer().size());
         }
-        report(Severity::Warning, {"unknown-field", {std::string(value.name())}}, value, {&m_place, value.name()});
+        report(Severity::Warning, {LevelCode("unknown-field"), {std::string(value.name())}}, value,
+               {&m_place, value.name()});
         m_state.unknownFields.add(where, value);
     }
 }

@@ -85,7 +85,7 @@ class FieldReader {
 
     void report(Severity severity, Error error, JsonView at, const Place& place);
     /// Reports that `value` of the field is not what `code` says.
-    void reject(std::string code, const Place& place, JsonView value);
+    void reject(LevelCode code, const Place& place, JsonView value);
 
   private:
     void chooseFrom(const Field& field, int& index, std::span<const std::string_view> names);

@@ -1,5 +1,6 @@
 #include "core/level/file.h"
 
+#include "core/level/codes.h"
 #include "core/level/fields.h"
 #include "core/level/groups.h"
 #include "core/level/json_read.h"
@@ -110,9 +111,9 @@ std::string levelText(const Level& level) {
 }
 
 std::optional<Error> saveError(const Level& level) {
-    constexpr std::array unreadable{"not-finite", "bad-tag-name", "duplicate-tag"};
+    constexpr std::array<LevelCode, 3> unreadable{"not-finite", "bad-tag-name", "duplicate-tag"};
     if (vertexCount(level) > static_cast<std::size_t>(limits::vertices)) {
-        return Error{"too-many-vertices", {std::to_string(limits::vertices)}};
+        return Error{LevelCode("too-many-vertices"), {std::to_string(limits::vertices)}};
     }
     Findings findings;
     checkRanges(level, findings);
@@ -131,7 +132,7 @@ Result<std::string> savableText(const Level& level) {
     }
     std::string text = levelText(level);
     if (text.size() > maxLevelBytes) {
-        return Error{"text-too-large", {std::to_string(maxLevelBytes)}};
+        return Error{LevelCode("text-too-large"), {std::to_string(maxLevelBytes)}};
     }
     // As many vertices as a file may have take at least so many bytes, as many values take more.
     constexpr std::size_t always = std::size_t{6} * limits::vertices;

@@ -118,7 +118,8 @@ bool canBeBuilt(const LevelShape& shape) {
 
 bool startsWell(const Level& level, Key key) {
     return std::ranges::none_of(placingProblems(level), [key](const Problem& problem) {
-        return problem.object == key && (problem.code.ends_with("-in-wall") || problem.code.ends_with("-outside"));
+        return problem.object == key &&
+               (problem.code.text().ends_with("-in-wall") || problem.code.text().ends_with("-outside"));
     });
 }
 

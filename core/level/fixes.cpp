@@ -124,7 +124,7 @@ std::span<const Fix> fixes() {
 }
 
 const Fix* fixFor(const Problem& problem) {
-    const auto* const found = std::ranges::find(table, std::string_view(problem.code), &Fix::problem);
+    const auto* const found = std::ranges::find(table, problem.code, &Fix::problem);
     const bool isGap = problem.code == "chain-gap" || problem.code == "chain-nearly-closed";
     return found == std::end(table) || (isGap && problem.place.size() != 2) ? nullptr : found;
 }
@@ -140,8 +140,8 @@ FixedLevel withSafeFixes(Level level, const std::stop_token& stop) {
     for (int round = 0; round < rounds; ++round) {
         const std::vector<Problem> problems = lint(result.level, stop);
         const std::vector<bool> hidden = hiddenAmong(result.level, problems);
-        std::set<std::pair<Key, std::string_view>> done; // by fixes for whole objects
-        std::set<Key> changed;                           // by those: pointers into these are out of date
+        std::set<std::pair<Key, FixCode>> done; // by fixes for whole objects
+        std::set<Key> changed;                  // by those: pointers into these are out of date
         const Level before = result.level;
         for (std::size_t i = 0; i < problems.size() && !stop.stop_requested(); ++i) {
             const Problem& problem = problems[i];

@@ -6,13 +6,12 @@
 
 #include <span>
 #include <stop_token>
-#include <string_view>
 
 namespace spacetow {
 
 struct Fix {
-    std::string_view problem; // code of what it cures
-    std::string_view label;   // what the edit is called
+    LevelCode problem; // what it cures
+    FixCode label;     // what the edit is called
     bool isSafe = false;
     bool isWhole = false; // cures all problems of its kind that the object has
     Level (*apply)(Level level, const Problem& problem);

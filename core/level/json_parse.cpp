@@ -77,9 +77,9 @@ std::string wordAt(std::string_view text, std::size_t position) {
     return std::string(text.substr(begin, end - begin));
 }
 
-Problem problemAt(std::string_view text, std::size_t position, std::string code, std::vector<std::string> arguments) {
+Problem problemAt(std::string_view text, std::size_t position, LevelCode code, std::vector<std::string> arguments) {
     Problem problem;
-    problem.code = std::move(code);
+    problem.code = code;
     problem.arguments = std::move(arguments);
     problem.line = lineOf(text, position);
     return problem;
@@ -252,9 +252,9 @@ class JsonTreeBuilder {
         m_before = read();
         return true;
     }
-    bool refuse(std::string code, std::vector<std::string> arguments) {
+    bool refuse(LevelCode code, std::vector<std::string> arguments) {
         Problem problem;
-        problem.code = std::move(code);
+        problem.code = code;
         problem.arguments = std::move(arguments);
         problem.line = static_cast<int>(m_lines.line);
         m_problem = std::move(problem);

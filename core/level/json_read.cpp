@@ -30,9 +30,11 @@ void readTag(ReadState& state, JsonView entry, const Place& place) {
     if (name && !name->isText()) {
         reader.reject("not-a-text", {&place, "name"}, *name);
     } else if (name && state.tags.indexOf(name->text())) {
-        reader.report(Severity::Error, {"duplicate-tag", {std::string(name->text())}}, *name, {&place, "name"});
+        reader.report(Severity::Error, {LevelCode("duplicate-tag"), {std::string(name->text())}}, *name,
+                      {&place, "name"});
     } else if (name && unnamedTag(name->text()) >= 0) {
-        reader.report(Severity::Error, {"bad-tag-name", {std::string(name->text())}}, *name, {&place, "name"});
+        reader.report(Severity::Error, {LevelCode("bad-tag-name"), {std::string(name->text())}}, *name,
+                      {&place, "name"});
     } else if (name) {
         info.name = name->text();
     }
@@ -51,7 +53,8 @@ void readTag(ReadState& state, JsonView entry, const Place& place) {
     }
     const int position = static_cast<int>(number);
     if (state.seenTags.contains(position)) {
-        reader.report(Severity::Error, {"duplicate-tag-index", {std::to_string(position)}}, *index, {&place, "index"});
+        reader.report(Severity::Error, {LevelCode("duplicate-tag-index"), {std::to_string(position)}}, *index,
+                      {&place, "index"});
     }
     state.seenTags = state.seenTags | TagMask::bit(position);
     state.tags.set(position, std::move(info));
@@ -134,7 +137,8 @@ void readObjectList(ReadState& state, FieldReader& document, JsonView list, cons
             const auto [first, isNew] = lines.emplace(object->key, item.line());
             if (!isNew) {
                 document.report(Severity::Error,
-                                {"duplicate-key", {keyText(object->key), std::to_string(first->second)}}, item, here);
+                                {LevelCode("duplicate-key"), {keyText(object->key), std::to_string(first->second)}},
+                                item, here);
             }
         }
         if (object && !state.hasErrors) {

@@ -21,7 +21,7 @@ bool hasErrors(const std::vector<Problem>& problems) {
     return std::ranges::any_of(problems, [](const Problem& p) { return p.severity == Severity::Error; });
 }
 
-void Findings::add(Severity severity, const char* code, std::vector<std::string> arguments, const FindingPlace& place) {
+void Findings::add(Severity severity, LevelCode code, std::vector<std::string> arguments, const FindingPlace& place) {
     const std::string start = place.index < 0 ? std::string() : "/objects/" + std::to_string(place.index);
     m_found.emplace_back(place.index, Problem{severity, code, std::move(arguments), start + place.path, 0, place.key,
                                               place.place, place.wayOut});
@@ -140,7 +140,7 @@ std::vector<Problem> placingProblems(const Level& level) {
 }
 
 std::vector<bool> hiddenAmong(const Level& level, const std::vector<Problem>& problems) {
-    std::vector<std::pair<Key, std::string>> wanted;
+    std::vector<std::pair<Key, std::string_view>> wanted;
     for (const HiddenProblem& hidden : level.hiddenProblems) {
         wanted.emplace_back(hidden.object, hidden.rule);
     }
@@ -149,13 +149,13 @@ std::vector<bool> hiddenAmong(const Level& level, const std::vector<Problem>& pr
     result.reserve(problems.size());
     for (const Problem& problem : problems) {
         result.push_back(!wanted.empty() &&
-                         std::ranges::binary_search(wanted, std::pair(problem.object, problem.code)));
+                         std::ranges::binary_search(wanted, std::pair(problem.object, problem.code.text())));
     }
     return result;
 }
 
 Level withProblemHidden(Level level, const Problem& problem, bool hidden) {
-    const HiddenProblem entry{problem.code, problem.object};
+    const HiddenProblem entry{std::string(problem.code.text()), problem.object};
     std::vector<int> lost;
     for (std::size_t i = 0; i < level.hiddenProblems.size(); ++i) {
         if (level.hiddenProblems[i] == entry) {

@@ -69,7 +69,7 @@ class ConnectorChecker {
         const Object* object = m_objects.find(wanted);
         const auto* body = object == nullptr ? nullptr : std::get_if<BodyObject>(&object->data);
         if (body == nullptr) {
-            const char* code = object == nullptr ? "connector-end-missing" : "connector-end-no-body";
+            const LevelCode code = object == nullptr ? LevelCode("connector-end-missing") : "connector-end-no-body";
             m_findings.add(Severity::Error, code, {name, keyText(wanted)}, {index, key, std::string("/") + name});
         }
         return body;

@@ -27,7 +27,7 @@ class Findings {
     /// What takes long asks now and then.
     bool isStopped() const { return m_stop.stop_requested(); }
     const std::stop_token& stop() const { return m_stop; }
-    void add(Severity severity, const char* code, std::vector<std::string> arguments, const FindingPlace& place = {});
+    void add(Severity severity, LevelCode code, std::vector<std::string> arguments, const FindingPlace& place = {});
     /// The first of the problems found so far for which `isIt(index, problem)`; null when there is none.
     template <class IsIt>
     Problem* find(IsIt isIt) {

@@ -11,7 +11,7 @@ namespace {
 
 /// What the sentence about a leak needs to know.
 struct LeakWords {
-    const char* code;
+    LevelCode code;
     std::vector<std::string> arguments;
 };
 
@@ -28,13 +28,14 @@ LeakWords wordsOf(const Level& level, const Leak& leak) {
     if (leak.from.object == leak.to.object) {
         const bool areEnds = leak.from.isEnd && leak.to.isEnd;
         const bool isOneChain = areEnds && leak.from.shape == leak.to.shape;
-        return {isOneChain ? "leak-not-closed" : (areEnds ? "leak-wall-missing" : "leak-opening"),
+        return {isOneChain ? LevelCode("leak-not-closed") : (areEnds ? LevelCode("leak-wall-missing") : "leak-opening"),
                 {metres(leak.width)}};
     }
     const Object& other = level.objects[leak.to.object];
     std::vector<std::string> arguments = whichObject(level, other, std::get<BodyObject>(other.data));
     arguments.push_back(metres(leak.width));
-    return {leak.from.isEnd && leak.to.isEnd ? "leak-gap" : (leak.from.isEnd ? "leak-too-short" : "leak-between"),
+    return {leak.from.isEnd && leak.to.isEnd ? LevelCode("leak-gap")
+                                             : (leak.from.isEnd ? LevelCode("leak-too-short") : "leak-between"),
             std::move(arguments)};
 }
 

@@ -13,7 +13,7 @@ void checkMass(Findings& findings, const FindingPlace& place, std::span<const Sh
     }
     // Whichever would have been alright by itself is not to blame.
     const bool massIsToBlame = mass && usableMass(shapes, density, {});
-    findings.add(Severity::Error, massIsToBlame ? "mass-not-usable" : "body-not-usable", {},
+    findings.add(Severity::Error, massIsToBlame ? LevelCode("mass-not-usable") : "body-not-usable", {},
                  {place.index, place.key, massIsToBlame ? "/mass" : place.path});
 }
 

@@ -86,7 +86,7 @@ class ShapeChecker {
     }
 
   private:
-    void add(Severity severity, const char* code, std::vector<std::string> arguments, const std::string& path = {}) {
+    void add(Severity severity, LevelCode code, std::vector<std::string> arguments, const std::string& path = {}) {
         m_findings.add(severity, code, std::move(arguments), {m_object, m_key, m_path + path});
     }
     /// Points on straight sides do nothing. They are told of once a shape, and only when nothing worse is wrong.
@@ -107,7 +107,7 @@ class ShapeChecker {
             noteIdle(vertices, closed);
         }
     }
-    void reportRepeats(const std::vector<Vec2>& v, bool closed, const char* code) {
+    void reportRepeats(const std::vector<Vec2>& v, bool closed, LevelCode code) {
         for (std::size_t i = 1; i < v.size() + (closed ? 1 : 0); ++i) {
             const std::size_t here = i % v.size();
             if (v[i - 1] == v[here] && v.size() > 1) {

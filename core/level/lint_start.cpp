@@ -18,7 +18,7 @@ namespace {
 
 /// Ship or payload where they start.
 struct Starter {
-    const char* code; // of the problem when it touches something
+    LevelCode code; // of the problem when it touches something
     int index;
     Key key;
     Transform pose;
@@ -34,7 +34,7 @@ struct Found {
 
 /// Counts the objects of one kind; all but the first are too many.
 template <class T>
-Found counted(const Level& level, Findings& findings, const char* codeOfMore) {
+Found counted(const Level& level, Findings& findings, LevelCode codeOfMore) {
     Found found;
     for (int i = 0; i < level.objects.size(); ++i) {
         if (std::holds_alternative<T>(level.objects[i].data)) {
@@ -51,7 +51,7 @@ Found counted(const Level& level, Findings& findings, const char* codeOfMore) {
 /// Of the ship or the payload; of other objects nothing.
 std::optional<Starter> starterOf(const Object& object, int index) {
     const TagMask wall = TagMask::bit(wallTag);
-    const auto made = [&](const char* code, const Shape& shape, const Transform& pose, const Filter& filter) {
+    const auto made = [&](LevelCode code, const Shape& shape, const Transform& pose, const Filter& filter) {
         return Starter{code, index, object.key, pose, partsOf(shape), boundsOf(shape, pose), filter};
     };
     if (const auto* ship = std::get_if<ShipObject>(&object.data)) {
@@ -185,11 +185,12 @@ void checkFree(const Level& level, const Starter& starter, Findings& findings) {
     }
 }
 
-const char* kindOf(const BodyObject& body) {
+LevelCode kindOf(const BodyObject& body) {
     if (body.shapes.size() != 1) {
         return "kind-body";
     }
-    constexpr std::array kinds{"kind-edges", "kind-lines", "kind-polygon", "kind-circle"}; // as in LevelShape
+    constexpr std::array<LevelCode, 4> kinds{"kind-edges", "kind-lines", "kind-polygon",
+                                             "kind-circle"}; // as in LevelShape
     return kinds[body.shapes.front().index()];
 }
 
@@ -201,7 +202,7 @@ std::string metres(double value) {
 
 std::vector<std::string> whichObject(const Level& level, const Object& object, const BodyObject& body) {
     const Vec2 middle = boundsOf(level, object).center();
-    return {object.name, kindOf(body), metres(middle.x()), metres(middle.y())};
+    return {object.name, std::string(kindOf(body).text()), metres(middle.x()), metres(middle.y())};
 }
 
 bool startsFree(const Level& level, const Object& object, const std::set<Key>& unsound) {
@@ -221,8 +222,9 @@ void checkStart(const Level& level, Findings& findings) {
     if (ship.count + payload.count + finish.count == 0) {
         return; // a sandbox
     }
-    const std::array missing{std::pair(ship.count, "ship-missing"), std::pair(payload.count, "payload-missing"),
-                             std::pair(finish.count, "finish-missing")};
+    const std::array missing{std::pair(ship.count, LevelCode("ship-missing")),
+                             std::pair(payload.count, LevelCode("payload-missing")),
+                             std::pair(finish.count, LevelCode("finish-missing"))};
     for (const auto& [count, code] : missing) {
         if (count == 0) {
             findings.add(Severity::Error, code, {});

@@ -4,9 +4,9 @@ namespace spacetow {
 
 namespace {
 
-Problem problemOf(JsonView value, std::string code, std::vector<std::string> arguments, std::string pointer) {
+Problem problemOf(JsonView value, LevelCode code, std::vector<std::string> arguments, std::string pointer) {
     Problem problem;
-    problem.code = std::move(code);
+    problem.code = code;
     problem.arguments = std::move(arguments);
     problem.pointer = std::move(pointer);
     problem.line = value.line();

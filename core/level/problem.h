@@ -2,6 +2,7 @@
 // What is wrong with a level or its file: a code, where, and the facts its sentence needs. The sentences are made in
 // editor/window/messages.
 
+#include "core/level/codes.h"
 #include "core/level/level.h"
 
 #include <string>
@@ -16,7 +17,7 @@ const char* severityName(Severity severity);
 
 struct Problem {
     Severity severity = Severity::Error;
-    std::string code;                   // kebab-case and stable, e.g. "ship-missing"
+    LevelCode code;                     // e.g. "ship-missing"
     std::vector<std::string> arguments; // values for the sentence, in the order the code's sentence names them
     std::string pointer;                // JSON pointer into the file, "" for the whole document
     int line = 1;                       // of the file, from 1; 0 when there is no file

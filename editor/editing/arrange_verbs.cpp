@@ -12,7 +12,7 @@ namespace spacetow {
 namespace {
 
 /// Nothing when the level stays as it is.
-std::optional<FinishedEdit> finished(const ToolContext& context, const char* code, Level level) {
+std::optional<FinishedEdit> finished(const ToolContext& context, LabelCode code, Level level) {
     const Selection& selection = context.edit.selection;
     if (level == *context.edit.level) {
         return {};
@@ -20,7 +20,7 @@ std::optional<FinishedEdit> finished(const ToolContext& context, const char* cod
     return FinishedEdit{{code, selection.size()}, {std::make_shared<const Level>(std::move(level)), selection}};
 }
 
-std::optional<FinishedEdit> finishedWithout(const ToolContext& context, const char* code, Level level) {
+std::optional<FinishedEdit> finishedWithout(const ToolContext& context, LabelCode code, Level level) {
     std::optional<FinishedEdit> edit = finished(context, code, std::move(level));
     if (edit) {
         edit->edit.selection = Selection().entering(context.edit.selection.entered());

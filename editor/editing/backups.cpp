@@ -1,5 +1,6 @@
 #include "editor/editing/backups.h"
 
+#include "core/base/codes.h"
 #include "core/level/file_state.h"
 
 #include <sys/stat.h>
@@ -75,7 +76,7 @@ std::optional<Error> backUp(const fs::path& folder, const fs::path& path) {
         fs::rename(unfinished, backup, error);
     }
     if (error) {
-        return Error{"cannot-write", {backup.string(), error.message()}};
+        return Error{BaseCode("cannot-write"), {backup.string(), error.message()}};
     }
     for (std::size_t i = maxBackups - 1; i < backups.size(); ++i) {
         fs::remove(backups[i].file, error);

@@ -3,6 +3,7 @@
 // never changed, so undo cannot go wrong.
 
 #include "core/level/level.h"
+#include "editor/editing/codes.h"
 #include "editor/editing/selection.h"
 #include "editor/editing/signal.h"
 
@@ -22,10 +23,9 @@ struct Edit {
     Selection selection;
 };
 
-/// What an edit is called in menus and in the history: a stable code such as "move" that editor/window/messages
-/// turns into words, and how many objects it concerns.
+/// What an edit is called in menus and in the history: a code such as "move", and how many objects it concerns.
 struct Label {
-    std::string code;
+    LabelCode code;
     int count = 1;
 
     bool operator==(const Label&) const = default;

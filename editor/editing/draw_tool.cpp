@@ -31,6 +31,20 @@ bool isNear(const ToolContext& context, const Pointer& pointer, const Vec2& end)
     return !context.typed.any() && (pointer.world - end).norm() <= closePixels * pointer.pixel;
 }
 
+LabelCode drawingLabel(DrawKind kind) {
+    switch (kind) {
+    case DrawKind::Edge:
+        return "draw-edge";
+    case DrawKind::Line:
+        return "draw-line";
+    case DrawKind::Kinematic:
+        return "draw-kinematic";
+    case DrawKind::Polygon:
+        break;
+    }
+    return "draw-polygon";
+}
+
 } // namespace
 
 std::string DrawTool::code() const {
@@ -241,7 +255,7 @@ std::optional<FinishedEdit> DrawTool::finishChain(const ToolContext& context, bo
     if (m_kind == DrawKind::Edge) {
         shape = EdgeChain{std::move(vertices), encloses, noBack};
     }
-    return FinishedEdit{{"draw-" + code(), 1}, withDrawnBody(context, std::move(shape), origin)};
+    return FinishedEdit{{drawingLabel(m_kind), 1}, withDrawnBody(context, std::move(shape), origin)};
 }
 
 std::optional<FinishedEdit> DrawTool::finishPolygon(const ToolContext& context) {
@@ -254,7 +268,7 @@ std::optional<FinishedEdit> DrawTool::finishPolygon(const ToolContext& context) 
     std::vector<Vec2> outline = m_points;
     cancel();
     const BodyKind kind = m_kind == DrawKind::Kinematic ? BodyKind::Kinematic : context.solids;
-    return FinishedEdit{{"draw-" + code(), 1}, withDrawnPolygon(context, std::move(outline), kind)};
+    return FinishedEdit{{drawingLabel(m_kind), 1}, withDrawnPolygon(context, std::move(outline), kind)};
 }
 
 Overlay DrawTool::startOverlay(const ToolContext& context, const Pointer& pointer) const {

@@ -36,7 +36,7 @@ class NodeTransformGesture : public Gesture {
         return {std::make_shared<const Level>(withMappedNodes(*m_edit.level, m_nodes, map)), m_edit.selection};
     }
     Label label() const override {
-        return {m_turns ? "rotate-nodes" : "scale-nodes", static_cast<int>(m_edit.selection.nodes().size())};
+        return {m_turns ? LabelCode("rotate-nodes") : "scale-nodes", static_cast<int>(m_edit.selection.nodes().size())};
     }
     Overlay overlay(const Pointer& pointer) const override {
         const Affine map = mapAt(pointer);

@@ -9,7 +9,7 @@ namespace spacetow {
 
 namespace {
 
-std::optional<FinishedEdit> finishing(const ToolContext& context, const char* code, NodeEdit edit) {
+std::optional<FinishedEdit> finishing(const ToolContext& context, LabelCode code, NodeEdit edit) {
     const Edit& before = context.edit;
     if (edit.level == *before.level) {
         return {};

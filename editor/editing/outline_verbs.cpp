@@ -68,7 +68,7 @@ std::optional<FinishedEdit> regroup(const Edit& edit, std::span<const Key> keys,
     const std::vector<Key> moved = movable(*edit.level, keys);
     const bool stay =
         std::ranges::all_of(moved, [&](Key key) { return edit.level->objects.find(key)->parent == place.parent; });
-    const Label label{stay ? "order" : "regroup", static_cast<int>(moved.size())};
+    const Label label{stay ? LabelCode("order") : "regroup", static_cast<int>(moved.size())};
     std::optional<FinishedEdit> finished = outlined(edit, label, regrouped(*edit.level, moved, place));
     if (finished) {
         finished->edit.selection = selectionOf(*finished->edit.level, moved);
@@ -91,12 +91,12 @@ std::optional<FinishedEdit> colorGroup(const Edit& edit, Key key, std::optional<
 }
 
 std::optional<FinishedEdit> showObjects(const Edit& edit, std::span<const Key> keys, bool visible) {
-    return outlined(edit, {visible ? "show" : "hide", static_cast<int>(keys.size())},
+    return outlined(edit, {visible ? LabelCode("show") : "hide", static_cast<int>(keys.size())},
                     withVisible(*edit.level, keys, visible));
 }
 
 std::optional<FinishedEdit> lockObjects(const Edit& edit, std::span<const Key> keys, bool locked) {
-    return outlined(edit, {locked ? "lock" : "unlock", static_cast<int>(keys.size())},
+    return outlined(edit, {locked ? LabelCode("lock") : "unlock", static_cast<int>(keys.size())},
                     withLocked(*edit.level, keys, locked));
 }
 

@@ -28,7 +28,7 @@ Overlay ghost(PlaceKind kind, const Level& level, const Vec2& position) {
     return overlay;
 }
 
-FinishedEdit finished(const char* label, Edit placed) {
+FinishedEdit finished(LabelCode label, Edit placed) {
     return {{label, 1}, std::move(placed)};
 }
 

@@ -83,7 +83,9 @@ class RectangleGesture : public Gesture {
     Edit at(const Pointer& pointer) const override {
         return withRectangle(m_context, rectangleTo(m_context, m_start, pointer), m_kind);
     }
-    Label label() const override { return {m_kind == BodyKind::Kinematic ? "draw-kinematic" : "draw-rectangle", 1}; }
+    Label label() const override {
+        return {m_kind == BodyKind::Kinematic ? LabelCode("draw-kinematic") : "draw-rectangle", 1};
+    }
     Overlay overlay(const Pointer& pointer) const override {
         return rectangleOverlay(m_start, rectangleTo(m_context, m_start, pointer), pointer.world);
     }

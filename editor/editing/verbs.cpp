@@ -12,7 +12,7 @@ namespace spacetow {
 
 namespace {
 
-Label labelOf(const char* code, const Selection& selection) {
+Label labelOf(LabelCode code, const Selection& selection) {
     return {code, selection.size()};
 }
 
@@ -115,7 +115,7 @@ std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double ra
                         Repeatable{Affine::rotation(*pivot, radians)}};
 }
 
-std::optional<FinishedEdit> mapSelected(const ToolContext& context, const char* code, const Affine& map) {
+std::optional<FinishedEdit> mapSelected(const ToolContext& context, LabelCode code, const Affine& map) {
     const Selection& selection = context.edit.selection;
     const Level& level = *context.edit.level;
     const std::vector<Key> keys = unlockedKeys(level, selection.keys());

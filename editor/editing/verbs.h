@@ -24,7 +24,7 @@ std::optional<FinishedEdit> nudgeSelected(const ToolContext& context, const Vec2
 /// every bit. Repeated within a second it stays one history entry.
 std::optional<FinishedEdit> rotateSelected(const ToolContext& context, double radians);
 /// Mapped; `code` is that of the label. The determinant is not zero. The pivot goes along.
-std::optional<FinishedEdit> mapSelected(const ToolContext& context, const char* code, const Affine& map);
+std::optional<FinishedEdit> mapSelected(const ToolContext& context, LabelCode code, const Affine& map);
 /// Mirrored about the middle of its bounds.
 std::optional<FinishedEdit> flipSelected(const ToolContext& context, FlipAxis axis);
 /// Turns the solid side of the selected one-way walls round.

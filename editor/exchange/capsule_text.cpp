@@ -1,6 +1,7 @@
 #include "editor/exchange/capsule_text.h"
 
 #include "core/base/hash.h"
+#include "editor/exchange/codes.h"
 
 #include <QByteArray>
 
@@ -124,7 +125,7 @@ Result<std::string> capsuleText(const Capsule& capsule) {
     const std::string& json = written.value();
     const QByteArray base64 = json.size() + pieceBytes > maxCapsuleBytes ? QByteArray() : packed(json).toBase64();
     if (base64.isEmpty() || std::size_t(base64.size()) > maxCapsuleText / 2) {
-        return Error{"capsule-too-large", {std::to_string(maxCapsuleBytes)}};
+        return Error{ExchangeCode("capsule-too-large"), {std::to_string(maxCapsuleBytes)}};
     }
     std::string text = inOneLine(capsule.program + ", " + capsule.platform) + '\n' +
                        inOneLine(capsule.run.level + ", update " + std::to_string(capsule.run.updates())) + '\n';
@@ -144,22 +145,22 @@ bool holdsCapsule(std::string_view text) {
 
 Result<Capsule> capsuleFromText(std::string_view text) {
     if (!holdsCapsule(text)) {
-        return Error{"capsule-none", {}};
+        return Error{ExchangeCode("capsule-none"), {}};
     }
     if (text.size() > maxCapsuleText) {
-        return Error{"capsule-too-large", {std::to_string(maxCapsuleText)}};
+        return Error{ExchangeCode("capsule-too-large"), {std::to_string(maxCapsuleText)}};
     }
     const std::optional<CapsuleBody> body = bodyOf(text);
     if (!body) {
-        return Error{"capsule-cut", {}};
+        return Error{ExchangeCode("capsule-cut"), {}};
     }
     if (checksum(body->base64) != body->checksum) {
-        return Error{"capsule-damaged", {}};
+        return Error{ExchangeCode("capsule-damaged"), {}};
     }
     const auto decoded = QByteArray::fromBase64Encoding(QByteArray::fromStdString(body->base64),
                                                         QByteArray::AbortOnBase64DecodingErrors);
     const std::optional<std::string> json = decoded ? unpacked(*decoded) : std::nullopt;
-    return json ? parseCapsule(*json) : Result<Capsule>(Error{"capsule-damaged", {}});
+    return json ? parseCapsule(*json) : Result<Capsule>(Error{ExchangeCode("capsule-damaged"), {}});
 }
 
 } // namespace spacetow

@@ -5,6 +5,7 @@
 #include "core/geometry/polygon_booleans.h"
 #include "core/level/fields.h"
 #include "core/math/aabb.h"
+#include "editor/exchange/codes.h"
 #include "editor/exchange/flatten.h"
 
 #include <algorithm>
@@ -115,18 +116,18 @@ class FigureMaker {
     }
 
   private:
-    void refuse(const char* code) { m_report.refuse(code, m_item.line, m_item.name); }
+    void refuse(ExchangeCode code) { m_report.refuse(code, m_item.line, m_item.name); }
 
     FlatPath flatPath(const DrawnPath& path) {
         const double tolerance = std::max(m_options.tolerance - rounding, m_options.tolerance / 2);
         const Affine scaling{{m_options.scale, 0}, {0, m_options.scale}, {0, 0}};
         auto points = flattened(mapped(path, scaling), tolerance, limits::vertices - m_vertices);
         if (!points) {
-            m_error = Error{"import-too-many-vertices", {std::to_string(limits::vertices)}};
+            m_error = Error{ExchangeCode("import-too-many-vertices"), {std::to_string(limits::vertices)}};
             return {};
         }
         if (!std::ranges::all_of(*points, isWithinReach)) {
-            m_error = Error{"import-too-far", {std::to_string(static_cast<int>(farthestImport))}};
+            m_error = Error{ExchangeCode("import-too-far"), {std::to_string(static_cast<int>(farthestImport))}};
             return {};
         }
         m_vertices += static_cast<int>(points->size());
@@ -146,7 +147,7 @@ class FigureMaker {
             const double radius = std::max(rounding, onMicrometres({m_options.scale * circle.radius, 0}).x());
             const Vec2 center = m_options.scale * circle.center;
             if (!isWithinReach(center) || !isWithinReach({radius, radius})) {
-                m_error = Error{"import-too-far", {std::to_string(static_cast<int>(farthestImport))}};
+                m_error = Error{ExchangeCode("import-too-far"), {std::to_string(static_cast<int>(farthestImport))}};
                 return;
             }
             m_shapes.emplace_back(Circle{onMicrometres(center), radius});

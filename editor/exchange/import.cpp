@@ -4,6 +4,7 @@
 #include "core/level/edits.h"
 #include "core/level/fields.h"
 #include "core/level/object_geometry.h"
+#include "editor/exchange/codes.h"
 #include "editor/exchange/import_tags.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ class ImportMaker {
         const std::vector<DrawnItem>& items = m_drawing.items;
         for (std::size_t i = 0; i < items.size(); ++i) {
             if (m_watch.isStopped()) {
-                return Error{"import-stopped", {}};
+                return Error{ExchangeCode("import-stopped"), {}};
             }
             m_watch.tell(static_cast<int>(i * 100 / items.size()));
             add(items[i], static_cast<Key>(i + 1));
@@ -52,7 +53,7 @@ class ImportMaker {
         }
         dropEmptyGroups();
         if (m_objects.empty()) {
-            return Error{"import-nothing", {}};
+            return Error{ExchangeCode("import-nothing"), {}};
         }
         Import import;
         import.notes = notes();
@@ -151,7 +152,7 @@ class ImportMaker {
         const std::vector<Vec2>* const vertices = verticesIn(shape);
         m_vertices += vertices != nullptr ? vertices->size() : mostCircleVertices;
         if (m_vertices > limits::vertices) {
-            m_error = Error{"import-too-many-vertices", {std::to_string(limits::vertices)}};
+            m_error = Error{ExchangeCode("import-too-many-vertices"), {std::to_string(limits::vertices)}};
         }
     }
 
@@ -161,7 +162,7 @@ class ImportMaker {
         }
         const Aabb box = ownBounds(data);
         if (!isWithinReach(box.min) || !isWithinReach(box.max)) {
-            m_error = Error{"import-too-far", {std::to_string(static_cast<int>(farthestImport))}};
+            m_error = Error{ExchangeCode("import-too-far"), {std::to_string(static_cast<int>(farthestImport))}};
         }
     }
 
@@ -238,7 +239,7 @@ Imported imported(Level level, ForeignObjects foreign, const ImportPlace& place)
     Imported result;
     result.notes = std::move(adopted.notes);
     if (isTaken) {
-        result.notes.push_back(Error{"import-one-only", {}});
+        result.notes.push_back(Error{ExchangeCode("import-one-only"), {}});
     }
     result.level = pasted(std::move(adopted.level), adopted.objects, copy, result.keys);
     return result;

@@ -1,5 +1,6 @@
 // Which kind of file it is, and who reads it.
 #include "core/level/file.h"
+#include "editor/exchange/codes.h"
 #include "editor/exchange/import.h"
 #include "editor/exchange/json_values.h"
 #include "editor/exchange/rube_read.h"
@@ -29,12 +30,14 @@ Result<Drawing> readXmlDrawing(std::string_view bytes, const Watch& watch) {
         Report report;
         return tiledFrom(tiledMapFromXml(root.value(), report), report);
     }
-    return name == "tileset" || name == "template" ? Error{"import-tileset", {}} : Error{"import-unknown", {}};
+    return name == "tileset" || name == "template" ? Error{ExchangeCode("import-tileset"), {}}
+                                                   : Error{ExchangeCode("import-unknown"), {}};
 }
 
 Error jsonError(const Problem& problem) {
-    const bool isLimit = problem.code.starts_with("too-many") || problem.code == "nested-too-deep";
-    return isLimit ? Error{problem.code, problem.arguments} : Error{"import-not-json", {std::to_string(problem.line)}};
+    const bool isLimit = problem.code.text().starts_with("too-many") || problem.code == "nested-too-deep";
+    return isLimit ? Error{problem.code, problem.arguments}
+                   : Error{ExchangeCode("import-not-json"), {std::to_string(problem.line)}};
 }
 
 Result<Drawing> readJsonDrawing(std::string_view text) {
@@ -49,10 +52,10 @@ Result<Drawing> readJsonDrawing(std::string_view text) {
         return tiledFrom(tiledMapFromJson(root, report), report);
     }
     if (type == "tileset" || type == "template") {
-        return Error{"import-tileset", {}};
+        return Error{ExchangeCode("import-tileset"), {}};
     }
     if (jsonMember(root, "schema") && jsonMember(root, "objects")) {
-        return Error{"import-level", {}};
+        return Error{ExchangeCode("import-level"), {}};
     }
     if (jsonMember(root, "body")) {
         Report report;
@@ -60,17 +63,17 @@ Result<Drawing> readJsonDrawing(std::string_view text) {
         drawing.notes = report.notes();
         return drawing;
     }
-    return Error{"import-unknown", {}};
+    return Error{ExchangeCode("import-unknown"), {}};
 }
 
 } // namespace
 
 Result<Drawing> readDrawing(std::string_view bytes, const Watch& watch) {
     if (bytes.size() > maxLevelBytes) {
-        return Error{"text-too-large", {std::to_string(maxLevelBytes)}};
+        return Error{ExchangeCode("text-too-large"), {std::to_string(maxLevelBytes)}};
     }
     if (bytes.starts_with("\x1f\x8b")) {
-        return Error{"import-compressed", {}};
+        return Error{ExchangeCode("import-compressed"), {}};
     }
     std::string_view text = bytes;
     if (text.starts_with("\xef\xbb\xbf")) {
@@ -78,13 +81,13 @@ Result<Drawing> readDrawing(std::string_view bytes, const Watch& watch) {
     }
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) {
-        return Error{"empty-file", {}};
+        return Error{ExchangeCode("empty-file"), {}};
     }
     const bool isWide = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"); // UTF-16, for XML alone
     if (isWide || text[first] == '<') {
         return readXmlDrawing(bytes, watch);
     }
-    return text[first] == '{' ? readJsonDrawing(text) : Error{"import-unknown", {}};
+    return text[first] == '{' ? readJsonDrawing(text) : Error{ExchangeCode("import-unknown"), {}};
 }
 
 } // namespace spacetow

@@ -23,7 +23,7 @@ void appendFew(std::string& text, const Values& values, bool areMore) {
 
 } // namespace
 
-void Report::refuse(const char* code, int line, const std::string& name) {
+void Report::refuse(ExchangeCode code, int line, const std::string& name) {
     auto kind = std::ranges::find(m_kinds, code, &Kind::code);
     if (kind == m_kinds.end()) {
         kind = m_kinds.insert(kind, Kind{code});

@@ -3,6 +3,7 @@
 // by which names. Sentences are made in editor/window/messages.
 
 #include "core/base/result.h"
+#include "editor/exchange/codes.h"
 
 #include <string>
 #include <vector>
@@ -12,13 +13,13 @@ namespace spacetow {
 class Report {
   public:
     /// Something was left out or changed at this line (0: none), perhaps with a name.
-    void refuse(const char* code, int line, const std::string& name = {});
+    void refuse(ExchangeCode code, int line, const std::string& name = {});
     /// Each with the arguments: how often, lines, names; of both the first few.
     std::vector<Error> notes() const;
 
   private:
     struct Kind {
-        std::string code;
+        ExchangeCode code;
         int count = 0;
         std::vector<int> lines;
         std::vector<std::string> names;

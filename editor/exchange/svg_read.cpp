@@ -1,5 +1,6 @@
 #include "editor/exchange/svg_read.h"
 
+#include "editor/exchange/codes.h"
 #include "editor/exchange/report.h"
 #include "editor/exchange/svg_shapes.h"
 #include "editor/exchange/svg_style.h"
@@ -30,7 +31,7 @@ struct SvgPlace {
 
 struct Refusal {
     std::string_view element;
-    const char* code;
+    ExchangeCode code;
 };
 /// What is seen in the picture but is no shape.
 constexpr std::array refusals{
@@ -114,9 +115,9 @@ class SvgReader {
     void readElement(const XmlElement& element, const SvgPlace& around) {
         constexpr int pace = 64;
         if (++m_count > maxSvgElements) {
-            m_error = Error{"import-too-many", {std::to_string(maxSvgElements)}};
+            m_error = Error{ExchangeCode("import-too-many"), {std::to_string(maxSvgElements)}};
         } else if (m_count % pace == 0 && m_watch.isStopped()) {
-            m_error = Error{"import-stopped", {}};
+            m_error = Error{ExchangeCode("import-stopped"), {}};
         }
         if (isRefused(element) || !isDrawn(element)) {
             return;
@@ -315,7 +316,7 @@ class SvgReader {
             m_drawing.items.push_back({name, place.folder, true, isLocked, element.line, std::move(figure)});
         }
         if (m_pieces > maxPieces) {
-            m_error = Error{"import-too-many", {std::to_string(maxPieces)}};
+            m_error = Error{ExchangeCode("import-too-many"), {std::to_string(maxPieces)}};
         }
     }
 

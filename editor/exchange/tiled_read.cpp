@@ -91,8 +91,8 @@ class TiledReader {
     }
 
     void readObject(const TiledObject& object, const TiledPlace& place) {
-        if (const char* const code = refusalOf(object)) {
-            m_report.refuse(code, object.line, object.name);
+        if (const std::optional<ExchangeCode> code = refusalOf(object)) {
+            m_report.refuse(*code, object.line, object.name);
             return;
         }
         const std::string role = lowered(object.className.empty() ? object.name : object.className);
@@ -118,18 +118,18 @@ class TiledReader {
         add(object, place, std::move(figure));
     }
 
-    static const char* refusalOf(const TiledObject& object) {
+    static std::optional<ExchangeCode> refusalOf(const TiledObject& object) {
         switch (object.form) {
         case TiledForm::Text:
-            return "import-text";
+            return ExchangeCode("import-text");
         case TiledForm::Tile:
-            return "import-tile-objects";
+            return ExchangeCode("import-tile-objects");
         case TiledForm::Template:
-            return "import-templates";
+            return ExchangeCode("import-templates");
         case TiledForm::Other:
-            return "import-tiled-form";
+            return ExchangeCode("import-tiled-form");
         default:
-            return nullptr;
+            return {};
         }
     }
 

@@ -1,5 +1,7 @@
 #include "editor/exchange/xml_tree.h"
 
+#include "editor/exchange/codes.h"
+
 #include <QXmlStreamReader>
 
 #include <algorithm>
@@ -37,7 +39,7 @@ class XmlTreeReader {
             return *m_error;
         }
         if (m_xml.hasError() || !m_hasRoot) {
-            return Error{"import-not-xml",
+            return Error{ExchangeCode("import-not-xml"),
                          {std::to_string(m_xml.lineNumber()), std::to_string(m_xml.columnNumber() + 1),
                           m_xml.errorString().toStdString()}};
         }
@@ -49,7 +51,7 @@ class XmlTreeReader {
         switch (m_xml.readNext()) {
         case QXmlStreamReader::DTD:
             if (!m_xml.entityDeclarations().isEmpty()) {
-                m_error = Error{"import-entities", {std::to_string(m_xml.lineNumber())}};
+                m_error = Error{ExchangeCode("import-entities"), {std::to_string(m_xml.lineNumber())}};
             }
             break;
         case QXmlStreamReader::StartElement:
@@ -74,14 +76,14 @@ class XmlTreeReader {
             m_watch.tell(static_cast<int>(
                 std::min<std::size_t>(99, static_cast<std::size_t>(m_xml.characterOffset()) * 100 / m_size)));
             if (m_watch.isStopped()) {
-                m_error = Error{"import-stopped", {}};
+                m_error = Error{ExchangeCode("import-stopped"), {}};
             }
         }
         if (m_count > maxElements) {
-            m_error = Error{"import-too-many", {std::to_string(maxElements)}};
+            m_error = Error{ExchangeCode("import-too-many"), {std::to_string(maxElements)}};
         }
         if (static_cast<int>(m_open.size()) >= maxDepth) {
-            m_error = Error{"import-too-deep", {std::to_string(maxDepth)}};
+            m_error = Error{ExchangeCode("import-too-deep"), {std::to_string(maxDepth)}};
         }
         XmlElement element;
         element.name = withoutPrefix(utf8(m_xml.qualifiedName()), "svg:");

@@ -2,6 +2,7 @@
 
 #include "core/physics/query/explain.h"
 #include "editor/canvas/tag_text.h"
+#include "editor/panels/explain_codes.h"
 #include "editor/panels/names.h"
 
 #include <QCoreApplication>
@@ -190,7 +191,7 @@ std::string tagsIn(const Level& level, TagMask tags) {
     return names.join(QStringLiteral(", ")).toStdString();
 }
 
-std::string codeFor(const CollisionAnswer& answer) {
+ExplainCode codeFor(const CollisionAnswer& answer) {
     switch (answer.why) {
     case WhyApart::Touch:
         return "apart-touch";
@@ -201,11 +202,13 @@ std::string codeFor(const CollisionAnswer& answer) {
     case WhyApart::Unmovable:
         return "apart-unmovable";
     case WhyApart::Mask:
-        return answer.missing.bits == 0 ? "apart-no-tags" : answer.bothMasks ? "apart-both-masks" : "apart-mask";
+        return answer.missing.bits == 0 ? ExplainCode("apart-no-tags")
+               : answer.bothMasks       ? ExplainCode("apart-both-masks")
+                                        : "apart-mask";
     case WhyApart::Connected:
         return "apart-connected";
     case WhyApart::Intangible:
-        return answer.felt ? "apart-felt" : "apart-intangible";
+        return answer.felt ? ExplainCode("apart-felt") : "apart-intangible";
     case WhyApart::Walls:
         return "apart-walls";
     case WhyApart::Passing:
@@ -271,7 +274,7 @@ Error apartCode(const Level& level, const ApartObjects& apart) {
     const std::string connector = nameIn(level, apart.connector);
     switch (answer.why) {
     case WhyApart::Connected:
-        return {connector.empty() ? "apart-rope" : codeFor(answer),
+        return {connector.empty() ? ExplainCode("apart-rope") : codeFor(answer),
                 {nameIn(level, about), nameIn(level, other), connector}};
     case WhyApart::Distance:
         return {codeFor(answer), {nameIn(level, about), nameIn(level, other), metersText(answer.distance)}};
@@ -286,7 +289,7 @@ Error apartCode(const Level& level, const ApartObjects& apart) {
 }
 
 Error cureCode(const Level& level, const CollisionCure& cure) {
-    static constexpr const char* codes[] = {"cure-tick-tag", "cure-give-tag", "cure-make-solid", "cure-let-collide"};
+    static constexpr ExplainCode codes[] = {"cure-tick-tag", "cure-give-tag", "cure-make-solid", "cure-let-collide"};
     return {codes[static_cast<std::size_t>(cure.kind)],
             {nameIn(level, cure.object), tagText(level.tags, cure.tag).toStdString()}};
 }

@@ -306,7 +306,7 @@ void ImportBar::show(const Outcome& outcome) {
 void ImportBar::say(const std::vector<Error>& notes) {
     m_lines.clear();
     for (const Error& note : notes) {
-        m_lines << (m_words ? m_words(note) : QString::fromStdString(note.code));
+        m_lines << (m_words ? m_words(note) : QString::fromUtf8(note.code.text()));
     }
     QStringList shown = m_lines.mid(0, fewReportLines);
     if (m_lines.size() > fewReportLines) {

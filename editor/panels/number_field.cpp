@@ -1,5 +1,6 @@
 #include "editor/panels/number_field.h"
 
+#include "core/base/codes.h"
 #include "core/base/decimal.h"
 #include "editor/panels/form_colors.h"
 #include "editor/panels/history_keys.h"
@@ -145,7 +146,7 @@ QString NumberField::objectionTo(double number) const {
         return {};
     }
     if (!std::isfinite(number)) {
-        return words ? words(Error{"expression-not-finite", {}}) : tr("The result is too large.");
+        return words ? words(Error{BaseCode("expression-not-finite"), {}}) : tr("The result is too large.");
     }
     return tr("%1 is not possible: %2.").arg(shortNumberText(number), rangeText());
 }

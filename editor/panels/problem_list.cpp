@@ -78,8 +78,8 @@ QString ProblemList::fixText(const Problem& problem) const {
     if (fix == nullptr) {
         return {};
     }
-    const Label label{std::string(fix->label), 1};
-    return m_words ? m_words(label) : QString::fromStdString(label.code);
+    const Label label{fix->label, 1};
+    return m_words ? m_words(label) : QString::fromUtf8(label.code.text());
 }
 
 void ProblemList::setMarks(const std::array<QIcon, 3>& bySeverity, const QColor& faded) {

@@ -34,7 +34,7 @@ void ProblemsPanel::fixCurrent() {
     }
     Selection selection = now.selection.within(*level);
     const Key object = problem->object; // which the commit may have checked anew
-    m_document.commit({std::string(fix->label), 1}, {std::move(level), std::move(selection)});
+    m_document.commit({fix->label, 1}, {std::move(level), std::move(selection)});
     Q_EMIT cured(object);
 }
 
@@ -68,7 +68,7 @@ void ProblemsPanel::hideCurrent() {
     }
     const bool hides = !m_problems.hidden()[static_cast<std::size_t>(current())];
     const Edit& now = m_document.current();
-    m_document.commit({hides ? "hide-problem" : "show-problem", 1},
+    m_document.commit({hides ? LabelCode("hide-problem") : "show-problem", 1},
                       {std::make_shared<Level>(withProblemHidden(*now.level, *problem, hides)), now.selection});
 }
 

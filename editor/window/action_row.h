@@ -12,7 +12,7 @@
 namespace spacetow {
 
 class MainWindow;
-struct MessageText;
+struct HintText;
 
 /// Flags of an action. Without WhilePlaying an action rests while a game is running: plain keys are the game's then.
 enum ActionFlag : unsigned {
@@ -53,7 +53,7 @@ struct ActionRow {
     /// A sentence that says what is missing while `isPossible` says no; translate in the context "Actions".
     const char* why = "";
     /// What the status bar says while the tool is in the hand, for tools; see messages_table.h.
-    std::span<const MessageText> (*hints)() = nullptr;
+    std::span<const HintText> (*hints)() = nullptr;
     /// A text that changes with the document, in place of `text`; translated, with mnemonic.
     QString (*name)(const MainWindow&) = nullptr;
 };

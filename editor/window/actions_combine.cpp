@@ -16,9 +16,9 @@ void combine(MainWindow& window) {
         window.messageBar().say(MessageBar::Tone::Warning, sentence(result.error()));
         return;
     }
-    constexpr const char* code = how == PolygonBoolean::Union        ? "union"
-                                 : how == PolygonBoolean::Difference ? "difference"
-                                                                     : "intersection";
+    constexpr LabelCode code = how == PolygonBoolean::Union        ? LabelCode("union")
+                               : how == PolygonBoolean::Difference ? LabelCode("difference")
+                                                                   : "intersection";
     CombinedBodies combined = std::move(result).value();
     window.toolbox().finish(FinishedEdit{{code, selection.size()},
                                          {std::make_shared<const Level>(std::move(combined.level)),

@@ -1,5 +1,6 @@
 #include "editor/window/bug_capsule.h"
 
+#include "core/game/codes.h"
 #include "core/level/file.h"
 #include "editor/exchange/capsule_text.h"
 #include "editor/window/application.h"
@@ -62,10 +63,10 @@ Result<Capsule> capsuleOf(const Report& report, const std::stop_token& stop) {
     if (report.hasRun) {
         const Recording recording = report.recording();
         if (!recording.start) {
-            return Error{"capsule-no-run", {}};
+            return Error{GameCode("capsule-no-run"), {}};
         }
         if (recording.run.updates() < report.shown) { // more than is recorded
-            return Error{"capsule-too-long", {std::to_string(maxReplayUpdates)}};
+            return Error{GameCode("capsule-too-long"), {std::to_string(maxReplayUpdates)}};
         }
         InputRuns inputs = inputsOf(recording.run, *recording.start);
         inputs.cutAt(report.shown);

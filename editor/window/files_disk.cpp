@@ -1,4 +1,5 @@
 // Saving, and what else may have happened to the file meanwhile.
+#include "core/base/codes.h"
 #include "editor/editing/backups.h"
 #include "editor/window/files.h"
 #include "editor/window/messages.h"
@@ -36,7 +37,7 @@ bool Files::writeTo(const QString& path, const std::optional<FileStamp>& known) 
     const Result<std::string> text = savableText(*m_document.current().level);
     const Result<FileStamp> written = text ? writeFile(file, text.value(), known) : Result<FileStamp>(text.error());
     if (!written) {
-        if (written.error().code == "changed-on-disk") {
+        if (written.error().code == BaseCode("changed-on-disk")) {
             conflict.emit();
         } else {
             sayNotSaved(written.error());

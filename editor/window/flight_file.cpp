@@ -1,5 +1,6 @@
 #include "editor/window/flight_file.h"
 
+#include "core/game/codes.h"
 #include "editor/window/main_window.h"
 #include "editor/window/messages.h"
 
@@ -56,7 +57,7 @@ void FlightFile::save() {
                   now = m_window.document().current().level](const std::stop_token&) -> BackgroundTask::Then {
         Recording recording = ask();
         recording.run.kind = kind;
-        Error error{"capsule-no-run", {}};
+        Error error{GameCode("capsule-no-run"), {}};
         if (recording.start) { // the level may have been edited since: the flight then begins with becoming what it was
             Replay replay = basedOn(recording.run, *recording.start, *now);
             replay.level = name;

@@ -11,9 +11,17 @@ namespace spacetow {
 
 namespace {
 
+std::string_view spelled(Code code) {
+    return code.text();
+}
+
+std::string_view spelled(const char* code) {
+    return code;
+}
+
 template <class Text>
-const Text* textOf(std::span<const Text> texts, const std::string& code) {
-    const auto found = std::ranges::find_if(texts, [&code](const Text& text) { return code == text.code; });
+const Text* textOf(std::span<const Text> texts, std::string_view code) {
+    const auto found = std::ranges::find_if(texts, [code](const Text& text) { return spelled(text.code) == code; });
     return found == texts.end() ? nullptr : &*found;
 }
 
@@ -35,18 +43,22 @@ QString filled(const QString& text, const std::vector<std::string>& arguments) {
 }
 
 /// "set-friction" → "Set friction".
-QString spokenCode(const std::string& code) {
-    QString text = QString::fromStdString(code).replace('-', ' ');
+QString spokenCode(std::string_view code) {
+    QString text = QString::fromUtf8(code).replace('-', ' ');
     if (!text.isEmpty()) {
         text[0] = text[0].toUpper();
     }
     return text;
 }
 
-QString sentenceOf(std::span<const MessageText> texts, const std::string& code,
+QString translated(const char* text) {
+    return QCoreApplication::translate("messages", text);
+}
+
+QString sentenceOf(std::span<const MessageText> texts, std::string_view code,
                    const std::vector<std::string>& arguments) {
     const MessageText* text = textOf(texts, code);
-    return text == nullptr ? spokenCode(code) : filled(QCoreApplication::translate("messages", text->text), arguments);
+    return text == nullptr ? spokenCode(code) : filled(translated(text->text), arguments);
 }
 
 /// "3 times, in lines 4, 7 …": how often something came up in a file, and where.
@@ -66,51 +78,53 @@ QString placesOf(const std::string& count, const std::string& lines) {
 } // namespace
 
 QString sentence(const Problem& problem) {
-    const std::string unnamed = problem.code + "-unnamed";
     const std::vector<std::string>& arguments = problem.arguments;
-    if (arguments.size() < 2 || !arguments[0].empty() || textOf(problemTexts(), unnamed) == nullptr) {
-        return sentenceOf(problemTexts(), problem.code, arguments);
+    const MessageText* const text = textOf(problemTexts(), problem.code.text());
+    if (text == nullptr || text->unnamed == nullptr || arguments.size() < 2 || !arguments[0].empty()) {
+        return sentenceOf(problemTexts(), problem.code.text(), arguments);
     }
     std::vector<std::string> told = arguments;
     told[1] = sentenceOf(problemTexts(), arguments[1], {}).toStdString(); // a code itself: what kind of thing it is
-    return sentenceOf(problemTexts(), unnamed, told);
+    return filled(translated(text->unnamed), told);
 }
 
 QString sentence(const Error& error) {
-    if (textOf(explainTexts(), error.code) != nullptr) {
-        return sentenceOf(explainTexts(), error.code, error.arguments);
+    const std::string_view code = error.code.text();
+    if (textOf(explainTexts(), code) != nullptr) {
+        return sentenceOf(explainTexts(), code, error.arguments);
     }
-    if (textOf(exchangeTexts(), error.code) == nullptr) {
-        return sentenceOf(problemTexts(), error.code, error.arguments);
+    if (textOf(exchangeTexts(), code) == nullptr) {
+        return sentenceOf(problemTexts(), code, error.arguments);
     }
     std::vector<std::string> told = error.arguments;
     if (told.size() == 3) { // what a report has of each kind
         told.push_back(placesOf(told[0], told[1]).toStdString());
     }
-    return sentenceOf(exchangeTexts(), error.code, told);
+    return sentenceOf(exchangeTexts(), code, told);
 }
 
 QString sentence(const Hint& hint) {
-    return hint.code.empty() ? QString() : sentenceOf(hintTexts(), hint.code, hint.arguments);
+    const HintText* const text = textOf(hintTexts(), hint.code);
+    return text == nullptr ? spokenCode(hint.code) : filled(translated(text->text), hint.arguments);
 }
 
 QString sentence(const Label& label) {
-    const LabelText* text = textOf(labelTexts(), label.code);
+    const LabelText* text = textOf(labelTexts(), label.code.text());
     if (text == nullptr) {
-        return spokenCode(label.code);
+        return spokenCode(label.code.text());
     }
     // A text without a number has no plural to be looked up by.
     const bool counts = std::string_view(text->many).find("%n") != std::string_view::npos;
-    return label.count == 1 ? QCoreApplication::translate("messages", text->one)
+    return label.count == 1 ? translated(text->one)
                             : QCoreApplication::translate("messages", text->many, nullptr, counts ? label.count : -1);
 }
 
-bool hasSentence(const std::string& code) {
+bool hasSentence(std::string_view code) {
     return textOf(problemTexts(), code) != nullptr || textOf(exchangeTexts(), code) != nullptr ||
            textOf(hintTexts(), code) != nullptr || textOf(explainTexts(), code) != nullptr;
 }
 
-bool hasLabel(const std::string& code) {
+bool hasLabel(std::string_view code) {
     return textOf(labelTexts(), code) != nullptr;
 }
 

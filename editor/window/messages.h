@@ -9,6 +9,8 @@
 
 #include <QString>
 
+#include <string_view>
+
 namespace spacetow {
 
 QString sentence(const Problem& problem);
@@ -22,7 +24,7 @@ QString sentence(const Label& label);
 QString snapName(const Level& level, const SnapAnswer& snap);
 
 /// Whether there is a text for the code of a problem, error or hint.
-bool hasSentence(const std::string& code);
-bool hasLabel(const std::string& code);
+bool hasSentence(std::string_view code);
+bool hasLabel(std::string_view code);
 
 } // namespace spacetow

@@ -6,10 +6,10 @@
 
 namespace spacetow {
 
-std::span<const MessageText> hintTexts() {
-    static const std::vector<MessageText> texts = [] {
-        std::vector<MessageText> all(guideHints().begin(), guideHints().end());
-        std::vector<std::span<const MessageText> (*)()> taken;
+std::span<const HintText> hintTexts() {
+    static const std::vector<HintText> texts = [] {
+        std::vector<HintText> all(guideHints().begin(), guideHints().end());
+        std::vector<std::span<const HintText> (*)()> taken;
         for (const ActionRow& row : toolActions()) {
             if (row.hints != nullptr && std::ranges::find(taken, row.hints) == taken.end()) {
                 taken.push_back(row.hints); // several tools may share theirs

@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MessageText drawHintTexts[] = {
+constexpr HintText drawHintTexts[] = {
     {"draw-edge.start",
      QT_TRANSLATE_NOOP("messages", "One-way wall · click: first point · drag: first segment · Ctrl: snap off/on · what "
                                    "comes from the left of the drawing direction is stopped")},
@@ -156,7 +156,7 @@ constexpr MessageText drawHintTexts[] = {
 
 } // namespace
 
-std::span<const MessageText> drawHints() {
+std::span<const HintText> drawHints() {
     return drawHintTexts;
 }
 

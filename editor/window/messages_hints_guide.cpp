@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MessageText guideTexts[] = {
+constexpr HintText guideTexts[] = {
     {"guide.hover",
      QT_TRANSLATE_NOOP("messages", "Guide · drag: move it · drag onto a ruler: delete it · double click: "
                                    "type place, angle and name")},
@@ -23,7 +23,7 @@ constexpr MessageText guideTexts[] = {
 
 } // namespace
 
-std::span<const MessageText> guideHints() {
+std::span<const HintText> guideHints() {
     return guideTexts;
 }
 

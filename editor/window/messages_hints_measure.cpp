@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MessageText measureTexts[] = {
+constexpr HintText measureTexts[] = {
     {"measure.start", QT_TRANSLATE_NOOP("messages", "Measure · drag from one point to the other, or click both · Ctrl: "
                                                     "snap off/on")},
     {"measure.first",
@@ -25,7 +25,7 @@ constexpr MessageText measureTexts[] = {
 
 } // namespace
 
-std::span<const MessageText> measureHints() {
+std::span<const HintText> measureHints() {
     return measureTexts;
 }
 

@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MessageText nodesHints[] = {
+constexpr HintText nodesHints[] = {
     {"nodes.none", QT_TRANSLATE_NOOP("messages", "Nodes · click a wall, line, polygon or finish to edit its nodes")},
     {"nodes.without",
      QT_TRANSLATE_NOOP("messages", "What is selected has no nodes · click a wall, line, polygon or finish to edit it")},
@@ -70,7 +70,7 @@ constexpr MessageText nodesHints[] = {
 
 } // namespace
 
-std::span<const MessageText> nodeHints() {
+std::span<const HintText> nodeHints() {
     return nodesHints;
 }
 

@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MessageText placeHintTexts[] = {
+constexpr HintText placeHintTexts[] = {
     {"place-ship.start", QT_TRANSLATE_NOOP("messages", "Ship · click: put it here · drag: turn its nose · Ctrl: snap "
                                                        "off/on · choose the tool again for the payload")},
     {"place-ship.turning", QT_TRANSLATE_NOOP("messages", "Nose at %1° · Shift: 15° · release: done · Escape: cancel")},
@@ -26,7 +26,7 @@ constexpr MessageText placeHintTexts[] = {
 
 } // namespace
 
-std::span<const MessageText> placeHints() {
+std::span<const HintText> placeHints() {
     return placeHintTexts;
 }
 

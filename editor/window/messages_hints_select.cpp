@@ -7,7 +7,7 @@ namespace spacetow {
 
 namespace {
 
-constexpr MessageText selectHintTexts[] = {
+constexpr HintText selectHintTexts[] = {
     {"select.idle",
      QT_TRANSLATE_NOOP("messages", "Click: select · drag: rubber band · Shift + Alt (or B) + drag: lasso · Shift or "
                                    "Ctrl + click: add or remove · Alt or B + click: next object underneath")},
@@ -58,7 +58,7 @@ constexpr MessageText selectHintTexts[] = {
 
 } // namespace
 
-std::span<const MessageText> selectHints() {
+std::span<const HintText> selectHints() {
     return selectHintTexts;
 }
 

@@ -1,5 +1,6 @@
 #include "editor/window/recovery.h"
 
+#include "core/base/codes.h"
 #include "core/level/file.h"
 
 #include <QFileInfo>
@@ -101,7 +102,7 @@ void Recovery::noteUnfinished() {
 
 void Recovery::keep(std::shared_ptr<const Level> level) {
     if (!m_slot) {
-        kept(level, Error{"cannot-write", {m_folder.string(), "no place could be made there"}});
+        kept(level, Error{BaseCode("cannot-write"), {m_folder.string(), "no place could be made there"}});
         return;
     }
     m_keptPath = m_files.path();
@@ -126,8 +127,8 @@ void Recovery::keep(std::shared_ptr<const Level> level) {
 }
 
 void Recovery::kept(const std::shared_ptr<const Level>& level, const std::optional<Error>& error) {
-    m_kept = level;                                       // also when it failed: a level that cannot be saved never can
-    m_isToRetry = error && error->code == "cannot-write"; // but a disk may have room again
+    m_kept = level; // also when it failed: a level that cannot be saved never can
+    m_isToRetry = error && error->code == BaseCode("cannot-write"); // but a disk may have room again
     if (error && !std::exchange(m_broken, true)) {
         failed.emit(*error);
     } else if (!error) {

@@ -1,5 +1,6 @@
 #include "core/base/result.h"
 
+#include "core/base/codes.h"
 #include "tests/support/test_main.h"
 
 #include <memory>
@@ -12,7 +13,7 @@ Result<std::string> nameOf(int number) {
     if (number == 1) {
         return std::string("one");
     }
-    return Error{"no-such-number", {std::to_string(number)}};
+    return Error{BaseCode("expression-unknown"), {std::to_string(number)}};
 }
 
 } // namespace
@@ -32,8 +33,8 @@ void ResultTest::aResultIsAValueOrAnError() {
     QCOMPARE(good.value(), std::string("one"));
     const Result<std::string> bad = nameOf(7);
     QVERIFY(!bad);
-    QVERIFY((bad.error() == Error{"no-such-number", {"7"}}));
-    QVERIFY((bad.error() != Error{"no-such-number", {"8"}}));
+    QVERIFY((bad.error() == Error{BaseCode("expression-unknown"), {"7"}}));
+    QVERIFY((bad.error() != Error{BaseCode("expression-unknown"), {"8"}}));
 }
 
 void ResultTest::theValueCanBeMovedOut() {
@@ -44,7 +45,7 @@ void ResultTest::theValueCanBeMovedOut() {
 
 void ResultTest::anErrorMayBeTheValue() {
     // The two alternatives are told apart by place, not by type.
-    const Result<std::vector<Error>> result(std::vector<Error>{{"one", {}}, {"two", {}}});
+    const Result<std::vector<Error>> result(std::vector<Error>(2));
     QVERIFY(bool(result));
     QCOMPARE(result.value().size(), std::size_t{2});
 }

@@ -1,5 +1,6 @@
 #include "core/base/whole_file.h"
 
+#include "core/base/codes.h"
 #include "core/base/random.h"
 #include "core/base/replace_file.h"
 #include "tests/support/disk_scene.h"
@@ -39,7 +40,7 @@ class WholeFileTest : public QObject {
         QVERIFY(read.value().text == text);
         QVERIFY(read.value().stamp == written.value() && stampOf(path("file")) == written.value());
         QVERIFY(!stampOf(path("other")).exists);
-        QCOMPARE(readFile(path("file"), text.size() - 1).error().code, std::string("file-too-large"));
+        QCOMPARE(readFile(path("file"), text.size() - 1).error().code.text(), std::string("file-too-large"));
         QCOMPARE(entries(), QStringList{"file"});
     }
 
@@ -104,7 +105,7 @@ class WholeFileTest : public QObject {
         const WithFault fault(0, code, name);
         const Result<FileStamp> written = writeFile(path("file"), "new");
         QVERIFY(!written);
-        QCOMPARE(QString::fromStdString(written.error().code), told);
+        QCOMPARE(QString::fromUtf8(written.error().code.text()), told);
         QCOMPARE(QString::fromStdString(written.error().arguments.at(0)), this->name("file"));
         QCOMPARE(get("file"), QByteArray("old"));
         QCOMPARE(entries(), QStringList{"file"});
@@ -113,7 +114,8 @@ class WholeFileTest : public QObject {
     void aFolderThatIsGoneIsTold() {
         const Result<FileStamp> written = writeFile(path("gone/file"), "new");
         QVERIFY(!written);
-        QVERIFY((written.error() == Error{"folder-missing", {path("gone/file").string(), path("gone").string()}}));
+        QVERIFY((written.error() ==
+                 Error{BaseCode("folder-missing"), {path("gone/file").string(), path("gone").string()}}));
     }
 
     void onADiskThatCanOnlyBeReadNothingIsWritten() {
@@ -204,15 +206,15 @@ class WholeFileTest : public QObject {
         const Result<ReadText> read = readFile(path("pipe"), text.size(), Sources::Any);
         writer.join();
         QVERIFY(read && read.value().text == text);
-        QCOMPARE(readFile(path("pipe"), 10).error().code, std::string("cannot-read"));
-        QCOMPARE(readFile("/dev/zero", 1000, Sources::Any).error().code, std::string("file-too-large"));
+        QCOMPARE(readFile(path("pipe"), 10).error().code.text(), std::string("cannot-read"));
+        QCOMPARE(readFile("/dev/zero", 1000, Sources::Any).error().code.text(), std::string("file-too-large"));
     }
 
     void aDeviceIsWrittenOnWhenThatIsAskedFor() {
         QCOMPARE(codeOf(writeFile("/dev/null", "new")), std::string("cannot-write"));
         QVERIFY(!writeFileOrStream("/dev/null", "new"));
         const std::optional<Error> full = writeFileOrStream("/dev/full", "new");
-        QVERIFY(full && full->code == "disk-full");
+        QVERIFY(full && full->code.text() == "disk-full");
         QVERIFY(!writeFileOrStream(path("file"), "new"));
         QCOMPARE(get("file"), QByteArray("new"));
     }

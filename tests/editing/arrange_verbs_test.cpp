@@ -34,7 +34,7 @@ struct ArrangeEditor : Drive {
     }
     Vec2 placeOf(Key key) const { return *spacetow::placeOf(level().objects.find(key)->data); }
     const ArrangedKeys& keys() const { return document.selection().keys(); }
-    std::string last() const { return document.undoLabel().code; }
+    std::string last() const { return std::string(document.undoLabel().code.text()); }
 };
 
 } // namespace

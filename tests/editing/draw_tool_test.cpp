@@ -38,8 +38,10 @@ void drawTools() {
     QTest::newRow("polygon") << ToolId::Polygon;
 }
 
-const char* labelOf(ToolId tool) {
-    return tool == ToolId::Edge ? "draw-edge" : tool == ToolId::Line ? "draw-line" : "draw-polygon";
+LabelCode labelOf(ToolId tool) {
+    return tool == ToolId::Edge   ? LabelCode("draw-edge")
+           : tool == ToolId::Line ? LabelCode("draw-line")
+                                  : "draw-polygon";
 }
 
 } // namespace
@@ -175,7 +177,7 @@ void DrawToolTest::tooFewPointsAreKept() {
     ChainDrawer drive(tool);
     drive.points({triangle.begin(), triangle.begin() + points});
     drive.key(ToolKey::Enter);
-    QCOMPARE(drive.hintCode(), labelOf(tool) + std::string(".too-few"));
+    QCOMPARE(drive.hintCode(), std::string(labelOf(tool).text()) + ".too-few");
     QVERIFY(drive.secondaryClick({5, 5})); // no menu in the middle of a shape
     QVERIFY(drive.toolbox.isBusy());
     QVERIFY(drive.level().objects.empty());
@@ -251,9 +253,9 @@ void DrawToolTest::noSegmentHasZeroLength() {
     QFETCH(ToolId, tool);
     ChainDrawer drive(tool);
     drive.click({{0, 0}, {2, 0}, {2.05, 0.05}}); // the same grid point
-    QCOMPARE(drive.hintCode(), labelOf(tool) + std::string(".same-point"));
+    QCOMPARE(drive.hintCode(), std::string(labelOf(tool).text()) + ".same-point");
     drive.move({2, 1});
-    QCOMPARE(drive.hintCode(), labelOf(tool) + std::string(".next"));
+    QCOMPARE(drive.hintCode(), std::string(labelOf(tool).text()) + ".next");
     drive.click({{2, 2}, {2, 2}});
     drive.key(ToolKey::Enter);
     QVERIFY(worldPoints(drive.newest()) == triangle);

@@ -51,7 +51,7 @@ class GuidesTest : public QObject {
         dragOut(drive, quarter, onScreen(drive, -10, 100), Vec2(1.02, 0.9));
         QVERIFY(drive.level().guides == std::vector{guideAt(1, 1, quarter)}); // on the grid
         QCOMPARE(drive.document.position(), 1);
-        QCOMPARE(drive.document.undoLabel().code, std::string("add-guide"));
+        QCOMPARE(drive.document.undoLabel().code.text(), std::string("add-guide"));
         drive.document.undo();
         QVERIFY(drive.level().guides.empty());
     }

@@ -133,7 +133,7 @@ class JournalTest : public QObject {
         putBytes(fs::path(path()) / "file", "");
         const Result<JournalSlot> slot = JournalSlot::made(fs::path(path()) / "file" / "recovery");
         QVERIFY(!slot);
-        QCOMPARE(slot.error().code, std::string("cannot-write"));
+        QCOMPARE(slot.error().code.text(), std::string("cannot-write"));
         QVERIFY(orphans(fs::path(path()) / "nowhere").empty());
     }
 

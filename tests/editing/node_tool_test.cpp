@@ -251,7 +251,7 @@ class NodeToolTest : public QObject {
         drive.drag({2 + outside, 2 + outside}, {4 + outside, 3 + outside});
         QCOMPARE(drive.points(1), (Points{{0, 0}, {4, 0}, {4, 3}}));
         QCOMPARE(drive.points(2).front(), Vec2(4, 0)); // in the same place, so it came along
-        QCOMPARE(drive.document.undoLabel().code, std::string("scale-nodes"));
+        QCOMPARE(drive.document.undoLabel().code.text(), std::string("scale-nodes"));
         drive.document.undo();
         drive.click({2, 2});
         drive.held = ctrl;
@@ -287,7 +287,7 @@ class NodeToolTest : public QObject {
         drive.drag({-5, 1}, {5, 1});
         QCOMPARE(std::get<BodyObject>(drive.level().objects.find(1)->data).shapes.size(), std::size_t{2});
         QCOMPARE(std::get<BodyObject>(drive.level().objects.find(3)->data).shapes.size(), std::size_t{2});
-        QCOMPARE(drive.document.undoLabel().code, std::string("knife"));
+        QCOMPARE(drive.document.undoLabel().code.text(), std::string("knife"));
         drive.document.undo();
         QCOMPARE(drive.level(), drawing());
     }

@@ -33,7 +33,7 @@ struct Outline : Drive {
         return toolbox.finish(verb(document.current(), arguments...));
     }
     const Object& at(Key key) const { return *level().objects.find(key); }
-    std::string last() const { return document.undoLabel().code; }
+    std::string last() const { return std::string(document.undoLabel().code.text()); }
 };
 
 } // namespace

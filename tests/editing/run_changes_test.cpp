@@ -34,7 +34,7 @@ struct RunDesk {
         level.objects.append(runBall(2));
         return level;
     }
-    void edit(Level level, const char* code = "change") {
+    void edit(Level level, LabelCode code = "change") {
         document.commit({code, 1}, {std::make_shared<const Level>(std::move(level)), {}});
     }
     void moveBall(Key key, double way) { edit(moved(document.level(), RunKeys{key}, {way, 0}), "move"); }
@@ -48,7 +48,7 @@ struct RunDesk {
     QStringList history() {
         QStringList codes;
         for (int i = 0; i < document.historySize(); ++i) {
-            codes << QString::fromStdString(document.label(i).code);
+            codes << QString::fromUtf8(document.label(i).code.text());
         }
         return codes;
     }
@@ -287,7 +287,7 @@ class RunChangesTest : public QObject {
         RunDesk desk;
         const auto nudge = [&](double way) {
             auto level = std::make_shared<const Level>(moved(desk.document.level(), RunKeys{1}, {way, 0}));
-            desk.document.commit({"nudge", 1}, {std::move(level), {}}, "nudge");
+            desk.document.commit({"move", 1}, {std::move(level), {}}, "nudge");
         };
         nudge(1);
         nudge(-1); // the entry of both is gone

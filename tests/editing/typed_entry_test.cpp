@@ -286,7 +286,7 @@ class TypedEntryTest : public QObject {
 
     void savingLeavesWhatIsBeingTyped() {
         Typist drive(ToolId::Edge);
-        drive.document.commit({"rename-level"}, {std::make_shared<const Level>(Level{.name = "cave"}), {}});
+        drive.document.commit({"change-level"}, {std::make_shared<const Level>(Level{.name = "cave"}), {}});
         drive.click({{0, 0}, {2, 0}});
         drive.type("2", "45");
         drive.document.markSaved();

@@ -32,7 +32,7 @@ struct Editor : Drive {
     explicit Editor(std::vector<Key> keys) : Drive(everything()) { document.select(Selection(std::move(keys))); }
     bool run(const std::optional<FinishedEdit>& finished) { return toolbox.finish(finished); }
     const BodyObject& body(Key key) const { return std::get<BodyObject>(level().objects.find(key)->data); }
-    std::string lastLabel() const { return document.undoLabel().code; }
+    std::string lastLabel() const { return std::string(document.undoLabel().code.text()); }
 };
 
 } // namespace

@@ -78,7 +78,7 @@ std::string textOfCapsule(const Capsule& capsule) {
 
 QString codeOfCapsule(const std::string& text) {
     const Result<Capsule> capsule = capsuleFromText(text);
-    return capsule ? QString() : QString::fromStdString(capsule.error().code);
+    return capsule ? QString() : QString::fromUtf8(capsule.error().code.text());
 }
 
 std::string replacedIn(std::string text, const std::string& from, const std::string& to) {
@@ -173,7 +173,7 @@ class CapsuleTextTest : public QObject {
         const std::string json = capsuleJson(randomRun(10, 7)).value();
         const auto code = [](const std::string& text) {
             const Result<Capsule> capsule = parseCapsule(text);
-            return capsule ? QString() : QString::fromStdString(capsule.error().code);
+            return capsule ? QString() : QString::fromUtf8(capsule.error().code.text());
         };
         QCOMPARE(code(json), QString());
         QCOMPARE(code(replacedIn(json, "\"capsule\":1", "\"capsule\":2")), QStringLiteral("capsule-newer"));

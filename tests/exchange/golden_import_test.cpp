@@ -22,7 +22,7 @@ QByteArray wholeFile(const QString& path) {
 QByteArray codeLines(const std::vector<Error>& notes) {
     std::string text;
     for (const Error& note : notes) {
-        text += note.code + ':';
+        text += std::string(note.code.text()) + ':';
         for (std::size_t i = 0; i < note.arguments.size(); ++i) {
             text += (i == 0 ? " " : " | ") + note.arguments[i];
         }

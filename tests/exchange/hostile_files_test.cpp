@@ -35,11 +35,12 @@ std::string repeated(const std::string& text, int count) {
 }
 
 std::string codeOf(const Result<Import>& import) {
-    return import ? std::string() : import.error().code;
+    return import ? std::string() : std::string(import.error().code.text());
 }
 
 std::string firstNote(const Result<Import>& import) {
-    return import && !import.value().notes.empty() ? import.value().notes.front().code : std::string();
+    return import && !import.value().notes.empty() ? std::string(import.value().notes.front().code.text())
+                                                   : std::string();
 }
 
 std::string randomScribble(int points) {
@@ -78,7 +79,7 @@ class HostileFilesTest : public QObject {
         const Result<Import> import = importOf(map.value(), {}, {}, &leftOut);
         QCOMPARE(codeOf(import), "import-nothing");
         QCOMPARE(leftOut.size(), std::size_t{1});
-        QCOMPARE(leftOut.front().code, std::string("import-tiles"));
+        QCOMPARE(leftOut.front().code.text(), std::string("import-tiles"));
     }
 
     void usesThatMultiplyAreStopped() {
@@ -126,8 +127,8 @@ class HostileFilesTest : public QObject {
         source.request_stop();
         const Watch watch{source.get_token()};
         const std::string text = inSvg(repeated("<rect width='1' height='1'/>", 1000));
-        QCOMPARE(readDrawing(text, watch).error().code, "import-stopped");
-        QCOMPARE(importOf(readDrawing(text).value(), {}, watch).error().code, "import-stopped");
+        QCOMPARE(readDrawing(text, watch).error().code.text(), std::string("import-stopped"));
+        QCOMPARE(importOf(readDrawing(text).value(), {}, watch).error().code.text(), std::string("import-stopped"));
     }
 
     void whatFuzzingHasFoundHolds() {

@@ -60,7 +60,7 @@ class FlightsTest : public QObject {
         const Result<LevelFile> file = readLevel(path.toStdString());
         QVERIFY(file);
         for (const Problem& problem : file.value().problems) {
-            QFAIL(problem.code.c_str());
+            QFAIL(problem.code.text().data());
         }
         QVERIFY(file.value().level.has_value());
     }

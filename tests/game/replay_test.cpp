@@ -1,4 +1,5 @@
 #include "core/base/random.h"
+#include "core/game/codes.h"
 #include "core/game/replay.h"
 #include "tests/support/folders.h"
 #include "tests/support/game_levels.h"
@@ -305,7 +306,7 @@ class ReplayTest : public QObject {
         QFETCH(QString, argument);
         const Result<Replay> read = parseReplay(std::string_view(text.data(), static_cast<std::size_t>(text.size())));
         QVERIFY(!read);
-        QCOMPARE(QString::fromStdString(read.error().code), code);
+        QCOMPARE(QString::fromUtf8(read.error().code.text()), code);
         QCOMPARE(QString::fromStdString(read.error().arguments.at(0)), argument);
     }
     void brokenFilesNeverCrash() {
@@ -332,12 +333,14 @@ class ReplayTest : public QObject {
     void aFieldThatIsUnknownOrGivenTwiceIsRefused() {
         const std::string good = R"({"replay": 1, "level": "a.json", "seed": 1, "updates": [[0, 1]])";
         QVERIFY(bool(parseReplay(good + "}")));
-        QVERIFY((parseReplay(good + R"(, "speed": 2})").error() == Error{"replay-unknown-field", {"speed"}}));
-        QVERIFY((parseReplay(good + R"(, "": 2})").error() == Error{"replay-unknown-field", {""}}));
-        QVERIFY((parseReplay(good + R"(, "seed": 2})").error() == Error{"replay-duplicate-field", {"seed"}}));
-        QVERIFY((parseReplay(good + R"(, "se\u0065d": 2})").error() == Error{"replay-duplicate-field", {"seed"}}));
+        QVERIFY((parseReplay(good + R"(, "speed": 2})").error() == Error{GameCode("replay-unknown-field"), {"speed"}}));
+        QVERIFY((parseReplay(good + R"(, "": 2})").error() == Error{GameCode("replay-unknown-field"), {""}}));
+        QVERIFY((parseReplay(good + R"(, "seed": 2})").error() == Error{GameCode("replay-duplicate-field"), {"seed"}}));
+        QVERIFY((parseReplay(good + R"(, "se\u0065d": 2})").error() ==
+                 Error{GameCode("replay-duplicate-field"), {"seed"}}));
         // What a newer version has added is its own business.
-        QCOMPARE(parseReplay(R"({"replay": 5, "level": "", "speed": 2})").error().code, std::string("replay-newer"));
+        QCOMPARE(parseReplay(R"({"replay": 5, "level": "", "speed": 2})").error().code.text(),
+                 std::string("replay-newer"));
     }
     void filesAreWrittenWholeOrNotAtAll() {
         const QTemporaryDir dir;
@@ -349,11 +352,11 @@ class ReplayTest : public QObject {
         QCOMPARE(std::distance(std::filesystem::directory_iterator(dir.path().toStdString()), {}), 1);
 
         const Result<Replay> none = readReplay(path.parent_path() / "none.json");
-        QVERIFY(!none && none.error().code == "cannot-read");
+        QVERIFY(!none && none.error().code.text() == "cannot-read");
         const Result<Replay> folder = readReplay(path.parent_path());
-        QVERIFY(!folder && folder.error().code == "cannot-read");
+        QVERIFY(!folder && folder.error().code.text() == "cannot-read");
         const std::optional<Error> failed = writeReplay(path.parent_path() / "no" / "such" / "folder.json", replay);
-        QVERIFY(failed && failed->code == "folder-missing" && failed->arguments.size() == 2);
+        QVERIFY(failed && failed->code.text() == "folder-missing" && failed->arguments.size() == 2);
     }
 };
 

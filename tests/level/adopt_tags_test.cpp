@@ -1,5 +1,6 @@
 #include "core/level/adopt_tags.h"
 
+#include "core/level/codes.h"
 #include "tests/support/test_main.h"
 
 using namespace spacetow;
@@ -46,7 +47,7 @@ class AdoptTagsTest : public QObject {
         QCOMPARE(adopted.level.tags[*lava].color, 0xff0000U);
         QVERIFY(adoptedFilter(adopted).tags == (TagMask::bit(wallTag) | TagMask::bit(*lava)));
         QCOMPARE(adoptedFilter(adopted).touches.bits, ~TagMask::bit(*ice).bits);
-        QCOMPARE(adopted.notes, (std::vector<Error>{{"tags-made", {"lava, ice"}}}));
+        QCOMPARE(adopted.notes, (std::vector<Error>{{LevelCode("tags-made"), {"lava, ice"}}}));
     }
 
     void aTagThatIsInUseWithoutANameIsNotTaken() {
@@ -73,7 +74,7 @@ class AdoptTagsTest : public QObject {
         foreign.tags.set(wallTag, {"rock", 0});
         const AdoptedObjects adopted = withTagsAdopted(Level(), foreign);
         QVERIFY(adoptedFilter(adopted).tags == TagMask::bit(wallTag));
-        QCOMPARE(adopted.notes, (std::vector<Error>{{"tag-renamed", {"rock", "wall"}}}));
+        QCOMPARE(adopted.notes, (std::vector<Error>{{LevelCode("tag-renamed"), {"rock", "wall"}}}));
         Level level;
         level.tags.set(12, {"rock", 0});
         QVERIFY(adoptedFilter(withTagsAdopted(level, foreign)).tags == TagMask::bit(12));
@@ -89,7 +90,7 @@ class AdoptTagsTest : public QObject {
         const AdoptedObjects adopted = withTagsAdopted(level, foreign);
         QVERIFY(adoptedFilter(adopted).tags == TagMask::bit(wallTag));
         QVERIFY(adopted.level == level);
-        QCOMPARE(adopted.notes, (std::vector<Error>{{"tags-dropped", {"lava"}}}));
+        QCOMPARE(adopted.notes, (std::vector<Error>{{LevelCode("tags-dropped"), {"lava"}}}));
     }
 };
 

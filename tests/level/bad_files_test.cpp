@@ -140,7 +140,7 @@ class BadFilesTest : public QObject {
         const LevelFile file = parseLevel(text.toStdString());
         QVERIFY(!file.level);
         QVERIFY(!file.problems.empty());
-        QCOMPARE(QString::fromStdString(file.problems[0].code), code);
+        QCOMPARE(QString::fromUtf8(file.problems[0].code.text()), code);
         QCOMPARE(file.problems[0].line, line);
         QCOMPARE(file.problems[0].severity, Severity::Error);
     }
@@ -149,7 +149,7 @@ class BadFilesTest : public QObject {
         const LevelFile file = parseLevel("\xef\xbb\xbf" + start + "]}");
         QVERIFY(file.level.has_value());
         QCOMPARE(file.problems.size(), std::size_t{1});
-        QCOMPARE(file.problems[0].code, std::string("byte-order-mark"));
+        QCOMPARE(file.problems[0].code.text(), std::string("byte-order-mark"));
         QCOMPARE(file.problems[0].severity, Severity::Warning);
     }
 
@@ -175,7 +175,7 @@ class BadFilesTest : public QObject {
         const CpuTimer timer;
         const LevelFile file = parseLevel({text.data(), static_cast<std::size_t>(text.size())});
         QVERIFY(!file.level);
-        QCOMPARE(QString::fromStdString(file.problems.at(0).code), code);
+        QCOMPARE(QString::fromUtf8(file.problems.at(0).code.text()), code);
         QVERIFY2(timer.seconds() < 10, qPrintable(QString::number(timer.seconds())));
         // Sanitizers keep for a while what is given back.
         QVERIFY2(peakMemory() < (isSanitized ? 1600L : 1000L) << 20, qPrintable(QString::number(peakMemory())));

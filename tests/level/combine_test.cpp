@@ -83,7 +83,7 @@ class CombineTest : public QObject {
     void whatCannotBeCombinedIsRefused() {
         const auto code = [](const CombineKeys& keys, PolygonBoolean how) {
             const Result<CombinedBodies> result = combinedBodies(boxes(), keys, how);
-            return result ? std::string() : result.error().code;
+            return result ? std::string() : std::string(result.error().code.text());
         };
         QCOMPARE(code({1}, PolygonBoolean::Union), std::string("combine-too-few"));
         QCOMPARE(code({}, PolygonBoolean::Union), std::string("combine-too-few"));
@@ -92,7 +92,7 @@ class CombineTest : public QObject {
         QCOMPARE(code({1, 5}, PolygonBoolean::Union), std::string());
         Level far = boxes();
         far.objects.append(boxWith(6, {1e9, 0}, {1, 1}));
-        QCOMPARE(combinedBodies(far, CombineKeys{1, 6}, PolygonBoolean::Union).error().code,
+        QCOMPARE(combinedBodies(far, CombineKeys{1, 6}, PolygonBoolean::Union).error().code.text(),
                  std::string("combine-too-far"));
     }
 };

@@ -105,7 +105,7 @@ class DiskTest : public QObject {
         const fs::path path = native(m_folder->filePath(name));
         const Result<LevelFile> read = readLevel(path);
         QVERIFY(!read);
-        QCOMPARE(QString::fromStdString(read.error().code), code);
+        QCOMPARE(QString::fromUtf8(read.error().code.text()), code);
         QCOMPARE(read.error().arguments.at(0), path.string());
     }
 
@@ -115,7 +115,7 @@ class DiskTest : public QObject {
         QVERIFY(file.open(QIODevice::WriteOnly));
         const Result<LevelFile> read = readLevel(native(path));
         QVERIFY(bool(read) && !read.value().level);
-        QCOMPARE(read.value().problems.at(0).code, std::string("empty-file"));
+        QCOMPARE(read.value().problems.at(0).code.text(), std::string("empty-file"));
     }
 
     void whatCouldNotBeReadAgainIsNotSaved_data() {
@@ -145,7 +145,7 @@ class DiskTest : public QObject {
         const QString path = m_folder->filePath("level.json");
         const std::optional<Error> error = writeLevel(native(path), level);
         QVERIFY(error);
-        QCOMPARE(QString::fromStdString(error->code), code);
+        QCOMPARE(QString::fromUtf8(error->code.text()), code);
         QVERIFY(!QFile::exists(path));
     }
 
@@ -194,7 +194,7 @@ class DiskTest : public QObject {
         const QStringList before = entries();
         const auto error = writeLevel(native(m_folder->filePath(name)), Level());
         QVERIFY(error.has_value());
-        QCOMPARE(QString::fromStdString(error->code), code);
+        QCOMPARE(QString::fromUtf8(error->code.text()), code);
         QCOMPARE(entries(), before);
     }
 
@@ -204,7 +204,7 @@ class DiskTest : public QObject {
         QVERIFY(saved && readLevel(path).value().stamp == saved.value());
         QVERIFY(bool(savedLevel(path, populatedLevel(), saved.value())));
         const Result<FileStamp> late = savedLevel(path, Level(), saved.value());
-        QVERIFY(!late && late.error().code == "changed-on-disk");
+        QVERIFY(!late && late.error().code.text() == "changed-on-disk");
         QVERIFY(*readLevel(path).value().level == populatedLevel());
     }
 
@@ -225,7 +225,7 @@ class DiskTest : public QObject {
             error = writeLevel(native(path), randomLevel(5, 100));
         }
         QVERIFY(error.has_value());
-        QCOMPARE(error->code, std::string("cannot-write"));
+        QCOMPARE(error->code.text(), std::string("cannot-write"));
         QCOMPARE(contentsOnDisk(path), before);
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
                  QStringList{"level.json"});
@@ -241,7 +241,7 @@ class DiskTest : public QObject {
             if (child == 0) {
                 const bool plain = ::geteuid() != 0 || (::setgid(65534) == 0 && ::setuid(65534) == 0);
                 const auto error = writeLevel(native(target), populatedLevel());
-                ::_exit(plain && error && error->code == code ? 0 : 1);
+                ::_exit(plain && error && error->code.text() == code ? 0 : 1);
             }
             int status = -1;
             ::waitpid(child, &status, 0);
@@ -264,7 +264,7 @@ class DiskTest : public QObject {
         level.gravity.x() = std::nan("");
         const auto error = writeLevel(native(path), level);
         QVERIFY(error.has_value());
-        QCOMPARE(error->code, std::string("not-finite"));
+        QCOMPARE(error->code.text(), std::string("not-finite"));
         QVERIFY(!QFile::exists(path));
     }
 

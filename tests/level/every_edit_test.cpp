@@ -37,7 +37,7 @@ QString faultOf(const EditRow& edit, std::uint64_t seed, const Level& input) {
         return codes.join(QLatin1Char(' '));
     }
     if (const std::optional<Error> error = saveError(output)) {
-        return QString::fromStdString(error->code);
+        return QString::fromUtf8(error->code.text());
     }
     const LevelFile read = parseLevel(levelText(output), Checks::FileOnly);
     return read.level == output && read.problems.empty() ? QString() : QStringLiteral("is read differently");

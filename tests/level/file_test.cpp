@@ -19,7 +19,7 @@ std::string withObjects(const std::string& objects) {
 
 const Problem* problemOf(const LevelFile& file, const std::string& code) {
     for (const Problem& problem : file.problems) {
-        if (problem.code == code) {
+        if (problem.code.text() == code) {
             return &problem;
         }
     }
@@ -29,7 +29,7 @@ const Problem* problemOf(const LevelFile& file, const std::string& code) {
 std::string codes(const LevelFile& file) {
     std::string text;
     for (const Problem& problem : file.problems) {
-        text += problem.code + ' ';
+        text += std::string(problem.code.text()) + ' ';
     }
     return text;
 }
@@ -173,7 +173,7 @@ class FileTest : public QObject {
         insertAfter("\"position\": [20, 21], \"angle\": 0.5", R"(, "v": -9223372036854775808)");
         const LevelFile file = parseLevel(text);
         QVERIFY2(file.level.has_value(), codes(file).c_str());
-        QCOMPARE(std::ranges::count(file.problems, std::string("unknown-field"), &Problem::code), 5);
+        QCOMPARE(std::ranges::count(file.problems, LevelCode("unknown-field"), &Problem::code), 5);
         QCOMPARE(problemOf(file, "unknown-field")->severity, Severity::Warning);
         QCOMPARE(levelText(*file.level), text);
 
@@ -262,7 +262,7 @@ class FileTest : public QObject {
         QCOMPARE(objects[0].key, Key{2});
         QCOMPARE(problems.size(), std::size_t{2});
         QVERIFY(parseObjects("hello", problems).objects.empty());
-        QCOMPARE(problems.back().code, std::string("not-json"));
+        QCOMPARE(problems.back().code.text(), std::string("not-json"));
     }
 
     void pastingLeavesOutWhatSaysAFieldTwice() {
@@ -274,7 +274,7 @@ class FileTest : public QObject {
         const std::vector<Object> objects = parseObjects(text, problems).objects;
         QCOMPARE(objects.size(), std::size_t{1});
         QCOMPARE(objects[0].key, Key{2});
-        QCOMPARE(std::ranges::count(problems, std::string("duplicate-field"), &Problem::code), 2);
+        QCOMPARE(std::ranges::count(problems, LevelCode("duplicate-field"), &Problem::code), 2);
     }
 
     void everyProblemIsFoundInOnePass() {

@@ -74,8 +74,8 @@ Level spoiled(Level level, Random& random) {
     return level;
 }
 
-std::map<std::pair<std::string, Key>, int> counted(const std::vector<Problem>& problems) {
-    std::map<std::pair<std::string, Key>, int> counts;
+std::map<std::pair<LevelCode, Key>, int> counted(const std::vector<Problem>& problems) {
+    std::map<std::pair<LevelCode, Key>, int> counts;
     for (const Problem& problem : problems) {
         ++counts[{problem.code, problem.object}];
     }
@@ -103,12 +103,12 @@ class FixesTest : public QObject {
                 for (const auto& [what, count] : counted(lint(cured))) {
                     const bool isIt = what == std::pair(problem.code, problem.object);
                     const auto was = before.contains(what) ? before.at(what) : 0;
-                    QVERIFY2(
-                        isIt ? count < was : count <= was,
-                        qPrintable(QString("seed %1: %2 leaves or makes %3 of %4")
-                                       .arg(seed)
-                                       .arg(QString::fromStdString(problem.code), QString::fromStdString(what.first))
-                                       .arg(what.second)));
+                    QVERIFY2(isIt ? count < was : count <= was,
+                             qPrintable(
+                                 QString("seed %1: %2 leaves or makes %3 of %4")
+                                     .arg(seed)
+                                     .arg(QString::fromUtf8(problem.code.text()), QString::fromUtf8(what.first.text()))
+                                     .arg(what.second)));
                 }
                 for (const Object& object : level.objects) {
                     const Object* const now = cured.objects.find(object.key);
@@ -131,7 +131,7 @@ class FixesTest : public QObject {
             for (const Problem& problem : lint(cured.level)) {
                 const Fix* const fix = fixFor(problem);
                 QVERIFY2(fix == nullptr || !fix->isSafe,
-                         qPrintable(QString("seed %1: %2").arg(seed).arg(QString::fromStdString(problem.code))));
+                         qPrintable(QString("seed %1: %2").arg(seed).arg(QString::fromUtf8(problem.code.text()))));
             }
             QVERIFY2(withSafeFixes(cured.level).cured.empty(), seedText(seed));
         }
@@ -147,7 +147,7 @@ class FixesTest : public QObject {
             problem.pointer = "/objects/4711/shapes/3";
             problem.place = {Vec2(0, 0), Vec2(1, 0)};
             if (fix.problem != "background-unknown") {
-                QVERIFY2(fixed(cave, problem) == cave, std::string(fix.problem).c_str());
+                QVERIFY2(fixed(cave, problem) == cave, fix.problem.text().data());
             }
         }
     }
@@ -208,7 +208,7 @@ class FixesTest : public QObject {
             Problem problem;
             problem.code = fix.problem;
             problem.place = {Vec2(0, 0), Vec2(1, 0)};
-            QVERIFY2(fixFor(problem) == &fix, std::string(fix.problem).c_str());
+            QVERIFY2(fixFor(problem) == &fix, fix.problem.text().data());
         }
     }
 };

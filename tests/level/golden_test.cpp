@@ -39,7 +39,7 @@ std::string problemLines(const std::vector<Problem>& problems) {
                 (problem.severity == Severity::Error     ? ": error: "
                  : problem.severity == Severity::Warning ? ": warning: "
                                                          : ": note: ") +
-                problem.code + ':';
+                std::string(problem.code.text()) + ':';
         for (const std::string& argument : problem.arguments) {
             text += ' ' + argument;
         }

@@ -200,7 +200,7 @@ class LeakTest : public QObject {
         QCOMPARE(leaks.size(), std::size_t{1});
         QVERIFY(areAt(leaks[0], {-1, 9}, {1, 9}, 1e-5));
         const std::vector<Problem> problems = lint(level);
-        const auto leak = std::ranges::find(problems, "leak-not-closed", &Problem::code);
+        const auto leak = std::ranges::find(problems, LevelCode("leak-not-closed"), &Problem::code);
         QVERIFY(leak != problems.end());
         const Level hidden = withProblemHidden(level, *leak, true);
         QVERIFY(hiddenAmong(hidden, problems)[static_cast<std::size_t>(leak - problems.begin())]);
@@ -230,13 +230,13 @@ class LeakTest : public QObject {
     void whatIsMissingOrReversedIsCuredInOneStep() {
         const std::vector<Vec2> open{room[0], room[1], room[2], room[3]};
         const std::vector<Vec2> backwards{room[3], room[2], room[1], room[0]};
-        const std::vector<std::pair<const char*, std::vector<LevelShape>>> spoilt{
-            {"leak-not-closed", {EdgeChain{open, false, 0.5}}},
-            {"leak-not-closed", {LineChain{open, false}}},
-            {"leak-chain-reversed", {EdgeChain{backwards, true, 0.5}}},
-            {"leak-gap",
+        const std::vector<std::pair<LevelCode, std::vector<LevelShape>>> spoilt{
+            {LevelCode("leak-not-closed"), {EdgeChain{open, false, 0.5}}},
+            {LevelCode("leak-not-closed"), {LineChain{open, false}}},
+            {LevelCode("leak-chain-reversed"), {EdgeChain{backwards, true, 0.5}}},
+            {LevelCode("leak-gap"),
              {EdgeChain{{room[0], room[1]}, false, 0.5}, EdgeChain{{room[1], room[2], room[3]}, false, 0.5}}},
-            {"leak-too-short",
+            {LevelCode("leak-too-short"),
              {LineChain{{{-4, 2}, {-4, -3}, {4, -3}, {4, 3}, {-2, 3}}, false},
               Polygon{{{-5, 2}, {-3, 2}, {-3, 4}, {-5, 4}}}}},
         };
@@ -244,9 +244,9 @@ class LeakTest : public QObject {
             const Level level = aroundTheShip(shapes);
             const std::vector<Problem> problems = lint(level);
             const auto found = std::ranges::find(problems, code, &Problem::code);
-            QVERIFY2(found != problems.end() && !found->wayOut.empty(), code);
-            QVERIFY2(fixFor(*found) != nullptr, code);
-            QVERIFY2(leaksIn(fixed(level, *found)).empty(), code);
+            QVERIFY2(found != problems.end() && !found->wayOut.empty(), code.text().data());
+            QVERIFY2(fixFor(*found) != nullptr, code.text().data());
+            QVERIFY2(leaksIn(fixed(level, *found)).empty(), code.text().data());
         }
     }
 

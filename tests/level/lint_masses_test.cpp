@@ -23,7 +23,8 @@ Level withBody(double radius, std::optional<double> mass, double density = 1) {
 std::string errorsIn(const Level& level) {
     std::string text;
     for (const Problem& problem : lint(level)) {
-        text += problem.severity == Severity::Error ? problem.code + " (" + problem.pointer + ")" : "";
+        text +=
+            problem.severity == Severity::Error ? std::string(problem.code.text()) + " (" + problem.pointer + ")" : "";
     }
     return text;
 }

@@ -192,21 +192,21 @@ class LintRulesTest : public QObject {
 
     void unknownFieldsStayWithTheirHiddenProblem() {
         Level level;
-        level.hiddenProblems = {{"a", 1}, {"b", 2}, {"c", 3}};
+        level.hiddenProblems = {{"wall-twice", 1}, {"idle-points", 2}, {"of-a-newer-version", 3}};
         level.unknownFields = R"({"/x": 1, "/hiddenProblems/0/why": "A", "/hiddenProblems/2/why": "C"})";
-        const auto problem = [](const char* rule, Key object) {
+        const auto problem = [](LevelCode rule, Key object) {
             Problem found;
             found.code = rule;
             found.object = object;
             return found;
         };
-        const Level without = withProblemHidden(level, problem("b", 2), false);
+        const Level without = withProblemHidden(level, problem("idle-points", 2), false);
         QCOMPARE(without.unknownFields,
                  std::string(R"({"/x": 1, "/hiddenProblems/0/why": "A", "/hiddenProblems/1/why": "C"})"));
-        QCOMPARE(withProblemHidden(level, problem("a", 1), false).unknownFields,
+        QCOMPARE(withProblemHidden(level, problem("wall-twice", 1), false).unknownFields,
                  std::string(R"({"/x": 1, "/hiddenProblems/1/why": "C"})"));
-        QVERIFY(withProblemHidden(level, problem("a", 1), true) == level); // it is already
-        QCOMPARE(withProblemHidden(level, problem("d", 4), true).unknownFields, level.unknownFields);
+        QVERIFY(withProblemHidden(level, problem("wall-twice", 1), true) == level); // it is already
+        QCOMPARE(withProblemHidden(level, problem("walls-overlap", 4), true).unknownFields, level.unknownFields);
     }
 };
 

@@ -73,7 +73,7 @@ std::string summary(const std::vector<Problem>& problems) {
         text += std::string(problem.severity == Severity::Error     ? "E:"
                             : problem.severity == Severity::Warning ? "W:"
                                                                     : "N:") +
-                problem.code;
+                std::string(problem.code.text());
     }
     return text;
 }

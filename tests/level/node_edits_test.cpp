@@ -47,7 +47,8 @@ std::map<std::string, int> errorsOf(const Level& level) {
     for (const Problem& problem : lint(level)) {
         if (problem.severity == Severity::Error) {
             // A connector to what is no body loses it when that goes: one fault in place of the other.
-            ++errors[problem.code.starts_with("connector-end") ? "connector-end" : problem.code];
+            ++errors[problem.code.text().starts_with("connector-end") ? "connector-end"
+                                                                      : std::string(problem.code.text())];
         }
     }
     return errors;

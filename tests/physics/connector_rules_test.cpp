@@ -182,10 +182,10 @@ class ConnectorRulesTest : public QObject {
             const auto made =
                 asA ? world.addConnector({.a = absent, .b = here}) : world.addConnector({.a = here, .b = absent});
             QVERIFY(!made);
-            QCOMPARE(made.error().code, std::string("no-such-body"));
+            QCOMPARE(made.error().code.text(), std::string("no-such-body"));
             QCOMPARE(made.error().arguments.front(), std::string(asA ? "a" : "b"));
         }
-        QCOMPARE(world.addConnector({.a = here, .b = here}).error().code, std::string("same-body"));
+        QCOMPARE(world.addConnector({.a = here, .b = here}).error().code.text(), std::string("same-body"));
         QVERIFY(world.connectors().empty());
     }
 

@@ -135,7 +135,7 @@ class FaultsTest : public QObject {
         if (made) {
             overflows[index].push(world, made.value());
         } else {
-            QCOMPARE(made.error().code, std::string("bad-mass"));
+            QCOMPARE(made.error().code.text(), std::string("bad-mass"));
         }
         for (int i = 0; i < 100; ++i) {
             world.update();

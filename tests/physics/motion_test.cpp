@@ -310,13 +310,13 @@ class MotionTest : public QObject {
         World world;
         BodyDef def = ball({0, 0}, 0.1);
         def.velocity.x() = std::numeric_limits<double>::quiet_NaN();
-        QCOMPARE(world.addBody(def).error().code, std::string("not-finite"));
+        QCOMPARE(world.addBody(def).error().code.text(), std::string("not-finite"));
         def = ball({0, 0}, 0.1);
         def.mass = 0;
-        QCOMPARE(world.addBody(def).error().code, std::string("bad-mass"));
+        QCOMPARE(world.addBody(def).error().code.text(), std::string("bad-mass"));
         def.mass = {};
         def.shapes = {Edge{{1, 1}, {1, 1}, 0}};
-        QCOMPARE(world.addBody(def).error().code, std::string("bad-shape"));
+        QCOMPARE(world.addBody(def).error().code.text(), std::string("bad-shape"));
         const BodyId id = add(world, ball({0, 0}, 0.1));
         QVERIFY(!world.applyForce(id, {std::numeric_limits<double>::infinity(), 0}));
         world.update();

@@ -1,3 +1,4 @@
+#include "core/physics/def/codes.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/odd_numbers.h"
 #include "tests/support/rows.h"
@@ -157,7 +158,7 @@ class RefusalsTest : public QObject {
         const std::uint64_t before = world.hash();
         const auto made = world.addBody(def);
         QVERIFY(!made);
-        QCOMPARE(made.error(), (Error{"not-finite", {bodyFields[index].first}}));
+        QCOMPARE(made.error(), (Error{PhysicsCode("not-finite"), {bodyFields[index].first}}));
         QCOMPARE(world.hash(), before);
         QCOMPARE(world.bodyCount(), 0);
     }
@@ -172,7 +173,7 @@ class RefusalsTest : public QObject {
         for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic}) {
             BodyDef def{.kind = kind};
             shapeFields[index].second(def, value);
-            QCOMPARE(world.addBody(def).error(), (Error{"bad-shape", {"shapes"}}));
+            QCOMPARE(world.addBody(def).error(), (Error{PhysicsCode("bad-shape"), {"shapes"}}));
         }
     }
 
@@ -186,7 +187,8 @@ class RefusalsTest : public QObject {
         ConnectorDef def{.a = company.ids[0], .b = company.ids[1]};
         connectorFields[index].second(def, value);
         const std::uint64_t before = company.world.hash();
-        QCOMPARE(company.world.addConnector(def).error(), (Error{"not-finite", {connectorFields[index].first}}));
+        QCOMPARE(company.world.addConnector(def).error(),
+                 (Error{PhysicsCode("not-finite"), {connectorFields[index].first}}));
         QCOMPARE(company.world.hash(), before);
     }
 
@@ -239,7 +241,7 @@ class RefusalsTest : public QObject {
         World world;
         BodyDef def = ball({0, 0}, 0.1);
         bodyFields[index].second(def, value);
-        QCOMPARE(QString::fromStdString(world.addBody(def).error().code), code);
+        QCOMPARE(QString::fromUtf8(world.addBody(def).error().code.text()), code);
         QCOMPARE(world.bodyCount(), 0);
     }
 
@@ -266,7 +268,7 @@ class RefusalsTest : public QObject {
                 BodyDef def{.kind = kind, .shapes = {shape}};
                 def.mass = mass > 0 ? std::optional<double>(mass) : std::nullopt;
                 def.density = density;
-                QCOMPARE(world.addBody(def).error(), (Error{"bad-mass", {mass > 0 ? "mass" : "density"}}));
+                QCOMPARE(world.addBody(def).error(), (Error{PhysicsCode("bad-mass"), {mass > 0 ? "mass" : "density"}}));
             }
         }
     }
@@ -282,7 +284,7 @@ class RefusalsTest : public QObject {
 
     void theErrorNamesWhatIsMissing() {
         World world;
-        QCOMPARE(world.addBody({}).error(), (Error{"no-shape", {"shapes"}}));
+        QCOMPARE(world.addBody({}).error(), (Error{PhysicsCode("no-shape"), {"shapes"}}));
         QVERIFY(bool(world.addBody({.kind = BodyKind::Static}))); // a place for things to be tied to
     }
 };

@@ -10,7 +10,7 @@ namespace spacetow::test {
 inline void tryCapsule(std::string_view bytes) {
     for (const Result<Capsule>& capsule : {capsuleFromText(bytes), parseCapsule(bytes)}) {
         if (!capsule) {
-            mustHold(!capsule.error().code.empty(), "what is refused says why");
+            mustHold(!capsule.error().code.text().empty(), "what is refused says why");
             continue;
         }
         const Result<std::string> text = capsuleText(capsule.value());

@@ -72,7 +72,7 @@ inline QString problemsOf(const Level& level, Severity least = Severity::Warning
     QString text;
     for (const Problem& problem : lint(level)) {
         if (problem.severity >= least) {
-            text += (text.isEmpty() ? "" : " ") + QString::fromStdString(problem.code);
+            text += (text.isEmpty() ? "" : " ") + QString::fromUtf8(problem.code.text());
             text += problem.object != 0 ? "@" + QString::number(problem.object) : QString();
         }
     }

@@ -65,7 +65,7 @@ int asSomebody(Good good) {
 }
 
 inline std::string codeOf(const Result<FileStamp>& written) {
-    return written ? std::string("written") : written.error().code;
+    return written ? std::string("written") : std::string(written.error().code.text());
 }
 
 /// A folder that is gone with its test.

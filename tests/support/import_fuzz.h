@@ -10,7 +10,7 @@ namespace spacetow::test {
 inline void tryImport(std::string_view bytes) {
     const Result<Drawing> drawing = readDrawing(bytes);
     if (!drawing) {
-        mustHold(!drawing.error().code.empty(), "what is refused says why");
+        mustHold(!drawing.error().code.text().empty(), "what is refused says why");
         return;
     }
     for (const bool isPlain : {true, false}) {

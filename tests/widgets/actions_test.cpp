@@ -61,9 +61,9 @@ class ActionsTest : public QObject {
             const ActionRow& row = rowOf(tool.id);
             QVERIFY2(*row.icon != '\0' && row.hints != nullptr, row.text);
             // Each of them belongs to some tool's class, and the tool's first is among them.
-            const std::span<const MessageText> texts = row.hints();
-            const auto first = std::ranges::find_if(
-                texts, [&tool](const MessageText& text) { return tool.hints.front() == text.code; });
+            const std::span<const HintText> texts = row.hints();
+            const auto first =
+                std::ranges::find_if(texts, [&tool](const HintText& text) { return tool.hints.front() == text.code; });
             QVERIFY2(first != texts.end(), row.text);
         }
     }

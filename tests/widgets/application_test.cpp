@@ -103,7 +103,7 @@ class ApplicationTest : public QObject {
         const int before = check.checks();
         Level level = *test.window(0).document().current().level;
         level.objects.append({77, {}, BodyObject(), {}}); // without a shape
-        test.window(0).document().commit({"draw", 1}, {std::make_shared<const Level>(level), {}});
+        test.window(0).document().commit({"draw-polygon", 1}, {std::make_shared<const Level>(level), {}});
         QTRY_VERIFY(test.window(1).problems().errors() > 0);
         QCOMPARE(check.checks(), before + 1);
         QCOMPARE(test.window(1).problems().marks(), test.window(0).problems().marks());

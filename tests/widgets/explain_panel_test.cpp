@@ -152,7 +152,7 @@ class ExplainPanelTest : public QObject {
 
     void everyAnswerAndEveryCureIsASentence() {
         const Level level = explainedLevel();
-        std::set<std::string> codes;
+        std::set<Code> codes;
         for (int why = 0; why <= static_cast<int>(WhyApart::NextUpdate); ++why) {
             for (int variant = 0; variant < 8; ++variant) {
                 ApartObjects apart{2, 3, (variant & 1) != 0, Key((variant & 2) != 0 ? 4 : 0), {}};
@@ -169,7 +169,7 @@ class ExplainPanelTest : public QObject {
             codes.insert(cureCode(level, {kind, 4, 3}).code);
         }
         for (const MessageText& text : explainTexts()) {
-            QVERIFY2(codes.erase(text.code) == 1, text.code); // none without use
+            QVERIFY2(codes.erase(text.code) == 1, text.code.text().data()); // none without use
         }
         QVERIFY(codes.empty()); // nor one without a text
     }

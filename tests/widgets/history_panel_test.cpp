@@ -29,9 +29,9 @@ struct HistoryShown {
     QAbstractItemModelTester tester;
 
     /// One entry, or with a merge key perhaps a part of the last one.
-    void edit(const char* code, const std::string& mergeKey = {}) {
+    void edit(LabelCode code, const std::string& mergeKey = {}) {
         Level level = document.level();
-        level.name += code;
+        level.name += code.text();
         document.commit({code, 1}, {std::make_shared<const Level>(std::move(level)), {}}, mergeKey);
     }
     QModelIndex row(int number) { return panel.model().index(number); }
@@ -68,7 +68,7 @@ class HistoryPanelTest : public QObject {
 
     void aClickJumpsOverManyStepsAtOnce() {
         HistoryShown shown;
-        for (const char* code : {"move", "rotate", "scale", "flip"}) {
+        for (const LabelCode code : std::initializer_list<LabelCode>{"move", "rotate", "scale", "flip"}) {
             shown.edit(code);
         }
         int changes = 0;
@@ -102,7 +102,7 @@ class HistoryPanelTest : public QObject {
 
     void anEditAfterUndoTakesThePlaceOfWhatWasUndone() {
         HistoryShown shown;
-        for (const char* code : {"move", "rotate", "scale"}) {
+        for (const LabelCode code : std::initializer_list<LabelCode>{"move", "rotate", "scale"}) {
             shown.edit(code);
         }
         shown.document.goTo(1);

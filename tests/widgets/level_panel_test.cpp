@@ -41,7 +41,7 @@ class LevelPanelTest : public QObject {
         typeInto(test.window->levelPanel().form().editor("gravity.y"), "-2*4");
         QCOMPARE(test.level().gravity.y(), -8.0);
         QCOMPARE(test.document().selection().keys(), std::vector<Key>{7});
-        QCOMPARE(test.document().undoLabel().code, std::string("change-level"));
+        QCOMPARE(test.document().undoLabel().code.text(), std::string("change-level"));
         test.document().undo();
         QCOMPARE(test.level(), level);
     }

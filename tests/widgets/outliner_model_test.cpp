@@ -279,7 +279,7 @@ class OutlinerModelTest : public QObject {
         Listed listed(layered());
         QVERIFY(listed.model.setData(listed.model.indexOf(6), "stone"));
         QCOMPARE(listed.document.level().objects.find(6)->name, std::string("stone"));
-        QCOMPARE(listed.document.undoLabel().code, std::string("rename"));
+        QCOMPARE(listed.document.undoLabel().code.text(), std::string("rename"));
         QVERIFY(!listed.model.setData(listed.model.indexOf(6), "stone"));
     }
 

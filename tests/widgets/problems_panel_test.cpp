@@ -23,11 +23,11 @@ Object crossed(Key key) {
 }
 
 QString code(const Problem& problem) {
-    return QString::fromStdString(problem.code);
+    return QString::fromUtf8(problem.code.text());
 }
 
 QString labelCode(const Label& label) {
-    return QString::fromStdString(label.code);
+    return QString::fromUtf8(label.code.text());
 }
 
 /// A wall with a repeated vertex and a polygon that runs clockwise.
@@ -205,7 +205,7 @@ class ProblemsPanelTest : public QObject {
         }
         Level level;
         level.objects.append({1, {}, BodyObject{.shapes = {scribble}}, {}});
-        document.commit({"draw", 1}, {std::make_shared<Level>(level), Selection()});
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(level), Selection()});
         panel.check();
         panel.go(1);
         QVERIFY(panel.canFixCurrent());
@@ -219,7 +219,7 @@ class ProblemsPanelTest : public QObject {
         TestWindow test;
         Level level;
         level.objects.append({5, {}, BodyObject(), {}}); // without a shape
-        test.document().commit({"draw", 1}, {std::make_shared<const Level>(level), {}});
+        test.document().commit({"draw-polygon", 1}, {std::make_shared<const Level>(level), {}});
         const int checks = test.window->openLevel()->check.checks();
         test.window->play();
         QVERIFY(test.window->isPlaying());
@@ -237,7 +237,7 @@ class ProblemsPanelTest : public QObject {
         Document document;
         LevelCheck check(document);
         ProblemsPanel panel(check, code, labelCode);
-        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         panel.check();
         QVERIFY(!panel.canFixCurrent());
         panel.go(1);
@@ -245,7 +245,7 @@ class ProblemsPanelTest : public QObject {
         const int before = document.position();
         panel.fixCurrent();
         QCOMPARE(document.position(), before + 1);
-        QCOMPARE(QString::fromStdString(document.undoLabel().code), QString("fix-merge-points"));
+        QCOMPARE(QString::fromUtf8(document.undoLabel().code.text()), QString("fix-merge-points"));
         panel.check();
         QCOMPARE(panel.warnings(), 1); // the clockwise polygon is left
         document.undo();
@@ -256,7 +256,7 @@ class ProblemsPanelTest : public QObject {
         Document document;
         LevelCheck check(document);
         ProblemsPanel panel(check, code, labelCode);
-        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         panel.check();
         panel.resize(320, 240);
         panel.show();
@@ -268,7 +268,7 @@ class ProblemsPanelTest : public QObject {
         QVERIFY(list.viewport()->rect().contains(button));
         QSignalSpy wanted(&panel, &ProblemsPanel::objectWanted);
         QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, button.center());
-        QCOMPARE(QString::fromStdString(document.undoLabel().code), QString("fix-turn-outline"));
+        QCOMPARE(QString::fromUtf8(document.undoLabel().code.text()), QString("fix-turn-outline"));
         QCOMPARE(wanted.count(), 0); // it is no wish to see the place
     }
 
@@ -276,11 +276,11 @@ class ProblemsPanelTest : public QObject {
         Document document;
         LevelCheck check(document);
         ProblemsPanel panel(check, code, labelCode);
-        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         panel.check();
         QCOMPARE(panel.safeFixes(), 2);
         panel.fixAll();
-        QTRY_COMPARE(QString::fromStdString(document.undoLabel().code), QString("fix-all"));
+        QTRY_COMPARE(QString::fromUtf8(document.undoLabel().code.text()), QString("fix-all"));
         QTRY_COMPARE(panel.problems().size(), std::size_t{0});
         document.undo();
         QCOMPARE(*document.current().level, tidyable());
@@ -290,7 +290,7 @@ class ProblemsPanelTest : public QObject {
         Document document;
         LevelCheck check(document);
         ProblemsPanel panel(check, code, labelCode);
-        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         panel.check();
         auto& list = *panel.findChild<QListView*>();
         panel.go(1);
@@ -318,7 +318,7 @@ class ProblemsPanelTest : public QObject {
         ProblemsPanel panel(check, code, labelCode);
         Level level = tidyable();
         level.objects.append(crossed(9));
-        document.commit({"draw", 1}, {std::make_shared<Level>(level), Selection()});
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(level), Selection()});
         panel.check();
         const QAbstractItemModel& rows = *panel.findChild<QListView*>()->model();
         QCOMPARE(rows.rowCount(), 3);
@@ -335,7 +335,7 @@ class ProblemsPanelTest : public QObject {
         Document document;
         LevelCheck check(document);
         ProblemsPanel panel(check, code, labelCode);
-        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         panel.check();
         QCOMPARE(panel.marks()->size(), std::size_t{2});
         QCOMPARE(panel.marks()->front().at, Vec2(1, 0));
@@ -369,7 +369,7 @@ class ProblemsPanelTest : public QObject {
         ProblemsPanel one(check, code);
         ProblemsPanel two(check, code);
         QCOMPARE(check.checks(), 1);
-        document.commit({"draw", 1}, {std::make_shared<Level>(tidyable()), Selection()});
+        document.commit({"draw-polygon", 1}, {std::make_shared<Level>(tidyable()), Selection()});
         QTRY_COMPARE(one.warnings(), 2);
         QCOMPARE(check.checks(), 2);
         QCOMPARE(two.warnings(), 2);

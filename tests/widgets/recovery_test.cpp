@@ -119,7 +119,7 @@ class RecoveryTest : public QObject {
         // Another name of the same file, so that it is written in place.
         std::filesystem::create_hard_link(path.toStdString(), test.file("other.json").toStdString());
         const std::array keys{before.objects[0].key};
-        test.document().commit({"edit"}, {std::make_shared<const Level>(moved(before, keys, {1, 0})), {}});
+        test.document().commit({"change"}, {std::make_shared<const Level>(moved(before, keys, {1, 0})), {}});
         const Level drawn = test.level();
         QVERIFY(test.window->recovery().isBehind()); // no time has passed
         bool saving = false;
@@ -139,7 +139,7 @@ class RecoveryTest : public QObject {
             std::filesystem::remove_all(test.file("copy").toStdString());
             std::filesystem::copy(journalFolder(), test.file("copy").toStdString());
         });
-        test.document().commit({"edit"}, {std::make_shared<const Level>(before), {}});
+        test.document().commit({"change"}, {std::make_shared<const Level>(before), {}});
         QVERIFY(test.window->files().overwrite());
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{\"schema\": 2, \"na") > 0);
         file.close();

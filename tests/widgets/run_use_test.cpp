@@ -140,7 +140,7 @@ class RunUseTest : public QObject {
         Level level;
         level.objects.append(
             {1, {}, BodyObject{.shapes = {Polygon{{{0, 0}, {0, 1}, {1, 1}, {1, 0}}}}}, {}}); // clockwise
-        test.document().commit({"draw", 1}, {std::make_shared<const Level>(level), Selection()});
+        test.document().commit({"draw-polygon", 1}, {std::make_shared<const Level>(level), Selection()});
         ProblemsPanel& panel = test.window->problems();
         panel.check();
         panel.go(1);

@@ -67,7 +67,7 @@ class TagMatrixTest : public QObject {
         test.click(wallTag, debrisTag);
         QVERIFY(!test.touches(0).contains(debrisTag) && !test.touches(1).contains(wallTag));
         QVERIFY(test.touches(0).contains(wallTag) && test.touches(0).contains(17));
-        QCOMPARE(test.document.undoLabel().code, std::string("change-tags"));
+        QCOMPARE(test.document.undoLabel().code.text(), std::string("change-tags"));
         test.click(debrisTag, wallTag);
         QVERIFY(test.touches(0) == TagMask::all() && test.touches(1) == TagMask::all());
         test.document.undo();

@@ -199,16 +199,20 @@ class TranslationsTest : public QObject {
         const auto verify = [&](const char* context, const char* text) {
             return *text == '\0' || !german.translator().translate(context, text).isEmpty();
         };
-        for (const auto texts : {problemTexts(), hintTexts()}) {
+        for (const auto texts : {problemTexts(), exchangeTexts(), explainTexts()}) {
             for (const MessageText& message : texts) {
-                QVERIFY2(verify("messages", message.text), message.code);
+                QVERIFY2(verify("messages", message.text), message.text);
+                QVERIFY2(message.unnamed == nullptr || verify("messages", message.unnamed), message.unnamed);
             }
+        }
+        for (const HintText& hint : hintTexts()) {
+            QVERIFY2(verify("messages", hint.text), hint.code);
         }
         for (const LabelText& label : labelTexts()) {
             for (const int count : {0, 1, 2}) {
                 const QString english =
                     QString(count == 1 ? label.one : label.many).replace("%n", QString::number(count));
-                QVERIFY2(sentence(Label{label.code, count}) != english, label.code);
+                QVERIFY2(sentence(Label{label.code, count}) != english, label.one);
             }
         }
         for (const ActionRow& row : actionRows()) {

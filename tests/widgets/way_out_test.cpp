@@ -74,7 +74,7 @@ class WayOutTest : public QObject {
     void aLeakIsAProblemWithASentenceAPlaceAndAWayToShow() {
         const Level level = openCave();
         const std::vector<Problem> problems = lint(level);
-        const auto found = std::ranges::find(problems, "leak-not-closed", &Problem::code);
+        const auto found = std::ranges::find(problems, LevelCode("leak-not-closed"), &Problem::code);
         QVERIFY(found != problems.end());
         QCOMPARE(found->severity, Severity::Warning);
         QCOMPARE(found->object, Key{4});

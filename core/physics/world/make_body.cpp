@@ -3,6 +3,7 @@
 #include "core/geometry/convex_parts.h"
 #include "core/geometry/moved.h"
 #include "core/geometry/polygon.h"
+#include "core/physics/def/codes.h"
 
 #include <algorithm>
 #include <optional>
@@ -17,7 +18,7 @@ constexpr double farthest = 1e9;
 using Checks = std::initializer_list<std::pair<const char*, bool>>;
 
 /// The error names the first field that does not hold.
-std::optional<Error> firstWrong(const char* code, Checks checks) {
+std::optional<Error> firstWrong(PhysicsCode code, Checks checks) {
     const auto* wrong = std::find_if(checks.begin(), checks.end(), [](const auto& check) { return !check.second; });
     return wrong == checks.end() ? std::nullopt : std::optional(Error{code, {wrong->first}});
 }
@@ -161,7 +162,7 @@ std::optional<Error> checkMaterial(const BodyMaterial& m) {
 }
 
 Error badMass(const BodyMaterial& material) {
-    return {"bad-mass", {material.mass ? "mass" : "density"}};
+    return {PhysicsCode("bad-mass"), {material.mass ? "mass" : "density"}};
 }
 
 void setSurface(BodyRecord& record, const BodyMaterial& material) {
@@ -179,11 +180,11 @@ Result<MadeBody> makeBody(const BodyDef& def) {
         }
     }
     if (def.shapes.empty() && def.kind != BodyKind::Static) {
-        return Error{"no-shape", {"shapes"}};
+        return Error{PhysicsCode("no-shape"), {"shapes"}};
     }
     for (const Shape& shape : def.shapes) {
         if (!std::visit(IsGoodShape{}, shape)) {
-            return Error{"bad-shape", {"shapes"}};
+            return Error{PhysicsCode("bad-shape"), {"shapes"}};
         }
     }
     MadeBody made;

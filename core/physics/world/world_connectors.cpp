@@ -1,6 +1,7 @@
 // World: adding, reading and removing connectors.
 
 #include "core/base/contract.h"
+#include "core/physics/def/codes.h"
 #include "core/physics/sleep/sleep.h"
 #include "core/physics/state/world_data.h"
 #include "core/physics/world/world.h"
@@ -15,10 +16,10 @@ namespace {
 
 std::optional<Error> check(const World& world, const ConnectorDef& d) {
     if (!world.contains(d.a) || !world.contains(d.b)) {
-        return Error{"no-such-body", {world.contains(d.a) ? "b" : "a"}};
+        return Error{PhysicsCode("no-such-body"), {world.contains(d.a) ? "b" : "a"}};
     }
     if (d.a == d.b) {
-        return Error{"same-body", {}};
+        return Error{PhysicsCode("same-body"), {}};
     }
     const std::pair<const char*, bool> finite[] = {
         {"anchor", isFinite(d.anchorA) && isFinite(d.anchorB)},
@@ -30,7 +31,7 @@ std::optional<Error> check(const World& world, const ConnectorDef& d) {
     };
     for (const auto& [name, ok] : finite) {
         if (!ok) {
-            return Error{"not-finite", {name}};
+            return Error{PhysicsCode("not-finite"), {name}};
         }
     }
     const std::pair<const char*, bool> inRange[] = {
@@ -42,7 +43,7 @@ std::optional<Error> check(const World& world, const ConnectorDef& d) {
     };
     for (const auto& [name, ok] : inRange) {
         if (!ok) {
-            return Error{"out-of-range", {name}};
+            return Error{PhysicsCode("out-of-range"), {name}};
         }
     }
     return {};

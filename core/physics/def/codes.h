@@ -1,0 +1,14 @@
+#pragma once
+// Why something is not taken into a world.
+
+#include "core/base/codes.h"
+
+namespace spacetow {
+
+inline constexpr std::string_view physicsCodes[] = {
+    "not-finite", "out-of-range", "no-shape", "bad-mass", "bad-shape", "no-such-body", "same-body",
+};
+
+using PhysicsCode = BaseCode::And<physicsCodes>;
+
+} // namespace spacetow
