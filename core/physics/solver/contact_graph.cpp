@@ -47,6 +47,19 @@ void addPairs(const Bodies& bodies, const Contacts& contacts, ContactGraph& grap
     }
 }
 
+/// A sleeper that is near bodies that move may be the root of their component.
+void listSleepingRoots(const Bodies& bodies, ContactGraph& graph) {
+    const auto awake = static_cast<std::ptrdiff_t>(graph.componentRoots.size());
+    for (const Slot slot : bodies.moving) {
+        if (bodies.records[graph.roots[slot]].asleep) {
+            graph.componentRoots.push_back(graph.roots[slot]);
+        }
+    }
+    const auto first = graph.componentRoots.begin() + awake;
+    std::sort(first, graph.componentRoots.end());
+    graph.componentRoots.erase(std::unique(first, graph.componentRoots.end()), graph.componentRoots.end());
+}
+
 /// No kinematic body pushes their components any more.
 void forgetKinematicEdges(const ContactGraph& graph, SolverScratch& solver) {
     std::vector<std::uint8_t>& pushedByKinematic = solver.pushedByKinematic;
@@ -92,6 +105,7 @@ void findComponents(const SolverStage& stage) {
             stage.graph.componentRoots.push_back(slot);
         }
     }
+    listSleepingRoots(stage.bodies, stage.graph);
     for (ContactGraph::KinematicEdge& edge : edges) {
         edge.component = roots[edge.component];
     }
