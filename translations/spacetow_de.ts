@@ -1734,6 +1734,10 @@
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
         <translation>Dateien anderer Programme werden einzeln importiert, da jede zuerst angesehen wird: Von diesen ist es %1.</translation>
     </message>
+    <message>
+        <source>There is not enough memory to read the flight.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Explain</name>
@@ -1760,10 +1764,6 @@
     <message>
         <source>Connectors</source>
         <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>Kraftfelder</translation>
     </message>
     <message>
         <source>Contacts</source>
@@ -2084,10 +2084,6 @@
     <message>
         <source>Connectors</source>
         <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>Kraftfelder</translation>
     </message>
     <message>
         <source>Contact</source>
@@ -3866,10 +3862,6 @@
     <message>
         <source>Both ends of the connector are on the same body.</source>
         <translation>Beide Enden der Verbindung sitzen am selben Körper.</translation>
-    </message>
-    <message>
-        <source>The force field has no force.</source>
-        <translation>Das Kraftfeld hat keine Kraft.</translation>
     </message>
     <message>
         <source>The replay cannot be understood at “%1”.</source>

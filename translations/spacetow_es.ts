@@ -1734,6 +1734,10 @@
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
         <translation>Los archivos de otros programas se importan de uno en uno, ya que cada uno se revisa antes: de estos es %1.</translation>
     </message>
+    <message>
+        <source>There is not enough memory to read the flight.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Explain</name>
@@ -1760,10 +1764,6 @@
     <message>
         <source>Connectors</source>
         <translation>Conectores</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>Campos</translation>
     </message>
     <message>
         <source>Contacts</source>
@@ -2084,10 +2084,6 @@
     <message>
         <source>Connectors</source>
         <translation>Conectores</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>Campos</translation>
     </message>
     <message>
         <source>Contact</source>
@@ -5180,10 +5176,6 @@
     <message>
         <source>Both ends of the connector are on the same body.</source>
         <translation>Los dos extremos del conector están en el mismo cuerpo.</translation>
-    </message>
-    <message>
-        <source>The force field has no force.</source>
-        <translation>El campo de fuerza no tiene fuerza.</translation>
     </message>
     <message>
         <source>The replay cannot be understood at “%1”.</source>

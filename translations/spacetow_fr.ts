@@ -1734,6 +1734,10 @@
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
         <translation>Les fichiers d’autres programmes sont importés un par un, car chacun est d’abord examiné : parmi ceux-ci, c’est %1.</translation>
     </message>
+    <message>
+        <source>There is not enough memory to read the flight.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Explain</name>
@@ -1760,10 +1764,6 @@
     <message>
         <source>Connectors</source>
         <translation>Connecteurs</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>Champs</translation>
     </message>
     <message>
         <source>Contacts</source>
@@ -2084,10 +2084,6 @@
     <message>
         <source>Connectors</source>
         <translation>Connecteurs</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>Champs</translation>
     </message>
     <message>
         <source>Contact</source>
@@ -5180,10 +5176,6 @@
     <message>
         <source>Both ends of the connector are on the same body.</source>
         <translation>Les deux bouts du connecteur sont sur le même corps.</translation>
-    </message>
-    <message>
-        <source>The force field has no force.</source>
-        <translation>Le champ de force n’a pas de force.</translation>
     </message>
     <message>
         <source>The replay cannot be understood at “%1”.</source>

@@ -1734,6 +1734,10 @@
         <source>Files of other programs are imported one at a time, as each is looked at first: of these it is %1.</source>
         <translation>其他程序的文件逐个导入，因为每个都要先查看：此次导入的是 %1。</translation>
     </message>
+    <message>
+        <source>There is not enough memory to read the flight.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Explain</name>
@@ -1760,10 +1764,6 @@
     <message>
         <source>Connectors</source>
         <translation>连接件</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>力场</translation>
     </message>
     <message>
         <source>Contacts</source>
@@ -2084,10 +2084,6 @@
     <message>
         <source>Connectors</source>
         <translation>连接件</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>力场</translation>
     </message>
     <message>
         <source>Contact</source>
@@ -5146,10 +5142,6 @@
     <message>
         <source>Both ends of the connector are on the same body.</source>
         <translation>连接件的两端在同一物体上。</translation>
-    </message>
-    <message>
-        <source>The force field has no force.</source>
-        <translation>力场没有力。</translation>
     </message>
     <message>
         <source>The replay cannot be understood at “%1”.</source>

@@ -110,6 +110,7 @@ void LiveView::setOverlays(const OverlayFlags& overlays) {
         m_frame.reset();
         m_marks.forget();
     }
+    refresh(); // also where time stands
     m_canvas.update();
 }
 

@@ -19,17 +19,29 @@ std::size_t pointsFor(std::size_t bodies) {
 void TrailKeeper::forget() {
     m_bodies.clear();
     m_trails.clear();
-    m_update = -1;
+    m_updates.clear();
+}
+
+void TrailKeeper::forgetAfter(std::int64_t update) {
+    std::size_t later = 0;
+    while (!m_updates.empty() && m_updates.back() > update) {
+        m_updates.pop_back();
+        ++later;
+    }
+    for (DebugTrail& trail : m_trails) {
+        trail.points.resize(trail.points.size() - std::min(later, trail.points.size()));
+    }
 }
 
 void TrailKeeper::note(const Session& session) {
-    if (session.updates() == m_update) {
+    forgetAfter(session.updates());
+    if (!m_updates.empty() && m_updates.back() == session.updates()) {
         return;
     }
-    if (session.updates() < m_update) {
-        forget();
+    m_updates.push_back(session.updates());
+    if (m_updates.size() > longestTrail) {
+        m_updates.erase(m_updates.begin());
     }
-    m_update = session.updates();
     const World& world = session.world();
     std::vector<BodyId> bodies = world.bodies();
     std::erase_if(bodies, [&](BodyId id) { return world.body(id).kind == BodyKind::Static; });

@@ -12,15 +12,17 @@ namespace spacetow {
 
 class TrailKeeper {
   public:
-    /// The state after an update; the same one twice counts once. A run that has gone back begins anew.
+    /// The state after an update; the same one twice counts once. Of a run that has gone back, what came later goes.
     void note(const Session& session);
     void forget();
     std::span<const DebugTrail> trails() const { return m_trails; }
 
   private:
+    void forgetAfter(std::int64_t update);
+
     std::vector<BodyId> m_bodies; // whose they are
     std::vector<DebugTrail> m_trails;
-    std::int64_t m_update = -1; // noted last
+    std::vector<std::int64_t> m_updates; // that have been noted, as far back as the longest trail
 };
 
 } // namespace spacetow

@@ -279,10 +279,10 @@ class ConnectorRulesTest : public QObject {
             const Result<bool> changed = moored.world.setConnector(moored.rope, def);
             return !changed && changed.error() == error && moored.world.hash() == before;
         };
-        QVERIFY(refused({"no-such-body", {"b"}}, [](ConnectorDef& d) { d.b = BodyId{}; }));
-        QVERIFY(refused({"same-body", {}}, [](ConnectorDef& d) { d.b = d.a; }));
-        QVERIFY(refused({"not-finite", {"stiffness"}}, [](ConnectorDef& d) { d.stiffness = std::nan(""); }));
-        QVERIFY(refused({"out-of-range", {"length"}}, [](ConnectorDef& d) { d.length = -1; }));
+        QVERIFY(refused({PhysicsCode("no-such-body"), {"b"}}, [](ConnectorDef& d) { d.b = BodyId{}; }));
+        QVERIFY(refused({PhysicsCode("same-body"), {}}, [](ConnectorDef& d) { d.b = d.a; }));
+        QVERIFY(refused({PhysicsCode("not-finite"), {"stiffness"}}, [](ConnectorDef& d) { d.stiffness = std::nan(""); }));
+        QVERIFY(refused({PhysicsCode("out-of-range"), {"length"}}, [](ConnectorDef& d) { d.length = -1; }));
     }
 
     void connectorsAreListedInTheOrderInWhichTheyWereAdded() {

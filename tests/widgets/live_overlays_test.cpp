@@ -181,7 +181,20 @@ class LiveOverlaysTest : public QObject {
         QTRY_VERIFY(magentaPixels(game.view().grab().toImage()) > 0);
     }
 
-    void trailsFollowBodiesAndBeginAnewWhenTimeGoesBack() {
+    void overlaysThatAreSwitchedOnWhileTimeStandsAreThereAtOnce() {
+        for (const int across : {5, 25}) {
+            Game game(fallingBalls(across), {400, 400}, LiveRun::Kind::Simulation);
+            game.view().setOverlayPalette({.own = {{"mass-center", Color{255, 0, 255}}}});
+            game.live().wantSession(this, true); // as the window does
+            game.run(3);
+            game.live().setPaused(true);
+            game.scene().refresh();
+            game.scene().setOverlays({.masses = true});
+            QTRY_VERIFY(magentaPixels(game.view().grab().toImage()) > 0);
+        }
+    }
+
+    void trailsFollowBodiesAndLoseWhatCameLaterWhenTimeGoesBack() {
         Session session(fallingBall());
         TrailKeeper keeper;
         keeper.note(session);
@@ -194,6 +207,12 @@ class LiveOverlaysTest : public QObject {
         QCOMPARE(keeper.trails().size(), std::size_t{1});
         QCOMPARE(keeper.trails()[0].points.size(), std::size_t{6});
         QVERIFY(keeper.trails()[0].points.back() == session.world().body(session.world().bodies()[0]).massCenter);
+        Session earlier = start;
+        earlier.step(Controls{});
+        earlier.step(Controls{});
+        keeper.note(earlier);
+        QCOMPARE(keeper.trails()[0].points.size(), std::size_t{3});
+        QVERIFY(keeper.trails()[0].points.back() == earlier.world().body(earlier.world().bodies()[0]).massCenter);
         keeper.note(start);
         QCOMPARE(keeper.trails()[0].points.size(), std::size_t{1});
     }
