@@ -1736,7 +1736,7 @@
     </message>
     <message>
         <source>There is not enough memory to read the flight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht nicht, um den Flug zu lesen.</translation>
     </message>
 </context>
 <context>

@@ -1736,7 +1736,7 @@
     </message>
     <message>
         <source>There is not enough memory to read the flight.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay memoria suficiente para leer el vuelo.</translation>
     </message>
 </context>
 <context>

@@ -1736,7 +1736,7 @@
     </message>
     <message>
         <source>There is not enough memory to read the flight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas assez de mémoire pour lire le vol.</translation>
     </message>
 </context>
 <context>

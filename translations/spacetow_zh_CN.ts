@@ -1736,7 +1736,7 @@
     </message>
     <message>
         <source>There is not enough memory to read the flight.</source>
-        <translation type="unfinished"></translation>
+        <translation>内存不足，无法读取飞行记录。</translation>
     </message>
 </context>
 <context>

@@ -1,3 +1,4 @@
+#include "core/physics/def/codes.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/known_values.h"
 #include "tests/support/rows.h"
@@ -281,7 +282,8 @@ class ConnectorRulesTest : public QObject {
         };
         QVERIFY(refused({PhysicsCode("no-such-body"), {"b"}}, [](ConnectorDef& d) { d.b = BodyId{}; }));
         QVERIFY(refused({PhysicsCode("same-body"), {}}, [](ConnectorDef& d) { d.b = d.a; }));
-        QVERIFY(refused({PhysicsCode("not-finite"), {"stiffness"}}, [](ConnectorDef& d) { d.stiffness = std::nan(""); }));
+        QVERIFY(
+            refused({PhysicsCode("not-finite"), {"stiffness"}}, [](ConnectorDef& d) { d.stiffness = std::nan(""); }));
         QVERIFY(refused({PhysicsCode("out-of-range"), {"length"}}, [](ConnectorDef& d) { d.length = -1; }));
     }
 

@@ -1,6 +1,7 @@
 // Mass and material of a body that is changed in place: formulas, and contacts that go on.
 
 #include "core/base/random.h"
+#include "core/physics/def/codes.h"
 #include "core/physics/state/world_data.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/odd_numbers.h"
@@ -280,23 +281,23 @@ class MaterialsTest : public QObject {
 
     void anImpossibleMaterialIsRefusedAndChangesNothing() {
         const std::pair<Error, BodyMaterial> bad[] = {
-            {{"not-finite", {"mass"}}, {.mass = notANumber}},
-            {{"not-finite", {"mass"}}, {.mass = infinite}},
-            {{"not-finite", {"density"}}, {.density = infinite}},
-            {{"not-finite", {"restitution"}}, {.restitution = notANumber}},
-            {{"not-finite", {"friction"}}, {.friction = infinite}},
-            {{"not-finite", {"linear damping"}}, {.linearDamping = notANumber}},
-            {{"not-finite", {"angular damping"}}, {.angularDamping = infinite}},
-            {{"out-of-range", {"restitution"}}, {.restitution = 1.5}},
-            {{"out-of-range", {"restitution"}}, {.restitution = -0.1}},
-            {{"out-of-range", {"friction"}}, {.friction = -1}},
-            {{"out-of-range", {"linear damping"}}, {.linearDamping = -1}},
-            {{"out-of-range", {"angular damping"}}, {.angularDamping = -1}},
-            {{"bad-mass", {"mass"}}, {.mass = 0}},
-            {{"bad-mass", {"mass"}}, {.mass = -2}},
-            {{"bad-mass", {"mass"}}, {.mass = 1e-320}},
-            {{"bad-mass", {"density"}}, {.density = 0}},
-            {{"bad-mass", {"density"}}, {.density = 1e-320}},
+            {{PhysicsCode("not-finite"), {"mass"}}, {.mass = notANumber}},
+            {{PhysicsCode("not-finite"), {"mass"}}, {.mass = infinite}},
+            {{PhysicsCode("not-finite"), {"density"}}, {.density = infinite}},
+            {{PhysicsCode("not-finite"), {"restitution"}}, {.restitution = notANumber}},
+            {{PhysicsCode("not-finite"), {"friction"}}, {.friction = infinite}},
+            {{PhysicsCode("not-finite"), {"linear damping"}}, {.linearDamping = notANumber}},
+            {{PhysicsCode("not-finite"), {"angular damping"}}, {.angularDamping = infinite}},
+            {{PhysicsCode("out-of-range"), {"restitution"}}, {.restitution = 1.5}},
+            {{PhysicsCode("out-of-range"), {"restitution"}}, {.restitution = -0.1}},
+            {{PhysicsCode("out-of-range"), {"friction"}}, {.friction = -1}},
+            {{PhysicsCode("out-of-range"), {"linear damping"}}, {.linearDamping = -1}},
+            {{PhysicsCode("out-of-range"), {"angular damping"}}, {.angularDamping = -1}},
+            {{PhysicsCode("bad-mass"), {"mass"}}, {.mass = 0}},
+            {{PhysicsCode("bad-mass"), {"mass"}}, {.mass = -2}},
+            {{PhysicsCode("bad-mass"), {"mass"}}, {.mass = 1e-320}},
+            {{PhysicsCode("bad-mass"), {"density"}}, {.density = 0}},
+            {{PhysicsCode("bad-mass"), {"density"}}, {.density = 1e-320}},
         };
         World world(withIterations(4));
         const BodyId id = add(world, box({0, 1}, 0.2, 0.2));
