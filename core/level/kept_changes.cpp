@@ -155,6 +155,7 @@ void arrange(ObjectList& objects, const Level& after, const KeptOrder& order) {
         objects.append(*after.objects.find(key));
     }
     std::vector<int> places;
+    places.reserve(keys.size());
     for (const Key key : keys) {
         places.push_back(objects.indexOf(key));
     }
@@ -204,7 +205,8 @@ std::vector<int> keptTogether(std::span<const LevelChange> changes, std::span<co
     return {kept.begin(), kept.end()};
 }
 
-Level withKept(Level before, const Level& after, std::span<const LevelChange> changes, std::span<const int> places) {
+Level withKept(const Level& before, const Level& after, std::span<const LevelChange> changes,
+               std::span<const int> places) {
     const std::vector<int> kept = keptTogether(changes, places);
     if (kept.size() == changes.size()) {
         return after; // with what counts as equal and is spelled otherwise, as −0

@@ -27,7 +27,8 @@ std::vector<int> keptTogether(std::span<const LevelChange> changes, std::span<co
 
 /// `before` with those of its changes to `after` that are named by their places, and with what these need. With all of
 /// them it is `after`, with none `before`. Shares with `before` what is not changed.
-Level withKept(Level before, const Level& after, std::span<const LevelChange> changes, std::span<const int> places);
+Level withKept(const Level& before, const Level& after, std::span<const LevelChange> changes,
+               std::span<const int> places);
 
 /// The same one change after the other. A level costs what its change does, and that of the order where it has one, not
 /// what all those before it do.
