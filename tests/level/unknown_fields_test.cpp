@@ -198,7 +198,7 @@ class UnknownFieldsTest : public QObject {
         QCOMPARE(withoutEntries({}, "/shapes", std::array{0}), std::string());
     }
 
-    void aHundredThousandUnknownFieldsAreSavedInTime() {
+    void aHundredThousandUnknownFieldsAreSavedInTimeThatGrowsWithTheirNumber() {
         std::string fields = "\"a\": 0";
         std::string shapes;
         for (int i = 0; i < 50'000; ++i) {
@@ -211,7 +211,8 @@ class UnknownFieldsTest : public QObject {
         const CpuTimer timer;
         const Level level = *parseLevel(text, Checks::FileOnly).level;
         const std::string written = levelText(level);
-        QVERIFY2(timer.seconds() < 2, qPrintable(QString::number(timer.seconds())));
+        constexpr double most = 20; // s; were each compared with all others, it would take minutes
+        QVERIFY2(timer.seconds() < most, qPrintable(QString::number(timer.seconds())));
         QVERIFY(*parseLevel(written, Checks::FileOnly).level == level);
     }
 
