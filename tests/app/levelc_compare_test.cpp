@@ -1,10 +1,10 @@
 #include "core/level/edits.h"
 #include "core/level/file.h"
 #include "tests/support/folders.h"
+#include "tests/support/run_levelc.h"
 #include "tests/support/test_main.h"
 
 #include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
 
 #include <filesystem>
@@ -15,19 +15,6 @@ using namespace spacetow::test;
 namespace {
 
 using KeysToMove = std::vector<Key>;
-
-struct Ended {
-    int status = -1;
-    QString out, err;
-};
-
-Ended ended(const QStringList& arguments) {
-    QProcess process;
-    process.start(binaryFolder() + "/bin/levelc", arguments);
-    process.waitForFinished(120000);
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};
-}
 
 Level cave() {
     Level level;
@@ -52,21 +39,21 @@ class LevelcCompareTest : public QObject {
         after.objects.append({9, "stone", BodyObject{.shapes = {Circle{}}}, {}});
         const QString a = saved("a.json", cave());
         const QString b = saved("b.json", after);
-        const Ended told = ended({"diff", a, b});
+        const LevelcRun told = runLevelc({"diff", a, b});
         QCOMPARE(told.status, 1);
         QCOMPARE(told.out.split('\n', Qt::SkipEmptyParts),
                  (QStringList{"~ floor (One-way wall): Position x 0 m → 2 m",
                               "~ ceiling (One-way wall): Name “roof” → “ceiling”", "+ stone (Circle): added"}));
-        const Ended same = ended({"diff", a, a});
+        const LevelcRun same = runLevelc({"diff", a, a});
         QCOMPARE(same.status, 0);
         QVERIFY(same.out.isEmpty());
-        QCOMPARE(ended({"diff", a, path("none.json")}).status, 2);
-        QCOMPARE(ended({"diff", a}).status, 2);
+        QCOMPARE(runLevelc({"diff", a, path("none.json")}).status, 2);
+        QCOMPARE(runLevelc({"diff", a}).status, 2);
     }
 
     void diffServesGit() {
         const QString b = saved("b.json", cave());
-        const Ended told = ended({"diff", "--git", "levels/x.json", "/dev/null", ".", ".", b, "abc", "100644"});
+        const LevelcRun told = runLevelc({"diff", "--git", "levels/x.json", "/dev/null", ".", ".", b, "abc", "100644"});
         QCOMPARE(told.status, 0);
         QCOMPARE(told.out.split('\n').value(0), QString("level levels/x.json"));
         QVERIFY(told.out.contains("+ roof (One-way wall): added"));
@@ -77,13 +64,13 @@ class LevelcCompareTest : public QObject {
         const QString broken = path("broken.json");
         writeFile(broken.toStdString(), "<<<<<<< ours").value();
         for (const auto& [from, to] : {std::pair(b, broken), std::pair(broken, b)}) {
-            const Ended told = ended({"diff", "--git", "x.json", from, "abc", "100644", to, "abd", "100644"});
+            const LevelcRun told = runLevelc({"diff", "--git", "x.json", from, "abc", "100644", to, "abd", "100644"});
             QCOMPARE(told.status, 0);
             QVERIFY2(told.out.contains("! cannot be compared"), qPrintable(told.out));
             QVERIFY2(told.err.contains("broken.json:1"), qPrintable(told.err));
         }
         // Of a file that is in conflict git gives the name alone.
-        const Ended torn = ended({"diff", "--git", "x.json"});
+        const LevelcRun torn = runLevelc({"diff", "--git", "x.json"});
         QCOMPARE(torn.status, 0);
         QCOMPARE(torn.out, QString("level x.json\n! not merged yet\n"));
     }
@@ -93,18 +80,18 @@ class LevelcCompareTest : public QObject {
         const QString ours = saved("ours.json", moved(cave(), KeysToMove{1}, {2, 0}));
         const QString theirs = saved("theirs.json", renamed(cave(), 2, "ceiling"));
         const QString out = path("out.json");
-        const Ended clean = ended({"merge", base, ours, theirs, "-o", out});
+        const LevelcRun clean = runLevelc({"merge", base, ours, theirs, "-o", out});
         QCOMPARE(clean.status, 0);
         QVERIFY(*readLevel(out.toStdString()).value().level ==
                 renamed(moved(cave(), KeysToMove{1}, {2, 0}), 2, "ceiling"));
         const QString other = saved("other.json", moved(cave(), KeysToMove{1}, {0, 3}));
-        const Ended torn = ended({"merge", base, ours, other});
+        const LevelcRun torn = runLevelc({"merge", base, ours, other});
         QCOMPARE(torn.status, 1);
         QVERIFY2(torn.err.contains("floor (One-way wall): both sides changed “position”."), qPrintable(torn.err));
         QVERIFY(*readLevel(ours.toStdString()).value().level == moved(cave(), KeysToMove{1}, {2, 0}));
-        QCOMPARE(ended({"merge", base, ours, other, "--theirs"}).status, 1);
+        QCOMPARE(runLevelc({"merge", base, ours, other, "--theirs"}).status, 1);
         QVERIFY(*readLevel(ours.toStdString()).value().level == moved(cave(), KeysToMove{1}, {0, 3}));
-        QCOMPARE(ended({"merge", base, ours, path("none.json")}).status, 2);
+        QCOMPARE(runLevelc({"merge", base, ours, path("none.json")}).status, 2);
     }
 
     void whatBothSidesTogetherGetWrongIsAConflict() {
@@ -114,15 +101,15 @@ class LevelcCompareTest : public QObject {
             return level;
         };
         const QString base = saved("base.json", cave());
-        const Ended two = ended({"merge", base, saved("ours.json", withShip(7)), saved("theirs.json", withShip(8)),
-                                 "-o", path("out.json")});
+        const LevelcRun two = runLevelc({"merge", base, saved("ours.json", withShip(7)),
+                                         saved("theirs.json", withShip(8)), "-o", path("out.json")});
         QCOMPARE(two.status, 1);
         QVERIFY2(two.err.contains("conflict: both sides together make an error"), qPrintable(two.err));
         // What one side had wrong before is nothing new.
         Level wrong = withShip(7);
         wrong.objects.append({8, {}, ShipObject{{2, 2}}, {}});
         const QString theirs = saved("theirs.json", renamed(cave(), 2, "ceiling"));
-        QCOMPARE(ended({"merge", base, saved("wrong.json", wrong), theirs, "-o", path("out.json")}).status, 0);
+        QCOMPARE(runLevelc({"merge", base, saved("wrong.json", wrong), theirs, "-o", path("out.json")}).status, 0);
     }
 
     void whatBothSidesHaveAddedIsMergedToo() {
@@ -130,11 +117,11 @@ class LevelcCompareTest : public QObject {
         writeFile(nothing.toStdString(), "").value();
         const QString ours = saved("ours.json", cave());
         const QString theirs = saved("theirs.json", renamed(cave(), 2, "ceiling"));
-        QCOMPARE(ended({"merge", nothing, ours, ours, "-o", path("same.json")}).status, 0);
-        const Ended torn = ended({"merge", nothing, ours, theirs});
+        QCOMPARE(runLevelc({"merge", nothing, ours, ours, "-o", path("same.json")}).status, 0);
+        const LevelcRun torn = runLevelc({"merge", nothing, ours, theirs});
         QCOMPARE(torn.status, 1);
         QVERIFY2(torn.err.contains("conflict"), qPrintable(torn.err));
-        QCOMPARE(ended({"merge", ours, nothing, theirs}).status, 2);
+        QCOMPARE(runLevelc({"merge", ours, nothing, theirs}).status, 2);
     }
 
   private:

@@ -4,32 +4,17 @@
 #include "core/level/file.h"
 #include "tests/support/folders.h"
 #include "tests/support/random_level.h"
+#include "tests/support/run_levelc.h"
 #include "tests/support/test_main.h"
 
 #include <QFile>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
 using namespace spacetow;
 using namespace spacetow::test;
 
-namespace {
-
-struct Flew {
-    int status = -1;
-    QString out, err;
-};
-
-Flew told(const QStringList& arguments) {
-    QProcess process;
-    process.start(binaryFolder() + "/bin/levelc", arguments);
-    process.waitForFinished(120000);
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};
-}
-
-} // namespace
+namespace {} // namespace
 
 class LevelcFlightsTest : public QObject {
     Q_OBJECT
@@ -44,20 +29,21 @@ class LevelcFlightsTest : public QObject {
         replay.level = "level.json";
         replay.runs = {{{}, 50}};
         write("level.replay.json", replayText(replay));
-        const Flew run = told({"replay", path("level.json"), path("level.replay.json")});
+        const LevelcRun run = runLevelc({"replay", path("level.json"), path("level.replay.json")});
         QCOMPARE(run.status, 0);
         QVERIFY2(run.out.startsWith("outcome=simulation "), qPrintable(run.out));
         QVERIFY2(run.err.contains("level.replay.json is a simulation"), qPrintable(run.err));
-        const Flew all = told({"flights", path("level.json")});
+        const LevelcRun all = runLevelc({"flights", path("level.json")});
         QCOMPARE(all.status, 0);
-        QVERIFY2(all.out.endsWith("level.replay.json: outcome=simulation update=50 seconds=0.5\n"), qPrintable(all.out));
+        QVERIFY2(all.out.endsWith("level.replay.json: outcome=simulation update=50 seconds=0.5\n"),
+                 qPrintable(all.out));
         QVERIFY2(all.err.contains("level.replay.json is a simulation"), qPrintable(all.err));
     }
 
     void allFlightsBesideALevelAreFlown() {
         QVERIFY(QFile::copy(sourceFolder() + "/levels/01_first_haul.json", path("haul.json")));
         QVERIFY(QFile::copy(sourceFolder() + "/tests/replays/01_first_haul.replay.json", path("haul.a.replay.json")));
-        const Flew run = told({"flights", path("haul.json")});
+        const LevelcRun run = runLevelc({"flights", path("haul.json")});
         QCOMPARE(run.status, 0);
         QCOMPARE(run.out.count('\n'), 1);
         QVERIFY2(run.out.contains("haul.a.replay.json: outcome=won before=unknown news=new time="),
@@ -68,21 +54,21 @@ class LevelcFlightsTest : public QObject {
         flight.ended = flightResult(
             *readLevel((sourceFolder() + "/levels/01_first_haul.json").toStdU16String()).value().level, flight);
         write("haul.b.replay.json", replayText(flight));
-        const Flew same = told({"flights", path("haul.json")});
+        const LevelcRun same = runLevelc({"flights", path("haul.json")});
         QCOMPARE(same.status, 0);
         QVERIFY2(
             same.out.contains(QRegularExpression("haul.b.replay.json: outcome=(lost|running) before=\\1 news=same ")),
             qPrintable(same.out));
         flight.ended->end = FlightEnd::Won;
         write("haul.b.replay.json", replayText(flight));
-        const Flew worse = told({"flights", path("haul.json")});
+        const LevelcRun worse = runLevelc({"flights", path("haul.json")});
         QCOMPARE(worse.status, 1);
         QVERIFY2(worse.out.contains("before=won news=worse "), qPrintable(worse.out));
         write("haul.b.replay.json", "{");
-        const Flew both = told({"flights", path("haul.json")});
+        const LevelcRun both = runLevelc({"flights", path("haul.json")});
         QCOMPARE(both.status, 1);
         QVERIFY2(both.out.contains("haul.b.replay.json: outcome=unreadable"), qPrintable(both.out));
-        QCOMPARE(told({"flights", path("nothing.json")}).status, 2);
+        QCOMPARE(runLevelc({"flights", path("nothing.json")}).status, 2);
     }
 
   private:

@@ -2,6 +2,7 @@
 #include "core/level/file.h"
 #include "tests/support/folders.h"
 #include "tests/support/random_level.h"
+#include "tests/support/run_levelc.h"
 #include "tests/support/test_main.h"
 
 #include <QDir>
@@ -9,7 +10,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
@@ -19,20 +19,6 @@ using namespace spacetow;
 using namespace spacetow::test;
 
 namespace {
-
-struct Run {
-    int status = -1;
-    QString out, err;
-};
-
-Run levelc(const QStringList& arguments) {
-    QProcess process;
-    process.start(binaryFolder() + "/bin/levelc", arguments);
-    process.waitForFinished(120000);
-    const bool ended = process.state() == QProcess::NotRunning && process.exitStatus() == QProcess::NormalExit;
-    return {ended ? process.exitCode() : -1, QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
-}
 
 const char* const drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100\" height=\"50\">\n"
                             "  <rect id=\"box\" x=\"10\" y=\"10\" width=\"20\" height=\"20\"/>\n"
@@ -120,7 +106,7 @@ class LevelcTest : public QObject {
         write("good.json", levelText(falling()));
         write("bad.json", "{");
         write("drawing.svg", drawing);
-        const Run run = levelc(inFolder(arguments));
+        const LevelcRun run = runLevelc(inFolder(arguments));
         QCOMPARE(run.status, 2);
         QVERIFY(!run.err.isEmpty());
     }
@@ -134,7 +120,7 @@ class LevelcTest : public QObject {
     }
     void helpIsNoMistake() {
         QFETCH(QStringList, arguments);
-        const Run run = levelc(arguments);
+        const LevelcRun run = runLevelc(arguments);
         QCOMPARE(run.status, 0);
         QVERIFY(run.out.contains("levelc", Qt::CaseInsensitive));
     }
@@ -142,7 +128,7 @@ class LevelcTest : public QObject {
     void importMakesALevelAndTellsWhatItLeavesOut() {
         write("drawing.svg", drawing);
         const QStringList start{"import", path("drawing.svg"), "-o", path("out.json")};
-        const Run run = levelc(start);
+        const LevelcRun run = runLevelc(start);
         QCOMPARE(run.status, 0);
         QCOMPARE(run.out, QString());
         QCOMPARE(run.err,
@@ -156,12 +142,13 @@ class LevelcTest : public QObject {
         QCOMPARE(box.position, Vec2(0.1, 0.4)); // y is up
         const auto bend = std::get<LineChain>(std::get<BodyObject>(level.objects[1].data).shapes.front());
 
-        QCOMPARE(levelc(start + QStringList{"--scale", "1", "--tolerance", "0.001", "--walls", "one-way"}).status, 0);
+        QCOMPARE(runLevelc(start + QStringList{"--scale", "1", "--tolerance", "0.001", "--walls", "one-way"}).status,
+                 0);
         const Level fine = *parseLevel(contents(path("out.json")).toStdString()).level;
         QCOMPARE(std::get<BodyObject>(fine.objects[0].data).position, Vec2(10, 40));
         const auto& walls = std::get<EdgeChain>(std::get<BodyObject>(fine.objects[1].data).shapes.front());
         QVERIFY(walls.vertices.size() > 3 * bend.vertices.size());
-        QCOMPARE(levelc(start + QStringList{"--outlines"}).status, 0);
+        QCOMPARE(runLevelc(start + QStringList{"--outlines"}).status, 0);
         QVERIFY(contents(path("out.json")).count("\"lines\"") == 2);
     }
 
@@ -170,26 +157,26 @@ class LevelcTest : public QObject {
         write("warning.json", std::string(levelText(falling())).insert(1, "\n  \"glow\": 1,"));
         write("error.json",
               "{\n  \"schema\": 1,\n  \"objects\": [\n    {\"key\": \"00000001\", \"type\": \"boat\"}\n  ]\n}\n");
-        QCOMPARE(levelc({"check", path("good.json")}).status, 0);
-        QCOMPARE(levelc({"check", path("good.json")}).out, QString());
+        QCOMPARE(runLevelc({"check", path("good.json")}).status, 0);
+        QCOMPARE(runLevelc({"check", path("good.json")}).out, QString());
 
-        const Run warning = levelc({"check", path("warning.json")});
+        const LevelcRun warning = runLevelc({"check", path("warning.json")});
         QCOMPARE(warning.status, 0);
         QCOMPARE(warning.out, path("warning.json") + ":2: warning: unknown-field: The field “glow” is not known here. "
                                                      "It is kept, but does nothing. (/glow)\n");
 
-        const Run error = levelc({"check", path("good.json"), path("error.json")});
+        const LevelcRun error = runLevelc({"check", path("good.json"), path("error.json")});
         QCOMPARE(error.status, 1);
         QVERIFY(error.out.startsWith(path("error.json") + ":4: error: unknown-choice: "));
         QVERIFY(error.out.endsWith(" (/objects/0/type)\n"));
 
-        QCOMPARE(levelc({"check", path("error.json"), path("missing.json")}).status, 2);
+        QCOMPARE(runLevelc({"check", path("error.json"), path("missing.json")}).status, 2);
     }
 
     void checkSpeaksJsonToo() {
         write("error.json",
               "{\"schema\": 1, \"objects\": [{\"key\": \"00000007\", \"type\": \"ship\", \"angle\": \"up\"}]}");
-        const Run run = levelc({"check", "--json", path("error.json")});
+        const LevelcRun run = runLevelc({"check", "--json", path("error.json")});
         QCOMPARE(run.status, 1);
         const QJsonArray problems = QJsonDocument::fromJson(run.out.toUtf8()).array();
         QCOMPARE(problems.size(), 1);
@@ -203,7 +190,7 @@ class LevelcTest : public QObject {
         QVERIFY(problem["message"].toString().contains("angle"));
 
         write("good.json", levelText(falling()));
-        const Run none = levelc({"check", "--json", path("good.json")});
+        const LevelcRun none = runLevelc({"check", "--json", path("good.json")});
         QCOMPARE(none.status, 0);
         QVERIFY(QJsonDocument::fromJson(none.out.toUtf8()).isArray());
     }
@@ -214,42 +201,42 @@ class LevelcTest : public QObject {
             "\"type\": \"body\", \"name\": \"floor\", \"shapes\": [{\"type\": \"lines\", \"vertices\": "
             "[[0, 0], [1, 0], [1, 0], [2, 1]]}]}]}\n";
         write("faulty.json", faulty);
-        const Run run = levelc({"fix", path("faulty.json"), "-o", path("cured.json")});
+        const LevelcRun run = runLevelc({"fix", path("faulty.json"), "-o", path("cured.json")});
         QCOMPARE(run.status, 0);
         QVERIFY2(run.out.contains("Merge points: floor: Vertices 1 and 2"), qPrintable(run.out));
         QVERIFY2(run.out.contains("2 fixed, 0 left"), qPrintable(run.out));
-        QCOMPARE(levelc({"check", path("cured.json")}).out, QString());
-        QVERIFY(levelc({"check", path("faulty.json")}).out.contains("zero-length-wall"));
+        QCOMPARE(runLevelc({"check", path("cured.json")}).out, QString());
+        QVERIFY(runLevelc({"check", path("faulty.json")}).out.contains("zero-length-wall"));
 
-        const Run json = levelc({"fix", "--json", path("faulty.json")});
+        const LevelcRun json = runLevelc({"fix", "--json", path("faulty.json")});
         const QJsonObject said = QJsonDocument::fromJson(json.out.toUtf8()).object();
         QCOMPARE(said["fixed"].toArray().size(), 2);
         QCOMPARE(said["left"].toArray().size(), 0);
-        QCOMPARE(levelc({"check", path("faulty.json")}).out, QString());
+        QCOMPARE(runLevelc({"check", path("faulty.json")}).out, QString());
     }
 
     void fixLeavesAFileAloneInWhichThereIsNothingToDo() {
         const std::string spelled = "{\"schema\":2,\"name\":\"as I spell it\",\"objects\":[]}";
         write("good.json", spelled);
-        QCOMPARE(levelc({"fix", path("good.json")}).status, 0);
+        QCOMPARE(runLevelc({"fix", path("good.json")}).status, 0);
         QFile file(path("good.json"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QCOMPARE(file.readAll().toStdString(), spelled);
         write("ship.json", "{\"schema\": 2, \"objects\": [{\"key\": \"00000007\", \"type\": \"ship\"}]}");
-        QCOMPARE(levelc({"fix", path("ship.json")}).status, 1);
+        QCOMPARE(runLevelc({"fix", path("ship.json")}).status, 1);
     }
 
     void checkLeavesOutWhatIsHidden() {
         write("ship.json", "{\"schema\": 2, \"objects\": [{\"key\": \"00000007\", \"type\": \"ship\"}], "
                            "\"hiddenProblems\": [{\"rule\": \"payload-missing\"}, {\"rule\": \"finish-missing\"}]}");
-        QCOMPARE(levelc({"check", path("ship.json")}).out, QString());
-        QCOMPARE(levelc({"check", path("ship.json")}).status, 0);
-        QCOMPARE(levelc({"check", "--all", path("ship.json")}).status, 1);
+        QCOMPARE(runLevelc({"check", path("ship.json")}).out, QString());
+        QCOMPARE(runLevelc({"check", path("ship.json")}).status, 0);
+        QCOMPARE(runLevelc({"check", "--all", path("ship.json")}).status, 1);
     }
 
     void infoSaysWhatIsInALevel() {
         write("level.json", levelText(populatedLevel()));
-        const Run run = levelc({"info", path("level.json")});
+        const LevelcRun run = runLevelc({"info", path("level.json")});
         QCOMPARE(run.status, 0);
         for (const char* line : {"name: Everything", "author: Nobody",
                                  "objects: 3 body, 1 ship, 1 payload, 1 finish, 1 connector, 2 group",
@@ -264,8 +251,8 @@ class LevelcTest : public QObject {
 
     void simulateFollowsTheParabola() {
         write("level.json", levelText(falling()));
-        const Run run =
-            levelc({"simulate", path("level.json"), "--updates", "50", "--hash", "--dump", path("out.json")});
+        const LevelcRun run =
+            runLevelc({"simulate", path("level.json"), "--updates", "50", "--hash", "--dump", path("out.json")});
         QCOMPARE(run.status, 0);
         QVERIFY2(run.out.contains(QRegularExpression("^updates=50 time=1 bodies=2 hash=[0-9a-f]{16}\n$")),
                  qPrintable(run.out));
@@ -275,26 +262,27 @@ class LevelcTest : public QObject {
         QVERIFY(std::abs(ball["position"][1].toDouble() - 15) < 1e-2);
         QVERIFY(std::abs(ball["velocity"][1].toDouble() + 10) < 1e-2);
         QVERIFY(ball.contains("angle") && ball.contains("angularVelocity"));
-        QCOMPARE(levelc({"simulate", path("level.json"), "--updates", "50", "--hash"}).out, run.out);
+        QCOMPARE(runLevelc({"simulate", path("level.json"), "--updates", "50", "--hash"}).out, run.out);
     }
 
     void noUpdatesLeaveEverythingWhereItWas() {
         write("level.json", levelText(falling()));
-        QCOMPARE(levelc({"simulate", path("level.json"), "--updates", "0", "--dump", path("out.json")}).status, 0);
+        QCOMPARE(runLevelc({"simulate", path("level.json"), "--updates", "0", "--dump", path("out.json")}).status, 0);
         QCOMPARE(bodyNamed(contents(path("out.json")), "ball")["position"].toArray(), (QJsonArray{0, 20}));
     }
 
     void renderDrawsPicturesOfTheSizeAskedFor() {
         write("level.json", levelText(falling(10)));
-        const Run png = levelc({"render", path("level.json"), "-o", path("out.png"), "--size", "320x200", "--overlays",
-                                "aabb,incircle,velocity,orientation,normals,quadtree,contacts,tension,trails,masses,"
-                                "names,islands,tags,risk,collides"});
+        const LevelcRun png =
+            runLevelc({"render", path("level.json"), "-o", path("out.png"), "--size", "320x200", "--overlays",
+                       "aabb,incircle,velocity,orientation,normals,quadtree,contacts,tension,trails,masses,"
+                       "names,islands,tags,risk,collides"});
         QCOMPARE(png.status, 0);
         const QByteArray picture = contents(path("out.png"));
         QVERIFY(picture.startsWith("\x89PNG"));
         // Width and height stand in the header, most significant byte first.
         QCOMPARE(picture.mid(16, 8).toHex(), QByteArray("00000140000000c8"));
-        QCOMPARE(levelc({"render", path("level.json"), "-o", path("out.svg"), "--size", "320x200"}).status, 0);
+        QCOMPARE(runLevelc({"render", path("level.json"), "-o", path("out.svg"), "--size", "320x200"}).status, 0);
         const QByteArray drawing = contents(path("out.svg"));
         QVERIFY(drawing.contains("viewBox=\"0 0 320 200\"") && drawing.contains("<title>Falling</title>"));
         QVERIFY(drawing.count("<path") + drawing.count("<polyline") + drawing.count("<circle") > 2);
@@ -304,7 +292,8 @@ class LevelcTest : public QObject {
         write("level.json", levelText(falling()));
         QByteArray last;
         for (const char* overlays : {"", "velocity", "normals", "masses", "islands", "trails"}) {
-            QCOMPARE(levelc({"render", path("level.json"), "-o", path("out.png"), "--overlays", overlays}).status, 0);
+            QCOMPARE(runLevelc({"render", path("level.json"), "-o", path("out.png"), "--overlays", overlays}).status,
+                     0);
             const QByteArray picture = contents(path("out.png"));
             QVERIFY2(picture != last, overlays);
             last = picture;
@@ -318,7 +307,8 @@ class LevelcTest : public QObject {
         replay.append({});
         replay.append({});
         write("flight.json", replayText(replay));
-        const Run run = levelc({"replay", path("level.json"), path("flight.json"), "--dump", path("out.json")});
+        const LevelcRun run =
+            runLevelc({"replay", path("level.json"), path("flight.json"), "--dump", path("out.json")});
         QCOMPARE(run.status, 1);
         QVERIFY2(run.out.contains(QRegularExpression(
                      "^outcome=(running|lost) time=[0-9.]+ fuel=[0-9.]+ lives=5 hash=[0-9a-f]{16}\n$")),
@@ -339,7 +329,7 @@ class LevelcTest : public QObject {
     void aRecordedFlightWinsItsLevel() {
         QFETCH(QString, level);
         QFETCH(QString, flight);
-        const Run run = levelc({"replay", level, flight});
+        const LevelcRun run = runLevelc({"replay", level, flight});
         QCOMPARE(run.status, level.isEmpty() ? 2 : 0);
         QCOMPARE(run.out.startsWith("outcome=won "), !level.isEmpty());
     }

@@ -45,11 +45,7 @@ class PassageTest : public QObject {
                     Flight flight(iterations, bentBy(bend), depth);
                     flight.start(what, {across, -below}, {0, speed});
                     const QString fault = flight.fly(below + 1);
-                    QVERIFY2(fault.isEmpty(), qPrintable(QString("%1 m/s, %2 across, %3 iterations: %4")
-                                                             .arg(speed)
-                                                             .arg(across)
-                                                             .arg(iterations)
-                                                             .arg(fault)));
+                    QVERIFY2(fault.isEmpty(), qPrintable(flownText({speed, across, iterations}) + fault));
                 }
             }
         }

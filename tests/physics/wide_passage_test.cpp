@@ -155,11 +155,7 @@ class WidePassageTest : public QObject {
                     Flight flight = flightAtBend(iterations, bend, depth);
                     flight.start(what, {across, -below}, {0, speed});
                     const QString fault = flight.fly(below + 1);
-                    QVERIFY2(fault.isEmpty(), qPrintable(QString("%1 m/s, %2 across, %3 iterations: %4")
-                                                             .arg(speed)
-                                                             .arg(across)
-                                                             .arg(iterations)
-                                                             .arg(fault)));
+                    QVERIFY2(fault.isEmpty(), qPrintable(flownText({speed, across, iterations}) + fault));
                 }
             }
         }
@@ -271,11 +267,7 @@ class WidePassageTest : public QObject {
                     const Vec2 velocity = moves.velocity + Vec2(0, speed);
                     flight.start(what, {across, -below}, velocity);
                     const QString fault = flight.fly((below + 1) * velocity.norm() / speed);
-                    QVERIFY2(fault.isEmpty(), qPrintable(QString("%1 m/s, %2 across, %3 iterations: %4")
-                                                             .arg(speed)
-                                                             .arg(across)
-                                                             .arg(iterations)
-                                                             .arg(fault)));
+                    QVERIFY2(fault.isEmpty(), qPrintable(flownText({speed, across, iterations}) + fault));
                 }
             }
         }

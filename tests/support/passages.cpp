@@ -87,4 +87,8 @@ void Flight::turnBack(double spin) {
     world.setVelocity(id, velocity, spin);
 }
 
+QString flownText(const FlownAs& flown) {
+    return QString("%1 m/s, %2 across, %3 iterations: ").arg(flown.speed).arg(flown.across).arg(flown.iterations);
+}
+
 } // namespace spacetow::test

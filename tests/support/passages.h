@@ -36,4 +36,11 @@ struct Flight {
     void turnBack(double spin = 0);
 };
 
+struct FlownAs {
+    double speed, across; // m/s, m
+    int iterations;
+};
+/// For a message: how it was flown.
+QString flownText(const FlownAs& flown);
+
 } // namespace spacetow::test
