@@ -59,7 +59,9 @@ struct Pull {
     Run stretch{};
 };
 
-std::optional<Pull> pullOf(const Bodies& bodies, const Substeps& substeps, const ConnectorRecord& c) {
+/// Inlined, as its result would else go through memory.
+[[gnu::always_inline]] inline std::optional<Pull> pullOf(const Bodies& bodies, const Substeps& substeps,
+                                                         const ConnectorRecord& c) {
     const BodyMotion& a = bodies.motions[c.a];
     const BodyMotion& b = bodies.motions[c.b];
     const Vec2 armA = substeps.trial[c.a].rotation * c.anchorA;
@@ -93,9 +95,13 @@ bool mayBeStiff(const Bodies& bodies, const ConnectorRecord& c, double h) {
     return c.truncation.rule == TruncationRule::Custom || c.stiffness * h * h * most > explicitLimit;
 }
 
+bool isActive(const Bodies& bodies, const ConnectorRecord& c) {
+    return bodies.records[c.a].active && bodies.records[c.b].active;
+}
+
 /// Whether it is there and not asleep.
 bool acts(const Bodies& bodies, const ConnectorRecord& c) {
-    return c.used && !sleeps(bodies, c) && bodies.records[c.a].active && bodies.records[c.b].active;
+    return c.used && !sleeps(bodies, c) && isActive(bodies, c);
 }
 
 } // namespace
@@ -108,7 +114,7 @@ void findAnticipated(const Bodies& bodies, const Forces& forces, Substeps& subst
     }
     for (const ConnectorRecord& c : forces.connectors) {
         const std::optional<Pull> p =
-            acts(bodies, c) && mayBeStiff(bodies, c, h) ? pullOf(bodies, substeps, c) : std::nullopt;
+            mayBeStiff(bodies, c, h) && acts(bodies, c) ? pullOf(bodies, substeps, c) : std::nullopt;
         if (p && isStiff(springOf(c, p->stretch.length), p->stretch.inverseMass, h)) {
             anticipated[c.a] = anticipated[c.b] = 1;
         }
@@ -121,7 +127,8 @@ void applyConnectorForces(const ForceStage& stage, double h, Kick kick) {
             continue;
         }
         c.tension = 0;
-        const std::optional<Pull> p = acts(stage.bodies, c) ? pullOf(stage.bodies, stage.substeps, c) : std::nullopt;
+        const std::optional<Pull> p =
+            isActive(stage.bodies, c) ? pullOf(stage.bodies, stage.substeps, c) : std::nullopt;
         if (!p) {
             continue;
         }
