@@ -38,20 +38,26 @@ void seeBoth(const Bodies& bodies, const Sight& ofA, double leverB, const Visit&
     }
 }
 
-/// Visits all points of contact of bodies that a kinematic one may push.
+enum class With { Anything, Immovable };
+
+/// Visits all points of contact, with anything or with what nothing can move, of bodies that a kinematic one may push.
 template <class Visit>
-void forSights(const Bodies& bodies, const Constraints& constraints, const SolverScratch& solver, const Visit& visit) {
+void forSights(const Bodies& bodies, const Constraints& constraints, const SolverScratch& solver, With with,
+               const Visit& visit) {
     const std::vector<std::uint8_t>& pushed = solver.pushedByKinematic;
-    const auto isPushed = [&](const auto& c) { return (pushed[c.a] | pushed[c.b]) != 0; };
+    const auto isSeen = [&](const auto& c) {
+        return (with == With::Anything || !bodies.motions[c.a].isMovable() || !bodies.motions[c.b].isMovable()) &&
+               (pushed[c.a] | pushed[c.b]) != 0;
+    };
     for (const CircleContact& c : constraints.circleContacts) {
-        if (isPushed(c)) {
+        if (isSeen(c)) {
             const CircleBatch& batch = constraints.batches.circles[c.lane.batch];
             const std::uint32_t i = c.lane.lane;
             seeBoth(bodies, {c.a, c.b, {batch.normalX[i], batch.normalY[i]}, 0, batch.separation[i]}, 0, visit);
         }
     }
     for (const GeneralContact& c : constraints.generalContacts) {
-        if (isPushed(c)) {
+        if (isSeen(c)) {
             const ConstraintBatch& batch = constraints.batches.general[c.lane.batch];
             const std::uint32_t i = c.lane.lane;
             const Vec2 normal(batch.normalX[i], batch.normalY[i]);
@@ -59,6 +65,10 @@ void forSights(const Bodies& bodies, const Constraints& constraints, const Solve
             seeBoth(bodies, {c.a, c.b, normal, batch.leverA2[i], batch.separation2[i]}, batch.leverB2[i], visit);
         }
     }
+}
+
+bool hasStatics(const BroadPhase& broadPhase) {
+    return !broadPhase.statics->colliders.empty() || broadPhase.staticChanges || !broadPhase.changedStatics.empty();
 }
 
 bool stands(const Bodies& bodies, Slot slot) {
@@ -88,7 +98,7 @@ void stopClosing(Bodies& bodies, const Sight& at) {
 /// True when the way of a body had to be changed; these are listed.
 bool keepOutOnce(Bodies& bodies, const Constraints& constraints, const SolverScratch& solver, std::vector<Slot>& kept) {
     bool changed = false;
-    forSights(bodies, constraints, solver, [&](const Sight& at) {
+    forSights(bodies, constraints, solver, With::Immovable, [&](const Sight& at) {
         const double tooFar = stands(bodies, at.other) ? excess(bodies, at) : 0;
         if (tooFar > 0) {
             BodyStep& s = bodies.steps[at.body];
@@ -166,7 +176,7 @@ void stopDisplaced(Bodies& bodies, const Contacts& contacts, const SolverScratch
 
 /// What is kept out of one thing and would go into another goes nowhere.
 void stopWedged(const CrushStage& stage, const std::vector<Slot>& kept) {
-    forSights(stage.bodies, stage.constraints, stage.solver, [&](const Sight& at) {
+    forSights(stage.bodies, stage.constraints, stage.solver, With::Immovable, [&](const Sight& at) {
         if (stands(stage.bodies, at.other) && excess(stage.bodies, at) > linearSlop) {
             halt(stage.bodies.steps[at.body]);
         }
@@ -213,7 +223,7 @@ void reportCrushed(const CrushStage& stage, std::vector<Squeeze>& squeezes, int 
     for (Squeeze& squeeze : squeezes) {
         squeeze.depth = std::max(crushShare * stage.bodies.steps[squeeze.body].innerRadius, crushDepth);
     }
-    forSights(stage.bodies, stage.constraints, stage.solver, [&](const Sight& at) {
+    forSights(stage.bodies, stage.constraints, stage.solver, With::Anything, [&](const Sight& at) {
         const auto found = std::lower_bound(squeezes.begin(), squeezes.end(), at.body,
                                             [](const Squeeze& squeeze, Slot body) { return squeeze.body < body; });
         if (found != squeezes.end() && found->body == at.body) {
@@ -236,10 +246,14 @@ void reportCrushed(const CrushStage& stage, std::vector<Squeeze>& squeezes, int 
 
 } // namespace
 
-bool anyPushedByKinematic(const Bodies& bodies, const SolverScratch& solver) {
-    const std::vector<std::uint8_t>& pushed = solver.pushedByKinematic;
-    return std::any_of(bodies.moving.begin(), bodies.moving.end(),
-                       [&pushed](Slot slot) { return slot < pushed.size() && pushed[slot] != 0; });
+bool mayCrush(const CrushStage& stage) {
+    const std::vector<Slot>& moving = stage.bodies.moving;
+    const std::vector<std::uint8_t>& pushed = stage.solver.pushedByKinematic;
+    const auto isStill = [&](Slot slot) { return stands(stage.bodies, slot); };
+    const auto isPushed = [&](Slot slot) { return slot < pushed.size() && pushed[slot] != 0; };
+    const bool anyStands = hasStatics(stage.broadPhase) || !stage.sleep.sleepers.empty() ||
+                           std::any_of(moving.begin(), moving.end(), isStill);
+    return anyStands && std::any_of(moving.begin(), moving.end(), isPushed);
 }
 
 void measureCorrections(Bodies& bodies, StepFlags& flags, const SolverScratch& solver, PairSearch& search) {

@@ -9,19 +9,22 @@ namespace spacetow {
 /// A view, as a span is: members that are not const may be changed through it.
 struct CrushStage {
     Bodies& bodies;
+    const BroadPhase& broadPhase;
     const Contacts& contacts;
     const Constraints& constraints;
+    const Sleep& sleep;
     const SolverScratch& solver;
     std::vector<BodyId>& crushed;
     Events& events;
 
     CrushStage(WorldData& data)
-        : bodies(data.bodies), contacts(data.contacts), constraints(data.constraints), solver(data.scratch.solver),
-          crushed(data.crushed), events(data.events) {}
+        : bodies(data.bodies), broadPhase(data.broadPhase), contacts(data.contacts), constraints(data.constraints),
+          sleep(data.sleep), solver(data.scratch.solver), crushed(data.crushed), events(data.events) {}
 };
 
-/// Whether a moving kinematic body may push any body. If not, nothing is crushed: skip the functions below.
-bool anyPushedByKinematic(const Bodies& bodies, const SolverScratch& solver);
+/// Whether a moving kinematic body may push any body, and there is an immovable body to push it against. If not,
+/// nothing is crushed: skip the functions below.
+bool mayCrush(const CrushStage& stage);
 
 /// Of the bodies that a kinematic body may push, collects those that position correction, or the motion of their
 /// platform, takes out of their fat AABBs.

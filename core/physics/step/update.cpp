@@ -133,7 +133,7 @@ void makeMotion(const Stages& stages, const IterationStep& step) {
     }
     moveWithPlatforms(data.bodies);
     ended(data, StepStage::Advance);
-    if (anyPushedByKinematic(data.bodies, data.scratch.solver)) {
+    if (mayCrush(stages.crush)) {
         limitPushedByKinematic(stages, step);
     } else {
         data.crushed.clear();
