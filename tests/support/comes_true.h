@@ -6,10 +6,10 @@
 
 namespace spacetow::test {
 
-/// Lets others work until the condition holds; false after twenty seconds.
+/// Lets others work until the condition holds; false after two minutes.
 template <class Condition>
 bool comesTrue(Condition condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
     while (!condition()) {
         if (std::chrono::steady_clock::now() > deadline) {
             return false;
