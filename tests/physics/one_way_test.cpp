@@ -198,7 +198,7 @@ class OneWayTest : public QObject {
         QFETCH(double, depth);
         QFETCH(double, behind);
         QFETCH(int, iterations);
-        for (int degrees = 0; degrees < 360; degrees += fullOrQuick(15, 75)) {
+        for (int degrees = 0; degrees < 360; degrees += fullOrQuick(15, 65)) {
             Meeting meeting(what, depth, iterations, degrees, {0.3, -behind}, {0, 0});
             run(meeting.world, 4);
             const QString where = QString("%1°: lowest point %2, speed %3")

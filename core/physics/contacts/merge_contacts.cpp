@@ -33,15 +33,21 @@ bool samePlane(const Bodies& bodies, const Constraint& c, const Constraint& d) {
     return std::abs(planeC - planeD) < onePlane;
 }
 
+/// How far a point is above the plane, m. What contacts leave of overlaps does not count: all of it is in the plane.
+double heightOf(const ConstraintPoint& p) {
+    constexpr double leftOverlap = 4 * linearSlop;
+    return std::max(p.separation, 0.0) + std::min(p.separation + leftOverlap, 0.0);
+}
+
 /// Whether the outermost two points of both stand for all: none between them is deeper than the line through them, but
-/// for the tolerance. Depths do not count, as what is in the plane is held by any of them.
+/// for the tolerance.
 bool isFlat(const Constraint& c, const Constraint& d) {
     const Vec2 tangent = leftOf(c.normal);
     std::array<Vec2, 4> points; // along the plane, and above it
     std::size_t count = 0;
     for (const Constraint* from : {&c, &d}) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(from->count); ++i) {
-            points[count++] = {from->points[i].armA.dot(tangent), std::max(from->points[i].separation, 0.0)};
+            points[count++] = {from->points[i].armA.dot(tangent), heightOf(from->points[i])};
         }
     }
     const auto byPlace = [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); };
