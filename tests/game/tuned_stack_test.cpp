@@ -33,14 +33,23 @@ Level stackLevel() {
 
 using Edit = std::function<std::shared_ptr<const Level>(const Level&)>;
 
-Edit ofCrate(const std::function<void(BodyObject&)>& change) {
-    return [change](const Level& level) { return edited<BodyObject>(level, lowest + 2, change); };
+Edit ofCrate(const std::function<void(BodyObject&)>& change, Key above = 2) {
+    return [change, above](const Level& level) { return edited<BodyObject>(level, lowest + above, change); };
+}
+
+Edit withMass(double mass, Key above) {
+    return ofCrate([mass](BodyObject& box) { box.mass = mass; }, above);
 }
 
 const std::pair<const char*, Edit> edits[] = {
     {"more friction", ofCrate([](BodyObject& box) { box.friction = 0.9; })},
     {"more mass", ofCrate([](BodyObject& box) { box.mass = 3; })},
     {"less mass", ofCrate([](BodyObject& box) { box.mass = 0.2; })},
+    {"thirty times the mass in the middle", withMass(30, 2)},
+    {"thirty times the mass at the top", withMass(30, 4)},
+    {"three hundred times the mass in the middle", withMass(300, 2)},
+    {"a thousandth of the mass in the middle", withMass(0.001, 2)},
+    {"a hundredth of the mass at the bottom", withMass(0.01, 0)},
     {"density", ofCrate([](BodyObject& box) { box.density = 2; })},
     {"restitution", ofCrate([](BodyObject& box) { box.restitution = 0.5; })},
     {"linear damping", ofCrate([](BodyObject& box) { box.linearDamping = 1; })},

@@ -1,6 +1,7 @@
 #include "core/physics/solver/solve_unconverged.h"
 
 #include "core/physics/lanes/solver_kernels.h"
+#include "core/physics/solver/accelerated_passes.h"
 #include "core/physics/solver/contact_graph.h"
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace {
 
 constexpr int rounds = 10;
 constexpr int passesInRound = 4;
-// Once for each change of a mass: what rests on it is not to sink meanwhile.
-constexpr int passesForNewWeight = 400;
+// Once for each change of a mass, at most: what rests on it is neither to sink nor to lean meanwhile.
+constexpr int passesForNewWeight = 100;
 
 bool isUnconverged(const SolverScratch& solver, Slot root) {
     return solver.unconverged[root] != 0;
@@ -58,6 +59,55 @@ void copyBack(const Batches<Batch>& from, Batches<Batch>& to, std::span<const So
     }
 }
 
+/// Copies the contacts of unconverged components to batches of their own. Returns how many of them are circles: these
+/// come first in the list of lanes.
+std::size_t copyThere(const SolverStage& stage) {
+    ContactBatches& part = stage.solver.componentBatches;
+    part.circles.reset(stage.bodies.motions.size());
+    part.general.reset(stage.bodies.motions.size());
+    stage.solver.lanes.clear();
+    copyThere(stage, stage.constraints.batches.circles, part.circles);
+    const std::size_t circles = stage.solver.lanes.size();
+    copyThere(stage, stage.constraints.batches.general, part.general);
+    return circles;
+}
+
+void copyBack(const SolverStage& stage, std::size_t circles) {
+    const ContactBatches& part = stage.solver.componentBatches;
+    const std::span<const SolverScratch::SameLane> lanes(stage.solver.lanes);
+    copyBack(part.circles, stage.constraints.batches.circles, lanes.first(circles));
+    copyBack(part.general, stage.constraints.batches.general, lanes.subspan(circles));
+}
+
+/// The lanes of the copies, in the order of their pairs: that does not depend on other components.
+template <class Kind, class Batch>
+std::vector<Lane> orderedLanes(std::span<SolverScratch::SameLane> lanes, const std::vector<Kind>& list,
+                               const Batches<Batch>& batches) {
+    const auto pair = [&](const SolverScratch::SameLane& lane) {
+        return pairOf(list[batches.anchors(lane.here.batch).owner[lane.here.lane]]);
+    };
+    std::sort(lanes.begin(), lanes.end(), [&](const auto& a, const auto& b) { return pair(a) < pair(b); });
+    std::vector<Lane> result;
+    for (const SolverScratch::SameLane& lane : lanes) {
+        result.push_back(lane.there);
+    }
+    return result;
+}
+
+/// Each component by itself: mixed with others, none would get its own result.
+void solveAlone(const SolverStage& stage, Slot root) {
+    stage.solver.unconverged[root] = 1;
+    const std::size_t circles = copyThere(stage);
+    const std::span<SolverScratch::SameLane> lanes(stage.solver.lanes);
+    const Constraints& all = stage.constraints;
+    const std::vector<Lane> ofCircles = orderedLanes(lanes.first(circles), all.circleContacts, all.batches.circles);
+    const std::vector<Lane> others = orderedLanes(lanes.subspan(circles), all.generalContacts, all.batches.general);
+    solveUntilConverged(stage.solver.componentBatches, {ofCircles, others}, stage.solver.velocities,
+                        passesForNewWeight);
+    copyBack(stage, circles);
+    stage.solver.unconverged[root] = 0;
+}
+
 void relaxPasses(ContactBatches& batches, std::vector<BodyVelocity>& velocities, int passes) {
     for (int pass = 1; pass < passes; ++pass) {
         overrelaxPass(batches, velocities);
@@ -87,17 +137,9 @@ void solveUnconverged(const SolverStage& stage, int passes) {
         relaxPasses(stage.constraints.batches, scratch.velocities, passes);
         return;
     }
-    ContactBatches& part = scratch.componentBatches;
-    part.circles.reset(stage.bodies.motions.size());
-    part.general.reset(stage.bodies.motions.size());
-    scratch.lanes.clear();
-    copyThere(stage, stage.constraints.batches.circles, part.circles);
-    const std::size_t firstGeneral = scratch.lanes.size();
-    copyThere(stage, stage.constraints.batches.general, part.general);
-    relaxPasses(part, scratch.velocities, passes);
-    const std::span<const SolverScratch::SameLane> lanes(scratch.lanes);
-    copyBack(part.circles, stage.constraints.batches.circles, lanes.first(firstGeneral));
-    copyBack(part.general, stage.constraints.batches.general, lanes.subspan(firstGeneral));
+    const std::size_t circles = copyThere(stage);
+    relaxPasses(scratch.componentBatches, scratch.velocities, passes);
+    copyBack(stage, circles);
 }
 
 bool solveClosingComponents(const SolverStage& stage) {
@@ -111,20 +153,22 @@ bool solveClosingComponents(const SolverStage& stage) {
 
 void solveReweighed(const SolverStage& stage) {
     ContactGraph& graph = stage.graph;
-    bool any = false;
+    std::vector<Slot> roots;
     for (const Slot slot : stage.bodies.moving) {
         const BodyVelocity before = graph.inertias[slot];
         refreshInertia(stage.bodies.motions[slot], graph, slot);
         if (before.x != graph.inertias[slot].x || before.angular != graph.inertias[slot].angular) {
-            if (!any) {
-                clearUnconverged(stage.bodies, graph, stage.sleep, stage.solver);
-            }
-            stage.solver.unconverged[graph.roots[slot]] = 1;
-            any = true;
+            roots.push_back(graph.roots[slot]);
         }
     }
-    if (any) {
-        solveUnconverged(stage, passesForNewWeight);
+    if (roots.empty()) {
+        return;
+    }
+    std::sort(roots.begin(), roots.end());
+    roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+    clearUnconverged(stage.bodies, graph, stage.sleep, stage.solver);
+    for (const Slot root : roots) {
+        solveAlone(stage, root);
     }
 }
 

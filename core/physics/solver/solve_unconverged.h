@@ -18,8 +18,8 @@ void solveUnconverged(const SolverStage& stage, int passes);
 /// fast.
 bool solveClosingComponents(const SolverStage& stage);
 
-/// Bodies whose mass is not that of the contact graph have got another one since: the graph takes it over, and more
-/// iterations make up for warm-start impulses that bore the old weight.
+/// Bodies whose mass is not that of the contact graph have got another one since: the graph takes it over, and their
+/// components are solved until they converge, as the warm-start impulses bore the old weight.
 void solveReweighed(const SolverStage& stage);
 
 /// Reserves memory, so that the functions above allocate none.
