@@ -1,5 +1,5 @@
 #pragma once
-// Cuts a segment to the strip over a reference face: what is left of an incident face are the contact points.
+// Clips an incident face to the strip over a reference face: the ends of the rest are the contact points.
 
 #include "core/math/vec.h"
 
@@ -9,7 +9,7 @@ namespace spacetow {
 
 struct ClippedPoint {
     Vec2 point{0, 0};
-    int cutAt = -1; // −1: an end of the segment itself; 0: cut at the start of the face, 1: at its end
+    int cutAt = -1; // −1: not clipped; 0: clipped at the start of the face; 1: clipped at its end
 };
 
 struct ClippedSegment {

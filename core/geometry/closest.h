@@ -1,5 +1,6 @@
 #pragma once
-// Distances between parts as solid things: walls are segments from both sides, cuts through polygons are not felt.
+// Distances between parts. A wall is a segment, whatever its depth and sides; cuts of polygons make no difference.
+// Metres.
 
 #include "core/geometry/part.h"
 #include "core/math/transform.h"
@@ -8,7 +9,7 @@
 
 namespace spacetow {
 
-/// A part in the world without its rounding: a point, a segment, or a convex polygon, grown by `radius`.
+/// A part in world coordinates as a point, a segment or a convex polygon that is grown by `radius`.
 struct Core {
     int count = 0; // 1, 2 or 3 … 8 points
     std::array<Vec2, ConvexPart::maxCorners> points;

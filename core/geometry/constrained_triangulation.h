@@ -1,7 +1,7 @@
 #pragma once
-// A Delaunay triangulation of points on a grid of whole numbers, with edges that have to be there (constraints).
-// Orientation is exact, so that it is sound whatever comes in: points in one place, constraints that cross, touch or
-// lie on each other. Where constraints cross there is a new vertex, on the grid.
+// A constrained Delaunay triangulation of points on an integer grid. Orientation tests are exact, so any input is
+// valid: coincident points, and constraints that cross, touch or overlap. Where constraints cross, a new vertex is
+// inserted on the grid.
 
 #include <array>
 #include <cstdint>
@@ -25,7 +25,7 @@ inline std::int64_t turnOf(const GridPoint& a, const GridPoint& b, const GridPoi
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// What stands on the sides of a constraint, as a number ≥ 0 of the caller's, or none.
+/// The labels of the two sides of a constraint: numbers ≥ 0 of the caller, or none.
 struct SideLabels {
     static constexpr int none = -1;
 
@@ -42,15 +42,15 @@ class ConstrainedTriangulation {
 
     ConstrainedTriangulation();
 
-    /// The vertices of these points; equal points share one. Points are inserted in an order of its own, which is fast.
+    /// Inserts the points, in an order that is fast. Returns the vertex of each; equal points share one.
     std::vector<int> insertAll(const std::vector<GridPoint>& points, const std::stop_token& stop = {});
     int insert(const GridPoint& point);
-    /// Makes the way from `a` to `b` a constraint. A side that has a label already keeps it. False where it had to give
-    /// up: constraints that cross more often than is reasonable.
+    /// Makes the segment from `a` to `b` a constraint. A side that already has a label keeps it. Returns false if
+    /// constraints cross too often to go on.
     bool constrain(int a, int b, const SideLabels& labels);
-    /// Leads a constraint through a point beside it, or on it but for rounding. The vertex there.
+    /// Bends a constraint through a point beside it, or within rounding on it. Returns the vertex of the point.
     int bend(int edge, const GridPoint& via);
-    /// Whether nothing but free edges is between two vertices inside of the square.
+    /// Whether the segment between two vertices inside the square crosses no constraint.
     bool isVisible(int a, int b) const;
     /// Adds a label to the sides of one edge that have none.
     void label(int edge, const SideLabels& labels);
@@ -62,16 +62,16 @@ class ConstrainedTriangulation {
     int target(int edge) const { return origin(next(edge)); }
     /// The same edge from the other side; −1 on the border of the square.
     int twin(int edge) const { return m_twin[index(edge)]; }
-    /// What stands on the edge on the side of its triangle.
+    /// The label of the edge on the side of its triangle.
     int labelOf(int edge) const { return m_label[index(edge)]; }
     bool isConstraint(int edge) const { return labelOf(edge) >= 0 || (twin(edge) >= 0 && labelOf(twin(edge)) >= 0); }
     static int next(int edge) { return edge % 3 == 2 ? edge - 2 : edge + 1; }
     static int previous(int edge) { return edge % 3 == 0 ? edge + 2 : edge - 1; }
-    /// The edges that leave a vertex inside of the square, anticlockwise.
+    /// The edges that start at a vertex inside the square, anticlockwise.
     std::vector<int> edgesFrom(int vertex) const;
     /// −1 when there is none.
     int edgeBetween(int a, int b) const;
-    /// An edge of the triangle that has the point in it or on its border.
+    /// An edge of the triangle that contains the point, border included.
     int triangleAt(const GridPoint& point) const;
 
   private:
@@ -79,10 +79,10 @@ class ConstrainedTriangulation {
         int a, b;
         SideLabels labels;
     };
-    struct Crossed { // what the way of a constraint meets first
+    struct Crossed { // the first vertex or constraint that a segment meets
         int vertex = -1;
         int edge = -1;                        // a constraint
-        std::vector<std::pair<int, int>> way; // free edges, by their ends
+        std::vector<std::pair<int, int>> way; // free edges before it, by their ends
     };
 
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -102,7 +102,7 @@ class ConstrainedTriangulation {
     std::vector<int> m_edgeFrom; // of each vertex
     std::vector<int> m_origin, m_twin, m_label;
     std::vector<Constraint> m_work;
-    mutable int m_last = 0; // where the last point was found
+    mutable int m_last = 0; // edge of the triangle of the last search
     int m_crossings = 0;
 };
 

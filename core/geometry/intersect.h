@@ -1,5 +1,5 @@
 #pragma once
-// Points, boxes and segments against segments.
+// Intersections of segments with segments and boxes, and the closest point of a segment.
 
 #include "core/math/aabb.h"
 #include "core/math/vec.h"
@@ -12,8 +12,8 @@ namespace spacetow {
 Vec2 closestOnSegment(const Vec2& a, const Vec2& b, const Vec2& p);
 /// Whether two closed segments share a point; touching ends and overlapping collinear segments count.
 bool segmentsMeet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
-/// How far along a → b (0 … 1) the segment c…d is met first; nothing when it is not, or when they are parallel
-/// and apart. Collinear ones give the first shared point.
+/// The fraction of a → b, 0 … 1, at which it first meets the segment c…d; none if they do not meet. Collinear segments
+/// give the first shared point.
 std::optional<double> segmentFraction(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 /// The point where two segments meet; the first along a → b when they overlap.
 std::optional<Vec2> segmentIntersection(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);

@@ -18,11 +18,11 @@ struct MassProperties {
     MassProperties withMass(double newMass) const;
 };
 
-/// `density` in kg/m². Edges and lines are thin rods of 1 kg a metre times the density. The orientation of a polygon
-/// does not matter; one that encloses nothing has no mass.
+/// `density` in kg/m². An edge or line is a thin rod with the mass of a strip 1 m wide. The orientation of a polygon
+/// does not matter; a polygon without area has no mass.
 MassProperties massOf(const Shape& shape, double density);
 
-/// Of a body made from all of these.
+/// The mass properties of a body that consists of all parts.
 MassProperties sum(std::span<const MassProperties> parts);
 
 } // namespace spacetow

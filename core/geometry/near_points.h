@@ -1,5 +1,5 @@
 #pragma once
-// Which of many points are at one place but for rounding. Metres.
+// Finds points that coincide within rounding errors. Metres.
 
 #include "core/math/vec.h"
 
@@ -11,16 +11,16 @@
 
 namespace spacetow {
 
-/// Ends of walls and corners of parts that are no further apart than this, in metres, meet. Coordinates that were
-/// rounded to six decimals differ by up to 1.42e-6 m, those that were computed in another order by some 1e-12 m; what a
-/// body could feel of such a gap is far below the slop of contacts.
+/// Ends of walls, and corners of parts, that are no further apart than this are joined, m. Coordinates rounded to six
+/// decimals differ by up to 1.42e-6 m, coordinates computed in another order by about 1e-12 m. A gap of this size is
+/// far below linearSlop.
 constexpr double jointTolerance = 2e-6;
 
-/// Where more of them meet than this, nothing is joined.
+/// If more than this many points coincide, none of them is joined.
 constexpr int jointCrowd = 200;
 
-/// How far apart the ends of two sides may be and still meet: a hundredth of the shorter one at most, so that what is
-/// smaller than the tolerance does not collapse.
+/// The joint tolerance for the ends of two sides, m: at most a hundredth of the shorter one, so that the two ends of a
+/// tiny side do not coincide.
 inline double meetingDistance(double length, double otherLength) {
     return std::min(jointTolerance, 0.01 * std::min(length, otherLength));
 }
@@ -29,8 +29,8 @@ class NearPoints {
   public:
     explicit NearPoints(std::span<const Vec2> points);
 
-    /// Calls `visit(index)` for the points within the tolerance of `at`; false when they are a crowd, and not all of
-    /// them were visited.
+    /// Calls `visit(index)` for the points within the tolerance of `at`. Returns false, without visiting all of them,
+    /// if there are more than `jointCrowd`.
     template <class Visit>
     bool visit(const Vec2& at, const Visit& visit) const {
         const Cell low = cellOf(at - Vec2(jointTolerance, jointTolerance));
@@ -66,13 +66,13 @@ class NearPoints {
         bool operator<(const Cell& o) const { return cell < o; }
     };
 
-    // Borders of cells are where no grid that people draw on has its lines, so that few points are near one.
+    // A grid that no level design grid coincides with, so that few points lie on the border of two cells.
     static Cell cellOf(const Vec2& p) {
         constexpr double perMetre = 9973;
         constexpr double shift = 0.3719;
         return {wholeBelow(p.x() * perMetre + shift), wholeBelow(p.y() * perMetre + shift)};
     }
-    static double wholeBelow(double x) { // std::floor, which is a call, for what fits in an integer
+    static double wholeBelow(double x) { // std::floor without a library call
         if (!(std::abs(x) < 1e18)) {
             return x;
         }

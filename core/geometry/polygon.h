@@ -11,14 +11,15 @@ namespace spacetow {
 
 /// Shoelace formula, m²; positive when the outline runs anticlockwise.
 double signedArea(std::span<const Vec2> outline);
-/// Centre of the enclosed area; the mean of the vertices when there is no area. At least one vertex.
+/// Centroid of the enclosed area; the mean of the vertices if there is no area. Needs at least one vertex.
 Vec2 centroid(std::span<const Vec2> outline);
-/// At least three vertices, none repeated, and no two sides that meet anywhere but at the vertex they share.
+/// Whether the outline has at least three vertices, none repeated, and no two sides meet except at a shared vertex.
 /// O(n log n) for ordinary outlines.
 bool isSimple(std::span<const Vec2> outline);
 /// Even–odd rule; the outline itself may count as either side.
 bool contains(std::span<const Vec2> outline, const Vec2& p);
-/// Distance from `center` to the nearest point of the outline: for a centre inside, the largest circle round it.
+/// Distance from `center` to the nearest point of the outline: for a centre inside, the radius of the largest circle
+/// about it inside the outline.
 double incircleRadius(std::span<const Vec2> outline, const Vec2& center);
 /// Distance from `center` to the farthest vertex.
 double outerRadius(std::span<const Vec2> outline, const Vec2& center);

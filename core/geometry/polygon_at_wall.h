@@ -1,5 +1,5 @@
 #pragma once
-// Where a polygon is that a wall may meet: over which stretch of it, on which side, whether it is behind.
+// The position of a convex part relative to a wall: extent, side, and whether the wall stops it. Metres.
 
 #include "core/geometry/wall_side.h"
 
@@ -7,20 +7,20 @@
 
 namespace spacetow {
 
-/// The stretch of a wall that the corners of a polygon are over, and of its prolongation.
+/// The extent of a polygon along a wall and its prolongation.
 struct Extent {
-    double from = std::numeric_limits<double>::infinity(); // m from the start of the wall
+    double from = std::numeric_limits<double>::infinity(); // m, from the start of the wall
     double to = -std::numeric_limits<double>::infinity();
 };
 
 Extent extentAlong(const WallSide& side, const ConvexPart& convex);
 
-/// On which side of a line a polygon is that its centre is not over: the line and the one that continues it, both
-/// prolonged to the centre, may disagree; then what of the polygon is over the line decides.
+/// Whether the polygon is on the right of the line. If the line and its neighbour, prolonged to the centre of the
+/// polygon, disagree about the side, the stretch of the polygon over the line decides.
 bool isMostlyOnRight(const WallPart& line, const ConvexPart& convex);
 
-/// Whether the wall stops a part whose centre is behind its face. The parts of a polygon that is inside the depth as a
-/// whole belong together, even where some are deeper.
+/// Whether the face of the wall stops the part. The parts of a polygon whose centroid is within the depth are all
+/// stopped, even those that are deeper.
 bool isHeld(const WallSide& side, const ConvexPart& convex);
 
 } // namespace spacetow

@@ -1,6 +1,6 @@
 #pragma once
-// Union, difference and intersection of areas. Metres. Results are rounded to 10⁻⁸ m; corners of what went in come out
-// to the bit.
+// Union, difference and intersection of areas. Metres. Results are rounded to 10⁻⁸ m, except for corners of the input,
+// which keep their bits.
 
 #include "core/math/vec.h"
 
@@ -12,15 +12,15 @@ using PolygonSet = std::vector<std::vector<Vec2>>; // simple outlines; may overl
 
 enum class PolygonBoolean { Union, Difference, Intersection };
 
-/// What lies in `a` or `b`, in `a` but not in `b`, or in both: simple anticlockwise outlines that do not overlap and
-/// have no holes; an area with a hole is cut through it into several. Coordinates are below 10⁶ m.
+/// The union, difference or intersection of `a` and `b` as simple anticlockwise outlines that do not overlap. An area
+/// with a hole is cut into several outlines. Coordinates are below 10⁶ m.
 PolygonSet combined(const PolygonSet& a, const PolygonSet& b, PolygonBoolean how);
 
-/// Which points outlines that cross themselves and each other, or lie in one another, fill: those they go round an odd
-/// number of times, or those they go round more often one way than the other.
+/// Which points are filled: those with an odd winding number, or those whose winding number is not zero.
 enum class FillRule { EvenOdd, NonZero };
 
-/// What outlines, of at least three points and running either way, fill: areas as `combined` gives them.
+/// The filled areas of outlines that may cross themselves and each other; each has at least three points and any
+/// orientation. The result has the form of `combined`.
 PolygonSet filledAreas(const PolygonSet& outlines, FillRule rule);
 
 } // namespace spacetow

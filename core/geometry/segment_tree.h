@@ -1,6 +1,6 @@
 #pragma once
-// Boxes over stretches of a polyline, eight to one, and over stretches of those: what follows each other on an outline
-// lies together, so that no sorting is needed. Knows nothing of the points themselves; the caller has them.
+// A bounding volume hierarchy over the segments of a polyline, eight to a node. Successive segments are near each
+// other, so nothing is sorted. The points are not stored; the caller has them.
 
 #include "core/math/aabb.h"
 
@@ -13,7 +13,7 @@ namespace spacetow {
 
 class SegmentTree {
   public:
-    static constexpr int stretch = 8; // segments under the lowest boxes, and boxes under the others
+    static constexpr int stretch = 8; // segments of a lowest node, and children of any other node
 
     SegmentTree() = default;
     /// Segment i leads from point i to the next; when closed, the last one leads to the first point.
@@ -23,15 +23,15 @@ class SegmentTree {
     /// Empty when there is no segment.
     Aabb bounds() const { return m_rows.empty() ? Aabb() : m_rows.back().front(); }
 
-    /// From the whole down to ever shorter stretches, in ascending order: `enter(box, first, end)` says whether to look
-    /// at what the stretch is made of; `visit(first, end)` is called for the shortest ones that were entered.
+    /// Descends from the root in ascending order of segments: `enter(box, first, end)` says whether to descend into a
+    /// node, and `visit(first, end)` is called for the lowest nodes that were entered. `first` and `end` are segments.
     template <class Enter, class Visit>
     void descend(Enter enter, Visit visit) const {
         if (!m_rows.empty()) {
             descendFrom({static_cast<int>(m_rows.size()) - 1, 0, stretchOf(m_rows.size() - 1)}, enter, visit);
         }
     }
-    /// Calls `visit(first, end)` for the shortest stretches whose boxes overlap the box.
+    /// Calls `visit(first, end)` for the lowest nodes whose boxes overlap the box.
     template <class Visit>
     void visit(const Aabb& box, Visit visit) const {
         descend([&box](const Aabb& stretchBox, int, int) { return stretchBox.overlaps(box); }, visit);

@@ -1,5 +1,5 @@
 #pragma once
-// The four shapes, in the local coordinates of what carries them (metres).
+// The four shapes, in local coordinates of their body, metres.
 
 #include "core/math/vec.h"
 
@@ -9,7 +9,7 @@
 
 namespace spacetow {
 
-constexpr double noBack = std::numeric_limits<double>::infinity(); // depth of an edge that is solid all the way
+constexpr double noBack = std::numeric_limits<double>::infinity(); // infinite depth of an edge
 
 struct Circle {
     Vec2 center{0, 0};
@@ -18,8 +18,9 @@ struct Circle {
     bool operator==(const Circle&) const = default;
 };
 
-/// A one-way wall: solid for what comes from the left of a→b, open from behind. `depth` metres behind the
-/// line count as inside the wall; what is deeper is not touched. Both ends stop what runs into them.
+/// A one-way wall: it stops bodies that come from the left of a → b, and lets bodies pass from the right unless its
+/// depth is infinite. The band of `depth` metres behind the line is inside the wall: a body that was put there is
+/// pushed out to the front. Both ends stop bodies from all sides.
 struct Edge {
     Vec2 a{0, 0};
     Vec2 b{1, 0};

@@ -1,7 +1,7 @@
 #pragma once
-// A quadtree over boxes that do not move. Its split points come from the boxes themselves, a box is held by every
-// quadrant it straddles, and a branch ends where three levels brought no fewer boxes, or where each is held many times
-// by now. The same boxes give the same tree.
+// A quadtree over static boxes. Split points are chosen from the boxes. A box is stored in every leaf that it overlaps.
+// Subdivision ends when three levels have not reduced the boxes of a node, or when boxes are stored too many times.
+// Equal boxes give equal trees.
 
 #include "core/math/aabb.h"
 
@@ -14,7 +14,7 @@ namespace spacetow {
 class StaticQuadtree {
   public:
     StaticQuadtree() = default;
-    /// Empty boxes are held but never found. O(n log n) for boxes that can be told apart.
+    /// Empty boxes keep their index but are never found. O(n log n), unless many boxes lie on each other.
     explicit StaticQuadtree(std::vector<Aabb> boxes);
 
     /// Appends the indices of the boxes that overlap `area`, borders included, each once and always in the same order.
@@ -25,7 +25,7 @@ class StaticQuadtree {
     std::vector<Aabb> cells() const;
     /// Levels below the root; 0 for a tree that is one leaf.
     int depth() const { return m_depth; }
-    /// What all leaves hold together; a box counts for each leaf that it is in.
+    /// The sum over all leaves of the boxes stored in the leaf.
     std::size_t held() const { return m_items.size(); }
 
   private:
@@ -41,7 +41,7 @@ class StaticQuadtree {
     Aabb m_bounds;
     std::vector<Node> m_nodes;
     std::vector<std::uint32_t> m_items; // leaf by leaf
-    std::vector<Aabb> m_itemBoxes;      // theirs, to be read in a row
+    std::vector<Aabb> m_itemBoxes;      // by item, so that a query reads memory in order
     int m_depth = 0;
 };
 

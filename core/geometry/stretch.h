@@ -1,5 +1,5 @@
 #pragma once
-// Stretches of straight lines, with ends or without: what is nearest on them, and where two of them cross. Metres.
+// Stretches of straight lines, with ends or infinite: closest points and crossings. Metres.
 
 #include "core/math/vec.h"
 
@@ -9,9 +9,9 @@
 
 namespace spacetow {
 
-constexpr double sameStretch = 1e-9; // m, beyond its ends that still count as on it
+constexpr double sameStretch = 1e-9; // m: points no further beyond an end count as on the stretch
 
-/// Without ends.
+/// An infinite line.
 struct StraightLine {
     Vec2 through{0, 0};
     Vec2 along{1, 0}; // unit
@@ -32,7 +32,7 @@ struct Stretch {
         return {{through, along}, -end, end};
     }
 
-    /// How far along the line the foot of the perpendicular from the point is.
+    /// The coordinate along the line, m, of the point projected on it.
     double along(const Vec2& point) const { return (point - line.through).dot(line.along); }
     bool reaches(double metres) const { return from - sameStretch <= metres && metres <= to + sameStretch; }
     Vec2 at(double metres) const { return line.through + metres * line.along; }

@@ -11,8 +11,8 @@ void listProxies(const Bodies& bodies, BroadPhase& broadPhase, const Sleep& slee
 /// Enlarges the fat AABBs of moved bodies for `seconds` of motion at their present velocity.
 void enlargeAabbs(Bodies& bodies, BroadPhase& broadPhase, const PairSearch& search, double seconds);
 
-/// The limit on pairs of moving bodies: many times what the densest heap has. Thousands of bodies at one place have
-/// more pairs, which would fill the memory. The pairs beyond the limit are found once the crowd has come apart.
+/// The limit on pairs, many times the number of the densest heap: the square of thousands of bodies at one place would
+/// fill the memory. The pairs beyond the limit are found once the bodies have come apart.
 std::size_t mostPairs(const BroadPhase& broadPhase);
 
 /// Fills `foundPairs` with all pairs of moved proxies, in the order of the pair table. Stops at `mostPairs` and sets

@@ -5,7 +5,7 @@
 
 namespace spacetow {
 
-/// A view, as a span is: members that are not const may be changed through it.
+/// A view that owns nothing, like a span. The search changes the members that are not const.
 struct PairStage {
     Bodies& bodies;
     const Forces& forces;

@@ -25,7 +25,7 @@ void clearSlots(std::vector<T>& list, const std::vector<Slot>& slots) {
     }
 }
 
-/// What the solver keeps by slot of those that have moved begins anew: it writes no other.
+/// Clears the scratch data by slot of the bodies that were listed as moving: the solver writes no other slots.
 void clearBySlot(SolverScratch& solver, ToiSearch& toi, const std::vector<Slot>& moved) {
     clearSlots(solver.velocities, moved);
     clearSlots(solver.corrections, moved);

@@ -7,7 +7,7 @@
 
 namespace spacetow {
 
-/// Lists the active bodies that are awake. Resets what the solver and the time of impact keep by slot for the bodies
+/// Lists the moving bodies: those that are active, awake and not static. Clears the scratch data by slot of the bodies
 /// that were listed before.
 void listMoving(Bodies& bodies, SolverScratch& solver, ToiSearch& toi);
 /// Lists the pairs with a sensor.

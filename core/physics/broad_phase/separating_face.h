@@ -1,6 +1,6 @@
 #pragma once
-// A separating-axis test of the broad phase for long parts, whose AABBs are mostly empty: no pair is made for an AABB
-// in front of one face of the part.
+// A separating-axis test of the broad phase for slender parts, whose AABBs are mostly empty: an AABB in front of one
+// face of the part makes no pair.
 
 #include "core/physics/state/body_data.h"
 

@@ -1,7 +1,7 @@
 #pragma once
-// The parts of static bodies in world coordinates, and the search among them. The parts lie in a geometry that was
-// built at once, and in a small one with the changes since. Every search gives what one rebuilt geometry would give:
-// joints are remade as far as a change reaches.
+// The static geometry: the parts of static bodies in world coordinates, with their trees. Changes since it was built
+// are in a small second geometry (StaticChanges). Every search gives the same result as a rebuilt geometry would: the
+// joints of all parts near a change are computed again.
 
 #include "core/physics/state/world_data.h"
 

@@ -11,7 +11,8 @@ void mixMaterials(const BodyRecord& a, const BodyRecord& b, Contact& contact) {
     contact.restitution = std::clamp(0.5 * (a.restitution + b.restitution), 0.0, 1.0);
 }
 
-/// Returns whether any of its contacts in the table has points.
+/// Mixes the materials of all contacts of the body in the table again, and outdates the manifolds of those that now
+/// have restitution. Returns whether any of the contacts has points.
 bool remixMaterials(const Bodies& bodies, std::vector<Contact>& pool, const PairTable& table, Slot slot) {
     bool any = false;
     for (const Pair& pair : table.pairs) {

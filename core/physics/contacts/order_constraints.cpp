@@ -15,7 +15,8 @@ double leastSeparation(const Constraint& c) {
     return c.count == 2 ? std::min(c.points[0].separation, c.points[1].separation) : c.points[0].separation;
 }
 
-/// Moves the last of some contacts of a body up to its place among those with static bodies, of which it is one.
+/// One step of an insertion sort: moves the contact `last` to its place among the contacts with static bodies from
+/// `first` on.
 void insertLast(const Bodies& bodies, NarrowPhase& narrow, std::size_t first, std::size_t last) {
     std::vector<Constraint>& all = narrow.constraints;
     for (std::size_t i = last; i-- > first;) {

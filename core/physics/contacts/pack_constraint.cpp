@@ -12,8 +12,8 @@ namespace spacetow {
 
 namespace {
 
-/// Two points with nearly the same effect make the system singular: the one that overlaps more acts for both. A point
-/// at which no push can move anything does not act at all. Returns whether it is.
+/// Writes the 2 × 2 system of the points, their targets and their impulses. Two points with nearly the same effect make
+/// the system singular. A point at which an impulse moves neither body does not act. Returns whether it is singular.
 bool packBlock(const Constraint& c, ConstraintBatch& batch, std::uint32_t i, double perSecond) {
     const ConstraintPoint& p = c.points[0];
     const ConstraintPoint& q = c.points[1];
@@ -56,14 +56,15 @@ const KeptManifold& manifoldOf(const Contacts& contacts, const ConstraintPoint& 
     return contacts.pool[point.contact].manifold;
 }
 
-/// What of kept manifolds is the same for all points.
+/// The part of a kept manifold that all points share.
 struct Frame {
-    Vec2 normal;        // in the coordinates of its owner
-    Transform relative; // of a in those of b, when it was made
+    Vec2 normal;        // unit, in local coordinates of its owner
+    Transform relative; // pose of a relative to b when the manifold was made
     double tolerance;
 };
 
-/// The points of a merged contact have manifolds of their own; where the bodies are now, all of these hold.
+/// The frame of a merged contact, whose points come from several manifolds: all of these are valid at the present
+/// poses.
 Frame mergedFrame(const Bodies& bodies, const Constraint& c, bool still, bool normalOnA) {
     const Transform poseA = bodies.pose(c.a);
     const Transform poseB = still ? Transform{} : bodies.pose(c.b);

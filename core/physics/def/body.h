@@ -29,8 +29,8 @@ struct BodyDef {
     double angularVelocity = 0; // rad/s
     std::optional<double> mass; // kg, > 0; by default area times density
     double density = 1;         // kg/m², > 0; an edge or line has the mass of a strip 1 m wide
-    double restitution = 0;     // 0 … 1
-    double friction = 0.3;      // ≥ 0
+    double restitution = 0;     // 0 … 1; a contact has the mean of both bodies
+    double friction = 0.3;      // ≥ 0; a contact has the geometric mean of both bodies
     double linearDamping = 0;   // 1/s, ≥ 0
     double angularDamping = 0;  // 1/s, ≥ 0
     Filter filter;
@@ -42,7 +42,7 @@ struct BodyDef {
     std::uint64_t user = 0;      // set by the owner of the world; the engine never reads it
 };
 
-/// What can be changed of a body without changing its shape, as in BodyDef.
+/// The part of BodyDef that World::setMaterial can change. Units and ranges as in BodyDef.
 struct BodyMaterial {
     std::optional<double> mass;
     double density = 1;

@@ -1,5 +1,5 @@
 #pragma once
-// Why something is not taken into a world.
+// The error codes of World.
 
 #include "core/base/codes.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A damped spring between two anchor points (report, page 9).
+// A damped spring between two anchor points. SI units.
 
 #include "core/base/handles.h"
 #include "core/physics/def/body.h"

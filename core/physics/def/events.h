@@ -1,5 +1,5 @@
 #pragma once
-// What happened during the last update, each list in a deterministic order. The next update clears all lists.
+// The events of the last update, each list in a deterministic order. The next update clears all lists.
 
 #include "core/physics/def/body.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The parameters of an update.
+// The parameters of an update. SI units.
 
 #include "core/math/vec.h"
 

@@ -9,7 +9,8 @@
 
 namespace spacetow {
 
-/// In the order in which they run. `Changes` and `Sleep` run once an update, all others once an iteration.
+/// In the order in which they run. `Sleep` runs once an update. `Changes` runs once an update and after each iteration
+/// with deferred changes. All others run once an iteration.
 enum class StepStage : std::uint8_t {
     Changes,  // deferred removals and flags, lists of bodies, accelerations
     Motion,   // velocities, and the motion of each body by itself

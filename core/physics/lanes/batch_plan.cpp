@@ -6,7 +6,7 @@ namespace spacetow {
 
 namespace {
 
-// A body comes again in the next batch but one, so that the processor need not wait for the result of the last.
+// A body is in at most every second batch, so that a batch need not wait for the results of the one before.
 constexpr std::uint32_t pause = 2;
 
 } // namespace

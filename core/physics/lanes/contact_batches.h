@@ -39,7 +39,7 @@ struct alignas(32) CircleAnchors {
 /// The inputs of the update of all other contacts while their manifolds are kept: anchors, in local coordinates.
 struct alignas(32) ContactAnchors {
     std::array<Slot, 4> a{}, b{};
-    std::array<std::uint32_t, 4> owner{}; // index in `constraints`
+    std::array<std::uint32_t, 4> owner{}; // index in `generalContacts`
     Mask staticB{};                       // b is static: its anchors are in world coordinates
     Mask normalOnA{};                     // the normal is in local coordinates of a, else of b
     Mask acts1{}, acts2{};                // whether an impulse at the point can move a body
@@ -115,7 +115,7 @@ struct Lane {
 /// A set of lanes of a batch; bit i is lane i.
 using LaneBits = std::uint8_t;
 
-/// What the kernels found, by lane.
+/// Results of the kernels, by lane.
 struct BatchFlags {
     LaneBits occupied = 0;
     LaneBits outdated = 0; // beyond the speculative margin, or the manifold is outdated

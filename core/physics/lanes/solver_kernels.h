@@ -14,7 +14,7 @@ struct BodyRows {
     std::size_t stride;
 };
 
-/// What refreshContacts reads of the bodies.
+/// The body data that refreshContacts reads.
 struct BodyViews {
     BodyRows poses;          // centre of mass, cosine and sine
     BodyRows plannedMotions; // delta position, motion of the outermost points by the delta angle, inner radius

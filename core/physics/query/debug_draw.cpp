@@ -66,7 +66,7 @@ class ShapeDrawing {
   private:
     Vec2 at(const Vec2& local) const { return m_view.view.toView(m_body.pose.toWorld(local)); }
 
-    /// What is solid behind the wall; where that has no end, a strip that is left open.
+    /// Draws the solid band behind an edge. A band of infinite depth is drawn as a strip without a far border.
     void band(const Edge& edge) const {
         constexpr double open = 14; // units of the picture
         constexpr std::uint8_t faint = 60;
@@ -86,7 +86,7 @@ class ShapeDrawing {
         }
     }
 
-    /// Of metres, whether nobody would see so much.
+    /// Whether an extent in metres is too small to be drawn; then tells the host.
     bool isTiny(double extent) const {
         const bool tiny = m_view.area && m_view.view.toView(extent) < leastExtent;
         if (tiny) {
@@ -151,14 +151,14 @@ void drawBody(const DebugBody& body, const DebugView& view, DebugDraw& draw) {
 
 namespace {
 
-/// What is drawn of bodies one by one reaches no further.
+/// Bounds of all that is drawn of one body.
 Aabb reachOf(const BodyState& state, const Aabb& bounds) {
     Aabb box = bounds.isEmpty() ? Aabb{state.massCenter, state.massCenter} : bounds;
     box.include(state.massCenter + state.velocity);
     return box.grown(1);
 }
 
-/// The bodies of a kind that may be seen, in the order in which they were added.
+/// The visible bodies: static, kinematic, dynamic, each in the order of creation.
 std::vector<BodyId> seenBodies(const World& world, const DebugView& view) {
     std::vector<BodyId> seen;
     const std::vector<BodyId> bodies = world.bodies();
@@ -187,7 +187,7 @@ DebugBody bodyOf(const World& world, BodyId id, const DebugView& view) {
     return body;
 }
 
-/// What lies below the bodies.
+/// Draws the overlays below the bodies.
 void drawGround(const World& world, std::span<const BodyId> seen, const DebugView& view, DebugDraw& draw) {
     if (view.overlays.quadtree) {
         drawTrees(world, view, draw);
@@ -205,7 +205,7 @@ void drawGround(const World& world, std::span<const BodyId> seen, const DebugVie
     }
 }
 
-/// What lies on top of them.
+/// Draws the overlays above the bodies.
 void drawMarks(const World& world, std::span<const BodyId> seen, const DebugView& view, DebugDraw& draw) {
     if (view.overlays.risk) {
         drawRisks(world, view, draw);

@@ -1,7 +1,6 @@
 #pragma once
-// Drawing for inspection: drawWorld tells the host's DebugDraw what there is to see. The call neither changes nor keeps
-// anything of the world: two calls with the same world draw the same picture. The host receives coordinates of its
-// picture, see ViewTransform.
+// Debug drawing: drawWorld() draws a world with the DebugDraw of the host. It neither changes nor keeps the world: two
+// calls with the same world draw the same picture. The host receives coordinates of its picture, see ViewTransform.
 
 #include "core/physics/query/debug_view.h"
 
@@ -9,7 +8,7 @@
 
 namespace spacetow {
 
-/// What is drawn of a body. Holds a view of the shapes, which must outlive it.
+/// The data of a body that is drawn. `shapes` is a view.
 struct DebugBody {
     BodyKind kind = BodyKind::Dynamic;
     std::span<const Shape> shapes;

@@ -11,13 +11,13 @@ namespace spacetow {
 // Units of the picture: the same at every scale.
 constexpr double leastExtent = 2; // a body that is smaller is not drawn
 
-/// Whether a line of this length, m, would be no more than a dot. What is drawn to be looked at has none of these.
+/// Whether a line of this length, m, would be a dot. Pictures without an area have no dots: they leave nothing out.
 inline bool isDot(const DebugView& view, double length) {
     return view.area && view.view.toView(std::abs(length)) < 1;
 }
 
-/// The same of a mark that is then left out, which the host is told: not of what nobody would see from nearer either,
-/// such as the velocities of what rests.
+/// The same for a mark that is then left out. Tells the host, unless the mark is shorter than a centimetre and so could
+/// not be seen from nearer either.
 inline bool isLeftOut(const DebugView& view, double length, DebugDraw& draw) {
     constexpr double worthSeeing = 0.01; // m
     if (!isDot(view, length)) {

@@ -1,5 +1,5 @@
 #pragma once
-// What debug drawing is done with: the interface that the host implements, the colours, and the view of the world.
+// The parameters of debug drawing: the interface that the host implements, the colours, and the view of the world.
 
 #include "core/math/view_transform.h"
 #include "core/physics/query/overlay_flags.h"
@@ -99,7 +99,7 @@ struct DebugView {
     /// The visible part of the world. If set, bodies outside and bodies too small to be seen are not drawn.
     std::optional<Aabb> area;
 
-    // What the host knows of a body, by BodyDef::user.
+    // Data of the host about a body, by BodyDef::user.
     std::function<std::string(std::uint64_t user)> nameOf; // without it no body has a name
     std::function<bool(std::uint64_t user)> isSelected;    // without it nothing is selected
     std::function<std::optional<Color>(int tag)> tagColor; // without it no tag has a colour

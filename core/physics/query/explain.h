@@ -1,6 +1,6 @@
 #pragma once
-// What acts on a body: forces, contacts, energy and momentum; the same for connectors, and the sums over a world. Call
-// these functions after an update; they do not change the world. SI units, radians.
+// Explanations: the forces on a body, its contacts, energy and momentum; connectors; sums over a world. Call these
+// functions after an update; they do not change the world. SI units, radians.
 
 #include "core/physics/world/world.h"
 
@@ -78,7 +78,7 @@ struct WorldCounters {
     int pairs = 0;                                 // of parts, in the pair table
     int contacts = 0;                              // pairs of parts that touch
     int treeCells = 0;                             // leaves of the quadtrees
-    int islands = 0;                               // components of the contact graph, of bodies that are awake
+    int islands = 0; // components of the contact graph with awake bodies; a kinematic body is one
     int connectors = 0;
 };
 

@@ -24,7 +24,7 @@ std::size_t bytesOf(const Batches<Batch>& batches) {
 std::size_t copyBytes(const World& world) {
     const WorldData& data = world.data();
     constexpr std::size_t kept = sizeof(PlannedMotion) + sizeof(BodyExtent) + sizeof(double) + sizeof(BodyVelocity);
-    constexpr std::size_t lists = 12 * sizeof(Slot); // in which a body may be
+    constexpr std::size_t lists = 12 * sizeof(Slot); // about as many lists contain a body
     const std::size_t bodies = bytesOf(data.bodies.motions) + bytesOf(data.bodies.steps) +
                                bytesOf(data.bodies.records) + data.bodies.records.size() * (kept + lists);
     constexpr std::size_t places = sizeof(Aabb) + 4 * sizeof(std::uint32_t); // in the tree

@@ -1,14 +1,14 @@
 #pragma once
-// Sleep: islands of bodies that have come to rest cost nothing until something wakes them. An island is
-// what touching solid pairs and connectors join (see core/physics/solver/contact_graph.h for the rule); static bodies,
-// kinematic ones and wholly frozen ones join nothing. It falls asleep when all of its bodies have been slow for half a
-// second, and wakes as a whole. See WorldData::sleep.
+// Sleep: islands of bodies at rest cost nothing until something wakes them. An island is a set of movable bodies that
+// touching solid pairs and connectors join, by the rule of core/physics/solver/contact_graph.h. Static, kinematic and
+// wholly frozen bodies join nothing. An island falls asleep when all of its bodies have been slow for half a second,
+// and wakes as a whole.
 
 #include "core/physics/state/world_data.h"
 
 namespace spacetow {
 
-/// A view, as a span is: members that are not const may be changed through it.
+/// A view that owns nothing, like a span. Falling asleep and waking change the members that are not const.
 struct SleepStage {
     Bodies& bodies;
     const Forces& forces;
@@ -18,9 +18,9 @@ struct SleepStage {
     Events& events;
     StepFlags& flags;
     SleepSearch& search;
-    PairTable& newTable;   // of bodies that are awake
-    SolverScratch& solver; // both cleared of bodies that no longer move
-    ToiSearch& toi;
+    PairTable& newTable;   // the next table of awake pairs
+    SolverScratch& solver; // cleared for bodies that no longer move
+    ToiSearch& toi;        // likewise
 
     SleepStage(WorldData& data)
         : bodies(data.bodies), forces(data.forces), contacts(data.contacts), constraints(data.constraints),
@@ -32,7 +32,7 @@ struct SleepStage {
 /// bodies near it; if it is static, also those near its new place. Costs nothing while no body sleeps.
 void requestWake(Bodies& bodies, Sleep& sleep, Slot slot);
 
-/// The events get this `iteration`, here and below.
+/// Wakes the islands that requestWake() has named. The events get this `iteration`, here and below.
 void wakeRequested(const SleepStage& stage, int iteration);
 
 /// Call it at the start of an update: it wakes the requested islands, or all of them if sleep is no longer allowed or

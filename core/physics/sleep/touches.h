@@ -5,7 +5,7 @@
 
 namespace spacetow {
 
-/// A view, as a span is: members that are not const may be changed through it.
+/// A view that owns nothing, like a span. The reports change the members that are not const.
 struct TouchStage {
     Bodies& bodies;
     Contacts& contacts;
@@ -18,8 +18,8 @@ struct TouchStage {
           changes(data.scratch.changes) {}
 };
 
-/// Events of the pairs whose marks have changed since they were last reported, in the order of the table, and the tags
-/// that the bodies which ask for them touched in this iteration.
+/// Adds the events of all pairs of bodies that have begun or ended to touch since the last report, in the order of the
+/// pair table, and those of touched tags for the bodies that report them.
 void reportTouches(const TouchStage& stage, int iteration);
 
 /// Joins the tag events from index `first` on, all of one iteration, to one event a body.

@@ -1,7 +1,7 @@
 #pragma once
-// Contacts never add energy. Without this limit, warm starting, an unconverged solver, restitution with friction, and
-// position correction could lift a pile or drive a jammed body. Each component of the contact graph is limited by
-// itself.
+// The energy limit: contacts never add energy. Without this limit, warm starting, an unconverged solver, restitution
+// with friction, and position correction could lift a pile or drive a jammed body. Each component of the contact graph
+// is limited by itself.
 
 #include "core/physics/solver/solver_stage.h"
 

@@ -4,7 +4,7 @@ namespace spacetow {
 
 namespace {
 
-/// That of the contact in this update. A contact that ended may have been used again for other bodies.
+/// The entry of the contact in this update. A new entry if the pool has reused the contact for other bodies.
 LoggedImpulse& logOf(ImpulseLog& log, std::uint32_t contact, Slot a, Slot b) {
     if (contact >= log.places.size()) {
         log.places.resize(contact + 1, 0);
@@ -23,11 +23,11 @@ LoggedImpulse& logOf(ImpulseLog& log, std::uint32_t contact, Slot a, Slot b) {
     return fresh;
 }
 
-/// Both halves of what one lane gives.
+/// The impulses of one lane.
 struct Given {
     double normal, friction; // N s
-    Vec2 direction;          // of the normal
-    double turnA, turnB;     // N m s on b
+    Vec2 direction;          // unit, of the normal
+    double turnA, turnB;     // N m s; on a with opposite sign
 };
 
 void addTo(LoggedImpulse& sum, const Given& given) {

@@ -7,7 +7,7 @@
 
 namespace spacetow {
 
-/// A view, as a span is: members that are not const may be changed through it.
+/// A view that owns nothing, like a span. The time of impact changes the members that are not const.
 struct ToiStage {
     Bodies& bodies;
     const BroadPhase& broadPhase;
@@ -20,8 +20,9 @@ struct ToiStage {
           toi(data.scratch.toi) {}
 };
 
-/// How much of the planned motion, up to 1, may be made in one go: until what cannot be stopped has come up to what its
-/// speed would take it past, and as long as the turns of bodies in contact, down to `least`, are covered.
+/// The fraction of the planned motion, up to 1, that the next part of the iteration may make. It ends where an
+/// immovable body meets one that it would pass through, and before bodies in contact turn further than their
+/// speculative margins; these turns alone lower it to no less than `least`, 0 … 1.
 double safeFraction(const Bodies& bodies, const Contacts& contacts, double least);
 
 /// Shortens the motion (BodyStep::fraction) of swept bodies.

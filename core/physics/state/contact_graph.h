@@ -10,18 +10,19 @@
 
 namespace spacetow {
 
-/// Holds until pairs change or who moves.
+/// Valid until pairs change, or the set of moving bodies.
 struct ContactGraph {
-    /// From a body that nothing can move, kinematic or wholly frozen, to a component, by the root of that.
+    /// An edge from an immovable body, kinematic or wholly frozen, to a component. `component` is the root.
     struct KinematicEdge {
         Slot body = 0, component = 0;
         auto operator<=>(const KinematicEdge&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0
     };
-    std::vector<Slot> roots; // by slot: the lowest of its component
+    std::vector<Slot> roots; // by slot: the lowest slot of the component
     std::vector<KinematicEdge> kinematicEdges;
-    bool pushedByKinematicStale = true; // bodies may have other marks in `pushedByKinematic` than their components
-    std::vector<Slot> componentRoots;   // roots of the bodies that move
-    std::vector<BodyVelocity> inertias; // by slot: mass, mass and inertia
+    bool pushedByKinematicStale =
+        true;                         // SolverScratch::pushedByKinematic of bodies may differ from that of their roots
+    std::vector<Slot> componentRoots; // of all components that contain a moving body
+    std::vector<BodyVelocity> inertias; // by slot: mass, mass (kg) and inertia (kg m²); 0 where infinite
 };
 
 } // namespace spacetow

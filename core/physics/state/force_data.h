@@ -20,7 +20,7 @@ struct ConnectorRecord {
     double length = 0;                 // m, natural
     double stiffness = 0;              // N/m
     double damping = 0;                // N s/m
-    bool slack = false;                // pulls only
+    bool slack = false;                // a rope: it pulls only
     bool bodiesCollide = false;
     Truncation truncation;
     double tension = 0; // N, of the last kick; positive when the connector pulls
@@ -38,7 +38,7 @@ inline double storedEnergy(const ConnectorRecord& connector, double distance) {
 struct PendingChange {
     enum class Kind : std::uint8_t { Remove, Active, Tangible, Frozen } kind;
     BodyId body;
-    bool first = false, second = false; // Active, Tangible: the new value is `first`; Frozen: position, rotation
+    bool first = false, second = false; // the new values; Active, Tangible: `first`; Frozen: position and rotation
 };
 
 } // namespace spacetow

@@ -1,5 +1,5 @@
 #pragma once
-// Who sleeps; see sleep.h.
+// The sleeping bodies and their pairs; see sleep.h.
 
 #include "core/math/vec.h"
 #include "core/physics/def/tags.h"
@@ -16,14 +16,14 @@ struct TouchedTags {
     TagMask tags;
 };
 
-/// Who sleeps, and what is kept for them. Empty while nobody does.
+/// The sleeping bodies, and the data that replaces their place in the lists of the update.
 struct Sleep {
-    bool allowed = false;
-    Vec2 gravity{0, 0};                   // under which they fell asleep
+    bool allowed = false;                 // see World::setSleeping
+    Vec2 gravity{0, 0};                   // m/s², of the last update; another gravity wakes all
     std::vector<Slot> sleepers;           // sorted
-    std::vector<Slot> wakeRequests;       // since the last update
-    PairTable table;                      // pairs of sleepers, with each other and with static bodies
-    std::vector<TouchedTags> touchedTags; // of those pairs; sorted
+    std::vector<Slot> wakeRequests;       // bodies since the last update, see requestWake()
+    PairTable table;                      // pairs of two sleeping bodies, or of a sleeping and a static one
+    std::vector<TouchedTags> touchedTags; // of the bodies in `table`; sorted by body
 };
 
 } // namespace spacetow

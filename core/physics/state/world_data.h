@@ -1,5 +1,5 @@
 #pragma once
-// All that is behind a world, as the update sees it.
+// All data of a world.
 
 #include "core/physics/state/world_parts.h"
 
@@ -14,7 +14,7 @@
 
 namespace spacetow {
 
-/// What a saved world is, and beside it what an update needs while it runs.
+/// The state that a copy of the world saves, and the scratch data of an update.
 struct WorldData {
     UpdateParameters parameters;
     StepFlags flags;
@@ -26,13 +26,13 @@ struct WorldData {
     Constraints constraints;
     ContactGraph contactGraph;
     Sleep sleep;
-    std::vector<BodyId> crushed; // and reported so
+    std::vector<BodyId> crushed; // in the last iteration, see CrushedEvent
     Events events;
     ImpulseLog impulses;
 
     Scratch scratch;
 
-    /// The static body is no longer what its geometry says.
+    /// To be called when a static body has been added, removed, moved, activated or deactivated.
     void noteStaticChange(Slot slot) {
         flags.staticsChanged = true;
         broadPhase.changedStatics.push_back(slot);

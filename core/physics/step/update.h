@@ -5,6 +5,7 @@
 
 namespace spacetow {
 
+/// Runs one update. `parameters` apply to this update only; their ranges are checked by World::update.
 void updateWorld(WorldData& data, const UpdateParameters& parameters);
 
 } // namespace spacetow

@@ -19,11 +19,12 @@ struct MadeBody {
 /// Mass properties of a body that is not static; none when mass or inertia is not finite or not positive.
 std::optional<MassProperties> usableMass(std::span<const Shape> shapes, double density, std::optional<double> mass);
 
-/// What of a material is wrong whatever the shapes; and when they get no usable mass from it.
+/// The error of a material, whatever the shapes; none if there is no error. badMass() is the error of a material that
+/// gives the shapes no usable mass.
 std::optional<Error> checkMaterial(const BodyMaterial& material);
 Error badMass(const BodyMaterial& material);
 
-/// All of the material but mass and inertia.
+/// Sets restitution, friction and dampings, but not mass and inertia.
 void setSurface(BodyRecord& record, const BodyMaterial& material);
 
 /// Errors: the codes of World::addBody.

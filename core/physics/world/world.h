@@ -27,36 +27,46 @@ class World {
     World& operator=(World&&) noexcept;
     ~World();
 
-    /// Errors: "not-finite", "bad-mass", "bad-shape", "no-shape", "out-of-range"; argument 1 names the field.
+    /// At once; the body collides from the next update on. Errors: "not-finite", "bad-mass", "bad-shape", "no-shape",
+    /// "out-of-range"; argument 1 names the field.
     Result<BodyId> addBody(const BodyDef& def);
     /// Errors: "not-finite", "out-of-range", "no-such-body", "same-body"; argument 1 names the field.
     Result<ConnectorId> addConnector(const ConnectorDef& def);
 
-    /// Deferred to the start of the next update, as are the setters of flags below. The connectors of the body are
-    /// removed with the body.
+    /// Every id that is passed to a member function has to be in the world; EXPECTS checks that, except for contains()
+    /// and the ids in a ConnectorDef.
+    ///
+    /// Deferred to the start of the next update. The connectors of the body are removed with the body.
     void removeBody(BodyId body);
-    void removeConnector(ConnectorId connector); // at once
+    /// At once.
+    void removeConnector(ConnectorId connector);
+    /// Flags; deferred to the start of the next update. See BodyDef for their meaning.
     void setActive(BodyId body, bool active);
     void setTangible(BodyId body, bool tangible);
     void setFrozen(BodyId body, bool frozen) { setFrozen(body, frozen, frozen); }
     void setFrozen(BodyId body, bool position, bool rotation);
 
-    /// At once, in place; it may have other ends. Without a length it gets the distance of its anchors now. The value
-    /// says whether anything has changed; what is as it was wakes nobody. Errors as in addConnector.
+    /// Replaces the definition of a connector at once; its bodies may change too. Without a length the connector gets
+    /// the present distance of its anchors. Returns whether anything has changed; if not, no body wakes. Errors as in
+    /// addConnector.
     Result<bool> setConnector(ConnectorId connector, const ConnectorDef& def);
 
-    /// At once. For a static body the next update also patches the static tree.
+    /// At once: position of the local origin in m, angle in rad, both finite. For a static body the next update also
+    /// patches the static tree.
     void setPose(BodyId body, const Vec2& position, double angle);
+    /// At once: velocity of the centre of mass in m/s, angular velocity in rad/s, both finite. Ignored by static bodies
+    /// and frozen axes.
     void setVelocity(BodyId body, const Vec2& velocity, double angularVelocity);
+    /// At once; pairs are found again in the next update.
     void setFilter(BodyId body, const Filter& filter);
-    /// At once, in place: contacts go on with their manifolds and impulses, connectors stay. The centre of mass stays
-    /// where it is; a static body takes restitution and friction alone. The value says whether anything has changed;
-    /// what is as it was wakes nobody. Errors: "not-finite", "out-of-range", "bad-mass", as in addBody; the body then
-    /// keeps what it had.
+    /// At once. Contacts keep their manifolds and impulses, and the centre of mass keeps its place. A static body has
+    /// restitution and friction only. Returns whether anything has changed; if not, no body wakes. Errors:
+    /// "not-finite", "out-of-range", "bad-mass", as in addBody; the body then keeps its material.
     Result<bool> setMaterial(BodyId body, const BodyMaterial& material);
 
-    /// Forces (N) and torques (N m) act during the next update and are then cleared. With a value that is not finite
-    /// the call returns false and changes nothing.
+    /// Forces (N) and torques (N m) act during the next update and are then cleared. A body that does not accept the
+    /// force (see ForceSource) or is inactive ignores it. With a value that is not finite the call returns false and
+    /// changes nothing; else it returns true.
     bool applyForce(BodyId body, const Vec2& force, ForceSource source = ForceSource::Manual);
     bool applyForceAt(BodyId body, const Vec2& force, const Vec2& worldPoint, ForceSource source = ForceSource::Manual);
     bool applyTorque(BodyId body, double torque, ForceSource source = ForceSource::Manual);
@@ -67,7 +77,8 @@ class World {
 
     /// Whether bodies may fall asleep, from the next update on; off by default. An island of touching or connected
     /// bodies sleeps once no point of its bodies has moved faster than 0.01 m/s for half a second. It wakes when an
-    /// awake body touches it, or when a call changes one of its bodies or a body that they rest on.
+    /// awake body touches it, or when a call changes one of its bodies or a body that they rest on. Each call also
+    /// restarts the half second for all bodies.
     void setSleeping(bool allowed);
 
     /// Whether updates record the impulse of each contact, for core/physics/query/explain.h; off by default. Recording
@@ -78,16 +89,17 @@ class World {
     /// One update, with the parameters of the world or with `parameters` for this call only.
     void update();
     void update(const UpdateParameters& parameters);
-    /// The same, and adds the time that each stage takes to `times`.
+    /// The same. Adds the time that each stage takes to `times`, which needs a clock.
     void update(const UpdateParameters& parameters, StageTimes& times);
 
     const UpdateParameters& parameters() const;
+    /// EXPECTS the ranges of UpdateParameters, as update() does.
     void setParameters(const UpdateParameters& parameters);
+    /// Of the last update.
     const Events& events() const;
 
     bool contains(BodyId body) const;
     bool contains(ConnectorId connector) const;
-    /// The id must be in the world, here and below; EXPECTS checks that.
     BodyState body(BodyId body) const;
     const std::vector<Shape>& shapes(BodyId body) const;
     ConnectorState connector(ConnectorId connector) const;

@@ -9,7 +9,7 @@ namespace spacetow {
 
 namespace {
 
-/// A force of zero is none.
+/// A force or impulse of zero wakes no body.
 void requestWakeBy(Bodies& bodies, Sleep& sleep, BodyId body, bool anything) {
     if (anything) {
         requestWake(bodies, sleep, body.index);
