@@ -13,7 +13,7 @@ namespace {
 std::optional<std::vector<Problem>> problemsOf(const QString& file, bool withHidden) {
     Result<LevelFile> result = readLevel(toPath(file), Checks::All, Sources::Any);
     if (!result) {
-        complain(result.error());
+        complain(file, result.error());
         return {};
     }
     LevelFile read = std::move(result).value();

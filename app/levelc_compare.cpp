@@ -152,7 +152,7 @@ int mergeCommand(const QStringList& arguments) {
     const MergedLevel result = merged(*base, *ours, *theirs, preferred);
     const QString out = line.parser.isSet(QStringLiteral("o")) ? line.parser.value(QStringLiteral("o")) : given[1];
     if (const std::optional<Error> error = writeLevel(toPath(out), result.level)) {
-        complain(*error);
+        complain(out, *error);
         return exit_status::unusable;
     }
     for (const MergeConflict& conflict : result.conflicts) {

@@ -84,8 +84,9 @@ int fixCommand(const QStringList& arguments) {
     const QString out = line.parser.value(QStringLiteral("output"));
     // A file in which there is nothing to do stays as it is, down to its spelling.
     if (!out.isEmpty() || !fixed.cured.empty()) {
-        if (const auto error = writeLevel(toPath(out.isEmpty() ? file : out), fixed.level)) {
-            complain(*error);
+        const QString written = out.isEmpty() ? file : out;
+        if (const auto error = writeLevel(toPath(written), fixed.level)) {
+            complain(written, *error);
             return exit_status::unusable;
         }
     }

@@ -52,7 +52,7 @@ Result<Import> importedFile(const QString& path, const ImportOptions& options, s
 
 void tellNotes(const QString& file, const std::vector<Error>& notes) {
     for (const Error& note : notes) {
-        complain(QStringLiteral("%1: %2").arg(file, sentence(note)));
+        complain(file, note);
     }
 }
 
@@ -102,7 +102,7 @@ int importCommand(const QStringList& arguments) {
     Result<Import> import = importedFile(file, *options, leftOut);
     if (!import) {
         tellNotes(file, leftOut);
-        complain(QStringLiteral("%1: %2").arg(file, sentence(import.error())));
+        complain(file, import.error());
         return exit_status::unusable;
     }
     tellNotes(file, import.value().notes);
@@ -112,7 +112,7 @@ int importCommand(const QStringList& arguments) {
     Imported result = imported(std::move(level), std::move(import).value().foreign, {.seed = seed});
     const Result<std::string> text = savableText(result.level);
     if (!text) {
-        complain(text.error());
+        complain(output, text.error());
         return exit_status::unusable;
     }
     return writeOut(output, text.value()) ? exit_status::good : exit_status::unusable;

@@ -76,7 +76,7 @@ std::optional<Flight> wantedFlight(const Level& level, const QString& file) {
     }
     const Result<Replay> replay = readReplay(toPath(file), Sources::Any);
     if (!replay) {
-        complain(replay.error());
+        complain(file, replay.error());
         return {};
     }
     return flown(level, replay.value());

@@ -52,6 +52,7 @@ void tellOfSimulation(const QString& file) {
 bool printFlight(const Level& level, const StoredFlight& flight) {
     const QString name = harmless(QString::fromStdString(flight.path.string()));
     if (!flight.replay) {
+        complain(name, flight.unread);
         printLine(name + ": outcome=unreadable");
         return false;
     }
@@ -104,7 +105,7 @@ int replayCommand(const QStringList& arguments) {
     }
     const Result<Replay> replay = readReplay(toPath(files[1]), Sources::Any);
     if (!replay) {
-        complain(replay.error());
+        complain(files[1], replay.error());
         return exit_status::unusable;
     }
     const Outcome outcome = replayed(*level, replay.value());

@@ -129,8 +129,8 @@ void complain(const QString& line, const QString& more) {
     std::fputs(qUtf8Printable("levelc: " + harmless(line) + rest + '\n'), stderr);
 }
 
-void complain(const Error& error) {
-    complain(sentence(error));
+void complain(const QString& file, const Error& error) {
+    complain(namesItsFile(error) ? sentence(error) : file + QStringLiteral(": ") + sentence(error));
 }
 
 QString problemLine(const QString& file, const Problem& problem) {
@@ -166,7 +166,7 @@ JsonText problemJson(const QString& file, const Problem& problem) {
 std::optional<Level> loadedLevel(const QString& file) {
     Result<LevelFile> result = readLevel(toPath(file), Checks::All, Sources::Any);
     if (!result) {
-        complain(result.error());
+        complain(file, result.error());
         return {};
     }
     LevelFile read = std::move(result).value();
@@ -216,7 +216,7 @@ bool writeOut(const QString& file, std::string_view text) {
     std::fflush(stdout); // what was printed comes first
     const std::optional<Error> error = writeFileOrStream(toPath(file), text);
     if (error) {
-        complain(*error);
+        complain(file, *error);
     }
     return !error;
 }

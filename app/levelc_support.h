@@ -41,7 +41,8 @@ void printLine(const QString& line);
 void printText(const QString& text);
 /// One line, made harmless, and what may follow it as it is.
 void complain(const QString& line, const QString& more = {});
-void complain(const Error& error);
+/// Of a file that cannot be read or written.
+void complain(const QString& file, const Error& error);
 
 /// "FILE:LINE: error: code: message (/pointer)"
 QString problemLine(const QString& file, const Problem& problem);

@@ -33,7 +33,7 @@ struct Capsule {
 /// Codes: those of savableText, "capsule-too-long" (updates allowed).
 Result<std::string> capsuleJson(const Capsule& capsule);
 /// Codes: "capsule-damaged", "capsule-bad-field" (its name), "capsule-newer" (version, newest known),
-/// "capsule-bad-level", and those of parseReplay.
+/// "capsule-bad-level" (line of the level, code and arguments of the problem there), and those of parseReplay.
 Result<Capsule> parseCapsule(std::string_view json);
 
 /// The session after all of its inputs, which takes its time; as far as it has come when a stop is requested, or bodies

@@ -2,9 +2,11 @@
 #include "core/game/capsule.h"
 #include "core/game/codes.h"
 #include "core/level/file.h"
+#include "core/level/problem_error.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 
@@ -62,7 +64,8 @@ Result<Capsule> capsuleFrom(const CapsuleValue& json) {
     }
     LevelFile file = parseLevel(textOf(json, "level"), Checks::FileOnly);
     if (!file.level) {
-        return Error{GameCode("capsule-bad-level"), {}};
+        return errorOf(GameCode("capsule-bad-level"),
+                       *std::ranges::find(file.problems, Severity::Error, &Problem::severity));
     }
     Result<Replay> run = parseReplay(textOf(json, "run"));
     if (!run) {

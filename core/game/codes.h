@@ -6,9 +6,10 @@
 namespace spacetow {
 
 inline constexpr std::string_view recordCodes[] = {
-    "replay-bad-field",  "replay-unknown-field", "replay-duplicate-field", "replay-newer",     "replay-too-long",
-    "replay-not-json",   "capsule-no-run",       "capsule-none",           "capsule-cut",      "capsule-damaged",
-    "capsule-bad-field", "capsule-bad-level",    "capsule-newer",          "capsule-too-long", "capsule-too-large",
+    "not-sound-json",         "replay-none",   "replay-bad-field", "replay-unknown-field",
+    "replay-duplicate-field", "replay-newer",  "replay-too-long",  "capsule-no-run",
+    "capsule-none",           "capsule-cut",   "capsule-damaged",  "capsule-bad-field",
+    "capsule-bad-level",      "capsule-newer", "capsule-too-long", "capsule-too-large",
 };
 
 using GameCode = LevelCode::And<recordCodes>;

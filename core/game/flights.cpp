@@ -45,8 +45,11 @@ std::vector<StoredFlight> flightsBeside(const std::filesystem::path& level) {
         const std::string stem = level.stem().string();
         if (isOfLevel(entry->path().filename().string(), stem) && !isOfAnother(entry->path(), stem)) {
             Result<Replay> replay = readReplay(entry->path());
-            flights.push_back({entry->path(), replay ? std::make_shared<const Replay>(std::move(replay).value())
-                                                     : std::shared_ptr<const Replay>()});
+            if (replay) {
+                flights.push_back({entry->path(), std::make_shared<const Replay>(std::move(replay).value()), {}});
+            } else {
+                flights.push_back({entry->path(), nullptr, replay.error()});
+            }
         }
     }
     std::ranges::sort(flights, {}, &StoredFlight::path);

@@ -15,7 +15,8 @@ namespace spacetow {
 
 struct StoredFlight {
     std::filesystem::path path;
-    std::shared_ptr<const Replay> replay; // null where the file cannot be read
+    std::shared_ptr<const Replay> replay; // null where the file cannot be read,
+    Error unread;                         // and why
 
     bool operator==(const StoredFlight&) const = default;
 };

@@ -108,8 +108,9 @@ Outcome replayed(const Level& level, const Replay& replay);
 /// Of the level as its file spells it.
 std::uint64_t levelHash(const Level& level);
 
-/// Codes: "replay-not-json" (line), "replay-bad-field" (JSON pointer), "replay-newer" (version, newest known),
-/// "replay-too-long" (updates allowed), "replay-unknown-field" (name), "replay-duplicate-field" (name).
+/// Codes: "empty-file", "not-sound-json" (line, code and arguments of the problem there), "replay-none",
+/// "replay-bad-field" (JSON pointer, line), "replay-newer" (version, newest known), "replay-too-long" (updates
+/// allowed), "replay-unknown-field" (name, line), "replay-duplicate-field" (name, line).
 Result<Replay> parseReplay(std::string_view text);
 std::string replayText(const Replay& replay);
 

@@ -5,6 +5,7 @@
 #include "core/game/replay_words.h"
 #include "core/level/file.h"
 #include "core/level/key_text.h"
+#include "core/level/problem_error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -226,7 +227,7 @@ bool tooLong(const std::vector<Replay::Run>& runs) {
 
 Result<Replay> replayFrom(const Json& json) {
     if (!json.is_object()) {
-        return Error{GameCode("replay-bad-field"), {""}};
+        return Error{GameCode("replay-none"), {}};
     }
     const std::int64_t version = integer(member(json, "replay"), 1, std::int64_t{1} << 62, "/replay");
     if (version > replayVersion) {
@@ -235,7 +236,7 @@ Result<Replay> replayFrom(const Json& json) {
     Replay replay;
     const Json& level = member(json, "level");
     if (!level.is_string()) {
-        return Error{GameCode("replay-bad-field"), {"/level"}};
+        throw BadField{"/level"};
     }
     replay.level = level.get<std::string>();
     if (json.contains("levelHash")) {
@@ -243,18 +244,18 @@ Result<Replay> replayFrom(const Json& json) {
     }
     const Json& seed = member(json, "seed");
     if (!seed.is_number_unsigned()) {
-        return Error{GameCode("replay-bad-field"), {"/seed"}};
+        throw BadField{"/seed"};
     }
     replay.seed = seed.get<std::uint64_t>();
     if (version == 1 && (json.contains("holds") || json.contains("edits"))) {
-        return Error{GameCode("replay-unknown-field"), {json.contains("holds") ? "holds" : "edits"}};
+        throw WrongField{"replay-unknown-field", json.contains("holds") ? "holds" : "edits"};
     }
     if (version < 3 && json.contains("end")) {
-        return Error{GameCode("replay-unknown-field"), {"end"}};
+        throw WrongField{"replay-unknown-field", "end"};
     }
     if (const auto kind = json.find("kind"); kind != json.end()) {
         if (version < 4) {
-            return Error{GameCode("replay-unknown-field"), {"kind"}};
+            throw WrongField{"replay-unknown-field", "kind"};
         }
         replay.kind = kindFrom(*kind);
     }
@@ -272,6 +273,38 @@ Result<Replay> replayFrom(const Json& json) {
         return Error{GameCode("replay-too-long"), {std::to_string(maxReplayUpdates)}};
     }
     return replay;
+}
+
+/// The line of the second of two members of the same name, or of the only one.
+int lineOfField(const JsonTree& tree, const WrongField& wrong) {
+    if (wrong.code == "replay-duplicate-field") {
+        for (const Problem& twice : tree.duplicateNames()) {
+            if (twice.arguments.front() == wrong.name) {
+                return twice.line;
+            }
+        }
+    }
+    const std::string segment = '/' + pointerSegment(wrong.name);
+    return std::max(tree.lineAt(segment), tree.lineAt("/end" + segment));
+}
+
+/// `lineIn(tree)` of the text, or the first where it is no JSON behind what is wrong.
+template <class LineIn>
+std::string lineWhere(std::string_view text, const LineIn& lineIn) {
+    const auto parsed = JsonTree::parsed(text);
+    const auto* const tree = std::get_if<JsonTree>(&parsed);
+    return std::to_string(tree == nullptr ? 1 : lineIn(*tree));
+}
+
+/// Why the library gave it up.
+Error syntaxError(std::string_view text) {
+    const auto parsed = JsonTree::parsed(text);
+    if (const auto* const problem = std::get_if<Problem>(&parsed)) {
+        return problem->code == "empty-file" ? Error{problem->code, {}} : errorOf(GameCode("not-sound-json"), *problem);
+    }
+    Problem tooDeep{.code = "nested-too-deep", .arguments = {std::to_string(deepest)}};
+    tooDeep.line = std::max(1, lineDeeperThan(std::get<JsonTree>(parsed).root(), deepest));
+    return errorOf(GameCode("not-sound-json"), tooDeep);
 }
 
 } // namespace
@@ -296,17 +329,16 @@ Result<Replay> parseReplay(std::string_view text) {
         }
         return replay;
     } catch (const WrongField& wrong) {
-        return Error{wrong.code, {wrong.name}};
+        return Error{wrong.code, {wrong.name, lineWhere(text, [&wrong](const JsonTree& tree) {
+                                      return lineOfField(tree, wrong);
+                                  })}};
     } catch (const BadField& bad) {
-        return Error{GameCode("replay-bad-field"), {bad.pointer}};
+        const auto lineOf = [&bad](const JsonTree& tree) { return tree.lineAt(bad.pointer); };
+        return Error{GameCode("replay-bad-field"), {bad.pointer, lineWhere(text, lineOf)}};
     } catch (const TooDeep&) {
-        return Error{GameCode("replay-bad-field"), {""}};
-    } catch (const Json::parse_error& error) {
-        const std::size_t upTo = std::min(text.size(), error.byte);
-        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(upTo), '\n');
-        return Error{GameCode("replay-not-json"), {std::to_string(line)}};
-    } catch (const Json::exception&) { // a number too large to hold, say
-        return Error{GameCode("replay-not-json"), {"1"}};
+        return syntaxError(text);
+    } catch (const Json::exception&) {
+        return syntaxError(text);
     }
 }
 

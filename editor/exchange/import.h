@@ -31,8 +31,9 @@ struct Import {
 };
 
 /// What the bytes draw; the kind of file is told by them alone. Codes: those of parseXml, "text-too-large" (bytes
-/// allowed), "import-not-json" (line), "nested-too-deep", "too-many-values" and "too-many-vertices" (number allowed),
-/// "import-compressed", "import-level", "import-tileset", "import-unknown".
+/// allowed), "empty-file", "not-sound-json" (line, code and arguments of the problem there), "nested-too-deep",
+/// "too-many-values" and "too-many-vertices" (number allowed), "import-compressed", "import-level", "import-tileset",
+/// "import-unknown".
 Result<Drawing> readDrawing(std::string_view bytes, const Watch& watch = {});
 
 /// Codes: "import-too-far" (metres allowed), "import-too-many-vertices" (number allowed), "import-nothing",

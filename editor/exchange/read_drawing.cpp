@@ -1,5 +1,6 @@
 // Which kind of file it is, and who reads it.
 #include "core/level/file.h"
+#include "core/level/problem_error.h"
 #include "editor/exchange/codes.h"
 #include "editor/exchange/import.h"
 #include "editor/exchange/json_values.h"
@@ -36,8 +37,7 @@ Result<Drawing> readXmlDrawing(std::string_view bytes, const Watch& watch) {
 
 Error jsonError(const Problem& problem) {
     const bool isLimit = problem.code.text().starts_with("too-many") || problem.code == "nested-too-deep";
-    return isLimit ? Error{problem.code, problem.arguments}
-                   : Error{ExchangeCode("import-not-json"), {std::to_string(problem.line)}};
+    return isLimit ? Error{problem.code, problem.arguments} : errorOf(ExchangeCode("not-sound-json"), problem);
 }
 
 Result<Drawing> readJsonDrawing(std::string_view text) {

@@ -92,10 +92,9 @@ QString wordsOf(const FlightResult& now, const std::optional<FlightResult>& befo
         return lostWords(now, before);
     case FlightEnd::UnderWay:
         return underWayWords(now, before);
-    case FlightEnd::Unread:
-        return FlightWords::tr("cannot be read");
     case FlightEnd::Crowded:
         return FlightWords::tr("cannot be flown: too many bodies lie in the same place. Move them apart.");
+    case FlightEnd::Unread: // for which there are words of the file
     case FlightEnd::Stopped:
         break;
     }
@@ -125,8 +124,8 @@ QString nameOf(const StoredFlight& flight) {
 
 } // namespace
 
-FlightsPanel::FlightsPanel(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_column(this) {
+FlightsPanel::FlightsPanel(Document& document, Words words, QWidget* parent)
+    : QWidget(parent), m_document(document), m_words(std::move(words)), m_column(this) {
     m_none.setText(tr("No flight is stored beside this level. A flight of cave.json is a file cave.replay.json or "
                       "cave.NAME.replay.json in the same folder."));
     m_none.setWordWrap(true);
@@ -225,9 +224,11 @@ void FlightsPanel::fill() {
         const std::shared_ptr<const Replay>& replay = (*m_flights)[i].replay;
         const std::optional<FlightResult> before = replay ? replay->ended : std::nullopt;
         const RunKind kind = replay ? replay->kind : RunKind::Game;
+        const QString words = replay ? wordsOf(m_results[i], before, kind)
+                                     : FlightWords::tr("cannot be read: %1").arg(m_words((*m_flights)[i].unread));
         auto* const item = new QListWidgetItem( // owned by the list
             icon(iconOf(m_results[i], before, kind), palette()),
-            QStringLiteral("%1: %2").arg(nameOf((*m_flights)[i]), wordsOf(m_results[i], before, kind)), &m_list);
+            QStringLiteral("%1: %2").arg(nameOf((*m_flights)[i]), words), &m_list);
         item->setToolTip(item->text());
     }
     m_list.setCurrentRow(row);

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -20,8 +21,10 @@ class FlightsPanel : public QWidget {
     Q_OBJECT
 
   public:
+    using Words = std::function<QString(const Error& error)>;
+
     /// The document must outlive the panel.
-    explicit FlightsPanel(Document& document, QWidget* parent = nullptr);
+    FlightsPanel(Document& document, Words words, QWidget* parent = nullptr);
     ~FlightsPanel() override;
 
     /// Where the level's file is; empty for a level that has none. The folder is looked through again.
@@ -53,6 +56,7 @@ class FlightsPanel : public QWidget {
     void fill();
 
     Document& m_document;
+    Words m_words;
     QVBoxLayout m_column;
     QLabel m_none;
     QListWidget m_list;

@@ -266,10 +266,9 @@ void ImportBar::take(Outcome outcome) {
         return;
     }
     if (!m_drawing) { // no file that can be imported, whatever the options
-        const QString why = m_words ? m_words(*outcome.error) : QString();
         shut();
         m_document.dropPreview();
-        Q_EMIT refused(why);
+        Q_EMIT refused(m_path, *outcome.error);
         return;
     }
     show(outcome);

@@ -58,7 +58,7 @@ class ImportBar : public QWidget {
     /// What would come is shown for the first time.
     void appeared(const Aabb& box);
     void imported(const QString& name, const QStringList& report);
-    void refused(const QString& sentence);
+    void refused(const QString& path, const spacetow::Error& why);
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;

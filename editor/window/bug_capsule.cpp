@@ -126,7 +126,10 @@ void BugCapsule::open(std::string text) {
         Result<Capsule> read = capsuleFromText(text);
         if (!read) {
             const Error error = read.error();
-            return [this, error] { m_window.messageBar().say(MessageBar::Tone::Error, sentence(error)); };
+            return [this, error] {
+                m_window.messageBar().say(MessageBar::Tone::Error,
+                                          sentence(CapsuleWords::tr("The bug capsule"), error));
+            };
         }
         const auto capsule = std::make_shared<const Capsule>(std::move(read).value());
         const auto edited = std::make_shared<const Level>(levelAfter(capsule->run, *capsule->level));

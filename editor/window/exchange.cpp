@@ -59,8 +59,12 @@ Exchange::Exchange(Document& document, Toolbox& toolbox, Canvas& canvas, Tell te
     m_export.setMeasure([this](const ExportSettings& settings) { return sizeFor(settings); });
     connect(&m_import, &ImportBar::appeared, this, &Exchange::appear);
     connect(&m_import, &ImportBar::imported, this, &Exchange::tellImported);
-    connect(&m_import, &ImportBar::refused, this,
-            [this](const QString& text) { m_tell(MessageBar::Tone::Error, text); });
+    connect(&m_import, &ImportBar::refused, this, [this](const QString& path, const Error& why) {
+        const QString name = QFileInfo(path).fileName();
+        m_tell(MessageBar::Tone::Error, namesItsFile(why)
+                                            ? sentence(why)
+                                            : tr("%1 was not imported.").arg(name) + QLatin1Char('\n') + sentence(why));
+    });
     connect(&m_import, &ImportBar::closed, &m_canvas, qOverload<>(&Canvas::setFocus));
     connect(&m_export, &ExportBar::closed, &m_canvas, qOverload<>(&Canvas::setFocus));
     connect(&m_export, &ExportBar::wanted, this, &Exchange::chooseAndExport);

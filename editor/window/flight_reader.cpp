@@ -157,7 +157,8 @@ void FlightReader::fly(const Read& read) {
     setReading(false);
     MainWindow* const place = read.replay ? windowFor(read) : nullptr;
     if (!read.replay) {
-        m_window.messageBar().say(MessageBar::Tone::Error, sentence(read.replay.error()));
+        m_window.messageBar().say(MessageBar::Tone::Error,
+                                  sentence(QFileInfo(read.path).fileName(), read.replay.error()));
     }
     if (place != nullptr) {
         const Replay& replay = read.replay.value();

@@ -1,5 +1,7 @@
 // Keys as text: {"schema": 1, "keys": {"file/save": ["Ctrl+S"]}}.
+#include "core/level/codes.h"
 #include "editor/window/key_bindings.h"
+#include "editor/window/messages.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -78,6 +80,10 @@ QByteArray keysText(const KeyBindings& bindings, bool all) {
 
 ReadKeys readKeys(const QByteArray& text) {
     ReadKeys read;
+    if (text.trimmed().isEmpty()) {
+        read.faults << sentence(Error{LevelCode("empty-file"), {}});
+        return read;
+    }
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(text, &error);
     if (error.error != QJsonParseError::NoError) {

@@ -1,10 +1,12 @@
 #include "editor/window/messages.h"
 
+#include "core/base/codes.h"
 #include "editor/window/messages_table.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace spacetow {
@@ -61,6 +63,12 @@ QString sentenceOf(std::span<const MessageText> texts, std::string_view code,
     return text == nullptr ? spokenCode(code) : filled(translated(text->text), arguments);
 }
 
+/// Its arguments are a line, and the code and the arguments of what is wrong there.
+bool wrapsAnother(const Error& error) {
+    constexpr std::array<SentenceCode, 2> codes{"not-sound-json", "capsule-bad-level"};
+    return std::ranges::find(codes, SentenceCode(error.code)) != codes.end() && error.arguments.size() >= 2;
+}
+
 /// "3 times, in lines 4, 7 …": how often something came up in a file, and where.
 QString placesOf(const std::string& count, const std::string& lines) {
     const int times = QString::fromStdString(count).toInt();
@@ -88,8 +96,24 @@ QString sentence(const Problem& problem) {
     return filled(translated(text->unnamed), told);
 }
 
+bool namesItsFile(const Error& error) {
+    return std::ranges::find(fileCodes, error.code.text()) != std::ranges::end(fileCodes);
+}
+
+QString sentence(const QString& file, const Error& error) {
+    // Put together, as a file name may hold what looks like a place for an argument.
+    return namesItsFile(error) ? sentence(error)
+                               : QCoreApplication::translate("messages", "%1 cannot be opened.").arg(file) +
+                                     QLatin1Char('\n') + sentence(error);
+}
+
 QString sentence(const Error& error) {
     const std::string_view code = error.code.text();
+    if (wrapsAnother(error)) {
+        const std::vector<std::string> rest(error.arguments.begin() + 2, error.arguments.end());
+        return sentenceOf(problemTexts(), code,
+                          {error.arguments[0], sentenceOf(problemTexts(), error.arguments[1], rest).toStdString()});
+    }
     if (textOf(explainTexts(), code) != nullptr) {
         return sentenceOf(explainTexts(), code, error.arguments);
     }

@@ -15,6 +15,10 @@ namespace spacetow {
 
 QString sentence(const Problem& problem);
 QString sentence(const Error& error);
+/// The same of a file that cannot be read: it says which one.
+QString sentence(const QString& file, const Error& error);
+/// Whether the sentence of the error itself says which file it is about.
+bool namesItsFile(const Error& error);
 /// For the status bar.
 QString sentence(const Hint& hint);
 /// For "Undo …" and the history, e.g. "Move 3 objects".

@@ -9,17 +9,18 @@ namespace spacetow {
 namespace {
 
 constexpr MessageText exchange[] = {
-    {"import-not-xml",
-     QT_TRANSLATE_NOOP("messages", "The file is not sound XML: line %1, column %2: %3 Nothing was imported.")},
+    {"import-not-xml", QT_TRANSLATE_NOOP("messages", "The file is not sound XML: line %1, column %2: %3")},
     {"import-entities", QT_TRANSLATE_NOOP("messages", "The file declares entities of its own (line %1), which are not "
                                                       "read because they can be made to grow without end. Save it "
                                                       "as plain SVG, for example with Inkscape, and try again.")},
-    {"import-too-deep", QT_TRANSLATE_NOOP("messages", "Elements of the file lie more than %1 deep in one another.")},
+    {"import-too-deep",
+     QT_TRANSLATE_NOOP(
+         "messages",
+         "Elements of the file lie more than %1 deep in one another. Ungroup some of them, and try again.")},
     {"import-too-many",
-     QT_TRANSLATE_NOOP("messages", "The file draws more than %1 pieces, which is more than can be imported.")},
+     QT_TRANSLATE_NOOP("messages", "The file draws more than %1 pieces, which is more than can be imported. Take out "
+                                   "what the level does not need, and try again.")},
     {"import-stopped", QT_TRANSLATE_NOOP("messages", "The import was stopped; nothing was changed.")},
-    {"import-not-json", QT_TRANSLATE_NOOP("messages", "The file is not sound JSON: something is wrong in line %1 or "
-                                                      "just before it. Nothing was imported.")},
     {"import-compressed", QT_TRANSLATE_NOOP("messages", "The file is compressed. Unpack it first, or save it as plain "
                                                         "SVG instead of SVGZ.")},
     {"import-unknown", QT_TRANSLATE_NOOP("messages", "This is no file that can be imported: SVG drawings, maps of "

@@ -68,7 +68,42 @@ class LevelcFlightsTest : public QObject {
         const LevelcRun both = runLevelc({"flights", path("haul.json")});
         QCOMPARE(both.status, 1);
         QVERIFY2(both.out.contains("haul.b.replay.json: outcome=unreadable"), qPrintable(both.out));
+        QVERIFY2(both.err.contains("haul.b.replay.json: Line 1: The file ends too early"), qPrintable(both.err));
         QCOMPARE(runLevelc({"flights", path("nothing.json")}).status, 2);
+    }
+
+    void whatCannotBeReadSaysWhichFileItIsAndWhereInIt_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("said");
+        const auto row = [](const char* title, const QStringList& arguments, const QByteArray& text, const char* said) {
+            QTest::newRow(title) << arguments << text << QString(said);
+        };
+        const QByteArray flight = "{\"replay\": 1, \"level\": \"a\",\n\"seed\": -1, \"updates\": []}";
+        row("an empty flight", {"replay", "level.json", "FILE"}, "", "FILE: The file is empty. Fetch it again");
+        row("a flight with a mistake", {"replay", "level.json", "FILE"}, flight, "FILE: Line 2: “/seed” is missing or");
+        row("a flight to be painted", {"render", "level.json", "-o", "x.png", "--replay", "FILE"}, flight,
+            "FILE: Line 2: “/seed”");
+        row("a flight cut off", {"replay", "level.json", "FILE"}, flight.chopped(1), "FILE: Line 2: The file ends too");
+        row("an empty level", {"check", "FILE"}, "", "FILE:1: error: empty-file: The file is empty. Fetch it again");
+        row("an empty level to be fixed", {"fix", "FILE"}, "", "FILE:1: error: empty-file: The file is empty.");
+        row("an empty drawing", {"import", "FILE", "-o", "x.json"}, "", "FILE: The file is empty.");
+        row("a map with a mistake", {"import", "FILE", "-o", "x.json"}, "{\n\"type\": map",
+            "FILE: Line 2: “map” is not");
+    }
+    void whatCannotBeReadSaysWhichFileItIsAndWhereInIt() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, text);
+        QFETCH(QString, said);
+        write("level.json", levelText(populatedLevel()));
+        write("FILE", text.toStdString());
+        for (QString& argument : arguments) {
+            argument = QRegularExpression("FILE|\\.json$").match(argument).hasMatch() ? path(argument) : argument;
+        }
+        const LevelcRun run = runLevelc(arguments);
+        const QString all = run.out + run.err;
+        QVERIFY2(run.status > 0, qPrintable(all));
+        QVERIFY2(all.contains(said.replace("FILE", path("FILE"))), qPrintable(all));
     }
 
   private:

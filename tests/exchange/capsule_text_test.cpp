@@ -178,6 +178,9 @@ class CapsuleTextTest : public QObject {
         QCOMPARE(code(json), QString());
         QCOMPARE(code(replacedIn(json, "\"capsule\":1", "\"capsule\":2")), QStringLiteral("capsule-newer"));
         QCOMPARE(code(replacedIn(json, "schema", "scheme")), QStringLiteral("capsule-bad-level"));
+        const Error noSchema = parseCapsule(replacedIn(json, "schema", "scheme")).error();
+        QVERIFY(noSchema.arguments.size() >= 2);
+        QCOMPARE(noSchema.arguments[1], std::string("missing-schema"));
         QCOMPARE(code(replacedIn(json, "\\\"seed\\\": 7", "\\\"seed\\\": -7")), QStringLiteral("replay-bad-field"));
         QCOMPARE(code(replacedIn(json, "\"hash\"", "\"hush\"")), QStringLiteral("capsule-bad-field"));
         QCOMPARE(code("[[[[[[[[[[[[]]]]]]]]]]]]"), QStringLiteral("capsule-damaged"));

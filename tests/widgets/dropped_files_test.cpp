@@ -179,15 +179,49 @@ class DroppedFilesTest : public QObject {
         QVERIFY(test.window(0).messageBar().text().contains("nowhere.json"));
     }
 
-    void whatIsNoFlightAndNoLevelSaysWhy() {
+    void whatCannotBeReadSaysWhichFileItIsWhereInItAndWhatToDo_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QStringList>("said");
+        const QString fetch = "Fetch it again";
+        const auto row = [](const char* title, const char* name, const QByteArray& text, const QStringList& said) {
+            QTest::newRow(title) << QString(name) << text << said;
+        };
+        row("an empty flight", "x.replay.json", "", {"x.replay.json cannot be opened.", "The file is empty. " + fetch});
+        row("a flight cut off", "x.replay.json", "{\"replay\": 1,\n",
+            {"x.replay.json cannot be opened.", "Line 2: The file ends too early", "fetch it again"});
+        row("a flight with a mistake", "x.replay.json",
+            "{\"replay\": 1, \"level\": \"a\", \"seed\": 1,\n\"updates\": 3}",
+            {"x.replay.json cannot be opened.", "Line 2: “/updates” is missing or not", "Correct it"});
+        row("another list", "x.replay.json", "[]", {"x.replay.json cannot be opened.", "not a recorded flight"});
+        row("an empty level", "x.json", "", {"x.json cannot be opened.", "Line 1: The file is empty. " + fetch});
+        row("a level with a mistake", "x.json", "{\"schema\": 2,\n\"objects\": [,]}",
+            {"x.json cannot be opened.", "Line 2: “,” is not expected here"});
+        row("an empty drawing", "x.svg", "", {"x.svg was not imported.", "The file is empty. " + fetch});
+        row("a drawing cut off", "x.svg", "<svg>\n<g>", {"x.svg was not imported.", "line 2, column 4"});
+        row("a map with a mistake", "x.tmj", "{\"type\": \"map\",\n}",
+            {"x.tmj was not imported.", "Line 1: There is a comma before “}”"});
+        row("zeros in place of text", "x.json", QByteArray("{\n\0\0", 4),
+            {"x.json cannot be opened.", "Line 2: There is a zero byte here", fetch});
+        row("something else", "x.json", "{\n\xff\xfe",
+            {"x.json cannot be opened.", "Line 2: The file is not text", fetch});
+    }
+    void whatCannotBeReadSaysWhichFileItIsWhereInItAndWhatToDo() {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, text);
+        QFETCH(QStringList, said);
         TestApplication test;
         test.start({test.writtenLevel("a.json")});
-        const QString path = test.file("broken.replay.json");
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{\"replay\": 1, ") > 0);
+        QFile file(test.file(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
         file.close();
-        drop(test.window(0), {path});
-        QVERIFY(!test.window(0).messageBar().text().isEmpty());
+        drop(test.window(0), {file.fileName()});
+        test.window(0).exchange().importBar().finishWork();
+        const QString words = test.window(0).messageBar().text();
+        for (const QString& part : said) {
+            QVERIFY2(words.contains(part), qPrintable(words));
+        }
+        QCOMPARE(words.count(name), 1);
     }
 
     void drawingsAreImportedOneAtATimeIntoTheLevelThatCameWithThem() {

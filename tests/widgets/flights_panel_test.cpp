@@ -3,6 +3,7 @@
 #include "core/base/contract.h"
 #include "core/level/edits.h"
 #include "core/level/file.h"
+#include "editor/window/messages.h"
 #include "tests/support/folders.h"
 #include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
@@ -33,7 +34,7 @@ FlightsPanel& flightsShown(TestWindow& test) {
 QString store(TestWindow& test, const Replay& flight) {
     const QString level = test.file("cave.json");
     EXPECTS(!writeReplay(test.file("cave.replay.json").toStdU16String(), flight));
-    FlightsPanel panel(test.document());
+    FlightsPanel panel(test.document(), [](const Error& error) { return sentence(error); });
     panel.setFile(level);
     panel.show();
     panel.finish();
@@ -108,6 +109,22 @@ class FlightsPanelTest : public QObject {
         QVERIFY(row(isNow(won, start)).startsWith("won before, now is under way"));
         QVERIFY(row(isNow(lost, start)).startsWith("crashed before, now is under way"));
         QVERIFY(row(store(test, crash)).startsWith("crashes at ("));
+    }
+
+    void aFlightThatCannotBeReadSaysWhyAndWhere() {
+        TestWindow test;
+        for (const auto& [text, why] : {std::pair("", "cave.replay.json: cannot be read: The file is empty. "),
+                                        std::pair("{\"replay\": 1,\n", "cave.replay.json: cannot be read: Line 2: ")}) {
+            QFile file(test.file("cave.replay.json"));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) >= 0);
+            file.close();
+            FlightsPanel panel(test.document(), [](const Error& error) { return sentence(error); });
+            panel.setFile(test.file("cave.json"));
+            panel.show();
+            panel.finish();
+            QCOMPARE(panel.list().count(), 1);
+            QVERIFY2(panel.list().item(0)->text().startsWith(why), qPrintable(panel.list().item(0)->text()));
+        }
     }
 
     void ofASimulationNothingIsSaidToBeWonOrLost() {

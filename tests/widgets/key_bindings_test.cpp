@@ -242,7 +242,7 @@ class KeyBindingsTest : public QObject {
         QTest::addColumn<QString>("words");
         QTest::newRow("no json") << QByteArray("{\n\"keys\": nonsense}") << "Line 2";
         QTest::newRow("a list") << QByteArray("[1]") << "no keys in it";
-        QTest::newRow("empty") << QByteArray() << "Line 1";
+        QTest::newRow("empty") << QByteArray() << "The file is empty.";
         QTest::newRow("newer") << QByteArray("{\"schema\": 9, \"keys\": {}}") << "newer";
         QTest::newRow("no list") << QByteArray("{\"keys\": {\"file/save\": \"Ctrl+S\"}}") << "file/save";
         QTest::newRow("no key") << QByteArray("{\"keys\": {\"file/save\": [\"Ctrl+Foo\"]}}") << "Ctrl+Foo";
