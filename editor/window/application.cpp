@@ -83,7 +83,11 @@ void Application::restoreWindows() {
 MainWindow& Application::add(std::shared_ptr<OpenLevel> level, const MainWindow* beside) {
     MainWindow& window = *m_windows.emplace_back(std::make_unique<MainWindow>(std::move(level), this));
     connect(&window, &MainWindow::closing, this, [this, &window] { closed(window); });
-    connect(&window, &MainWindow::fileChanged, this, &Application::remember);
+    connect(&window, &MainWindow::fileChanged, this, [this, &window] {
+        tellApart(window);
+        remember();
+    });
+    tellApart(window);
     if (beside != nullptr) {
         window.restoreState(beside->panels().arrangement());
         window.setWindowState(Qt::WindowNoState);
@@ -96,6 +100,25 @@ MainWindow& Application::add(std::shared_ptr<OpenLevel> level, const MainWindow*
         }
     }
     return window;
+}
+
+/// Gives the level another number when one that was there before, without a file either, is called the same.
+void Application::tellApart(const MainWindow& window) {
+    OpenLevel& level = *window.openLevel();
+    const auto isTaken = [&](const QString& name) {
+        return std::ranges::any_of(m_windows, [&](const std::unique_ptr<MainWindow>& other) {
+            const OpenLevel& there = *other->openLevel();
+            return &there != &level && there.files.path().isEmpty() && there.files.name() == name;
+        });
+    };
+    if (!level.files.path().isEmpty() || !isTaken(level.files.name())) {
+        return;
+    }
+    int number = 1;
+    while (isTaken(level.files.untitled(number))) {
+        ++number;
+    }
+    level.files.setNumber(number);
 }
 
 MainWindow& Application::newWindow(const MainWindow* beside) {

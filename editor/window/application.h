@@ -73,6 +73,7 @@ class Application : public QObject {
     void restoreWindows();
     void closed(MainWindow& window);
     void keepClosed(const MainWindow& window);
+    void tellApart(const MainWindow& window);
     void remember() const;
 
     std::vector<std::unique_ptr<MainWindow>> m_windows;

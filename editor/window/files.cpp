@@ -41,6 +41,12 @@ Unsaved askAboutChanges(QWidget* parent, const QString& name) {
                                             : Unsaved::Cancel;
 }
 
+/// "Untitled 2", "cave 2.json".
+QString numbered(const QString& name, int number) {
+    const qsizetype end = name.endsWith(QLatin1String(".json")) ? name.size() - 5 : name.size();
+    return number == 1 ? name : QStringLiteral("%1 %2%3").arg(name.left(end)).arg(number).arg(name.mid(end));
+}
+
 QString exampleName() {
     return FileWords::tr("The example");
 }
@@ -88,14 +94,31 @@ QString Files::name() const {
     if (!m_path.isEmpty()) {
         return QFileInfo(m_path).fileName();
     }
-    return m_untitled.isEmpty() ? FileWords::tr("Untitled") : m_untitled;
+    return untitled(m_number);
+}
+
+QString Files::untitled(int number) const {
+    return numbered(m_untitled.isEmpty() ? FileWords::tr("Untitled") : m_untitled, number);
+}
+
+void Files::setUntitled(const QString& fileName) {
+    m_untitled = fileName;
+    m_number = 1;
+}
+
+void Files::setNumber(int number) {
+    if (number != m_number) {
+        m_number = number;
+        changed.emit();
+    }
 }
 
 QString Files::suggestion() const {
     if (!m_path.isEmpty()) {
         return m_path;
     }
-    const QString file = m_untitled.isEmpty() ? FileWords::tr("level") + QStringLiteral(".json") : m_untitled;
+    const QString name = m_untitled.isEmpty() ? FileWords::tr("level") + QStringLiteral(".json") : m_untitled;
+    const QString file = numbered(name, m_number);
     const QStringList recent = preferences.recentFiles();
     return QDir(recent.isEmpty() ? QDir::homePath() : QFileInfo(recent.front()).path()).filePath(file);
 }
@@ -111,7 +134,7 @@ bool Files::startNew() {
 void Files::startOver() {
     m_path.clear();
     m_disk = {};
-    m_untitled.clear();
+    setUntitled({});
     m_document.reset(Level());
     opened.emit();
     changed.emit();
@@ -160,7 +183,7 @@ bool Files::openExample(const QString& resource) {
         return false;
     }
     adopt(example, QString());
-    m_untitled = QFileInfo(resource).fileName();
+    setUntitled(QFileInfo(resource).fileName());
     changed.emit();
     return true;
 }
@@ -192,7 +215,7 @@ bool Files::holdsLevel(const LevelFile& file, const QString& shownName) {
 void Files::adopt(const LevelFile& file, const QString& path) {
     m_path = path;
     m_disk = path.isEmpty() ? FileState() : m_read;
-    m_untitled.clear();
+    setUntitled({});
     m_document.reset(*file.level);
     if (!path.isEmpty()) {
         m_document.markSaved();

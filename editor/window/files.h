@@ -72,8 +72,12 @@ class Files {
 
     /// Empty for a level that has no file yet.
     const QString& path() const { return m_path; }
-    /// For the title: the file's name, or that of the level.
+    /// For the title: the file's name; without a file a name that holds the number, when that is not 1.
     QString name() const;
+    /// What it would be called without a file, with this number.
+    QString untitled(int number) const;
+    /// By which levels without a file are told apart; it is 1 again with every other level.
+    void setNumber(int number);
     /// What the file held when it was last read or written here.
     const FileState& disk() const { return m_disk; }
 
@@ -96,6 +100,7 @@ class Files {
     void sayNotSaved(const Error& error);
     void sayNoBackup(const std::optional<Error>& error);
     QString suggestion() const;
+    void setUntitled(const QString& fileName);
 
     Document& m_document;
     Tell m_tell;
@@ -104,6 +109,7 @@ class Files {
     QString m_readPath;
     FileState m_read;   // of the file that was read last
     QString m_untitled; // suggested file name while there is no path
+    int m_number = 1;
     bool m_lacksBackup = false;
 };
 

@@ -46,7 +46,7 @@ bool Files::writeTo(const QString& path, const std::optional<FileStamp>& known) 
     }
     m_path = path;
     m_disk = {written.value(), contentHash(text.value())}; // not what somebody may have written since
-    m_untitled.clear();
+    setUntitled({});
     preferences.addRecent(path);
     m_document.markSaved();
     changed.emit();
@@ -110,7 +110,7 @@ bool Files::restore(const JournalEntry& entry) {
         return false;
     }
     m_path = QString::fromStdString(entry.path);
-    m_untitled = m_path.isEmpty() ? QString::fromStdString(entry.name) : QString();
+    setUntitled(m_path.isEmpty() ? QString::fromStdString(entry.name) : QString());
     m_disk = m_path.isEmpty() ? FileState() : fileState(entry.path);
     const bool sameFile = m_disk.exists() && entry.fileHash == m_disk.hash;
     Result<LevelFile> base = sameFile ? readLevel(entry.path, Checks::FileOnly) : Result<LevelFile>(Error());

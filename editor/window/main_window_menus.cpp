@@ -54,6 +54,11 @@ QToolBar* addBar(QMainWindow& window, const QString& title, const QString& name,
     return bar;
 }
 
+/// The first nine can be chosen by their number.
+QString numberedEntry(int number, const QString& name) {
+    return number > 9 ? menuSafe(name) : QStringLiteral("&%1 %2").arg(number).arg(menuSafe(name));
+}
+
 } // namespace
 
 QMenu* MainWindow::makeMenu(const MenuRow& row) {
@@ -135,8 +140,9 @@ void MainWindow::fillRecent() {
     QMenu& recent = *m_menus.at(MenuId::Recent);
     recent.clear();
     const QStringList files = m_files.preferences.recentFiles();
+    int number = 0;
     for (const QString& path : files) {
-        QAction* const action = recent.addAction(menuSafe(QFileInfo(path).fileName()));
+        QAction* const action = recent.addAction(numberedEntry(++number, QFileInfo(path).fileName()));
         action->setStatusTip(path);
         action->setToolTip(plainToolTip(path));
         connect(action, &QAction::triggered, this, [this, path] { openFiles({path}); });
@@ -166,9 +172,10 @@ void MainWindow::fillWindows() {
     list(menu.addSeparator());
     const std::vector<MainWindow*> windows =
         m_application != nullptr ? m_application->windows() : std::vector<MainWindow*>{this};
+    int number = 0;
     for (MainWindow* const window : windows) {
         const QString mark = window->isWindowModified() ? QStringLiteral("*") : QString();
-        QAction* const action = menu.addAction(menuSafe(window->name() + mark));
+        QAction* const action = menu.addAction(numberedEntry(++number, window->name() + mark));
         action->setToolTip(plainToolTip(window->files().path()));
         action->setStatusTip(window->files().path());
         action->setCheckable(true);

@@ -124,6 +124,44 @@ class ApplicationTest : public QObject {
         QCOMPARE(test.asked, QStringList());
     }
 
+    void newLevelsAreToldApartByNumbers() {
+        TestApplication test;
+        test.start();
+        TestApplication::edit(test.window(0));
+        test.trigger(0, Act::New);
+        TestApplication::edit(test.window(1));
+        QVERIFY(test.window(0).windowTitle().startsWith("Untitled[*]"));
+        QVERIFY(test.window(1).windowTitle().startsWith("Untitled 2[*]"));
+        QCOMPARE(windowNames(test.window(1)), (QStringList{"&1 Untitled*", "&2 Untitled 2*"}));
+        test.trigger(1, Act::Close);
+        QCOMPARE(test.asked, QStringList{"Untitled 2"});
+        test.trigger(0, Act::New); // one has come and stays, the next is another
+        TestApplication::edit(test.window(2));
+        QCOMPARE(test.window(2).files().name(), QString("Untitled 3"));
+        test.toSave = test.file("a.json");
+        test.trigger(1, Act::Save);
+        QCOMPARE(test.window(1).files().name(), QString("a.json"));
+        test.trigger(1, Act::New); // the number is free
+        QCOMPARE(test.window(3).files().name(), QString("Untitled 2"));
+        test.trigger(0, Act::NewView);
+        QCOMPARE(test.window(4).files().name(), QString("Untitled"));
+    }
+
+    void copiesOfOneExampleAreToldApartByNumbers() {
+        TestApplication test;
+        test.start();
+        test.window(0).openExample();
+        const QString name = test.window(0).files().name();
+        TestApplication::edit(test.window(0));
+        test.window(0).openFiles({":/levels/" + name});
+        QCOMPARE(test.count(), 2u);
+        QCOMPARE(test.window(0).files().name(), name);
+        QCOMPARE(test.window(1).files().name(), QString(name).replace(".json", " 2.json"));
+        test.answer();
+        test.window(1).startNew();
+        QCOMPARE(test.window(1).files().name(), QString("Untitled"));
+    }
+
     void twoViewsShowOneLevelEachItsOwnPart() {
         TestApplication test;
         test.start({test.writtenLevel("a.json")});
@@ -207,7 +245,7 @@ class ApplicationTest : public QObject {
         TestApplication test;
         test.start({test.writtenLevel("a.json"), test.writtenLevel("b & c.json")});
         TestApplication::edit(test.window(0));
-        QCOMPARE(windowNames(test.window(1)), (QStringList{"a.json*", "b && c.json"}));
+        QCOMPARE(windowNames(test.window(1)), (QStringList{"&1 a.json*", "&2 b && c.json"}));
         test.window(0).showMinimized();
         test.trigger(1, Act::NextWindow);
         QVERIFY(!test.window(0).isMinimized());
