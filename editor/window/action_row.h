@@ -33,6 +33,12 @@ enum ActionFlag : unsigned {
     WhileStarting = 1u << 13,  // with OnlyPlaying: also while what is to run is being read or built
     WithPanels = 1u << 14,     // while a game is running as well, once its panels are shown
     YieldsToGame = 1u << 15,   // with WhilePlaying: a key that the game has is the game's first
+    // Of what is selected, at least one thing must be so; see editor/editing/selected_kinds.h.
+    NeedsCopyable = 1u << 16,
+    NeedsDirection = 1u << 17,
+    NeedsGroup = 1u << 18,
+    NeedsOutline = 1u << 19,
+    NeedsUnlocked = 1u << 20,
 };
 
 struct ActionRow {

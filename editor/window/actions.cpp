@@ -35,6 +35,21 @@ bool isTool(const ActionRow& row) {
     return std::holds_alternative<ToolId>(row.id);
 }
 
+struct Need {
+    ActionFlag flag;
+    bool SelectedKinds::*there;
+    const char* why;
+};
+constexpr Need needs[] = {
+    {NeedsUnlocked, &SelectedKinds::unlocked, QT_TRANSLATE_NOOP("Actions", "What is selected is locked.")},
+    {NeedsCopyable, &SelectedKinds::copyable,
+     QT_TRANSLATE_NOOP("Actions",
+                       "Ship, payload and finish exist once, and connectors are copied with their two bodies.")},
+    {NeedsDirection, &SelectedKinds::reversible, QT_TRANSLATE_NOOP("Actions", "Select a wall or a line first.")},
+    {NeedsGroup, &SelectedKinds::groups, QT_TRANSLATE_NOOP("Actions", "Select a group first.")},
+    {NeedsOutline, &SelectedKinds::nodes, QT_TRANSLATE_NOOP("Actions", "What is selected has no nodes.")},
+};
+
 } // namespace
 
 std::span<const ActionRow> actionRows() {
@@ -101,11 +116,19 @@ void Actions::setKeys(const KeyBindings& bindings) {
 }
 
 template <class Do>
-void Actions::carryOut(const Do& action) {
+void Actions::carryOut(const ActionRow& row, const Do& action) {
     if (!m_window.canvas().isDragging()) {
+        const QScopedValueRollback<const ActionRow*> carriedOut(m_carriedOut, &row);
         action();
     }
     refresh();
+}
+
+void Actions::sayNothingChanged() {
+    if (m_carriedOut != nullptr) {
+        m_window.statusLine().showMessage(
+            translated(QT_TRANSLATE_NOOP("Actions", "“%1” changes nothing here.")).arg(plainText(*m_carriedOut)), 8000);
+    }
 }
 
 void Actions::connectRow(const ActionRow& row) {
@@ -113,13 +136,13 @@ void Actions::connectRow(const ActionRow& row) {
     if (row.toggle != nullptr) {
         QObject::connect(&action, &QAction::toggled, &action, [this, &row](bool on) {
             if (!m_refreshing) {
-                carryOut([&] { row.toggle(m_window, on); });
+                carryOut(row, [&] { row.toggle(m_window, on); });
             }
         });
         return;
     }
     QObject::connect(&action, &QAction::triggered, &action, [this, &row] {
-        carryOut([&] {
+        carryOut(row, [&] {
             if (const ToolId* tool = std::get_if<ToolId>(&row.id)) {
                 m_window.takeTool(*tool);
             } else {
@@ -183,36 +206,37 @@ bool Actions::isForWelcome(const ActionRow& row) const {
     return (row.flags & WithoutLevel) != 0 || ((row.flags & WhileStarting) != 0 && m_window.isGettingReady());
 }
 
-bool Actions::isPossible(const ActionRow& row) const {
-    const bool inThisMode = m_window.isInGame()      ? isOfGame(row)
-                            : m_window.isWelcoming() ? isForWelcome(row)
-                                                     : runsEnough(row);
+const char* Actions::lackOf(const ActionRow& row) const {
     const Selection& selection = m_window.document().selection();
-    const int selected = selection.size();
-    return inThisMode && (selected >= 1 || (row.flags & NeedsSelection) == 0) &&
-           (selected >= 2 || (row.flags & NeedsSeveral) == 0) &&
-           (!selection.nodes().empty() || (row.flags & NeedsNodes) == 0) &&
-           (row.isPossible == nullptr || row.isPossible(m_window));
+    if (selection.empty() && (row.flags & NeedsSelection) != 0) {
+        return QT_TRANSLATE_NOOP("Actions", "Select something first.");
+    }
+    if (selection.size() < 2 && (row.flags & NeedsSeveral) != 0) {
+        return QT_TRANSLATE_NOOP("Actions", "Select at least two objects first.");
+    }
+    if (selection.nodes().empty() && (row.flags & NeedsNodes) != 0) {
+        return QT_TRANSLATE_NOOP("Actions", "Select nodes first, with the node tool.");
+    }
+    for (const Need& need : needs) {
+        if ((row.flags & need.flag) != 0 && !(m_kinds.*need.there)) {
+            return need.why;
+        }
+    }
+    return row.isPossible != nullptr && !row.isPossible(m_window) ? row.why : "";
 }
 
 QString Actions::whyNot(const ActionRow& row) const {
-    const Selection& selection = m_window.document().selection();
-    const char* why = "";
-    if (m_window.isInGame() && !isOfGame(row)) {
-        why = (row.flags & WithPanels) != 0 ? QT_TRANSLATE_NOOP("Actions", "In a game only while its panels are shown.")
-                                            : QT_TRANSLATE_NOOP("Actions", "Not while a game is running.");
-    } else if (m_window.isWelcoming() && !isForWelcome(row)) {
-        why = QT_TRANSLATE_NOOP("Actions", "Open a level first.");
+    const char* why = lackOf(row);
+    if (m_window.isInGame()) {
+        if (!isOfGame(row)) {
+            why = (row.flags & WithPanels) != 0
+                      ? QT_TRANSLATE_NOOP("Actions", "In a game only while its panels are shown.")
+                      : QT_TRANSLATE_NOOP("Actions", "Not while a game is running.");
+        }
+    } else if (m_window.isWelcoming()) {
+        why = isForWelcome(row) ? why : QT_TRANSLATE_NOOP("Actions", "Open a level first.");
     } else if (!runsEnough(row)) {
         why = QT_TRANSLATE_NOOP("Actions", "Only while a game is running.");
-    } else if (selection.empty() && (row.flags & NeedsSelection) != 0) {
-        why = QT_TRANSLATE_NOOP("Actions", "Select something first.");
-    } else if (selection.size() < 2 && (row.flags & NeedsSeveral) != 0) {
-        why = QT_TRANSLATE_NOOP("Actions", "Select at least two objects first.");
-    } else if (selection.nodes().empty() && (row.flags & NeedsNodes) != 0) {
-        why = QT_TRANSLATE_NOOP("Actions", "Select nodes first, with the node tool.");
-    } else if (row.isPossible != nullptr && !row.isPossible(m_window)) {
-        why = row.why;
     }
     return *why == '\0' ? QString() : translated(why);
 }
@@ -224,15 +248,15 @@ bool Actions::isOn(const ActionRow& row) const {
 
 void Actions::refresh() {
     const QScopedValueRollback<bool> guard(m_refreshing, true);
+    m_kinds = selectedKinds(m_window.document().shown());
     for (const ActionRow& row : actionRows()) {
         QAction& action = (*this)[row.id];
-        const bool possible = isPossible(row);
-        if (!possible || !action.isEnabled()) {
-            const QString why = possible ? QString() : whyNot(row);
+        const QString why = whyNot(row);
+        if (!why.isEmpty() || !action.isEnabled()) {
             const QString tip = translated(row.tip);
             action.setStatusTip(why.isEmpty() ? tip : QStringLiteral("%1 · %2").arg(tip, why));
         }
-        action.setEnabled(possible);
+        action.setEnabled(why.isEmpty());
         if (action.isCheckable()) {
             action.setChecked(isOn(row));
         }

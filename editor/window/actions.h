@@ -1,6 +1,7 @@
 #pragma once
 // The actions of the window, made from their rows: menus, tool bars, tooltips and the overview of keys show these.
 
+#include "editor/editing/selected_kinds.h"
 #include "editor/window/action_row.h"
 
 #include <QAction>
@@ -53,15 +54,18 @@ class Actions {
     QString whyNot(const ActionRow& row) const;
     /// Shows what is possible, what is on, and what it is called at this moment.
     void refresh();
+    /// For the action that is being carried out, when it has found nothing to do.
+    void sayNothingChanged();
 
   private:
     void connectRow(const ActionRow& row);
     /// Unless a drag is under way, which nothing may cross.
     template <class Do>
-    void carryOut(const Do& action);
+    void carryOut(const ActionRow& row, const Do& action);
     bool isOfGame(const ActionRow& row) const; // while one is running
     bool isForWelcome(const ActionRow& row) const;
-    bool isPossible(const ActionRow& row) const;
+    /// What is missing among what is selected; empty when nothing is.
+    const char* lackOf(const ActionRow& row) const;
     /// For what needs a run.
     bool runsEnough(const ActionRow& row) const;
     bool isOn(const ActionRow& row) const;
@@ -70,6 +74,8 @@ class Actions {
     QActionGroup m_tools;
     std::map<ActionId, std::unique_ptr<QAction>> m_actions;
     QList<QAction*> m_others;
+    SelectedKinds m_kinds;                   // at the last refresh
+    const ActionRow* m_carriedOut = nullptr; // by the user, at this moment
     bool m_refreshing = false;
 };
 

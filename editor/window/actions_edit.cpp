@@ -1,4 +1,5 @@
 // Undo, clipboard, selection.
+#include "core/level/file.h"
 #include "editor/editing/arrange_verbs.h"
 #include "editor/editing/clipboard.h"
 #include "editor/editing/node_verbs.h"
@@ -9,6 +10,8 @@
 
 #include <QApplication>
 #include <QClipboard>
+
+#include <algorithm>
 
 namespace spacetow {
 
@@ -81,6 +84,20 @@ void cutToClipboard(MainWindow& window) {
     doing<cut>(window);
 }
 
+/// Of a text of which nothing has come to be in the level.
+QString whyNotPasted(const std::string& text) {
+    std::vector<Problem> problems;
+    const std::vector<Object> objects = parseObjects(text, problems).objects;
+    if (objects.empty()) {
+        return MainWindow::tr("There is nothing on the clipboard that can be pasted here.");
+    }
+    const bool areConnectors = std::ranges::all_of(
+        objects, [](const Object& object) { return std::holds_alternative<ConnectorObject>(object.data); });
+    return areConnectors
+               ? MainWindow::tr("A connector is pasted together with the two bodies that it joins.")
+               : MainWindow::tr("A level has one ship, one payload and one finish, and this one has them already.");
+}
+
 void pasteAt(MainWindow& window, const std::optional<Vec2>& at) {
     const std::string text = QApplication::clipboard()->text().toStdString();
     if (holdsCapsule(text)) {
@@ -89,8 +106,7 @@ void pasteAt(MainWindow& window, const std::optional<Vec2>& at) {
     }
     const std::optional<FinishedEdit> edit = pasted(window.toolbox().context(), text, at);
     if (!edit) {
-        window.messageBar().say(MessageBar::Tone::Info,
-                                MainWindow::tr("There is nothing on the clipboard that can be pasted here."));
+        window.messageBar().say(MessageBar::Tone::Info, whyNotPasted(text));
     }
     window.toolbox().finish(edit);
     QStringList notes;
@@ -139,7 +155,7 @@ constexpr ActionRow editRows[] = {
      .icon = "cut",
      .keys = "Ctrl+X",
      .tip = QT_TRANSLATE_NOOP("Actions", "Move the selection to the clipboard"),
-     .flags = NeedsSelection | SeparatorBefore | InContextMenu,
+     .flags = NeedsSelection | SeparatorBefore | InContextMenu | NeedsUnlocked,
      .run = cutToClipboard},
     {.id = Act::Copy,
      .menu = MenuId::Edit,
@@ -171,7 +187,7 @@ constexpr ActionRow editRows[] = {
      .icon = "duplicate",
      .keys = "Ctrl+D",
      .tip = QT_TRANSLATE_NOOP("Actions", "Copy the selection one grid step away"),
-     .flags = NeedsSelection | InContextMenu,
+     .flags = NeedsSelection | InContextMenu | NeedsCopyable,
      .run = doing<duplicateSelected>},
     {.id = Act::DuplicateInPlace,
      .menu = MenuId::Edit,
@@ -179,7 +195,7 @@ constexpr ActionRow editRows[] = {
      .icon = "duplicate-in-place",
      .keys = "Alt+Shift+D",
      .tip = QT_TRANSLATE_NOOP("Actions", "Copy the selection onto itself; what is done to the copy can be repeated"),
-     .flags = NeedsSelection,
+     .flags = NeedsSelection | NeedsCopyable,
      .run = doing<duplicateInPlace>},
     {.id = Act::Delete,
      .menu = MenuId::Edit,
@@ -187,7 +203,7 @@ constexpr ActionRow editRows[] = {
      .icon = "delete",
      .keys = "Del",
      .tip = QT_TRANSLATE_NOOP("Actions", "Remove the selection"),
-     .flags = NeedsSelection | InContextMenu,
+     .flags = NeedsSelection | InContextMenu | NeedsUnlocked,
      .run = [](MainWindow& window) { window.canvas().toolKey(ToolKey::Delete); }},
     {.id = Act::SelectAll,
      .menu = MenuId::Edit,

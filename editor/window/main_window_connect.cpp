@@ -23,7 +23,7 @@ void MainWindow::listen() {
         updateMotion();
         const Selection& before = change.before.selection;
         const Selection& after = change.after.selection;
-        if (before.size() != after.size() || before.nodes().size() != after.nodes().size()) {
+        if (before.keys() != after.keys() || before.nodes().size() != after.nodes().size()) {
             m_actions.refresh();
         }
     });
