@@ -105,6 +105,8 @@ class Canvas : public QWidget {
 
     /// Where the pointer is or was last, in world coordinates; the middle of the view before it ever came.
     Vec2 pointerPosition() const;
+    /// As if the pointer were there, in pixels, until it moves again.
+    void pointAt(const QPointF& position) { m_position = position; }
     Pointer pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
     /// As what the mouse would do now has it.
     void updateCursor();
@@ -117,6 +119,7 @@ class Canvas : public QWidget {
     void viewChanged();
     void leftOutChanged();
     void menuWanted(const QPoint& global);
+    void menuKeyPressed(); // at what is selected
     /// Somebody wants to type where this guide is.
     void guideOpened(std::size_t index);
 
@@ -131,6 +134,7 @@ class Canvas : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 

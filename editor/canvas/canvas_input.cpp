@@ -5,6 +5,7 @@
 #include "editor/editing/verbs.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
@@ -320,6 +321,14 @@ void Canvas::keyReleaseEvent(QKeyEvent* event) {
         modifiersChanged(QApplication::keyboardModifiers());
     } else {
         QWidget::keyReleaseEvent(event);
+    }
+}
+
+/// The mouse opens it with its release, which may as well have ended a drag.
+void Canvas::contextMenuEvent(QContextMenuEvent* event) {
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    if (byKey && !isDragging() && !m_toolbox.isBusy() && (!isLive() || !m_live->isGame())) {
+        Q_EMIT menuKeyPressed();
     }
 }
 

@@ -54,7 +54,9 @@ bool inserts(const Pointer& pointer) {
     return pointer.modifiers.ctrl && pointer.modifiers.alt;
 }
 
-std::optional<FinishedEdit> inserting(const ToolContext& context, const Pointer& pointer) {
+} // namespace
+
+std::optional<FinishedEdit> insertNode(const ToolContext& context, const Pointer& pointer) {
     const std::optional<Hit> hit = hitUnder(context, pointer);
     if (!hit || hit->kind != HitKind::Segment) {
         return {};
@@ -70,8 +72,6 @@ std::optional<FinishedEdit> inserting(const ToolContext& context, const Pointer&
     return FinishedEdit{{"insert-nodes", 1},
                         {std::make_shared<const Level>(std::move(edit.level)), std::move(selection)}};
 }
-
-} // namespace
 
 std::unique_ptr<Gesture> NodeTool::press(const ToolContext& context, const Pointer& pointer) {
     const Edit& edit = context.edit;
@@ -102,7 +102,7 @@ std::unique_ptr<Gesture> NodeTool::press(const ToolContext& context, const Point
 std::optional<FinishedEdit> NodeTool::click(const ToolContext& context, const Pointer& pointer) {
     const Edit& edit = context.edit;
     if (inserts(pointer)) {
-        return inserting(context, pointer);
+        return insertNode(context, pointer);
     }
     if (nodeHandleAt(edit, m_turns, pointer)) {
         return {};
@@ -136,7 +136,7 @@ std::optional<FinishedEdit> NodeTool::click(const ToolContext& context, const Po
 }
 
 std::optional<FinishedEdit> NodeTool::doubleClick(const ToolContext& context, const Pointer& pointer) {
-    return inserting(context, pointer);
+    return insertNode(context, pointer);
 }
 
 std::optional<FinishedEdit> NodeTool::secondaryClick(const ToolContext& context, const Pointer& pointer) {

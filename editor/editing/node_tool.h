@@ -45,6 +45,9 @@ class NodeTool : public Tool {
     bool m_turns = false; // what the handles do
 };
 
+/// A node on the segment under the pointer, of an outline that is in edit, and selected.
+std::optional<FinishedEdit> insertNode(const ToolContext& context, const Pointer& pointer);
+
 /// What looks like a handle is one, whatever the tool: the drag of the node under the pointer, when it belongs to the
 /// one object that is selected. Nothing where the object is so small that it could no longer be moved itself.
 std::unique_ptr<Gesture> dragOfNode(const ToolContext& context, const Pointer& pointer);

@@ -151,6 +151,7 @@ enum class Act : std::uint8_t {
     Intersect,
 
     // actions_nodes.cpp
+    InsertNode,
     InsertMidpoints,
     DeleteSegments,
     JoinNodes,

@@ -25,20 +25,18 @@ enum ActionFlag : unsigned {
     SeparatorBefore = 1u << 5,
     KeyElsewhere = 1u << 6, // has no key of its own because another action leads there; see PlaceNext
     OnMainBar = 1u << 7,
-    OnToolsBar = 1u << 8, // as every tool is
-    InContextMenu = 1u << 9,
-    KeyOfCanvas = 1u << 10,    // its key does something else in panels, as Tab does
-    InOutlinerMenu = 1u << 11, // beside those of the context menu
-    WithoutLevel = 1u << 12,   // also while the welcome page is shown; all others rest then
-    WhileStarting = 1u << 13,  // with OnlyPlaying: also while what is to run is being read or built
-    WithPanels = 1u << 14,     // while a game is running as well, once its panels are shown
-    YieldsToGame = 1u << 15,   // with WhilePlaying: a key that the game has is the game's first
+    OnToolsBar = 1u << 8,     // as every tool is
+    KeyOfCanvas = 1u << 9,    // its key does something else in panels, as Tab does
+    WithoutLevel = 1u << 10,  // also while the welcome page is shown; all others rest then
+    WhileStarting = 1u << 11, // with OnlyPlaying: also while what is to run is being read or built
+    WithPanels = 1u << 12,    // while a game is running as well, once its panels are shown
+    YieldsToGame = 1u << 13,  // with WhilePlaying: a key that the game has is the game's first
     // Of what is selected, at least one thing must be so; see editor/editing/selected_kinds.h.
-    NeedsCopyable = 1u << 16,
-    NeedsDirection = 1u << 17,
-    NeedsGroup = 1u << 18,
-    NeedsOutline = 1u << 19,
-    NeedsUnlocked = 1u << 20,
+    NeedsCopyable = 1u << 14,
+    NeedsDirection = 1u << 15,
+    NeedsGroup = 1u << 16,
+    NeedsOutline = 1u << 17,
+    NeedsUnlocked = 1u << 18,
 };
 
 struct ActionRow {

@@ -1,5 +1,6 @@
 // What is done to the nodes of selected objects.
 #include "core/level/node_edits.h"
+#include "editor/editing/node_tool.h"
 #include "editor/editing/node_verbs.h"
 #include "editor/window/verb_action.h"
 
@@ -29,7 +30,29 @@ bool editsNodes(const MainWindow& window) {
     return window.toolbox().current() == ToolId::Nodes && !window.document().selection().empty();
 }
 
+/// What happens to it next is done with the node tool.
+void insertNodeHere(MainWindow& window) {
+    const Pointer pointer{.world = window.canvas().pointerPosition(), .pixel = window.canvas().view().pixel()};
+    const std::optional<FinishedEdit> edit = insertNode(window.toolbox().context(), pointer);
+    if (!edit) {
+        window.statusLine().showMessage(MainWindow::tr("Nothing that is selected has an edge at the pointer."), 8000);
+        return;
+    }
+    window.takeTool(ToolId::Nodes);
+    window.toolbox().finish(edit);
+}
+
 constexpr ActionRow nodesRows[] = {
+    {.id = Act::InsertNode,
+     .menu = MenuId::Path,
+     .text = QT_TRANSLATE_NOOP("Actions", "Insert Node &Here"),
+     .icon = "node-insert",
+     .keys = "Shift+Ins",
+     .tip = QT_TRANSLATE_NOOP("Actions", "Insert a node where the pointer is at an edge of the selection"),
+     .flags = NeedsSelection | NeedsOutline,
+     .run = insertNodeHere,
+     .isPossible = [](const MainWindow& window) { return !window.isPlaying(); },
+     .why = QT_TRANSLATE_NOOP("Actions", "Not while the level runs.")},
     {.id = Act::InsertMidpoints,
      .menu = MenuId::Path,
      .text = QT_TRANSLATE_NOOP("Actions", "Insert &Midpoints"),

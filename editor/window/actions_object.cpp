@@ -19,7 +19,7 @@ constexpr ActionRow objectMenuRows[] = {
      .icon = "rotate-left",
      .keys = "[ Ctrl+Left",
      .tip = QT_TRANSLATE_NOOP("Actions", "Turn the selection anticlockwise"),
-     .flags = NeedsSelection | OnToolsBar | InContextMenu | NeedsUnlocked,
+     .flags = NeedsSelection | OnToolsBar | NeedsUnlocked,
      .run = doing<rotateSelected, turn>},
     {.id = Act::RotateRight,
      .menu = MenuId::Transform,
@@ -27,7 +27,7 @@ constexpr ActionRow objectMenuRows[] = {
      .icon = "rotate-right",
      .keys = "] Ctrl+Right",
      .tip = QT_TRANSLATE_NOOP("Actions", "Turn the selection clockwise"),
-     .flags = NeedsSelection | OnToolsBar | InContextMenu | NeedsUnlocked,
+     .flags = NeedsSelection | OnToolsBar | NeedsUnlocked,
      .run = doing<rotateSelected, -turn>},
     {.id = Act::QuarterLeft,
      .menu = MenuId::Transform,
@@ -96,7 +96,7 @@ constexpr ActionRow objectMenuRows[] = {
      .icon = "reverse",
      .keys = "Shift+R",
      .tip = QT_TRANSLATE_NOOP("Actions", "Make one-way walls solid from the other side"),
-     .flags = NeedsSelection | SeparatorBefore | OnToolsBar | InContextMenu | NeedsUnlocked | NeedsDirection,
+     .flags = NeedsSelection | SeparatorBefore | OnToolsBar | NeedsUnlocked | NeedsDirection,
      .run = doing<reverseSelected>},
 };
 

@@ -212,6 +212,9 @@ class MainWindow : public QMainWindow {
     Finder& finder() { return *m_finder; }
     /// The entries of a menu that are possible and neither actions of the table nor panels.
     QList<QAction*> listedIn(MenuId menu);
+    QMenu& menu(MenuId id) { return *m_menus.at(id); }
+    /// Its middle, or that of the view without one, on the screen; the pointer counts as being there.
+    QPoint placeOfSelection();
     StatusLine& statusLine() { return m_status; }
 
     /// Of a window that has no remembered size, frame excluded, on a screen with so much room; logical pixels.
@@ -240,6 +243,7 @@ class MainWindow : public QMainWindow {
     void fillLanguages();
     QMenu* makeMenu(const MenuRow& row);
     void openMenuAt(const QPoint& global);
+    void openMenuAtSelection();
     void openOutlinerMenuAt(const QPoint& global);
 
     void listen();

@@ -72,6 +72,7 @@ void MainWindow::listenToPanels() {
     connect(&m_canvas, &Canvas::guideOpened, this, &MainWindow::openGuide);
     connect(&m_guideBar, &GuideBar::dismissed, &m_canvas, qOverload<>(&Canvas::setFocus));
     connect(&m_canvas, &Canvas::menuWanted, this, &MainWindow::openMenuAt);
+    connect(&m_canvas, &Canvas::menuKeyPressed, this, &MainWindow::openMenuAtSelection);
     connect(&m_transform, &TransformBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
     connect(&m_arrays, &ArrayBar::closed, &m_canvas, [this] { m_canvas.setFocus(); });
     connect(&m_inspector, &Inspector::sectionsFolded, this,

@@ -2,10 +2,11 @@
 #include "editor/window/language.h"
 #include "editor/window/main_window.h"
 
+#include "core/level/bounds.h"
 #include "editor/editing/backups.h"
-#include "editor/editing/group_picking.h"
 #include "editor/panels/names.h"
 #include "editor/window/application.h"
+#include "editor/window/context_menu.h"
 #include "editor/window/state_folder.h"
 
 #include <QActionGroup>
@@ -245,40 +246,31 @@ QList<QAction*> MainWindow::listedIn(MenuId id) {
 }
 
 void MainWindow::openMenuAt(const QPoint& global) {
-    const Pointer pointer{.world = m_canvas.pointerPosition(), .pixel = m_canvas.view().pixel()};
-    const std::vector<GroupPick> under =
-        isPlaying() ? m_live.hand().under(pointer) : pickedMembers(m_document.current(), pointer);
-    if (!under.empty() && !m_document.selection().contains(under.front().key)) {
-        m_document.select(Selection({under.front().key}).entering(under.front().entered));
-    }
     QMenu menu(this);
-    if (under.size() > 1) {
-        QMenu* const below = menu.addMenu(tr("Select &Under Pointer"));
-        for (const GroupPick& pick : under) {
-            QAction* const action =
-                below->addAction(menuSafe(listedName(m_document.level(), *m_document.level().objects.find(pick.key))));
-            connect(action, &QAction::triggered, this,
-                    [this, pick] { m_document.select(Selection({pick.key}).entering(pick.entered)); });
-        }
-        menu.addSeparator();
-    }
-    Filler filler(menu, m_actions);
-    for (const ActionRow& row : actionRows()) {
-        if ((row.flags & InContextMenu) != 0) {
-            filler.add(row);
-        }
-    }
+    fillMenuAtPointer(*this, menu);
     menu.exec(global);
+}
+
+void MainWindow::openMenuAtSelection() {
+    QMenu menu(this);
+    fillMenuOfSelection(*this, menu);
+    menu.exec(placeOfSelection());
+}
+
+QPoint MainWindow::placeOfSelection() {
+    const Edit& shown = m_document.shown();
+    const Aabb box = boundsOf(*shown.level, shown.selection.keys());
+    const Vec2 wanted = box.isEmpty() ? m_canvas.view().center : box.center();
+    const Vec2 screen = m_canvas.view().toScreen(wanted);
+    const QPoint place(std::clamp(qRound(screen.x()), 0, m_canvas.width()),
+                       std::clamp(qRound(screen.y()), 0, m_canvas.height()));
+    m_canvas.pointAt(place);
+    return m_canvas.mapToGlobal(place);
 }
 
 void MainWindow::openOutlinerMenuAt(const QPoint& global) {
     QMenu menu(this);
-    Filler filler(menu, m_actions);
-    for (const ActionRow& row : actionRows()) {
-        if ((row.flags & (InContextMenu | InOutlinerMenu)) != 0) {
-            filler.add(row);
-        }
-    }
+    fillMenuOfOutliner(*this, menu);
     menu.exec(global);
 }
 
