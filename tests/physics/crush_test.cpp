@@ -3,6 +3,8 @@
 #include "tests/support/rows.h"
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -134,7 +136,10 @@ class CrushTest : public QObject {
     void nothingIsPressedThroughAWall() {
         QFETCH(QString, wall);
         QFETCH(int, iterations);
-        for (std::uint64_t seed = 1; seed <= fullOrQuick(2000U, usualOrThin(25U, 8U)); ++seed) {
+        std::vector<std::uint64_t> seeds(fullOrQuick(2000U, usualOrThin(25U, 8U)));
+        std::iota(seeds.begin(), seeds.end(), 1);
+        seeds.push_back(726); // corrections turned a body by 42° within one iteration, and so through the floor
+        for (const std::uint64_t seed : seeds) {
             Random random(seed);
             RandomPress scene(random, wall, iterations);
             for (int i = 0; i < scene.updates; ++i) {

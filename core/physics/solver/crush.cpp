@@ -16,6 +16,9 @@ namespace {
 constexpr int roundsOfKeeping = 8;
 // What is stopped stops this far before the surface, m.
 constexpr double stopGap = 0.5 * linearSlop;
+// By position correction a point of what touches what stands still turns this far at most in an iteration, m: corners
+// that have no contact yet may come down on it.
+constexpr double mostTurned = 4 * linearSlop;
 // Who is overlapped by no more than this share of the inner radius, or this way, m, is not yet crushed.
 constexpr double crushShare = 0.1;
 constexpr double crushDepth = 4 * linearSlop;
@@ -93,6 +96,16 @@ void stopClosing(Bodies& bodies, const Sight& at) {
     if (speed > 0) {
         m.velocity -= speed * at.towards;
     }
+}
+
+void limitTurns(Bodies& bodies, const Constraints& constraints, const SolverScratch& solver) {
+    forSights(bodies, constraints, solver, With::Immovable, [&](const Sight& at) {
+        if (stands(bodies, at.other)) {
+            BodyStep& s = bodies.steps[at.body];
+            const double most = mostTurned / s.outerRadius;
+            s.angleCorrection = std::clamp(s.angleCorrection, -most, most);
+        }
+    });
 }
 
 /// True when the way of a body had to be changed; these are listed.
@@ -272,6 +285,7 @@ void measureCorrections(Bodies& bodies, StepFlags& flags, const SolverScratch& s
 }
 
 void keepOutOfStatics(const CrushStage& stage, int iteration) {
+    limitTurns(stage.bodies, stage.constraints, stage.solver);
     std::vector<Squeeze> squeezes;
     stopDisplaced(stage.bodies, stage.contacts, stage.solver, squeezes);
     std::vector<Slot> kept;
