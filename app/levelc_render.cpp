@@ -37,7 +37,9 @@ std::optional<OverlayFlags> overlaysFromText(const QString& text) {
 QString overlayNames() {
     QStringList names;
     for (const OverlayRow& row : overlayRows()) {
-        names.append(QLatin1String(row.name));
+        if (!row.ofRuns) {
+            names.append(QLatin1String(row.name));
+        }
     }
     return names.join(QLatin1Char(','));
 }

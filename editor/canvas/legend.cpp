@@ -32,6 +32,10 @@ QString titleOf(const OverlayRow& row) {
     return title.remove(QLatin1Char('&'));
 }
 
+bool isAnyOn(const OverlayFlags& overlays) {
+    return std::ranges::any_of(overlayRows(), [&](const OverlayRow& row) { return overlays.*row.flag; });
+}
+
 /// A button beside what it means; the words take as many lines as there is room for.
 struct LegendLine {
     QWidget* all;
@@ -81,7 +85,7 @@ void Legend::showOverlays(const Explained& explained) {
 
 void Legend::fill() {
     m_filling = true;
-    setVisible(m_shown->overlays.any());
+    setVisible(isAnyOn(m_shown->overlays));
     auto* content = new QWidget;
     auto* list = new QVBoxLayout(content);
     list->setContentsMargins(margin, margin, margin, margin);
@@ -171,7 +175,7 @@ void Legend::addTags(QVBoxLayout& list) {
 }
 
 void Legend::place() {
-    if (!m_shown || !m_shown->overlays.any() || m_scroll.widget() == nullptr) {
+    if (!m_shown || !isAnyOn(m_shown->overlays) || m_scroll.widget() == nullptr) {
         return;
     }
     QWidget& content = *m_scroll.widget();

@@ -28,6 +28,8 @@ DebugColors standardColors(Shade shade) {
     colors.name = toColor(theme.text);
     colors.touchPoint = choose({241, 134, 25}, {224, 65, 255});
     colors.trail = choose({86, 68, 253}, {78, 0, 152});
+    colors.way = choose({146, 190, 255}, {130, 70, 180});
+    colors.lostWay = choose({190, 200, 220}, {120, 110, 250});
     colors.massCenter = choose({251, 155, 225}, {126, 45, 147});
     colors.asleep = choose({74, 107, 135}, {183, 128, 133});
     colors.risky = choose({174, 28, 182}, {187, 53, 134});
@@ -107,6 +109,8 @@ DebugColors okabeItoColors(Shade shade) {
     colors.natural = inks.ink;
     colors.pulled = inks.cool;
     colors.trail = inks.trail;
+    colors.way = dark ? inks.purple : inks.violet;
+    colors.lostWay = inks.ink;
     colors.massCenter = inks.purple;
     colors.name = inks.ink;
     colors.asleep = inks.asleep;

@@ -29,6 +29,8 @@ constexpr std::array inks{
     OverlayInk{"natural", &DebugColors::natural, QT_TRANSLATE_NOOP("Legend", "At its natural length")},
     OverlayInk{"pulled", &DebugColors::pulled, QT_TRANSLATE_NOOP("Legend", "Stretched by half its length")},
     OverlayInk{"trail", &DebugColors::trail, QT_TRANSLATE_NOOP("Legend", "Way, older ones fainter")},
+    OverlayInk{"way", &DebugColors::way, QT_TRANSLATE_NOOP("Legend", "Way in the time that is kept")},
+    OverlayInk{"lost-way", &DebugColors::lostWay, QT_TRANSLATE_NOOP("Legend", "Way in a future given up, dashed")},
     OverlayInk{"mass-center", &DebugColors::massCenter, QT_TRANSLATE_NOOP("Legend", "Center of mass and axes")},
     OverlayInk{"name", &DebugColors::name, QT_TRANSLATE_NOOP("Legend", "Name of the object")},
     OverlayInk{"asleep", &DebugColors::asleep, QT_TRANSLATE_NOOP("Legend", "Asleep")},
@@ -68,13 +70,18 @@ constexpr std::array rows{
                QT_TRANSLATE_NOOP("Actions", "Show how much every rope and connector pulls"), some(13, 3)},
     OverlayRow{"trails", &OverlayFlags::trails, QT_TRANSLATE_NOOP("Actions", "T&rails"), "overlay-trails", "Alt+9",
                QT_TRANSLATE_NOOP("Actions", "Show the way that every body has gone, or will go at first"), some(16, 1)},
+    OverlayRow{"ways", &OverlayFlags::ways, QT_TRANSLATE_NOOP("Actions", "Wa&ys of a Run"), "overlay-ways",
+               "Alt+Shift+F",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Show the ways of the last minute where a run is held, and those of futures given up"),
+               some(17, 2), "", false, true},
     OverlayRow{"masses", &OverlayFlags::masses, QT_TRANSLATE_NOOP("Actions", "Centers of &Mass"), "overlay-masses",
-               "Ctrl+Alt+H", QT_TRANSLATE_NOOP("Actions", "Show the center of mass of every body"), some(17, 1)},
+               "Ctrl+Alt+H", QT_TRANSLATE_NOOP("Actions", "Show the center of mass of every body"), some(19, 1)},
     OverlayRow{"names", &OverlayFlags::names, QT_TRANSLATE_NOOP("Actions", "Names"), "overlay-names", "Alt+Shift+V",
-               QT_TRANSLATE_NOOP("Actions", "Show the name of every object that has one"), some(18, 1)},
+               QT_TRANSLATE_NOOP("Actions", "Show the name of every object that has one"), some(20, 1)},
     OverlayRow{"islands", &OverlayFlags::islands, QT_TRANSLATE_NOOP("Actions", "I&slands and Sleep"), "overlay-islands",
                "Alt+Shift+Z",
-               QT_TRANSLATE_NOOP("Actions", "Show which bodies may push each other, and which ones sleep"), some(19, 1),
+               QT_TRANSLATE_NOOP("Actions", "Show which bodies may push each other, and which ones sleep"), some(21, 1),
                QT_TRANSLATE_NOOP("Legend", "One color an island")},
     OverlayRow{"tags",
                &OverlayFlags::tags,
@@ -88,11 +95,11 @@ constexpr std::array rows{
         "risk", &OverlayFlags::risk, QT_TRANSLATE_NOOP("Actions", "Ris&k of Passing Through"), "overlay-risk",
         "Alt+Shift+P",
         QT_TRANSLATE_NOOP("Actions", "Show how far through each wall one iteration may carry what approaches it"),
-        some(20, 2)},
+        some(22, 2)},
     OverlayRow{"collides", &OverlayFlags::collides, QT_TRANSLATE_NOOP("Actions", "Sho&w What Collides"), "collides",
                "Shift+T",
                QT_TRANSLATE_NOOP("Actions", "Mark everything that the selection would collide with, by its tags"),
-               some(22, 2)},
+               some(24, 2)},
 };
 
 } // namespace
@@ -106,7 +113,7 @@ std::span<const OverlayInk> overlayInks() {
 }
 
 std::optional<OverlayFlags> withOverlay(OverlayFlags flags, std::string_view name) {
-    const auto row = std::ranges::find_if(rows, [&](const OverlayRow& one) { return name == one.name; });
+    const auto row = std::ranges::find_if(rows, [&](const OverlayRow& one) { return name == one.name && !one.ofRuns; });
     if (row == rows.end()) {
         return {};
     }

@@ -27,6 +27,7 @@ struct OverlayRow {
     std::span<const OverlayInk> inks;
     const char* remark = ""; // what the legend says beside the colours; translate in the context "Legend"
     bool onMainBar = false;
+    bool ofRuns = false; // of what has run alone: a level has none
 };
 
 /// In the order of their keys.
@@ -34,7 +35,7 @@ std::span<const OverlayRow> overlayRows();
 /// All colours of all rows.
 std::span<const OverlayInk> overlayInks();
 
-/// The overlay of that name switched on as well; nothing when there is none.
+/// The overlay of that name, which levels have, switched on as well; nothing when there is none.
 std::optional<OverlayFlags> withOverlay(OverlayFlags flags, std::string_view name);
 
 } // namespace spacetow

@@ -39,7 +39,6 @@ Theme paper() {
     theme.snap = {224, 16, 146};
     theme.band = {98, 90, 210};
     theme.guide = {96, 36, 150};
-    theme.way = {96, 36, 150};
     theme.overlayBox = {23, 14, 10};
     theme.overlayIncircle = {72, 40, 214};
     theme.overlayVelocity = {124, 0, 0};

@@ -46,7 +46,6 @@ struct Theme {
     QColor snap{214, 40, 180};
     QColor band{173, 205, 238};
     QColor guide{66, 122, 248};
-    QColor way{146, 190, 255}; // of a body, in what has been of a run
 
     QColor overlayBox{132, 145, 144};
     QColor overlayIncircle{202, 147, 255};

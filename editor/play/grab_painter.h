@@ -3,6 +3,7 @@
 // that they would have gone in futures that were given up.
 
 #include "core/game/course.h"
+#include "core/physics/query/debug_draw.h"
 #include "editor/canvas/label_painter.h"
 #include "editor/canvas/stage.h"
 
@@ -19,6 +20,7 @@ struct ShownGrab {
 
 void paintGrab(const Stage& stage, const ShownGrab& grab, LabelPainter& labels);
 /// Ghosts fade with their age; ways of what is selected stand out.
-void paintWays(const Stage& stage, const TimelineSummary& timeline, std::span<const Key> selected);
+void paintWays(const Stage& stage, const TimelineSummary& timeline, const DebugColors& colors,
+               std::span<const Key> selected);
 
 } // namespace spacetow

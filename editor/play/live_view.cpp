@@ -114,6 +114,11 @@ void LiveView::setOverlays(const OverlayFlags& overlays) {
     m_canvas.update();
 }
 
+bool LiveView::hasWays() const {
+    const auto timeline = m_run.timeline();
+    return m_shown && timeline && (m_run.isPaused() || !timeline->ghosts.empty());
+}
+
 void LiveView::setKeys(const PlayKeys& keys) {
     m_run.setKeys(keys);
     m_menu->setKeys(keys);
@@ -283,8 +288,9 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
     if (!game && m_toolbox.guidesVisible) {
         paintGuides(stage, m_document.level(), {});
     }
-    if (const auto timeline = m_run.timeline()) {
-        paintWays(stage, *timeline, m_document.selection().keys());
+    if (const auto timeline = m_run.timeline(); timeline && m_overlays.ways) {
+        paintWays(stage, *timeline, overlayColors(m_canvas.overlayPalette(), theme.shade),
+                  m_document.selection().keys());
     }
     paintFlame(stage, m_picture);
     paintMoving(stage, m_picture, &m_discs);

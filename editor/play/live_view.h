@@ -41,6 +41,8 @@ class LiveView : public QObject, public LiveScene {
     /// Without letting go of the ship, as when the canvas has come to lie elsewhere on the screen; pixels.
     void shiftView(const Vec2& pixels);
     void setOverlays(const OverlayFlags& overlays);
+    /// Whether there are ways to be shown: of a run that is held, or in futures given up.
+    bool hasWays() const;
     void setKeys(const PlayKeys& keys);
     /// Shows what the run has come to; it does so by itself at the display's rate.
     void refresh();

@@ -84,6 +84,7 @@ enum class Act : std::uint8_t {
     OverlayContacts,
     OverlayTension,
     OverlayTrails,
+    OverlayWays,
     OverlayMasses,
     OverlayNames,
     OverlayIslands,

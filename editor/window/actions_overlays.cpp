@@ -59,7 +59,7 @@ constexpr ActionRow otherOverlayRows[] = {
      .keys = "Alt+0",
      .tip = QT_TRANSLATE_NOOP("Actions", "Hide all overlays"),
      .flags = WhilePlaying | SeparatorBefore,
-     .run = [](MainWindow& window) { window.setOverlays({.problems = window.overlays().problems}); }},
+     .run = [](MainWindow& window) { window.setOverlays({.ways = false, .problems = window.overlays().problems}); }},
     {.id = Act::OverlayProblems,
      .menu = MenuId::Overlays,
      .text = QT_TRANSLATE_NOOP("Actions", "&Problems"),

@@ -293,6 +293,7 @@ class MainWindow : public QMainWindow {
     void showCured(Key key);
     void updateLegend();
     void updateLeftOut();
+    void updateWays();
     Shade overlayGround() const;
     void listenToLegend();
     void chooseOverlayColor(int ink);
@@ -349,6 +350,7 @@ class MainWindow : public QMainWindow {
     Legend m_legend; // on the canvas
     bool m_legendShown = true;
     bool m_leavesOut = false; // as the legend says
+    bool m_hasWays = false;   // likewise
     QTimer m_leftOutEnds;
     QPointer<OverlayColorsDialog> m_overlayColors; // null while nobody chooses
     bool m_panelsHidden = false;

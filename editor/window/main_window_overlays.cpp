@@ -34,8 +34,11 @@ void MainWindow::setLegendShown(bool shown) {
 }
 
 void MainWindow::updateLegend() {
-    m_legend.showOverlays({m_legendShown ? m_overlays : OverlayFlags(), m_overlayPalette, m_document.level().tags,
-                           overlayGround(), isInGame() ? 3 * fontMetrics().height() : 0, m_leavesOut});
+    constexpr OverlayFlags none{.ways = false};
+    OverlayFlags told = m_legendShown ? m_overlays : none;
+    told.ways = told.ways && m_hasWays;
+    m_legend.showOverlays({told, m_overlayPalette, m_document.level().tags, overlayGround(),
+                           isInGame() ? 3 * fontMetrics().height() : 0, m_leavesOut});
     if (m_overlayColors != nullptr) {
         m_overlayColors->showPalette(m_overlayPalette, overlayGround());
     }
@@ -70,6 +73,12 @@ void MainWindow::updateLeftOut() {
         return;
     }
     if (std::exchange(m_leavesOut, m_canvas.leavesOut()) != m_leavesOut) {
+        updateLegend();
+    }
+}
+
+void MainWindow::updateWays() {
+    if (std::exchange(m_hasWays, m_live.hasWays()) != m_hasWays) {
         updateLegend();
     }
 }

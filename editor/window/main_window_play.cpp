@@ -167,6 +167,7 @@ void MainWindow::stopPlaying() {
     m_status.setPace(QString());
     m_inspector.hideMotion();
     m_live.hide();
+    updateWays();
     updateSelection();
     finishWork(); // it belongs to the run
     showBoard();
@@ -178,7 +179,9 @@ void MainWindow::listenToRun() {
         m_actions.refresh();
         updateTool();
         updatePace();
+        updateWays();
     });
+    connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateWays);
     connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateMotion);
     connect(&m_run, &LiveRun::advanced, this, &MainWindow::updateTimeline);
     connect(&m_run, &LiveRun::speedChanged, this, &MainWindow::updatePace);

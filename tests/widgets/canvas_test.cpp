@@ -330,7 +330,7 @@ class CanvasTest : public QObject {
         QVERIFY(next.actions()[Act::OverlayNormals].isChecked());
         QVERIFY(!next.actions()[Act::Grid].isChecked());
         test.trigger(Act::OverlaysOff);
-        QVERIFY(preferences.overlays() == OverlayFlags());
+        QVERIFY(preferences.overlays() == OverlayFlags{.ways = false});
     }
 };
 

@@ -355,7 +355,7 @@ class LegendTest : public QObject {
     }
 
     void everyOverlayHasAKeyAndEveryColourAMeaning() {
-        QCOMPARE(overlayRows().size(), std::size_t{15});
+        QCOMPARE(overlayRows().size(), std::size_t{16});
         for (std::size_t i = 0; i < 9; ++i) {
             QCOMPARE(QString::fromLatin1(overlayRows()[i].keys), QStringLiteral("Alt+%1").arg(i + 1));
         }

@@ -68,6 +68,7 @@ struct DebugColors {
     Color impulse{255, 200, 0};
     Color pressed{255, 0, 0}, natural{255, 255, 0}, pulled{0, 255, 0};
     Color trail{90, 170, 255};
+    Color way{146, 190, 255}, lostWay{190, 200, 220};
     Color massCenter{255, 120, 200};
     Color name{240, 240, 240};
     Color asleep{120, 120, 130};

@@ -20,9 +20,10 @@ struct OverlayFlags {
     bool tags = false;        // what each body is
     bool collides = false;    // what the selection would collide with
     bool risk = false;        // of passing through a wall in one iteration
+    bool ways = true;         // of a run, where it is held, and in futures given up; who shows the run draws them
     bool problems = true;     // where something is wrong; while editing
 
-    /// Whether any overlay is on that needs a World; `problems` does not.
+    /// Whether any overlay is on that needs a World; `ways` and `problems` do not.
     bool any() const {
         return aabb || incircle || velocity || orientation || normals || quadtree || contacts || tension || trails ||
                masses || names || islands || tags || collides || risk;
