@@ -14,22 +14,6 @@ namespace spacetow {
 
 namespace {
 
-using ChangeName = std::tuple<Key, bool, bool, bool, int, ObjectChange, std::string>;
-
-/// By which a change is known, whatever its values become.
-ChangeName nameOf(const LevelChange& change) {
-    const LevelDifference& what = change.what;
-    const bool isOfLevel = change.object == 0;
-    const std::vector<FieldDifference>& fields = isOfLevel ? what.fields : what.objects.front().fields;
-    return {change.object,
-            change.guides,
-            what.unknownFields,
-            what.hiddenProblems,
-            what.tags.empty() ? -1 : what.tags.front().index,
-            isOfLevel ? ObjectChange::Changed : what.objects.front().change,
-            fields.empty() ? std::string() : std::string(fields.front().field.name)};
-}
-
 /// What each needs comes before it.
 std::vector<int> neededFirst(const std::vector<LevelChange>& changes, const std::vector<int>& places) {
     std::vector<int> order;
@@ -69,6 +53,19 @@ Label keptLabel(const LevelChange& change) {
     return {"keep-change", 1};
 }
 
+RunChanges::Name RunChanges::nameOf(const LevelChange& change) {
+    const LevelDifference& what = change.what;
+    const bool isOfLevel = change.object == 0;
+    const std::vector<FieldDifference>& fields = isOfLevel ? what.fields : what.objects.front().fields;
+    return {change.object,
+            change.guides,
+            what.unknownFields,
+            what.hiddenProblems,
+            what.tags.empty() ? -1 : what.tags.front().index,
+            isOfLevel ? ObjectChange::Changed : what.objects.front().change,
+            fields.empty() ? std::string() : std::string(fields.front().field.name)};
+}
+
 RunChanges::RunChanges(Document& document) : m_document(document) {
     m_listener = m_document.changed.connect([this](const Change&) { follow(); });
 }
@@ -96,22 +93,28 @@ void RunChanges::end() {
     if (areWaiting()) { // from a run before this one
         after = std::make_shared<const Level>(merged(*m_before, *after, *m_after).level);
     }
+    const int recorded = m_document.position();
+    const std::uint64_t last = recorded > 0 ? m_document.entryNumber(recorded - 1) : 0;
     m_committing = true;
     m_document.commit({"end-run", 1}, {before, m_document.selection()});
     m_committing = false;
+    if (const int now = m_document.position(); now > 0 && m_document.entryNumber(now - 1) != last) {
+        m_ended = Ended{m_document.entryNumber(now - 1), after};
+    }
     list(m_document.current().level, std::move(after));
 }
 
 void RunChanges::list(std::shared_ptr<const Level> before, std::shared_ptr<const Level> after) {
-    std::set<ChangeName> unticked;
     for (std::size_t i = 0; i < m_changes.size(); ++i) {
-        if (!m_ticked[i]) {
-            unticked.insert(nameOf(m_changes[i]));
+        if (m_ticked[i]) {
+            m_unticked.erase(nameOf(m_changes[i]));
+        } else {
+            m_unticked.insert(nameOf(m_changes[i]));
         }
     }
     std::vector<LevelChange> changes = changesBetween(*before, *after);
     if (changes.empty()) {
-        forget();
+        empty();
         return;
     }
     m_levelNumber = m_document.levelNumber();
@@ -120,7 +123,7 @@ void RunChanges::list(std::shared_ptr<const Level> before, std::shared_ptr<const
     m_changes = std::move(changes);
     m_ticked.assign(m_changes.size(), true);
     for (std::size_t i = 0; i < m_changes.size(); ++i) {
-        m_ticked[i] = !unticked.contains(nameOf(m_changes[i]));
+        m_ticked[i] = !m_unticked.contains(nameOf(m_changes[i]));
     }
     untickUnmet();
     changed.emit();
@@ -138,31 +141,53 @@ void RunChanges::untickUnmet() {
     }
 }
 
-void RunChanges::forget() {
-    const bool were = areWaiting();
+void RunChanges::empty() {
     m_changes.clear();
     m_ticked.clear();
     m_before = nullptr;
     m_after = nullptr;
     m_whole = m_wholeOf = nullptr;
+    changed.emit();
+}
+
+/// Nor does undo bring anything back into the list.
+void RunChanges::forget() {
+    const bool were = areWaiting() || m_ended;
+    m_unticked.clear();
+    m_ended.reset();
     if (were) {
-        changed.emit();
+        empty();
     }
 }
 
-/// What is done by hand meanwhile is no longer in the list.
+/// In the history; -1 when it is there no more.
+int RunChanges::indexOfEnd() const {
+    for (int i = m_document.historySize() - 1; i >= 0; --i) {
+        if (m_document.entryNumber(i) == m_ended->step) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+/// What is done by hand meanwhile is no longer in the list. Redo that ends the run once more lists what it did.
 void RunChanges::follow() {
     const std::shared_ptr<const Level> level = m_document.current().level;
-    const std::shared_ptr<const Level> known = isRunning() ? m_start : m_before;
-    if (m_committing || !known || level == known) {
+    if (m_committing || !(m_start || m_before || m_ended)) {
         return;
     }
     if (m_document.levelNumber() != m_levelNumber) { // another level has come
         m_start = nullptr;
         m_runs = 0;
         forget();
-    } else if (!isRunning()) {
-        list(level, std::make_shared<const Level>(merged(*m_before, *level, *m_after).level));
+    } else if (!isRunning() && level != m_before) {
+        if (m_ended && m_document.position() == indexOfEnd() + 1 && m_document.position() > 0) {
+            list(level, m_ended->after);
+        } else if (m_before) {
+            list(level, std::make_shared<const Level>(merged(*m_before, *level, *m_after).level));
+        } else if (m_ended && indexOfEnd() < 0) { // there is another future
+            forget();
+        }
     }
 }
 

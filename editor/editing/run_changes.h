@@ -7,7 +7,12 @@
 #include "core/level/kept_changes.h"
 #include "editor/editing/document.h"
 
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
 #include <vector>
 
 namespace spacetow {
@@ -28,6 +33,11 @@ class RunChanges {
 
     /// Whether changes wait to be kept or discarded; the rest is about these.
     bool areWaiting() const { return !m_changes.empty(); }
+    /// Whether undo has taken back the end of the run: what waited is in the level again, and redo, which takes it out,
+    /// lists it again.
+    bool isEndUndone() const {
+        return !areWaiting() && !isRunning() && m_ended && indexOfEnd() >= m_document.position();
+    }
     const std::vector<LevelChange>& changes() const { return m_changes; }
     const Level& before() const { return *m_before; }
     const Level& after() const { return *m_after; }
@@ -51,10 +61,21 @@ class RunChanges {
     Signal<> changed; // the list, or what is ticked in it
 
   private:
+    /// By which a change is known, whatever its values become.
+    using Name = std::tuple<Key, bool, bool, bool, int, ObjectChange, std::string>;
+    /// The step that ended a run, by its number in the history, and the level with all that waited then.
+    struct Ended {
+        std::uint64_t step = 0;
+        std::shared_ptr<const Level> after;
+    };
+
+    static Name nameOf(const LevelChange& change);
+    int indexOfEnd() const;
     void follow();
     void list(std::shared_ptr<const Level> before, std::shared_ptr<const Level> after);
     void untickUnmet();
     void keep(const std::vector<int>& places);
+    void empty();
     void forget();
 
     Document& m_document;
@@ -64,6 +85,8 @@ class RunChanges {
     std::shared_ptr<const Level> m_before, m_after;
     std::vector<LevelChange> m_changes;
     std::vector<bool> m_ticked;
+    std::set<Name> m_unticked; // of these, and of those that undo has taken from the list
+    std::optional<Ended> m_ended;
     mutable std::shared_ptr<const Level> m_whole, m_wholeOf; // undecided while the level runs, and of which document
     bool m_committing = false;
     int m_listener = 0;

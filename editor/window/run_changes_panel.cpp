@@ -121,22 +121,26 @@ void RunChangesPanel::follow() {
     m_list.refresh();
     updateTexts();
     const bool waiting = m_changes.areWaiting();
-    if (std::exchange(m_wereWaiting, waiting) == waiting) {
-        return;
-    }
-    if (waiting) {
+    const bool told = waiting || m_changes.isEndUndone();
+    const bool wereWaiting = std::exchange(m_wereWaiting, waiting);
+    const bool wereTold = std::exchange(m_wereTold, told);
+    if (waiting && !wereWaiting) {
         Q_EMIT wanted();
-    } else {
+    } else if (wereTold && !told) {
         Q_EMIT settled();
     }
 }
 
 void RunChangesPanel::updateTexts() {
     const bool waiting = m_changes.areWaiting();
-    m_title.setText(waiting ? tr("%n changes were made in this run. The level is as before; keep what you like.",
-                                 nullptr, m_list.rowCount())
-                            : tr("Nothing waits to be kept. What is changed in a level while it runs is listed here "
-                                 "when the run ends."));
+    m_title.setText(
+        waiting ? tr("%n changes were made in this run. The level is as before; keep what you like.", nullptr,
+                     m_list.rowCount())
+        : m_changes.isEndUndone()
+            ? tr("The end of the run is undone: what was changed in it is in the level again. Redo takes it "
+                 "out, and lists it to be kept.")
+            : tr("Nothing waits to be kept. What is changed in a level while it runs is listed here "
+                 "when the run ends."));
     for (QWidget* const widget : {static_cast<QWidget*>(&m_view), static_cast<QWidget*>(&m_keepAll),
                                   static_cast<QWidget*>(&m_keepTicked), static_cast<QWidget*>(&m_discard)}) {
         widget->setVisible(waiting);

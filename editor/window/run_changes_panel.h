@@ -81,6 +81,7 @@ class RunChangesPanel : public QWidget {
     Document& m_document;
     Canvas& m_canvas;
     bool m_wereWaiting = false;
+    bool m_wereTold = false; // of those that wait, or that undo has put into the level again
 
     QVBoxLayout m_column;
     QLabel m_title;

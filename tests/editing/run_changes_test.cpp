@@ -153,13 +153,62 @@ class RunChangesTest : public QObject {
         QVERIFY(desk.text() == all);
     }
 
-    void undoingTheEndOfTheRunEmptiesTheList() {
+    void redoingTheEndOfTheRunListsItsChangesAgainWithTheirTicks() {
+        RunDesk desk;
+        desk.setGravity(-3);
+        desk.moveBall(1, 4);
+        desk.moveBall(2, 4);
+        desk.changes.end();
+        desk.changes.setTicked(1, false);
+        desk.document.undo();
+        QVERIFY(!desk.changes.areWaiting() && desk.changes.isEndUndone() && desk.placeOf(2) == 6.0);
+        desk.document.undo(); // of what was done in the run
+        QVERIFY(desk.changes.isEndUndone() && desk.placeOf(1) == 5.0 && desk.placeOf(2) == 2.0);
+        desk.document.redo();
+        QVERIFY(!desk.changes.areWaiting());
+        desk.document.redo();
+        QVERIFY(desk.text() == desk.before && desk.changes.areWaiting() && !desk.changes.isEndUndone());
+        QVERIFY(desk.changes.isTicked(0) && !desk.changes.isTicked(1) && desk.changes.isTicked(2));
+        desk.moveBall(2, 1); // by hand
+        desk.document.undo();
+        desk.document.goTo(0); // as by the list of the history
+        desk.document.goTo(desk.document.historySize() - 1);
+        QCOMPARE(desk.changes.changes().size(), std::size_t(3));
+        desk.changes.keepTicked();
+        QVERIFY(!desk.changes.areWaiting() && !desk.changes.isEndUndone());
+        QVERIFY(desk.placeOf(1) == 1.0 && desk.placeOf(2) == 6.0);
+    }
+
+    void redoAlsoListsWhatHadWaitedFromTheRunBefore() {
         RunDesk desk;
         desk.moveBall(1, 4);
         desk.changes.end();
+        desk.changes.begin();
+        desk.moveBall(2, 4);
+        desk.changes.end();
+        QCOMPARE(desk.changes.changes().size(), std::size_t(2));
         desk.document.undo();
-        QVERIFY(!desk.changes.areWaiting());
-        QCOMPARE(desk.placeOf(1), 5.0);
+        QCOMPARE(desk.changes.changes().size(), std::size_t(1)); // the other one is in the level
+        desk.document.redo();
+        desk.changes.keepAll();
+        QVERIFY(desk.placeOf(1) == 5.0 && desk.placeOf(2) == 6.0);
+    }
+
+    void nothingIsListedAgainOnceItIsDiscardedOrSomethingElseWasDone() {
+        for (const bool discarded : {true, false}) {
+            RunDesk desk;
+            desk.moveBall(1, 4);
+            desk.changes.end();
+            if (discarded) {
+                desk.changes.discard();
+            }
+            desk.document.undo();
+            QCOMPARE(desk.changes.isEndUndone(), !discarded);
+            int told = 0;
+            desk.changes.changed.connect([&told] { ++told; });
+            discarded ? desk.document.redo() : desk.moveBall(2, 1);
+            QVERIFY(!desk.changes.areWaiting() && !desk.changes.isEndUndone() && told == (discarded ? 0 : 1));
+        }
     }
 
     void ticksGoTogetherWhereOneNeedsTheOther() {

@@ -90,6 +90,25 @@ class RunChangesPanelTest : public QObject {
         QVERIFY(test.text() == QString::fromStdString(test.after));
     }
 
+    void undoOfTheEndOfTheRunIsToldWhereTheListWasAndRedoListsAgain() {
+        RanWindow test;
+        test.changes().setTicked(1, false);
+        test.trigger(Act::Undo);
+        QVERIFY(test.text() == QString::fromStdString(test.after));
+        QVERIFY(test.dock().isVisible() && !test.button("Keep All").isVisible());
+        const auto labels = test.panel().findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) { return label->text().contains("Redo"); }));
+        QCOMPARE(cutOffTexts(test.panel()), QStringList());
+        test.trigger(Act::Redo);
+        QVERIFY(test.text() == QString::fromStdString(test.before));
+        QVERIFY(test.button("Keep All").isVisible());
+        QCOMPARE(test.texts().size(), 3);
+        QCOMPARE(test.changes().ticked(), 2);
+        test.trigger(Act::Undo);
+        test.edit(moved(test.level(), std::vector<Key>{1}, {1, 0})); // nothing can be redone
+        QVERIFY(!test.dock().isVisible());
+    }
+
     void whatTheKeyboardUnticksIsNotKept() {
         RanWindow test;
         test.list().setFocus();
