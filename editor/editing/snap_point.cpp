@@ -3,6 +3,7 @@
 #include "core/level/arrange.h"
 #include "core/level/level_index.h"
 #include "core/level/object_geometry.h"
+#include "editor/editing/snap_align.h"
 
 #include <algorithm>
 #include <cmath>
@@ -160,7 +161,9 @@ SnapSubject subjectOf(const Level& level, std::vector<Key> keys, const Pointer& 
     SnapSubject subject;
     const Aabb bounds = placedBounds(level, keys);
     if (!bounds.isEmpty()) {
-        subject.box = {bounds.min - reference, bounds.max - reference};
+        const Object* only = keys.size() == 1 ? level.objects.find(keys.front()) : nullptr;
+        const Aabb aligned = only != nullptr ? alignedBox(*only, bounds) : bounds;
+        subject.box = {aligned.min - reference, aligned.max - reference};
         std::vector<Vec2> points;
         for (double look = firstLook; points.empty(); look *= 4) {
             const Aabb box = Aabb{pointer.world, pointer.world}.grown(look * pointer.pixel);

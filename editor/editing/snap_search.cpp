@@ -14,7 +14,6 @@ namespace {
 constexpr std::size_t mostCrossing = 24; // segments near the point, of which each two are intersected
 constexpr double same = sameStretch;     // m, between points that are one
 constexpr double leastTurn = 4;          // reaches from the point before, nearer to which no angle draws
-constexpr double calm = 0.5;             // of the reach: within this what is everywhere draws, alignments and angles
 
 /// A line that something may come to lie on, and what it is.
 struct Track {
@@ -96,7 +95,7 @@ class Search {
 
     void addAlignments() {
         for (int axis = 0; axis < 2; ++axis) {
-            m_aligned[axis] = alignmentOf(m_level, m_subject, m_query, axis, calm * m_reach);
+            m_aligned[axis] = alignmentOf(m_level, m_settings, m_subject, m_query, axis);
             if (m_aligned[axis]) {
                 // The line on which the placed point itself comes to lie.
                 Vec2 through = m_query.at;

@@ -1,6 +1,8 @@
 #include "editor/editing/snap_search.h"
 
+#include "core/level/bounds.h"
 #include "core/level/nodes.h"
+#include "editor/editing/snap_point.h"
 #include "tests/support/body_with.h"
 #include "tests/support/snap_switches.h"
 #include "tests/support/test_main.h"
@@ -53,6 +55,8 @@ class SnapSearchTest : public QObject {
     void twoObjectsAreAlignedWithAtOnce();
     void aBoxAlignsByItsSidesAndItsMiddle();
     void anAlignmentMeetsAnEdge();
+    void aShipIsInLineByItsPlace();
+    void theGridGoesBeforeAnAlignmentBesideIt();
     void whatIsHiddenIsNotSnappedTo();
     void whatMovesDoesNotSnapToItself();
     void aNodeLeavesItsOwnSegmentsAlone();
@@ -208,6 +212,51 @@ void SnapSearchTest::anAlignmentMeetsAnEdge() {
     compare(answer, SnapKind::Edge, {4, 2}, 1);
     QCOMPARE(answer.lines.size(), std::size_t{1});
     QCOMPARE(answer.lines[0].key, Key{2});
+}
+
+void SnapSearchTest::aShipIsInLineByItsPlace() {
+    Level level;
+    level.objects.append({1, "", ShipObject{{-3.3, 1.7}, 0}, {}});
+    const SnapSettings settings = only({&SnapSettings::alignment});
+    compare(at(level, settings, {2.7, 1.73}), SnapKind::Alignment, {2.7, 1.7}, 0);
+    compare(at(level, settings, {-3.28, 5}), SnapKind::Alignment, {-3.3, 5}, 0);
+    const Aabb hull = boundsOf(level);
+    for (const double side : {hull.min.y(), hull.max.y()}) { // further from its place than alignments reach
+        QVERIFY(at(level, settings, {2.7, side}).kind == SnapKind::None);
+    }
+    // It comes into line by its place too.
+    level.objects.append(bodyWith(2, Circle{{0, 0}, 1}, {4, 4}));
+    const Pointer grabbed{{-3.3, 1.6}, {}, {}, smallPixel, {}};
+    const SnapSubject ship = subjectOf(level, {1}, grabbed, {-3.3, 1.7});
+    const SnapAnswer answer = snapAnswer(level, settings, ship, {{0, 3.97}, smallPixel, {{-20, -20}, {20, 20}}});
+    compare(answer, SnapKind::Alignment, {0, 4}, 0);
+    QCOMPARE(answer.lines.size(), std::size_t{1});
+}
+
+void SnapSearchTest::theGridGoesBeforeAnAlignmentBesideIt() {
+    Level level;
+    level.objects.append(bodyWith(1, Circle{{0, 0}, 0.4}, {-3.3, 1.765}));
+    const SnapSettings both = only({&SnapSettings::alignment, &SnapSettings::grid});
+    compare(at(level, both, {2.74, 1.77}), SnapKind::Grid, {2.75, 1.75}, 0);
+    compare(at(level, only({&SnapSettings::alignment}), {2.74, 1.77}), SnapKind::Alignment, {2.74, 1.765}, 0);
+    // Nobody builds by the rim of the payload.
+    Level towed;
+    PayloadObject payload;
+    payload.position = {-3, -1.75};
+    payload.radius = 0.2;
+    towed.objects.append({1, "", payload, {}});
+    compare(at(towed, both, {1.2, -1.56}), SnapKind::Grid, {1.25, -1.5}, 0);
+    compare(at(towed, both, {1.24, -1.76}), SnapKind::Alignment, {1.25, -1.75}, 0);
+    // Seen from nearer they are two places, and the nearer one draws.
+    const SnapQuery near{{2.74, 1.7655}, smallPixel / 10, {{-20, -20}, {20, 20}}};
+    QVERIFY(snapAnswer(level, both, {}, near).kind == SnapKind::Alignment);
+    const SnapQuery between{{2.7505, 1.7615}, smallPixel / 5, {{-20, -20}, {20, 20}}};
+    QVERIFY(snapAnswer(level, both, {}, between).kind == SnapKind::Alignment);
+    const SnapQuery beyond{{2.7505, 1.7569}, smallPixel / 5, {{-20, -20}, {20, 20}}};
+    QVERIFY(snapAnswer(level, both, {}, beyond).kind == SnapKind::Grid);
+    // From so far that the grid is finer than the pointer is steady, objects are what counts.
+    const SnapQuery far{{2.74, 1.79}, 4 * smallPixel, {{-20, -20}, {20, 20}}};
+    QVERIFY(snapAnswer(level, both, {}, far).kind == SnapKind::Alignment);
 }
 
 void SnapSearchTest::whatIsHiddenIsNotSnappedTo() {
