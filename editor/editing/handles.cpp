@@ -12,6 +12,7 @@ namespace {
 
 constexpr double outside = 10; // px, of a handle from the bounds
 constexpr double reach = 7;    // px, from a handle to a pointer that means it
+constexpr double roomy = 42;   // px; a pivot on something that is no longer takes too much of it
 constexpr double flat = 1e-9;  // m; what is no longer than this cannot be scaled
 
 bool hasSize(const Object& object) {
@@ -74,18 +75,23 @@ std::vector<Handle> handlesOf(const HandleFrame& frame, HandleMode mode, double 
             }
         }
     }
-    if (mode == HandleMode::Turn) {
+    if (mode == HandleMode::Turn || (mode == HandleMode::TurnAtOnce && !around.contains(frame.pivot))) {
         handles.push_back({{0, 0}, frame.pivot});
     }
     return handles;
 }
 
+bool coversSelection(const HandleFrame& frame, double pixel) {
+    return frame.box.size().maxCoeff() < roomy * pixel && frame.box.grown(outside * pixel).contains(frame.pivot);
+}
+
 std::optional<Handle> handleAt(const HandleFrame& frame, HandleMode mode, const Pointer& pointer) {
     std::optional<Handle> nearest;
+    const bool takesPivot = pointer.modifiers.shift || !coversSelection(frame, pointer.pixel);
     double distance = reach * pointer.pixel;
     for (const Handle& handle : handlesOf(frame, mode, pointer.pixel)) {
         const double away = (handle.at - pointer.world).norm();
-        if (away <= distance) {
+        if (away <= distance && (takesPivot || !handle.side.isPivot())) {
             nearest = handle;
             distance = away;
         }
@@ -109,16 +115,16 @@ Overlay handleOverlay(const HandleFrame& frame, HandleMode mode, double pixel, c
     Overlay overlay;
     for (const Handle& handle : handlesOf(frame, mode, pixel)) {
         const bool isHot = hot && hot->side == handle.side;
-        const OverlayStyle style = handle.side.isPivot()      ? OverlayStyle::Pivot
-                                   : mode == HandleMode::Turn ? OverlayStyle::TurnHandle
-                                                              : OverlayStyle::Handle;
+        const OverlayStyle style = handle.side.isPivot()       ? OverlayStyle::Pivot
+                                   : mode == HandleMode::Scale ? OverlayStyle::Handle
+                                                               : OverlayStyle::TurnHandle;
         overlay.points.push_back({isHot && !handle.side.isPivot() ? OverlayStyle::HotHandle : style, handle.at});
     }
     return overlay;
 }
 
 CursorShape handleCursor(const Handle& handle, HandleMode mode) {
-    if (mode == HandleMode::Turn) {
+    if (mode != HandleMode::Scale) {
         return handle.side.isPivot() ? CursorShape::Move : CursorShape::Pointing;
     }
     if (handle.side.isCorner()) {

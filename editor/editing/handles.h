@@ -10,7 +10,9 @@
 
 namespace spacetow {
 
-enum class HandleMode : std::uint8_t { Scale, Turn };
+/// After a second click they turn. What has no size turns from the first one on: without a pivot, which would lie on
+/// it.
+enum class HandleMode : std::uint8_t { Scale, TurnAtOnce, Turn };
 
 /// What the handles of a selection act on.
 struct HandleFrame {
@@ -41,7 +43,10 @@ HandleFrame handleFrame(const ToolContext& context);
 Vec2 pointOf(const Aabb& box, const HandleSide& side);
 /// None that could do nothing: no height, no handles above and below. `pixel` is the size of one, m.
 std::vector<Handle> handlesOf(const HandleFrame& frame, HandleMode mode, double pixel);
-/// The nearest one under the pointer.
+/// Whether the pivot lies on something so small that it would be in the way of every drag: then it goes with Shift
+/// only.
+bool coversSelection(const HandleFrame& frame, double pixel);
+/// The nearest one under the pointer that a press would take.
 std::optional<Handle> handleAt(const HandleFrame& frame, HandleMode mode, const Pointer& pointer);
 
 /// The drag of that handle.

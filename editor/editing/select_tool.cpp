@@ -57,7 +57,7 @@ std::unique_ptr<Gesture> SelectTool::press(const ToolContext& context, const Poi
     const Edit& edit = context.edit;
     const Modifiers& held = pointer.modifiers;
     const std::optional<Handle> handle = handleUnder(context, pointer);
-    const bool turns = handle && modeOf(context) == HandleMode::Turn;
+    const bool turns = handle && modeOf(context) != HandleMode::Scale;
     if (const std::optional<VelocityArrow> arrow = velocityUnder(context, pointer)) {
         return dragOfVelocity(context, *arrow, pointer);
     }
@@ -93,11 +93,13 @@ std::unique_ptr<Gesture> SelectTool::press(const ToolContext& context, const Poi
 
 std::optional<FinishedEdit> SelectTool::click(const ToolContext& context, const Pointer& pointer) {
     const Selection& selection = context.edit.selection;
-    if (handleUnder(context, pointer) || velocityUnder(context, pointer)) {
+    const Modifiers& held = pointer.modifiers;
+    const std::optional<Handle> handle = handleUnder(context, pointer);
+    const bool selects = !handle || (handle->side.isPivot() && held.shift); // a drag alone takes that pivot
+    if (!selects || velocityUnder(context, pointer)) {
         return {};
     }
     const std::vector<GroupPick> pile = underPointer(context, pointer);
-    const Modifiers& held = pointer.modifiers;
     if (pile.empty()) {
         return selecting(context, held.shift || held.ctrl ? selection : Selection().entering(selection.entered()));
     }
@@ -154,8 +156,9 @@ const HandleFrame& SelectTool::frameOf(const ToolContext& context) const {
 }
 
 HandleMode SelectTool::modeOf(const ToolContext& context) const {
-    const bool turns = m_turning == context.edit.selection.keys() || !frameOf(context).scales;
-    return turns ? HandleMode::Turn : HandleMode::Scale;
+    return m_turning == context.edit.selection.keys() ? HandleMode::Turn
+           : frameOf(context).scales                  ? HandleMode::Scale
+                                                      : HandleMode::TurnAtOnce;
 }
 
 std::optional<Handle> SelectTool::handleUnder(const ToolContext& context, const Pointer& pointer) const {
@@ -205,7 +208,7 @@ Overlay SelectTool::standing(const ToolContext& context, double pixel) const {
 Hint SelectTool::hint(const ToolContext& context, const Pointer& pointer) const {
     const Selection& selection = context.edit.selection;
     const std::optional<Handle> handle = handleUnder(context, pointer);
-    const bool turns = handle && modeOf(context) == HandleMode::Turn;
+    const bool turns = handle && modeOf(context) != HandleMode::Scale;
     if (velocityUnder(context, pointer)) {
         return {"velocity.handle", {}};
     }
@@ -219,6 +222,10 @@ Hint SelectTool::hint(const ToolContext& context, const Pointer& pointer) const 
     const bool overGroup = !pile.empty() && pile.front().key != pile.front().object;
     if (!pile.empty() && !selection.contains(pile.front().key)) {
         return {overGroup ? "select.group" : "select.object", {}};
+    }
+    const HandleFrame& frame = frameOf(context);
+    if (!pile.empty() && modeOf(context) == HandleMode::Turn && coversSelection(frame, pointer.pixel)) {
+        return {"select.small-pivot", {}};
     }
     if (overGroup) {
         return {"select.selected-group", {std::to_string(selection.size())}};

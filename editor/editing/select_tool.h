@@ -25,6 +25,7 @@ class SelectTool : public Tool {
         "select.turn-handle",
         "select.turning", // degrees
         "select.pivot-handle",
+        "select.small-pivot",
         "select.pivot", // x, y in m
         "select.node",
     });

@@ -51,6 +51,8 @@ constexpr HintText selectHintTexts[] = {
                                                      "steps of 15° · Escape: cancel")},
     {"select.pivot-handle",
      QT_TRANSLATE_NOOP("messages", "Drag: move the pivot, about which the selection turns · Ctrl: snap off/on")},
+    {"select.small-pivot",
+     QT_TRANSLATE_NOOP("messages", "Drag: move · Shift + drag: move the pivot, about which it turns")},
     {"select.pivot", QT_TRANSLATE_NOOP("messages", "Pivot at %1, %2 m · Ctrl: snap off/on · Escape: cancel")},
     {"select.band",
      QT_TRANSLATE_NOOP("messages", "%1 selected · Alt or B: only what lies wholly inside · Escape: cancel")},

@@ -160,6 +160,7 @@ class HandlesTest : public QObject {
         drive.move({-4, 3});
         QCOMPARE(drive.shown(OverlayStyle::Handle), 0);
         QCOMPARE(drive.shown(OverlayStyle::TurnHandle), 4);
+        QCOMPARE(drive.shown(OverlayStyle::Pivot), 0);
         const auto shape = std::get<ShipObject>(drive.level().objects.find(3)->data);
         QVERIFY(shape.angle == 0);
         drive.held = ctrl;
@@ -235,6 +236,57 @@ class HandlesTest : public QObject {
         drive.turnBy(90);
         QVERIFY(isNear(drive.box().min, {1, -2}));
         QVERIFY(isNear(drive.box().max, {2, 0}));
+    }
+
+    void theShipIsDraggedByItsMiddleHoweverOften_data() {
+        QTest::addColumn<int>("clicks");
+        QTest::newRow("selected") << 0;
+        QTest::newRow("clicked") << 1;
+        QTest::newRow("clicked again") << 2;
+    }
+    void theShipIsDraggedByItsMiddleHoweverOften() {
+        QFETCH(int, clicks);
+        Handles drive({3});
+        for (int i = 0; i < clicks; ++i) {
+            drive.click({-4, 0});
+        }
+        for (int i = 0; i < 3; ++i) {
+            drive.drag(drive.placeOf(3), drive.placeOf(3) + Vec2(1, 0.5));
+        }
+        QVERIFY(isNear(drive.placeOf(3), {-1, 1.5}));
+        QCOMPARE(drive.document.history().size(), std::size_t{3});
+        drive.document.undo();
+        QVERIFY(isNear(drive.placeOf(3), {-2, 1}));
+    }
+
+    void thePivotOfSmallThingsIsTakenWithShiftAndThatIsSaid() {
+        Handles drive({3});
+        QCOMPARE(drive.shown(OverlayStyle::Pivot), 0);
+        drive.click({-4, 0});
+        QCOMPARE(drive.shown(OverlayStyle::Pivot), 1);
+        drive.move({-4, 0});
+        QCOMPARE(drive.toolbox.hint().code, std::string("select.small-pivot"));
+        drive.held = shift;
+        drive.move({-4, 0});
+        QCOMPARE(drive.toolbox.hint().code, std::string("select.pivot-handle"));
+        drive.drag(drive.turningPlace(), {-3, 1});
+        QVERIFY(isNear(drive.turningPlace(), {-3, 1}));
+        QVERIFY(drive.placeOf(3) == Vec2(-4, 0));
+        drive.held = none;
+        drive.drag(drive.turningPlace(), {-4, -2}); // beside the ship it is in nobody's way
+        QVERIFY(isNear(drive.turningPlace(), {-4, -2}));
+        drive.held = shift;
+        drive.click({-4, 0});
+        QVERIFY(drive.document.selection().empty());
+    }
+
+    void aPivotThatWasPutElsewhereIsSeenAndTakenWithoutASecondClick() {
+        Handles drive({3});
+        drive.document.select(drive.document.selection().withPivot(Vec2(-3, 1)));
+        drive.move({-4, 3});
+        QCOMPARE(drive.shown(OverlayStyle::Pivot), 1);
+        drive.drag({-3, 1}, {-2, 1});
+        QVERIFY(isNear(drive.turningPlace(), {-2, 1}));
     }
 
     void thePivotGoesWithWhatIsMoved() {
