@@ -32,8 +32,8 @@ class Board {
         const BoardLayer first = onRock ? BoardLayer::Rock : BoardLayer::Objects;
         return m_picture.isEmpty() ? PictureLayer() : m_picture.flattened(*m_wanted.theme, first, BoardLayer::Moving);
     }
-    /// Whether overlays have left out marks that would be no more than dots.
-    bool leavesOut() const { return m_picture.leavesOut(); }
+    /// Whether overlays have left out anything in the view.
+    LeftOut leftOut() const { return m_picture.leftOut(m_wanted.frame.view); }
 
     /// Forgets what was painted, so that the next picture shows nothing of it: another level has been opened.
     void forget();

@@ -120,7 +120,8 @@ class BoardPicture::Planner {
         if (!fresh) {
             add(step.region, step.frame, changed(layer));
         }
-        step.region = coarse(step.region);
+        const bool asOne = layer == BoardLayer::Overlays && m_request.overlays.names; // else names would be cut
+        step.region = asOne && !step.region.isEmpty() ? step.frame.all() : coarse(step.region);
         step.work = workIn(layer, step);
         if (!fresh && step.work > cheap && m_request.live) {
             tryMoving(layer, step);
@@ -174,8 +175,8 @@ class BoardPicture::Planner {
             areas = layer == BoardLayer::Rock ? changes.rock : changes.objects;
             areas.everything = areas.everything || layer == BoardLayer::Overlays;
         }
-        if (layer == BoardLayer::Overlays &&
-            (m_picture.m_shown.overlays != m_request.overlays || m_picture.m_shown.palette != m_request.palette)) {
+        if (layer == BoardLayer::Overlays && (m_picture.m_shown.overlays != m_request.overlays ||
+                                              m_picture.m_shown.palette != m_request.palette || !hasSameNames())) {
             areas.everything = true;
         }
         if (layer == BoardLayer::Moving && m_picture.m_moving != *m_moving) {
@@ -198,6 +199,11 @@ class BoardPicture::Planner {
     bool hasSameMarks() const {
         return m_picture.m_shown.selection == m_request.selection &&
                m_picture.m_shown.highlighted == m_request.highlighted;
+    }
+    bool hasSameNames() const {
+        const BoardRequest& shown = m_picture.m_shown;
+        return !m_picture.leftOut(shown.frame.view).names ||
+               (shown.selection == m_request.selection && shown.pointed == m_request.pointed);
     }
     static void addObjects(ChangedAreas& areas, const Level& level, const std::vector<int>& places) {
         constexpr std::size_t many = 1000;
@@ -296,7 +302,7 @@ bool BoardPicture::follow(const Plan& plan) {
 void BoardPicture::makeWorlds(const Plan& plan) {
     const Step& step = plan.steps[static_cast<std::size_t>(BoardLayer::Overlays)];
     const OverlayFlags& overlays = plan.request.overlays;
-    m_leavesOut &= overlays.any() && !(QRegion(step.frame.all()) - step.region).isEmpty(); // what of it stays
+    m_leftOut.forget(step.frame, overlays.any() ? step.region : step.frame.all());
     if (!overlays.any()) {
         m_worlds.reset();
     } else if (!step.region.isEmpty() && !hasWorldsOf(step.level, overlays)) {
@@ -317,9 +323,9 @@ void BoardPicture::bring(const Plan& plan) {
         case BoardLayer::Overlays:
             return [&](const Stage& stage) {
                 const BoardRequest& wanted = plan.request;
-                m_leavesOut |= paintLevelOverlays(
-                    stage, *m_worlds->worlds,
-                    {.flags = wanted.overlays, .palette = wanted.palette, .level = step.level.get()});
+                const OverlayRequest marks{
+                    wanted.overlays, wanted.palette, step.level.get(), wanted.selection.keys(), wanted.pointed, {}, {}};
+                m_leftOut.add(paintLevelOverlays(stage, *m_worlds->worlds, marks));
             };
         case BoardLayer::Hover:
             return [&](const Stage& stage) { paintHovered(stage, *step.level, plan.request.hovered); };

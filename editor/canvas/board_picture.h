@@ -5,6 +5,7 @@
 // elsewhere. A value: it may be brought up to date by any thread.
 
 #include "core/physics/query/overlay_flags.h"
+#include "editor/canvas/left_out_places.h"
 #include "editor/canvas/overlay_palette.h"
 #include "editor/canvas/overlay_worlds.h"
 #include "editor/canvas/picture_layer.h"
@@ -13,6 +14,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace spacetow {
 
@@ -25,6 +27,7 @@ struct BoardRequest {
     bool live = false;                  // a gesture is in progress
     Selection selection;
     Key hovered = 0; // what a click would select, where that takes time to paint; else 0
+    Key pointed = 0; // what a click would select, where it is to be named; else 0
     std::shared_ptr<const std::vector<Key>> highlighted; // ascending; null for none
     OverlayFlags overlays;
     OverlayPalette palette; // of the overlays
@@ -72,11 +75,13 @@ class BoardPicture {
 
     /// Layers in one, to be drawn larger or smaller.
     PictureLayer flattened(const Theme& theme, BoardLayer first, BoardLayer last) const;
-    /// Whether overlays have left out marks that would be no more than dots.
-    bool leavesOut() const { return m_leavesOut; }
+    /// Whether overlays have left out anything in the view.
+    LeftOut leftOut(const Viewport& view) const { return m_leftOut.in(view); }
     /// Whether the view has come close to the border of what was painted ahead.
     bool isNearBorder(const Frame2D& frame) const;
     bool isOfScale(double scale) const { return part(BoardLayer::Objects).picture.frame().view.scale == scale; }
+    /// Of what stands still.
+    const Frame2D& frame() const { return part(BoardLayer::Objects).picture.frame(); }
     bool isEmpty() const { return !part(BoardLayer::Objects).picture.isValid(); }
 
   private:
@@ -101,7 +106,7 @@ class BoardPicture {
 
     std::array<Part, 6> m_parts;
     std::shared_ptr<const Worlds> m_worlds;
-    bool m_leavesOut = false;
+    LeftOutPlaces m_leftOut;
     BoardRequest m_shown;
     std::vector<int> m_moving; // places in the level, ascending
 };

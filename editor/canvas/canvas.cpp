@@ -218,6 +218,7 @@ void Canvas::paintEvent(QPaintEvent*) {
     request.live = m_document.hasPreview();
     request.selection = shown.selection;
     request.hovered = isLong ? m_overlay.hovered : 0;
+    request.pointed = m_overlays.names ? m_overlay.hovered : 0;
     request.highlighted = m_highlighted;
     request.overlays = m_overlays;
     request.overlays.collides = false; // what is highlighted says so
@@ -225,11 +226,11 @@ void Canvas::paintEvent(QPaintEvent*) {
     if (isLive()) {
         QPainter painter(this);
         paintLive(painter, request.frame);
-        tellLeftOut(m_live->leavesOut());
+        tellLeftOut(m_live->leftOut());
         return;
     }
     m_board.prepare(request);
-    tellLeftOut(m_board.leavesOut());
+    tellLeftOut(m_board.leftOut());
     composeStill({request.frame, request.theme, m_grid ? m_toolbox.snap.fineStep() : 0, m_board.stillRevision()});
 
     QPainter painter(this);
@@ -270,8 +271,8 @@ void Canvas::paintEvent(QPaintEvent*) {
 }
 
 /// Not while it is being painted.
-void Canvas::tellLeftOut(bool leavesOut) {
-    if (std::exchange(m_leavesOut, leavesOut) != leavesOut) {
+void Canvas::tellLeftOut(const LeftOut& leftOut) {
+    if (std::exchange(m_leftOut, leftOut) != leftOut) {
         QMetaObject::invokeMethod(this, &Canvas::leftOutChanged, Qt::QueuedConnection);
     }
 }

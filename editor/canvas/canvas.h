@@ -71,7 +71,7 @@ class Canvas : public QWidget {
     /// The objects of the board as they were shown last, on the rock or without it.
     PictureLayer objectsPicture(bool onRock) const { return m_board.objectsPicture(onRock); }
     /// Whether overlays have left out marks that would be no more than dots, here and now.
-    bool leavesOut() const { return m_leavesOut; }
+    const LeftOut& leftOut() const { return m_leftOut; }
 
     /// A drag that began on a ruler and goes on here. Positions are global; a guide of this angle comes out of it.
     void beginGuide(double angle, const QPointF& global, Qt::KeyboardModifiers modifiers);
@@ -159,7 +159,7 @@ class Canvas : public QWidget {
     void paintLive(QPainter& painter, const Frame2D& frame);
     void paintFocus(QPainter& painter) const;
     void composeStill(const Still& wanted);
-    void tellLeftOut(bool leavesOut);
+    void tellLeftOut(const LeftOut& leftOut);
     void drawProblems(QPainter& painter, const Frame2D& frame, const Theme& theme);
 
     Document& m_document;
@@ -171,7 +171,7 @@ class Canvas : public QWidget {
     Overlay m_overlay; // shown
     OverlayFlags m_overlays;
     OverlayPalette m_overlayPalette;
-    bool m_leavesOut = false;
+    LeftOut m_leftOut;
     std::shared_ptr<const ShownDifference> m_difference;
     std::shared_ptr<const ShownReach> m_reach;
     std::shared_ptr<const std::vector<Key>> m_highlighted = std::make_shared<const std::vector<Key>>();

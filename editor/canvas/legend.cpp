@@ -110,12 +110,11 @@ void Legend::fill() {
             addOverlay(*list, static_cast<int>(row));
         }
     }
-    if (m_shown->leavesOut) {
-        auto* remark = new QLabel(tr("What is too small at this zoom is not drawn"));
-        remark->setWordWrap(true);
-        remark->setForegroundRole(QPalette::PlaceholderText);
-        remark->setContentsMargins(margin, margin / 2, 0, 0);
-        list->addWidget(remark);
+    if (m_shown->leftOut.dots) {
+        addRemark(*list, tr("What is too small at this zoom is not drawn"));
+    }
+    if (m_shown->leftOut.names) {
+        addRemark(*list, tr("Names that would lie on others are left out"));
     }
     list->addStretch(1);
     if (QWidget* old = m_scroll.takeWidget()) {
@@ -125,6 +124,14 @@ void Legend::fill() {
     content->installEventFilter(this);
     m_filling = false;
     place();
+}
+
+void Legend::addRemark(QVBoxLayout& list, const QString& words) {
+    auto* remark = new QLabel(words);
+    remark->setWordWrap(true);
+    remark->setForegroundRole(QPalette::PlaceholderText);
+    remark->setContentsMargins(margin, margin / 2, 0, 0);
+    list.addWidget(remark);
 }
 
 void Legend::addOverlay(QVBoxLayout& list, int index) {

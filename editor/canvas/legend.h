@@ -3,6 +3,7 @@
 // switches it off, one on a colour asks for another. Hidden while no overlay is on.
 
 #include "core/level/tag_table.h"
+#include "editor/canvas/left_out.h"
 #include "editor/canvas/overlay_palette.h"
 
 #include <QFrame>
@@ -28,9 +29,9 @@ class Legend : public QFrame {
         OverlayFlags overlays;
         OverlayPalette palette;
         TagTable tags;
-        Shade ground;           // of what they are drawn on
-        int spare = 0;          // px that stay free above and below, where a game has its display
-        bool leavesOut = false; // marks that would be no more than dots
+        Shade ground;  // of what they are drawn on
+        int spare = 0; // px that stay free above and below, where a game has its display
+        LeftOut leftOut;
 
         bool operator==(const Explained&) const = default;
     };
@@ -50,6 +51,7 @@ class Legend : public QFrame {
     void addOverlay(QVBoxLayout& list, int row);
     void addInk(QVBoxLayout& list, const OverlayInk& ink);
     void addTags(QVBoxLayout& list);
+    static void addRemark(QVBoxLayout& list, const QString& words);
     void place();
 
     QWidget& m_canvas;

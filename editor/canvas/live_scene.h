@@ -2,6 +2,7 @@
 // What a canvas shows in place of its board while something runs. The view, the selection and the tools stay the
 // canvas's own; the scene says what is where now, and takes those events that are the run's.
 
+#include "editor/canvas/left_out.h"
 #include "editor/canvas/picture_layer.h"
 #include "editor/editing/tool.h"
 
@@ -18,8 +19,8 @@ class LiveScene {
     virtual void paint(QPainter& painter, const Frame2D& frame) = 0;
     /// What comes above the marks of the tools: selection, readings.
     virtual void paintOver(QPainter& painter, const Frame2D& frame) = 0;
-    /// Whether overlays have left out marks that would be no more than dots.
-    virtual bool leavesOut() const = 0;
+    /// Whether overlays have left out anything.
+    virtual LeftOut leftOut() const = 0;
     /// Whether marks of the tool in the hand mean something in this scene.
     virtual bool showsTool() const = 0;
     /// Whether plain keys and the secondary button are the run's, as those of a game are.

@@ -3,7 +3,11 @@
 #include "core/level/groups.h"
 #include "editor/canvas/painter_draw.h"
 
+#include <QFont>
+#include <QFontMetricsF>
+
 #include <algorithm>
+#include <iterator>
 
 namespace spacetow {
 
@@ -47,32 +51,61 @@ std::vector<Key> hiddenKeys(const Level& level) {
     return hidden;
 }
 
-/// Whether it left marks out.
-bool draw(const Stage& stage, const World& world, const DebugView& view) {
+void placeNames(PainterDraw& marks, const QFontMetricsF& metrics, const OverlayRequest& request) {
+    marks.placeNames(metrics, [&request](std::uint64_t user) {
+        const bool isFirst = user == request.pointed || std::ranges::binary_search(request.selected, user);
+        return isFirst ? 0 : std::ranges::binary_search(request.named, user) ? 1 : 2;
+    });
+}
+
+/// A view of what is drawn, and what it was made from.
+struct Drawn {
+    const World& world;
+    const DebugView& view;
+    const OverlayRequest& request;
+};
+
+void draw(const Stage& stage, const Drawn& drawn, OverlayGaps& gaps) {
+    const auto& [world, view, request] = drawn;
     if (!view.overlays.any()) {
-        return false;
+        return;
     }
     PainterDraw marks(stage.view.size);
     drawWorld(world, view, marks);
+    placeNames(marks, QFontMetricsF(stage.painter.font()), request);
     marks.paint(stage);
-    return marks.leavesOut();
+    const OverlayGaps more = gapsOf(marks, stage.view);
+    gaps.names = gaps.names || more.names;
+    gaps.named.insert(gaps.named.end(), more.named.begin(), more.named.end());
+    gaps.dots.insert(gaps.dots.end(), more.dots.begin(), more.dots.end());
 }
 
 } // namespace
 
-bool paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request) {
+OverlayGaps gapsOf(const PainterDraw& marks, const Viewport& view) {
+    OverlayGaps gaps{.dots = {}, .names = marks.leavesOutNames(), .named = marks.named()};
+    std::ranges::transform(marks.dots(), std::back_inserter(gaps.dots),
+                           [&view](const Vec2& dot) { return view.toWorld(dot); });
+    return gaps;
+}
+
+OverlayGaps paintWorldOverlays(const Stage& stage, const World& world, const OverlayRequest& request) {
     const SavedPainter saved(stage.painter);
-    return draw(stage, world, debugView(stage.view, stage.theme.shade, request));
+    OverlayGaps gaps;
+    draw(stage, {world, debugView(stage.view, stage.theme.shade, request), request}, gaps);
+    return gaps;
 }
 
 PainterDraw worldOverlays(const Viewport& view, Shade shade, const World& world, const OverlayRequest& request) {
     PainterDraw marks(view.size);
     drawWorld(world, debugView(view, shade, request), marks);
+    placeNames(marks, QFontMetricsF(QFont()), request);
     return marks;
 }
 
-bool paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request) {
+OverlayGaps paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const OverlayRequest& request) {
     const SavedPainter saved(stage.painter);
+    OverlayGaps gaps;
     DebugView view = debugView(stage.view, stage.theme.shade, request);
     view.trails = worlds.trails;
     const std::vector<Key> hidden = request.level != nullptr ? hiddenKeys(*request.level) : std::vector<Key>();
@@ -82,14 +115,15 @@ bool paintLevelOverlays(const Stage& stage, const OverlayWorlds& worlds, const O
     view.shows = showsOf(worlds.touched);
     const OverlayFlags& all = request.flags;
     view.overlays = {.islands = all.islands, .problems = false};
-    bool leavesOut = draw(stage, worlds.touched, view);
+    draw(stage, {worlds.touched, view, request}, gaps);
     view.overlays = all;
     view.overlays.islands = view.overlays.contacts = view.overlays.tension = false;
     view.shows = showsOf(worlds.start);
-    leavesOut = draw(stage, worlds.start, view) || leavesOut;
+    draw(stage, {worlds.start, view, request}, gaps);
     view.shows = showsOf(worlds.touched);
     view.overlays = {.contacts = all.contacts, .tension = all.tension, .problems = false};
-    return draw(stage, worlds.touched, view) || leavesOut;
+    draw(stage, {worlds.touched, view, request}, gaps);
+    return gaps;
 }
 
 } // namespace spacetow

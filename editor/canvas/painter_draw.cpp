@@ -3,6 +3,7 @@
 #include "editor/canvas/round_stamps.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace spacetow {
@@ -18,6 +19,50 @@ QPointF toPoint(const Vec2& point) {
     return {point.x(), point.y()};
 }
 
+QRectF toRect(const Aabb& box) {
+    return {toPoint(box.min), toPoint(box.max)};
+}
+
+/// The view in small squares, some of which are taken.
+class TakenSquares {
+  public:
+    explicit TakenSquares(const Aabb& view)
+        : m_view(toRect(view)), m_columns(squares(m_view.width())), m_rows(squares(m_view.height())),
+          m_taken(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows)) {}
+
+    bool isFree(const QRectF& rect) const {
+        bool free = true;
+        visit(rect, [&](std::size_t square) { free = free && !m_taken[square]; });
+        return free;
+    }
+    void take(const QRectF& rect) {
+        visit(rect, [&](std::size_t square) { m_taken[square] = true; });
+    }
+
+  private:
+    static constexpr double side = 4; // px
+
+    static int squares(double length) { return static_cast<int>(length / side) + 1; }
+    template <class Visit>
+    void visit(const QRectF& rect, Visit visit) const {
+        const QRectF seen = (rect & m_view).translated(-m_view.topLeft());
+        if (seen.isEmpty()) {
+            return;
+        }
+        for (int row = static_cast<int>(seen.top() / side); row <= static_cast<int>(seen.bottom() / side); ++row) {
+            for (int column = static_cast<int>(seen.left() / side); column <= static_cast<int>(seen.right() / side);
+                 ++column) {
+                visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(m_columns) +
+                      static_cast<std::size_t>(column));
+            }
+        }
+    }
+
+    QRectF m_view;
+    int m_columns, m_rows;
+    std::vector<bool> m_taken;
+};
+
 QPolygonF toPolygon(std::span<const Vec2> outline) {
     QPolygonF points;
     points.reserve(static_cast<qsizetype>(outline.size()));
@@ -25,10 +70,6 @@ QPolygonF toPolygon(std::span<const Vec2> outline) {
         points << toPoint(point);
     }
     return points;
-}
-
-QRectF toRect(const Aabb& box) {
-    return {toPoint(box.min), toPoint(box.max)};
 }
 
 QRectF around(const Vec2& center, double radius) {
@@ -145,6 +186,43 @@ void PainterDraw::text(const Vec2& at, std::string_view text, const Color& color
     }
 }
 
+void PainterDraw::name(const Vec2& at, std::string_view name, const Color& color, std::uint64_t user) {
+    if (m_visible.contains(at)) {
+        const QString shown = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+        m_names.push_back({toPoint(at), shown, color, user});
+    }
+}
+
+void PainterDraw::placeNames(const QFontMetricsF& metrics, const std::function<int(std::uint64_t user)>& rank) {
+    constexpr double across = 12, down = 6; // px, between names, so that the bodies below are seen
+    constexpr int ranks = 3;
+    std::array<std::vector<Name>, ranks> waiting;
+    for (Name& one : m_names) {
+        waiting[static_cast<std::size_t>(std::clamp(rank(one.user), 0, ranks - 1))].push_back(std::move(one));
+    }
+    m_names.clear();
+    TakenSquares taken(m_visible);
+    for (const std::vector<Name>& alike : waiting) {
+        for (const Name& one : alike) {
+            const QRectF start(one.at.x(), one.at.y() - metrics.ascent(), 1, metrics.height());
+            if (!taken.isFree(start)) { // most of a crowd are, and measuring takes longer than looking
+                m_leavesOutNames = true;
+                continue;
+            }
+            QRectF place = start;
+            place.setWidth(metrics.horizontalAdvance(one.text));
+            if (!taken.isFree(place)) {
+                m_leavesOutNames = true;
+                continue;
+            }
+            taken.take(place.adjusted(-across, -down, across, down));
+            m_texts.push_back({one.at, one.text, one.color});
+            m_named.push_back(one.user);
+        }
+    }
+    std::ranges::sort(m_named);
+}
+
 void PainterDraw::arrow(const Vec2& from, const Vec2& to, const Color& color) {
     line(from, to, color);
     const Vec2 way = to - from;
@@ -154,6 +232,23 @@ void PainterDraw::arrow(const Vec2& from, const Vec2& to, const Color& color) {
         const Vec2 across = 0.5 * leftOf(along);
         line(to, to - along + across, color);
         line(to, to - along - across, color);
+    }
+}
+
+void PainterDraw::leftOut(const Vec2& at) {
+    constexpr double side = 64; // px, of a square
+    if (!m_visible.contains(at)) {
+        return;
+    }
+    const auto squares = [](double length) { return static_cast<std::size_t>(length / side); };
+    const Vec2 size = m_visible.size();
+    const Vec2 from = at - m_visible.min;
+    const std::size_t columns = squares(size.x()) + 1;
+    m_dotted.resize(columns * (squares(size.y()) + 1));
+    const std::size_t square = squares(from.y()) * columns + squares(from.x());
+    if (!m_dotted[square]) {
+        m_dotted[square] = true;
+        m_dots.push_back(at);
     }
 }
 

@@ -6,9 +6,11 @@
 #include "core/physics/query/debug_draw.h"
 #include "editor/canvas/stage.h"
 
+#include <QFontMetricsF>
 #include <QLineF>
 #include <QRectF>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,10 +36,18 @@ class PainterDraw : public DebugDraw {
     void rectangle(const Aabb& box, const Color& color) override;
     void filledRectangle(const Aabb& box, const Color& color) override;
     void text(const Vec2& at, std::string_view text, const Color& color) override;
+    void name(const Vec2& at, std::string_view name, const Color& color, std::uint64_t user) override;
     void arrow(const Vec2& from, const Vec2& to, const Color& color) override;
-    void leftOut() override { m_leavesOut = true; }
-    /// Whether marks were left out, as they would be no more than dots.
-    bool leavesOut() const { return m_leavesOut; }
+    void leftOut(const Vec2& at) override;
+    /// Where marks were left out, as they would be no more than dots: of those that are near each other, one.
+    const std::vector<Vec2>& dots() const { return m_dots; }
+
+    /// Chooses the names that will be painted: as many as do not lie on each other, those of a lower rank first, and of
+    /// one rank those that were drawn first. Takes as long as there are names.
+    void placeNames(const QFontMetricsF& metrics, const std::function<int(std::uint64_t user)>& rank);
+    /// Whose names have been chosen; ascending.
+    const std::vector<std::uint64_t>& named() const { return m_named; }
+    bool leavesOutNames() const { return m_leavesOutNames; }
 
   private:
     /// Everything of one colour.
@@ -57,6 +67,13 @@ class PainterDraw : public DebugDraw {
         Color color;
     };
 
+    struct Name {
+        QPointF at;
+        QString text;
+        Color color;
+        std::uint64_t user = 0;
+    };
+
     bool sees(const Aabb& box) const { return m_visible.overlaps(box); }
     /// Of so many marks that smooth ones would take five times as long, and nobody would see it.
     bool isCrowd() const { return m_marks > 1500; }
@@ -70,8 +87,12 @@ class PainterDraw : public DebugDraw {
     std::vector<Batch> m_batches;
     std::size_t m_last = 0; // used last
     std::size_t m_marks = 0;
-    bool m_leavesOut = false;
+    std::vector<Vec2> m_dots;
+    std::vector<bool> m_dotted; // squares of the view that have one
     std::vector<Text> m_texts;
+    std::vector<Name> m_names; // of which none has been chosen yet
+    std::vector<std::uint64_t> m_named;
+    bool m_leavesOutNames = false;
 };
 
 } // namespace spacetow

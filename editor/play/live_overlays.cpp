@@ -11,11 +11,14 @@ namespace spacetow {
 
 namespace {
 
-OverlayRequest requestOf(const LiveOverlays::Wanted& wanted, std::span<const DebugTrail> trails) {
+OverlayRequest requestOf(const LiveOverlays::Wanted& wanted, std::span<const DebugTrail> trails,
+                         std::span<const std::uint64_t> named) {
     return {.flags = wanted.flags,
             .palette = wanted.palette,
             .level = &wanted.session->level(),
             .selected = wanted.selected,
+            .pointed = wanted.pointed,
+            .named = named,
             .trails = trails};
 }
 
@@ -46,28 +49,29 @@ void LiveOverlays::see(const Wanted& wanted) {
     m_shown = wanted;
 }
 
-bool LiveOverlays::draw(const Stage& stage, const Frame2D& frame) const {
+LeftOut LiveOverlays::draw(const Stage& stage, const Frame2D& frame) {
     if (m_shown.session && !areMany(*m_shown.session)) {
-        return paintWorldOverlays(stage, m_shown.session->world(), requestOf(m_shown, m_trails.trails()));
+        m_gaps =
+            paintWorldOverlays(stage, m_shown.session->world(), requestOf(m_shown, m_trails.trails(), m_gaps.named));
+        return leftOut();
     }
     for (const PictureLayer& band : m_bands) {
         band.draw(stage.painter, frame);
     }
-    return m_leavesOut;
+    return leftOut();
 }
 
 void LiveOverlays::forget() {
     ++m_epoch; // what is being painted will not be taken
     m_shown = {};
     m_bands = {};
-    m_leavesOut = false;
+    m_gaps = {};
     m_trails.forget();
 }
 
-bool LiveOverlays::paint(Bands& bands, const Wanted& wanted, std::span<const DebugTrail> trails) {
+OverlayGaps LiveOverlays::paint(Bands& bands, const Wanted& wanted, const OverlayRequest& request) {
     const Frame2D& whole = wanted.frame;
-    const PainterDraw marks =
-        worldOverlays(whole.view, wanted.theme->shade, wanted.session->world(), requestOf(wanted, trails));
+    const PainterDraw marks = worldOverlays(whole.view, wanted.theme->shade, wanted.session->world(), request);
     const QRect all = whole.all();
     const auto paintBand = [&](std::size_t i) {
         const auto count = static_cast<int>(bands.size());
@@ -91,23 +95,24 @@ bool LiveOverlays::paint(Bands& bands, const Wanted& wanted, std::span<const Deb
     if (second.valid()) {
         second.get();
     }
-    return marks.leavesOut();
+    return gapsOf(marks, whole.view);
 }
 
 void LiveOverlays::paintBeside(const Wanted& wanted) {
     if (std::exchange(m_failed, true)) { // for want of memory: the run goes on without
         forget();
     }
-    m_task.start([this, wanted, trails = m_trails, epoch = m_epoch,
+    m_task.start([this, wanted, trails = m_trails, named = m_gaps.named, epoch = m_epoch,
                   bands = std::exchange(m_spare, {})](const std::stop_token&) mutable -> BackgroundTask::Then {
         noteTrails(trails, wanted);
-        const bool leavesOut = paint(bands, wanted, trails.trails());
-        return [this, wanted, epoch, leavesOut, trails = std::move(trails), bands = std::move(bands)]() mutable {
+        OverlayGaps gaps = paint(bands, wanted, requestOf(wanted, trails.trails(), named));
+        return [this, wanted, epoch, gaps = std::move(gaps), trails = std::move(trails),
+                bands = std::move(bands)]() mutable {
             m_failed = false;
             if (epoch == m_epoch) {
                 m_trails = std::move(trails);
                 m_spare = std::exchange(m_bands, std::move(bands));
-                m_leavesOut = leavesOut;
+                m_gaps = std::move(gaps);
                 m_shown = wanted;
             }
             if (painted) {

@@ -5,7 +5,8 @@
 
 #include "core/game/session.h"
 #include "editor/canvas/background_task.h"
-#include "editor/canvas/overlay_palette.h"
+#include "editor/canvas/left_out.h"
+#include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/picture_layer.h"
 #include "editor/play/trail_keeper.h"
 
@@ -28,6 +29,7 @@ class LiveOverlays {
         OverlayFlags flags;
         OverlayPalette palette;
         std::vector<Key> selected;    // ascending
+        Key pointed = 0;              // by the mouse, where it is to be named
         const Theme* theme = nullptr; // lives on
         Frame2D frame;
 
@@ -42,9 +44,9 @@ class LiveOverlays {
     void see(const Wanted& wanted);
     /// Bodies at the moment of the run that the overlays are of; null as long as there are none.
     const std::shared_ptr<const Snapshot>& picture() const { return m_shown.picture; }
-    /// What has been seen last. Of a crowd, the last picture that is there, where it belongs in the frame. Whether
-    /// marks were left out, as they would be no more than dots.
-    bool draw(const Stage& stage, const Frame2D& frame) const;
+    /// What has been seen last. Of a crowd, the last picture that is there, where it belongs in the frame. What has
+    /// been left out.
+    LeftOut draw(const Stage& stage, const Frame2D& frame);
     void forget();
 
     /// Once what was painted beside the window is there.
@@ -57,14 +59,14 @@ class LiveOverlays {
     /// Upper and lower part of the view: each is painted by a thread of its own.
     using Bands = std::array<PictureLayer, 2>;
 
-    /// Whether marks were left out.
-    static bool paint(Bands& bands, const Wanted& wanted, std::span<const DebugTrail> trails);
+    static OverlayGaps paint(Bands& bands, const Wanted& wanted, const OverlayRequest& request);
+    LeftOut leftOut() const { return {.dots = !m_gaps.dots.empty(), .names = m_gaps.names}; }
     void paintBeside(const Wanted& wanted);
 
     Wanted m_shown;
-    Bands m_bands;            // of a crowd
-    bool m_leavesOut = false; // these do
-    Bands m_spare;            // painted into next
+    Bands m_bands; // of a crowd
+    Bands m_spare; // painted into next
+    OverlayGaps m_gaps;
     TrailKeeper m_trails;
     bool m_failed = false;     // until a picture that was begun is there
     std::uint64_t m_epoch = 0; // how often all was forgotten

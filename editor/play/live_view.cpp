@@ -161,7 +161,7 @@ void LiveView::takePicture() {
 void LiveView::seeOverlays(const Frame2D& frame) {
     if (m_frame) {
         m_marks.see({m_frame->session, m_frame->ofSession, m_overlays, m_canvas.overlayPalette(),
-                     m_document.selection().keys(), &theme(), frame});
+                     m_document.selection().keys(), m_overlays.names ? m_hand.hovered() : 0, &theme(), frame});
     }
 }
 
@@ -295,7 +295,7 @@ void LiveView::paint(QPainter& painter, const Frame2D& frame) {
     paintFlame(stage, m_picture);
     paintMoving(stage, m_picture, &m_discs);
     seeOverlays(frame);
-    m_leavesOut = m_marks.draw(stage, frame);
+    m_leftOut = m_marks.draw(stage, frame);
     if (game) {
         paintTowRange(stage, m_picture, m_towRange);
     }

@@ -59,7 +59,7 @@ class LiveView : public QObject, public LiveScene {
     void paintOver(QPainter& painter, const Frame2D& frame) override;
     bool showsTool() const override;
     bool isGame() const override { return m_run.isGame(); }
-    bool leavesOut() const override { return m_leavesOut; }
+    LeftOut leftOut() const override { return m_leftOut; }
     CursorShape cursor() const override;
     bool take(QEvent& event) override;
 
@@ -115,7 +115,7 @@ class LiveView : public QObject, public LiveScene {
     std::shared_ptr<const Snapshot> m_marked; // that the canvas was told of last
     GroundPicture m_ground;
     DiscStamps m_discs;
-    bool m_leavesOut = false;
+    LeftOut m_leftOut;
     Paper m_paperOf;
     QPixmap m_paper; // the board below a simulation
     Snapshot m_picture;

@@ -349,8 +349,8 @@ class MainWindow : public QMainWindow {
     OverlayPalette m_overlayPalette;
     Legend m_legend; // on the canvas
     bool m_legendShown = true;
-    bool m_leavesOut = false; // as the legend says
-    bool m_hasWays = false;   // likewise
+    LeftOut m_leftOut;      // as the legend says
+    bool m_hasWays = false; // likewise
     QTimer m_leftOutEnds;
     QPointer<OverlayColorsDialog> m_overlayColors; // null while nobody chooses
     bool m_panelsHidden = false;

@@ -38,7 +38,7 @@ void MainWindow::updateLegend() {
     OverlayFlags told = m_legendShown ? m_overlays : none;
     told.ways = told.ways && m_hasWays;
     m_legend.showOverlays({told, m_overlayPalette, m_document.level().tags, overlayGround(),
-                           isInGame() ? 3 * fontMetrics().height() : 0, m_leavesOut});
+                           isInGame() ? 3 * fontMetrics().height() : 0, m_leftOut});
     if (m_overlayColors != nullptr) {
         m_overlayColors->showPalette(m_overlayPalette, overlayGround());
     }
@@ -66,13 +66,16 @@ Shade MainWindow::overlayGround() const {
 /// At once where something is left out, and for a while afterwards: in a run it changes from frame to frame.
 void MainWindow::updateLeftOut() {
     constexpr int linger = 1000; // ms
-    if (m_canvas.leavesOut()) {
+    const LeftOut& now = m_canvas.leftOut();
+    const LeftOut either{now.dots || m_leftOut.dots, now.names || m_leftOut.names};
+    const bool lingers = isPlaying() && either != now;
+    if (!lingers) {
         m_leftOutEnds.stop();
-    } else if (isPlaying() && m_leavesOut) {
+    } else if (!m_leftOutEnds.isActive()) {
         m_leftOutEnds.start(linger);
-        return;
     }
-    if (std::exchange(m_leavesOut, m_canvas.leavesOut()) != m_leavesOut) {
+    const LeftOut& told = lingers ? either : now;
+    if (std::exchange(m_leftOut, told) != told) {
         updateLegend();
     }
 }
@@ -87,7 +90,7 @@ void MainWindow::listenToLegend() {
     connect(&m_canvas, &Canvas::leftOutChanged, this, &MainWindow::updateLeftOut);
     m_leftOutEnds.setSingleShot(true);
     connect(&m_leftOutEnds, &QTimer::timeout, this, [this] {
-        m_leavesOut = false;
+        m_leftOut = m_canvas.leftOut();
         updateLegend();
     });
     connect(&m_legend, &Legend::switchedOff, this, [this](int row) {

@@ -49,7 +49,7 @@ class RecordingDraw : public DebugDraw {
     void text(const Vec2& at, std::string_view text, const Color& color) override {
         calls.push_back({Form::Text, {at}, 0, color, std::string(text)});
     }
-    void leftOut() override { ++leftOutCount; }
+    void leftOut(const Vec2& /*at*/) override { ++leftOutCount; }
 };
 
 /// A picture whose origin is the world's and whose unit is a metre: (x, y) lies at (x, −y).

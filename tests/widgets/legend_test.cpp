@@ -111,6 +111,11 @@ class LegendTest : public QObject {
         QVERIFY(!isSaid());
         test.canvas().zoomTo(0.5);
         QVERIFY(isSaid());
+        const Viewport small = test.canvas().view();
+        test.canvas().setView(small.panned({0.6 * small.size.x(), 0})); // part of the picture stays
+        QVERIFY(!isSaid());
+        test.canvas().setView(small);
+        QVERIFY(isSaid());
         test.trigger(Act::OverlayNormals);
         test.trigger(Act::OverlayVelocity);
         QVERIFY(!isSaid()); // of which there is none

@@ -73,7 +73,7 @@ class ShapeDrawing {
         const double length = (edge.b - edge.a).norm();
         const bool ends = edge.depth != noBack;
         const double depth = ends ? edge.depth : open / m_view.view.scale;
-        if (!(length > 0) || !(depth > 0) || isTiny(std::max(length, depth))) {
+        if (!(length > 0) || !(depth > 0) || isTiny(std::max(length, depth), edge.a)) {
             return;
         }
         const Vec2 back = -depth * leftOf((edge.b - edge.a) / length);
@@ -86,11 +86,11 @@ class ShapeDrawing {
         }
     }
 
-    /// Whether an extent in metres is too small to be drawn; then tells the host.
-    bool isTiny(double extent) const {
+    /// Whether an extent in metres, at a point of the body, is too small to be drawn; then tells the host.
+    bool isTiny(double extent, const Vec2& local) const {
         const bool tiny = m_view.area && m_view.view.toView(extent) < leastExtent;
         if (tiny) {
-            m_draw.leftOut();
+            m_draw.leftOut(at(local));
         }
         return tiny;
     }
@@ -102,8 +102,7 @@ class ShapeDrawing {
         if (!(length > 0)) {
             return;
         }
-        if (m_view.overlays.normals && !isTiny(1)) {
-            const Vec2 middle = 0.5 * (wall.a + wall.b);
+        if (const Vec2 middle = 0.5 * (wall.a + wall.b); m_view.overlays.normals && !isTiny(1, middle)) {
             const Vec2 normal = leftOf(along / length);
             m_draw.arrow(at(middle), at(middle + normal), m_view.colors.normal);
             if (bothSides) {
@@ -143,7 +142,7 @@ void drawBody(const DebugBody& body, const DebugView& view, DebugDraw& draw) {
         draw.line(view.view.toView(from), view.view.toView(from + body.pose.rotation.up()), view.colors.orientation);
     }
     const double speed = body.velocity.norm();
-    if (view.overlays.velocity && speed > 0 && !isLeftOut(view, speed, draw)) {
+    if (view.overlays.velocity && speed > 0 && !isLeftOut(view, speed, body.massCenter, draw)) {
         draw.arrow(view.view.toView(body.massCenter), view.view.toView(body.massCenter + body.velocity),
                    view.colors.velocity);
     }

@@ -43,7 +43,7 @@ bool isSeen(const DebugView& view, const Aabb& world, DebugDraw& draw) {
     }
     const bool isLarge = view.view.toView(world.size().maxCoeff()) >= leastExtent;
     if (!isLarge) {
-        draw.leftOut();
+        draw.leftOut(view.view.toView(world.center()));
     }
     return isLarge;
 }
@@ -138,7 +138,7 @@ struct DrawnForce {
 
 void drawForce(const DrawnForce& force, const DebugView& view, DebugDraw& draw) {
     const double length = std::copysign(forceLength(std::abs(force.weights)), force.weights);
-    if (force.weights != 0 && std::isfinite(force.weights) && !isLeftOut(view, length, draw)) {
+    if (force.weights != 0 && std::isfinite(force.weights) && !isLeftOut(view, length, force.from, draw)) {
         const Vec2 tip = force.from + length * force.along;
         draw.arrow(view.view.toView(force.from), view.view.toView(tip), view.colors.impulse);
     }
@@ -333,7 +333,7 @@ void drawName(const World& world, BodyId body, const DebugView& view, DebugDraw&
         const std::vector<Shape>& shapes = world.shapes(body);
         at = shapes.empty() ? at : boundsOf(shapes.front(), state.pose).center();
     }
-    draw.text(view.view.toView(at) + Vec2(beside, -beside), name, view.colors.name);
+    draw.name(view.view.toView(at) + Vec2(beside, -beside), name, view.colors.name, state.user);
 }
 
 } // namespace spacetow

@@ -16,15 +16,15 @@ inline bool isDot(const DebugView& view, double length) {
     return view.area && view.view.toView(std::abs(length)) < 1;
 }
 
-/// The same for a mark that is then left out. Tells the host, unless the mark is shorter than a centimetre and so could
-/// not be seen from nearer either.
-inline bool isLeftOut(const DebugView& view, double length, DebugDraw& draw) {
+/// The same for a mark at that point of the world that is then left out. Tells the host, unless the mark is shorter than a
+/// centimetre and so could not be seen from nearer either.
+inline bool isLeftOut(const DebugView& view, double length, const Vec2& at, DebugDraw& draw) {
     constexpr double worthSeeing = 0.01; // m
     if (!isDot(view, length)) {
         return false;
     }
     if (std::abs(length) >= worthSeeing) {
-        draw.leftOut();
+        draw.leftOut(view.view.toView(at));
     }
     return true;
 }

@@ -37,10 +37,14 @@ class DebugDraw {
     virtual void filledRectangle(const Aabb& box, const Color& color) = 0;
     /// Beside the point, in the host's font, legible over what is drawn below.
     virtual void text(const Vec2& at, std::string_view text, const Color& color) = 0;
+    /// What a body is called, by BodyDef::user: a text of which the host may leave some out.
+    virtual void name(const Vec2& at, std::string_view name, const Color& color, std::uint64_t /*user*/) {
+        text(at, name, color);
+    }
     /// Velocities and normals. By default a line; the host may add a head.
     virtual void arrow(const Vec2& from, const Vec2& to, const Color& color) { line(from, to, color); }
-    /// A mark of an overlay has not been drawn, as it would be no more than a dot; from nearer it can be seen.
-    virtual void leftOut() {}
+    /// A mark of an overlay has not been drawn there, as it would be no more than a dot; from nearer it can be seen.
+    virtual void leftOut(const Vec2& /*at*/) {}
 };
 
 struct ShapeColors {
