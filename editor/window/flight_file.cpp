@@ -30,14 +30,14 @@ QString FlightFile::savedWords(const QString& file, const Recording& recording) 
         return saved;
     }
     return saved + QLatin1Char(' ') +
-           FlightWords::tr("It ends after %1 of %2 updates: a flight file holds no more.")
+           FlightWords::tr("It ends after %1 of %2 updates: a file holds no more.")
                .arg(QLocale().toString(static_cast<qlonglong>(recording.run.updates())),
                     QLocale().toString(static_cast<qlonglong>(recording.updates)));
 }
 
 void FlightFile::save() {
     if (m_task.isRunning()) {
-        m_window.messageBar().say(MessageBar::Tone::Info, FlightWords::tr("Another flight is still being saved."));
+        m_window.messageBar().say(MessageBar::Tone::Info, FlightWords::tr("Another recording is still being saved."));
         return;
     }
     const QString levelPath = m_window.files().path().isEmpty() ? m_window.files().name() : m_window.files().path();

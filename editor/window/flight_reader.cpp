@@ -142,10 +142,13 @@ MainWindow* FlightReader::windowFor(const Read& read) {
     }
     const QString path = levelFileFor(read.replay.value(), read.path);
     if (path.isEmpty()) {
-        m_window.messageBar().say(MessageBar::Tone::Error,
-                                  FlownWords::tr("%1 is a flight in the level “%2”, which is neither open nor beside "
-                                                 "it. Open the level and drop the flight on it.")
-                                      .arg(QFileInfo(read.path).fileName(), name));
+        const QString words =
+            read.replay.value().kind == RunKind::Simulation
+                ? FlownWords::tr("%1 is a simulation of the level “%2”, which is neither open nor beside it. Open the "
+                                 "level and drop the simulation on it.")
+                : FlownWords::tr("%1 is a flight in the level “%2”, which is neither open nor beside it. Open the "
+                                 "level and drop the flight on it.");
+        m_window.messageBar().say(MessageBar::Tone::Error, words.arg(QFileInfo(read.path).fileName(), name));
         return nullptr;
     }
     return m_window.openAside(path);
@@ -170,8 +173,11 @@ void FlightReader::fly(const Read& read) {
         place->playReplay(replay);
         if (changed) {
             place->messageBar().say(MessageBar::Tone::Warning,
-                                    FlownWords::tr("The level has been changed since the flight was recorded, which "
-                                                   "may therefore end otherwise."));
+                                    replay.kind == RunKind::Simulation
+                                        ? FlownWords::tr("The level has been changed since the simulation was "
+                                                         "recorded, which may therefore go otherwise.")
+                                        : FlownWords::tr("The level has been changed since the flight was recorded, "
+                                                         "which may therefore end otherwise."));
         }
     }
     open(rest);

@@ -97,6 +97,30 @@ class DroppedFilesTest : public QObject {
         test.unsaved = Unsaved::Discard;
     }
 
+    void ofASimulationNoSentenceSaysThatItIsAFlight() {
+        TestApplication test;
+        test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
+        Replay replay =
+            readReplay((spacetow::test::sourceFolder() + "/tests/replays/01_first_haul.replay.json").toStdU16String())
+                .value();
+        replay.kind = RunKind::Simulation;
+        const QString path = test.file("watched.replay.json");
+        QVERIFY(!writeReplay(path.toStdU16String(), replay));
+        TestApplication::edit(test.window(0));
+        drop(test.window(0), {path});
+        QTRY_VERIFY(test.window(0).isPlaying());
+        const QString changed = test.window(0).messageBar().text();
+        QVERIFY2(changed.contains("since the simulation was recorded"), qPrintable(changed));
+        test.trigger(0, Act::Stop);
+        replay.level = "nowhere.json";
+        replay.levelHash = 1;
+        QVERIFY(!writeReplay(path.toStdU16String(), replay));
+        drop(test.window(0), {path});
+        const QString nowhere = test.window(0).messageBar().text();
+        QVERIFY2(nowhere.contains("nowhere.json") && !nowhere.contains("flight"), qPrintable(nowhere));
+        test.unsaved = Unsaved::Discard;
+    }
+
     void aFlightIsReadBesideTheWindowWhichSaysSo() {
         TestApplication test;
         test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});
