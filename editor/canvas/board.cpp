@@ -1,8 +1,14 @@
 #include "editor/canvas/board.h"
 
+#include "core/level/level_index.h"
+#include "core/level/object_geometry.h"
+
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace spacetow {
 
@@ -15,6 +21,56 @@ Frame2D withMargin(const Frame2D& frame) {
     const QSize size = frame.deviceSize();
     return frame.grown(std::min(size.width(), size.height()) / ahead);
 }
+
+/// Where in a frame objects are painted that do not stand still.
+class PlacesOfOthers {
+  public:
+    explicit PlacesOfOthers(const Frame2D& frame) : m_frame(frame) {}
+
+    void add(const Level& level, int place) {
+        const Object& object = level.objects[place];
+        const auto* body = std::get_if<BodyObject>(&object.data);
+        const auto* connector = std::get_if<ConnectorObject>(&object.data);
+        if (connector != nullptr) {
+            addLine(endsOf(*connector, level.objects));
+        } else if (body == nullptr ? !std::holds_alternative<GroupObject>(object.data)
+                                   : body->kind != BodyKind::Static) {
+            addBox(levelIndex(level).boundsOf(place), pens);
+        }
+        if (body != nullptr && body->kind == BodyKind::Kinematic) { // whose mark is where it turns
+            addBox({body->position, body->position}, 2 * pens);
+        }
+    }
+    const std::vector<QRect>& rects() const { return m_rects; }
+
+  private:
+    static constexpr double pens = 8; // px
+
+    void addBox(const Aabb& world, double around) {
+        const Aabb box = m_frame.view.transform().toView(world).grown(around);
+        const Vec2 min = box.min.cwiseMax(Vec2(0, 0)) * m_frame.pixelRatio;
+        const Vec2 max = box.max.cwiseMin(m_frame.view.size) * m_frame.pixelRatio;
+        if (min.x() < max.x() && min.y() < max.y()) {
+            m_rects.emplace_back(QPoint(static_cast<int>(min.x()), static_cast<int>(min.y())),
+                                 QPoint(static_cast<int>(max.x()) + 1, static_cast<int>(max.y()) + 1));
+        }
+    }
+    void addLine(const std::optional<std::array<Vec2, 2>>& ends) {
+        constexpr double most = 1000; // squares; longer ones have gaps
+        if (!ends) {
+            return;
+        }
+        const Vec2 way = ends->back() - ends->front();
+        const auto squares = static_cast<int>(std::clamp(way.norm() * m_frame.view.scale / pens, 1.0, most));
+        for (int i = 0; i <= squares; ++i) {
+            const Vec2 at = ends->front() + way * (static_cast<double>(i) / squares);
+            addBox({at, at}, pens);
+        }
+    }
+
+    const Frame2D& m_frame;
+    std::vector<QRect> m_rects;
+};
 
 } // namespace
 
@@ -80,6 +136,26 @@ void Board::drawRest(QPainter& painter) const {
     if (!isScaled()) {
         m_picture.drawRest(painter, m_wanted.frame);
     }
+}
+
+PictureLayer Board::groundPicture(bool onRock) const {
+    constexpr std::size_t many = 5000;
+    if (m_picture.isEmpty()) {
+        return {};
+    }
+    PlacesOfOthers others(m_picture.frame());
+    for (int place = 0; place < m_wanted.level->objects.size() && others.rects().size() <= many; ++place) {
+        others.add(*m_wanted.level, place);
+    }
+    if (others.rects().size() > many) {
+        return {};
+    }
+    PictureLayer picture =
+        m_picture.flattened(*m_wanted.theme, onRock ? BoardLayer::Rock : BoardLayer::Objects, BoardLayer::Objects);
+    for (const QRect& place : others.rects()) {
+        picture.cut(place);
+    }
+    return picture;
 }
 
 void Board::paintBeside(const BoardRequest& request) {

@@ -27,11 +27,9 @@ class Board {
     /// the same; nothing when it is everywhere.
     std::optional<QRegion> takeStillChanges() { return std::exchange(m_stillChanges, QRegion()); }
 
-    /// The objects, as they were shown last, on the rock or without it.
-    PictureLayer objectsPicture(bool onRock) const {
-        const BoardLayer first = onRock ? BoardLayer::Rock : BoardLayer::Objects;
-        return m_picture.isEmpty() ? PictureLayer() : m_picture.flattened(*m_wanted.theme, first, BoardLayer::Moving);
-    }
+    /// Walls and bodies that stand still, as they were shown last, on the rock or without it, with holes where anything
+    /// else was; nothing when there is much of that.
+    PictureLayer groundPicture(bool onRock) const;
     /// Whether overlays have left out anything in the view.
     LeftOut leftOut() const { return m_picture.leftOut(m_wanted.frame.view); }
 

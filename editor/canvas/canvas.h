@@ -68,9 +68,9 @@ class Canvas : public QWidget {
     /// must outlive its being shown.
     void showLive(LiveScene* scene);
     bool isLive() const { return m_live != nullptr; }
-    /// The objects of the board as they were shown last, on the rock or without it.
-    PictureLayer objectsPicture(bool onRock) const { return m_board.objectsPicture(onRock); }
-    /// Whether overlays have left out marks that would be no more than dots, here and now.
+    /// See Board.
+    PictureLayer groundPicture(bool onRock) const { return m_board.groundPicture(onRock); }
+    /// What overlays have left out here and now.
     const LeftOut& leftOut() const { return m_leftOut; }
 
     /// A drag that began on a ruler and goes on here. Positions are global; a guide of this angle comes out of it.

@@ -147,6 +147,12 @@ void PictureLayer::wipe() {
     m_tiles.clear();
 }
 
+void PictureLayer::cut(const QRect& device) {
+    if (const QRect seen = device & m_image.rect(); !seen.isEmpty()) {
+        clear(m_image, seen);
+    }
+}
+
 int PictureLayer::columns() const {
     return (m_image.width() + tile - 1) / tile;
 }

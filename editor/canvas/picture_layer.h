@@ -66,6 +66,8 @@ class PictureLayer {
     }
     /// The same, but what it was painted into is kept, to be painted into again.
     void wipe();
+    /// Nothing is to be seen any more in the rectangle of the image.
+    void cut(const QRect& device);
     /// Erases the region and paints it, strip by strip, in a view of the strip alone.
     void paint(const QRegion& region, const Theme& theme, const Paint& paint);
 

@@ -66,7 +66,7 @@ void LiveView::show(const Level& level, bool anew) {
     if (!isFinite(m_bounds.size())) {
         m_bounds = {};
     }
-    m_ground.forget(m_canvas.objectsPicture(!m_run.isGame())); // in space the board's rock would end at its border
+    m_ground.forget(m_canvas.groundPicture(!m_run.isGame())); // in space the board's rock would end at its border
     m_shown = true;
     m_classic = false;
     m_lastUpdate = 0;

@@ -204,6 +204,38 @@ class GroundPictureTest : public QObject {
         QVERIFY(alike(kept(ground, frame, *few), fromScratch(frame, *few))); // painted at once
     }
 
+    void whatStandsInForTheGroundHasNothingOfWhatDoesNotStand() {
+        Level level = manyWalls();
+        level.objects.append({700, {}, FinishObject{Vec2(-4, 0), Vec2(-3, 0)}, {}});
+        addBall(level, Vec2(4, -1), 0.5, Vec2(0, 0));
+        TestWindow test;
+        test.document().reset(level);
+        test.canvas().fitLevel();
+        test.document().select(Selection({600, 700}));
+        test.canvas().finishPainting();
+        const Frame2D frame = test.canvas().frame();
+        QImage image(frame.deviceSize(), QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::transparent);
+        QPainter painter(&image);
+        test.canvas().groundPicture(true).draw(painter, frame);
+        painter.end();
+        const auto isPaintedAbout = [&](double x, double y) {
+            const QPoint at = test.at(x, y);
+            bool any = false;
+            for (int i = -6; i <= 6; ++i) {
+                for (int k = -6; k <= 6; ++k) {
+                    any = any || image.pixelColor(at.x() + i, at.y() + k).alpha() > 0;
+                }
+            }
+            return any;
+        };
+        QVERIFY(isPaintedAbout(-2, -2.1) && isPaintedAbout(2, -2.1)); // walls
+        for (const double x : {-4.0, -3.5, -3.0}) {
+            QVERIFY(!isPaintedAbout(x, 0)); // the finish
+        }
+        QVERIFY(!isPaintedAbout(4, -1) && !isPaintedAbout(4.4, -1)); // the ball
+    }
+
     void nothingBlinksWhenALargeLevelIsRun() {
         for (const Act act : {Act::Simulate, Act::Play}) {
             TestWindow test;
