@@ -48,18 +48,23 @@ bool Explanations::wantsSession() const {
     return m_panel.isVisible() || m_plots.isVisible() || m_profile.isVisible() || m_matrix.isVisible();
 }
 
-void Explanations::showRun(const Frame& frame) {
-    m_session = frame.session;
+/// The display asks more often than there is something new.
+void Explanations::showRun(const std::shared_ptr<const Frame>& frame) {
+    if (std::exchange(m_frame, frame) == frame) {
+        return;
+    }
+    m_session = frame->session;
     m_panel.showSession(m_session);
-    m_plots.showTimeline(*frame.timeline);
+    m_plots.showTimeline(*frame->timeline);
     m_plots.showSession(m_session, true);
-    m_profile.showSession(m_session, frame.profile);
+    m_profile.showSession(m_session, frame->profile);
     m_matrix.showTouches(m_session->tagTouches());
     showForces();
 }
 
 void Explanations::setRuns(bool runs) {
     if (std::exchange(m_runs, runs) != runs) {
+        m_frame.reset();
         look();
     }
 }

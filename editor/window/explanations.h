@@ -35,7 +35,7 @@ class Explanations : public QObject {
     bool wantsProfile() const { return m_profile.isVisible(); }
 
     /// Of the run, with its session; the level may be edited meanwhile.
-    void showRun(const Frame& frame);
+    void showRun(const std::shared_ptr<const Frame>& frame);
     /// Whether anything runs; comes before what runs is shown.
     void setRuns(bool runs);
 
@@ -57,6 +57,7 @@ class Explanations : public QObject {
     PlotPanel m_plots;
     ProfilePanel m_profile;
     std::shared_ptr<const Session> m_session;
+    std::shared_ptr<const Frame> m_frame; // of the run, shown last
     bool m_runs = false;
     bool m_wantsStart = false;
     StartSession m_start;

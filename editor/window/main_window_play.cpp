@@ -286,7 +286,7 @@ void MainWindow::updateExplanations() {
     m_run.wantProfile(m_explanations.wantsProfile());
     const std::shared_ptr<const Frame> frame = m_run.frame();
     if (frame != nullptr && frame->session != nullptr) {
-        m_explanations.showRun(*frame);
+        m_explanations.showRun(frame);
     }
 }
 

@@ -142,6 +142,38 @@ class ExplainTest : public QObject {
         }
     }
 
+    void totalsAndCountersKnowWhatHasBeenAddedSinceTheLastUpdate() {
+        Random random(3);
+        World world = explainedScene(random, 0.5);
+        const auto areRight = [&world] {
+            const WorldReading sum = totals(world);
+            const WorldCounters count = counters(world);
+            double parts = 0;
+            int statics = 0, dynamics = 0;
+            for (const BodyId id : world.bodies()) {
+                const BodyReading one = explained(world, id);
+                parts += one.energy.kinetic + one.energy.potential;
+                ++(world.body(id).kind == BodyKind::Static ? statics : dynamics);
+            }
+            return std::abs(parts - sum.energy()) <= 1e-12 * (1 + biggest(sum)) && count.statics == statics &&
+                   count.dynamics == dynamics;
+        };
+        QVERIFY(areRight()); // before the first update
+        world.update();
+        world.removeBody(world.bodies()[6]);
+        world.removeBody(world.bodies()[2]);
+        QVERIFY(areRight()); // they are still there
+        world.update();
+        QVERIFY(areRight());
+        for (int i = 0; i < 4; ++i) { // in the places of those, and in others
+            add(world, dropped(QStringLiteral("ball"), {-1.0 + 0.5 * i, 5}));
+            add(world, edgeBody({-1.0 * i, -3}, {1, -3}));
+            QVERIFY(areRight());
+        }
+        world.update();
+        QVERIFY(areRight());
+    }
+
     void energyIsThatOfTheWorld() {
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             Random random(seed);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace spacetow {
 
@@ -110,18 +111,18 @@ int touchingIn(const PairTable& table) {
         std::count_if(table.flags.begin(), table.flags.end(), [](const PairFlags& flags) { return flags.touching; }));
 }
 
+/// By slot.
+std::vector<Slot> nonStaticOf(const Bodies& bodies) {
+    std::vector<Slot> added = bodies.addedNonStatic;
+    std::ranges::sort(added);
+    std::vector<Slot> all;
+    all.reserve(bodies.nonStatic.size() + added.size());
+    std::ranges::merge(bodies.nonStatic, added, std::back_inserter(all));
+    return all;
+}
+
 void countBody(const BodyRecord& record, WorldCounters& count) {
-    switch (record.kind) {
-    case BodyKind::Static:
-        ++count.statics;
-        return;
-    case BodyKind::Kinematic:
-        ++count.kinematics;
-        break;
-    case BodyKind::Dynamic:
-        ++count.dynamics;
-        break;
-    }
+    ++(record.kind == BodyKind::Kinematic ? count.kinematics : count.dynamics);
     ++(record.asleep ? count.asleep : count.awake);
 }
 
@@ -162,10 +163,10 @@ ConnectorReading explained(const World& world, ConnectorId connector) {
 WorldReading totals(const World& world) {
     const WorldData& data = world.data();
     WorldReading sum;
-    const auto add = [&](Slot slot) {
+    for (const Slot slot : nonStaticOf(data.bodies)) {
         const BodyRecord& record = data.bodies.records[slot];
         if (!isFree(record)) {
-            return;
+            continue;
         }
         const BodyMotion& m = data.bodies.motions[slot];
         const BodyEnergy energy = energyOf(data, slot);
@@ -174,13 +175,6 @@ WorldReading totals(const World& world) {
         sum.momentum += record.mass * m.velocity;
         sum.motion += record.mass * m.velocity.norm();
         sum.angularMomentum += record.inertia * m.angularVelocity + record.mass * cross(m.center, m.velocity);
-    };
-    if (data.bodies.changedBodies.empty()) { // else the list of those that are not static is an old one
-        std::ranges::for_each(data.bodies.nonStatic, add);
-    } else {
-        for (Slot slot = 0; slot < data.bodies.records.size(); ++slot) {
-            add(slot);
-        }
     }
     for (const ConnectorRecord& c : data.forces.connectors) {
         sum.elastic += c.used ? storedEnergy(c, stretchOf(data.bodies, c).distance) : 0;
@@ -191,11 +185,11 @@ WorldReading totals(const World& world) {
 WorldCounters counters(const World& world) {
     const WorldData& data = world.data();
     WorldCounters count;
-    for (const BodyRecord& record : data.bodies.records) {
-        if (record.used) {
-            countBody(record, count);
-        }
+    const std::vector<Slot> nonStatic = nonStaticOf(data.bodies);
+    for (const Slot slot : nonStatic) {
+        countBody(data.bodies.records[slot], count);
     }
+    count.statics = static_cast<int>(data.bodies.records.size() - data.bodies.freeSlots.size() - nonStatic.size());
     count.pairs = static_cast<int>(data.contacts.table.size() + data.sleep.table.size());
     count.contacts = touchingIn(data.contacts.table) + touchingIn(data.sleep.table);
     count.treeCells = cellsOf(data.broadPhase.tree);

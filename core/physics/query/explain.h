@@ -92,8 +92,9 @@ struct WorldReading {
 
     double energy() const { return kinetic + potential + elastic; }
 };
+/// Linear in bodies that are not static, and connectors.
 WorldReading totals(const World& world);
-/// Linear in bodies, pairs and tree cells.
+/// Linear in bodies that are not static, pairs and tree cells.
 WorldCounters counters(const World& world);
 
 } // namespace spacetow

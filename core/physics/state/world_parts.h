@@ -36,6 +36,7 @@ struct Bodies {
     std::vector<Slot> changedBodies;    // so that lists and pairs are to be made anew
     std::vector<Slot> renewed;          // whose entries in what is kept by slot are to begin anew
     std::vector<Slot> nonStatic;        // by slot, but for changed bodies
+    std::vector<Slot> addedNonStatic;   // of changed bodies; between updates all others are in the list
 
     // What is asked for pairs. The motion bounds are those at the end of the iteration, m.
     MoverArray<double> motionBounds;

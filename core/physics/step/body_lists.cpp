@@ -81,6 +81,7 @@ void prepareStructure(WorldData& data) {
     }
     bodies.renewed.insert(bodies.renewed.end(), bodies.changedBodies.begin(), bodies.changedBodies.end());
     bodies.changedBodies.clear();
+    bodies.addedNonStatic.clear();
     data.flags.pairsStale = true;
 }
 

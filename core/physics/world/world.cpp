@@ -76,6 +76,8 @@ Result<BodyId> World::addBody(const BodyDef& def) {
     refreshInverseMass(data.bodies, slot);
     if (def.kind == BodyKind::Static) {
         data.noteStaticChange(slot);
+    } else {
+        data.bodies.addedNonStatic.push_back(slot);
     }
     data.bodies.changedBodies.push_back(slot);
     requestWake(data.bodies, data.sleep, slot);
