@@ -17,7 +17,7 @@ double seconds(Clock::time_point time) {
 }
 
 constexpr auto patience = std::chrono::milliseconds(500); // after which nobody looks
-constexpr auto glance = std::chrono::milliseconds(50);    // between two looks whether somebody does
+constexpr auto glance = std::chrono::milliseconds(15);    // between two looks whether somebody does, or steers
 constexpr auto slice = std::chrono::milliseconds(8);      // of simulating, between two looks at what is wanted
 
 std::int64_t ticks(Clock::time_point time) {
@@ -278,8 +278,8 @@ void Runner::run(const std::stop_token& stop) {
 /// Makes what is due, and waits for the next update or command.
 void Runner::turn(const std::stop_token& stop) {
     obeyCommands();
-    if (const bool unattended = !m_paused && isUnattended(); unattended != m_unattended) {
-        m_unattended = unattended;
+    if (const bool waits = !m_paused && (isUnattended() || awaitsPilot()); waits != m_waits) {
+        m_waits = waits;
         m_pacer.restart(seconds(Clock::now()));
         post(m_last);
     }
@@ -288,7 +288,7 @@ void Runner::turn(const std::stop_token& stop) {
     } else if (m_paused && !m_prepared) {
         m_prepared = m_course->prepareBack(4);
     }
-    const int due = m_paused || m_unattended ? 0 : m_pacer.due(seconds(Clock::now()));
+    const int due = m_paused || m_waits ? 0 : m_pacer.due(seconds(Clock::now()));
     for (int i = 0; i < due && !stop.stop_requested() && fault() == RunnerFault::None; ++i) {
         m_more = i + 1 < due;
         if (!update()) {
@@ -304,7 +304,7 @@ void Runner::turn(const std::stop_token& stop) {
     if (m_paused) {
         m_wake.wait(lock, stop, called);
     } else {
-        m_wake.wait_until(lock, stop, m_unattended ? Clock::now() + glance : timePoint(m_pacer.next()), called);
+        m_wake.wait_until(lock, stop, m_waits ? Clock::now() + glance : timePoint(m_pacer.next()), called);
     }
 }
 
@@ -389,7 +389,7 @@ void Runner::post(std::shared_ptr<const Snapshot> before) {
         const Clock::time_point done = Clock::now();
         m_nextCopy = m_mode == Mode::Manual ? done : done + share * (done - begun);
     }
-    const bool paused = m_paused || m_unattended;
+    const bool paused = m_paused || m_waits;
     m_frames.post(std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(),
                                                       m_speed, paused, std::move(session), std::move(ofSession),
                                                       m_course->summary(m_paused), profileOf(m_watch)}));

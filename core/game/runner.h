@@ -92,6 +92,11 @@ class Runner {
     /// the future is simulated again, beside what else happens. A restart begins with it.
     void setLevel(std::shared_ptr<const Level> level);
 
+    /// Whether a ship that waits for its pilot has all else wait too, as long as no key is down and the mouse holds
+    /// nothing: else what moves would be somewhere else whenever one begins. Not in recordings.
+    void waitForPilot(bool waits) {
+        command([this, waits] { m_forPilot = waits; });
+    }
     /// Somebody looks. Who has once said so and then is silent for half a second does not see what happens, nor can
     /// they let go of a key: the game waits for them.
     void attend();
@@ -119,6 +124,10 @@ class Runner {
     void run(const std::stop_token& stop);
     void turn(const std::stop_token& stop);
     bool isUnattended() const;
+    bool awaitsPilot() const {
+        return m_forPilot && !m_watching && m_followed.isAtEnd() && !m_grab && m_held == 0 && m_latched == 0 &&
+               m_course->isShownAsIs() && wouldMoveUnsteered(*m_last);
+    }
     /// Does it, and remembers when it could not be done.
     template <class Do>
     void guarded(const Do& work);
@@ -148,7 +157,8 @@ class Runner {
     bool m_prepared = true; // for going back
     Pacer m_pacer{0.02};
     bool m_paused = false;
-    bool m_unattended = false;
+    bool m_forPilot = false;
+    bool m_waits = false; // though not paused: nobody looks, or nobody steers yet
     bool m_withSession = false;
     SessionLender m_lender;
     std::chrono::steady_clock::time_point m_nextCopy{}; // not before, while time passes

@@ -8,6 +8,12 @@
 
 namespace spacetow {
 
+bool wouldMoveUnsteered(const Snapshot& snapshot) {
+    return snapshot.phase == Phase::AwaitingInput && std::ranges::any_of(snapshot.moving, [](const BodyPicture& body) {
+               return body.look->role == BodyRole::Object;
+           });
+}
+
 bool standAlike(const BodyPictures& a, const BodyPictures& b) {
     return std::ranges::equal(a, b, [](const BodyPicture& one, const BodyPicture& other) {
         return one.look == other.look && one.pose.position == other.pose.position &&

@@ -112,6 +112,8 @@ struct Snapshot {
     }
 };
 
+/// Whether the ship waits for its pilot, and something else would move meanwhile.
+bool wouldMoveUnsteered(const Snapshot& snapshot);
 /// Whether the same bodies stand in the same places.
 bool standAlike(const BodyPictures& a, const BodyPictures& b);
 

@@ -57,6 +57,7 @@ void LiveRun::begin(std::shared_ptr<const Level> level, const Recorded* recorded
         fail(RunnerFault::Memory);
         return;
     }
+    m_runner->waitForPilot(m_kind == Kind::Game);
     m_runner->wantSession(!m_sessionWanted.empty());
     m_runner->wantProfile(m_profile);
     m_runner->setFocus(m_focus);
@@ -102,10 +103,8 @@ void LiveRun::beStarted() {
 void LiveRun::stop() {
     m_frames.stop();
     m_held.clear();
-    m_waiting = false;
+    m_waiting = m_watching = m_rewinding = false;
     m_behind = 0;
-    m_watching = false;
-    m_rewinding = false;
     setSpeed(1);
     std::erase_if(m_ending, [](const auto& task) { return !task->isRunning(); });
     if (!m_runner) {

@@ -188,6 +188,30 @@ class RunnerTest : public QObject {
         runner.restart();
         QVERIFY(comesTrue([&] { return runner.frame()->now->phase == Phase::AwaitingInput; }));
     }
+    void whatMovesWaitsWithTheShipForItsPilot() {
+        Level level = openSpace();
+        BodyObject platform{.kind = BodyKind::Kinematic, .shapes = {Circle{{0, 0}, 0.3}}, .velocity = {1, 0}};
+        platform.position = Vec2(3, 3);
+        level.objects.append({900, {}, platform, {}});
+        for (const bool moves : {true, false}) {
+            Runner runner(moves ? level : openSpace());
+            runner.waitForPilot(true);
+            if (!moves) {
+                QVERIFY(comesTrue([&] { return runner.frame()->now->update > 1; })); // nobody would see it
+                continue;
+            }
+            QVERIFY(comesTrue([&] { return runner.frame()->paused; }));
+            QCOMPARE(runner.frame()->now->update, std::int64_t(0));
+            runner.stepOnce();
+            QVERIFY(comesTrue([&] { return runner.frame()->now->update == 1; }));
+            runner.hold(thrust);
+            runner.hold(idle);
+            QVERIFY(comesTrue([&] { return runner.frame()->now->update > 5; }));
+            QVERIFY(runner.frame()->now->phase == Phase::Flying && !runner.frame()->paused);
+            runner.restart();
+            QVERIFY(comesTrue([&] { return runner.frame()->paused && runner.frame()->now->update == 0; }));
+        }
+    }
     void aGameThatNobodyLooksAtWaits() {
         Runner runner(openSpace());
         runner.hold(thrust);

@@ -59,6 +59,24 @@ class RunUseTest : public QObject {
         QVERIFY(recording.runs[recording.runs.size() - 2] == (Replay::Run{right, 2}));
     }
 
+    void inAGameNothingMovesBeforeTheFirstKey() {
+        TestWindow test;
+        Level level = openSpace();
+        addBall(level, Vec2(4, 4), 0.3, Vec2(1, 0));
+        test.document().reset(level);
+        LiveRun& run = test.window->liveRun();
+        test.trigger(Act::Play);
+        QTRY_VERIFY(run.isRunning() && run.frame()->paused);
+        QVERIFY(run.isGame() && !run.isPaused());
+        QCOMPARE(run.updates(), std::int64_t(0));
+        QTest::keyPress(&test.canvas(), Qt::Key_Right);
+        QTRY_VERIFY(run.phase() == Phase::Flying && run.updates() > 1);
+        QTest::keyRelease(&test.canvas(), Qt::Key_Right);
+        test.trigger(Act::Stop);
+        test.trigger(Act::Simulate); // in which nobody steers
+        QTRY_VERIFY(run.updates() > 1);
+    }
+
     void theViewIsZoomedByItsActionsInAGame() {
         TestWindow test;
         test.document().reset(openSpace());
