@@ -78,6 +78,9 @@ class BoardPicture::Planner {
         if (m_picture.m_shown.base == m_request.base && !m_picture.m_moving.empty()) {
             std::vector<int> all;
             std::ranges::set_union(places, m_picture.m_moving, std::back_inserter(all));
+            // What the gesture drew may be gone again, as a rectangle that has no height any more.
+            const int size = m_request.level->objects.size();
+            std::erase_if(all, [size](int place) { return place >= size; });
             return all;
         }
         return places;

@@ -8,6 +8,8 @@
 #include <QFocusEvent>
 #include <QTimer>
 
+#include <array>
+
 using namespace spacetow;
 using spacetow::test::bodyWith;
 using spacetow::test::TestWindow;
@@ -159,6 +161,20 @@ class DragsTest : public QObject {
                 QVERIFY2(test.document().position() == entries, drag.name);
                 QVERIFY2(!test.document().hasPreview(), drag.name);
             }
+        }
+    }
+
+    void whatADragDrawsMayBeGoneAgainWhileItGoesOn() {
+        Dragging test;
+        for (const Drag& drag : allDrags()) {
+            test.begin(drag);
+            const std::array places{drag.to, drag.from, drag.to, Vec2(drag.to.x(), drag.from.y()), drag.to};
+            for (const Vec2& place : places) {
+                test.moveTo(place);
+                test.canvas().grab();
+            }
+            QVERIFY2(test.canvas().isDragging(), drag.name);
+            test.release(drag);
         }
     }
 
