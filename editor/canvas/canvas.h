@@ -205,7 +205,9 @@ class Canvas : public QWidget {
     bool m_spaceHeld = false;
     bool m_belowHeld = false; // serves as Alt, which many window managers keep for themselves
     QPointF m_pressedAt;
-    std::optional<QPointF> m_position;
+    std::optional<QPointF> m_position; // of the pointer, which may have left since
+    Qt::KeyboardModifiers m_held;      // as the tool was last told
+    bool m_inside = false;             // the pointer is here
     EntryBox m_entry;
     int m_documentListener = 0;
     int m_toolboxListener = 0;

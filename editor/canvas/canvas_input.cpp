@@ -57,6 +57,20 @@ bool isModifier(const QKeyEvent& event) {
            latinKey(event) == belowKey;
 }
 
+/// What is held once the key is down or up. Systems differ in whether an event of Shift counts it already, and some
+/// tell the application only with the event that follows.
+Qt::KeyboardModifiers heldAfter(const QKeyEvent& event) {
+    Qt::KeyboardModifiers held = event.modifiers();
+    for (const auto& [key, modifier] :
+         {std::pair{Qt::Key_Shift, Qt::ShiftModifier}, std::pair{Qt::Key_Control, Qt::ControlModifier},
+          std::pair{Qt::Key_Alt, Qt::AltModifier}}) {
+        if (event.key() == key) {
+            held.setFlag(modifier, event.type() == QEvent::KeyPress);
+        }
+    }
+    return held;
+}
+
 bool isTouchpad(const QWheelEvent& event) {
     return event.device() != nullptr && event.device()->type() == QInputDevice::DeviceType::TouchPad;
 }
@@ -80,6 +94,8 @@ std::optional<Vec2> arrowDirection(int key) {
 
 void Canvas::moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers) {
     m_position = position;
+    m_held = modifiers;
+    m_inside = true;
     const Pointer pointer = pointerAt(position, modifiers);
     if (!isLive() || m_live->showsTool()) {
         m_toolbox.move(pointer);
@@ -289,7 +305,9 @@ bool Canvas::nudge(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 void Canvas::modifiersChanged(Qt::KeyboardModifiers modifiers) {
-    if (m_position && m_drag != Drag::Pan && (!isLive() || m_live->showsTool())) {
+    m_held = modifiers;
+    const bool follows = m_position && (m_inside || isDragging());
+    if (follows && m_drag != Drag::Pan && (!isLive() || m_live->showsTool())) {
         m_toolbox.move(pointerAt(*m_position, modifiers));
     }
 }
@@ -306,7 +324,7 @@ void Canvas::keyPressEvent(QKeyEvent* event) {
         }
     } else if (isModifier(*event)) {
         m_belowHeld = m_belowHeld || latinKey(*event) == belowKey;
-        modifiersChanged(QApplication::keyboardModifiers());
+        modifiersChanged(heldAfter(*event));
     } else if (!pressToolKey(event->key()) && !nudge(event->key(), event->modifiers())) {
         QWidget::keyPressEvent(event);
     }
@@ -318,7 +336,7 @@ void Canvas::keyReleaseEvent(QKeyEvent* event) {
         updateCursor();
     } else if (isModifier(*event)) {
         m_belowHeld = m_belowHeld && (latinKey(*event) != belowKey || event->isAutoRepeat());
-        modifiersChanged(QApplication::keyboardModifiers());
+        modifiersChanged(heldAfter(*event));
     } else {
         QWidget::keyReleaseEvent(event);
     }
@@ -333,11 +351,15 @@ void Canvas::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void Canvas::leaveEvent(QEvent*) {
+    m_inside = false;
     Q_EMIT pointerLeft();
 }
 
 void Canvas::focusOutEvent(QFocusEvent* event) {
     loseMouse();
+    if (m_held != Qt::NoModifier) {
+        modifiersChanged({}); // somebody else hears of the release
+    }
     QWidget::focusOutEvent(event);
 }
 
