@@ -124,7 +124,7 @@ void Ruler::setExtent(const Aabb& selected) {
     }
     for (const auto& each : {m_extent, extent}) {
         if (each) {
-            update(strip(toPixel(each->first) - 1, toPixel(each->second) + 1));
+            update(strip(toPixel(each->first), toPixel(each->second)));
         }
     }
     m_extent = extent;

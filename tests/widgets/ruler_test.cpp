@@ -22,9 +22,11 @@ class CountedRuler : public Ruler {
   public:
     using Ruler::Ruler;
     long painted = 0; // pixels
+    QRegion where;
 
   protected:
     void paintEvent(QPaintEvent* event) override {
+        where += event->region();
         for (const QRect& rect : event->region()) {
             painted += long(rect.width()) * rect.height();
         }
@@ -116,6 +118,31 @@ class RulerTest : public QObject {
             QImage part = fresh;
             ruler.render(&part, QPoint(int(500 + 66 * x), 0), QRect(int(500 + 66 * x), 0, 13, ruler.height()));
             QCOMPARE(part, fresh);
+        }
+    }
+
+    void aBarThatMovesLeavesNothingBehind_data() {
+        QTest::addColumn<int>("orientation");
+        QTest::newRow("above") << int(Qt::Horizontal);
+        QTest::newRow("at the left") << int(Qt::Vertical);
+    }
+    void aBarThatMovesLeavesNothingBehind() {
+        QFETCH(int, orientation);
+        CountedRuler ruler(static_cast<Qt::Orientation>(orientation));
+        ruler.resize(orientation == Qt::Horizontal ? QSize(600, ruler.sizeHint().height())
+                                                   : QSize(ruler.sizeHint().width(), 600));
+        ruler.setView(rulerView(600, 600, 66));
+        ruler.show();
+        QApplication::processEvents();
+        QImage seen = ruler.grab().toImage();
+        for (int i = 0; i < 40; ++i) {
+            ruler.where = {};
+            ruler.setExtent(i % 4 == 3 ? Aabb()
+                                       : Aabb{Vec2(0.013 * i, 0.017 * i), Vec2(0.4 + 0.013 * i, 1 + 0.01 * i)});
+            QApplication::processEvents();
+            const QRegion where = ruler.where; // rendering paints as well
+            ruler.render(&seen, where.boundingRect().topLeft(), where);
+            QCOMPARE(seen, ruler.grab().toImage());
         }
     }
 
