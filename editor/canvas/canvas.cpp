@@ -150,7 +150,16 @@ void Canvas::showPlace(std::span<const Vec2> place) {
 }
 
 void Canvas::zoom(double factor) {
-    setView(m_view.zoomedAt(0.5 * m_view.size, factor));
+    zoomAt(0.5 * m_view.size, factor);
+}
+
+void Canvas::zoomAt(const Vec2& screen, double factor) {
+    constexpr double leastPixels = 24; // that the level is long
+    constexpr double leastLevel = 10;  // m; a small one has room for a larger
+    // What runs may have left the level far behind.
+    const double length = std::max(leastLevel, boundsOf(m_document.level()).size().maxCoeff());
+    const double least = isLive() ? Viewport::minScale : leastPixels / length;
+    setView(m_view.zoomedAt(screen, factor < 1 ? std::max(factor, std::min(1.0, least / m_view.scale)) : factor));
 }
 
 void Canvas::zoomTo(double scale) {

@@ -80,7 +80,7 @@ class Canvas : public QWidget {
     /// What to call a thing that a point has snapped to; it stands beside the marker.
     void setSnapNames(std::function<QString(const SnapAnswer&)> name) { m_snapName = std::move(name); }
 
-    /// About the middle of the view.
+    /// About the middle of the view; out no further than until the level is only just seen.
     void zoom(double factor);
     void zoomTo(double scale); // pixels a metre
     /// The whole level in view, and again whenever the canvas changes its size, until the view is moved.
@@ -151,6 +151,7 @@ class Canvas : public QWidget {
 
     void moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void modifiersChanged(Qt::KeyboardModifiers modifiers);
+    void zoomAt(const Vec2& screen, double factor);
     bool nativeGesture(const QNativeGestureEvent& event);
     bool pressToolKey(int key);
     bool opensEntry(const QKeyEvent& event) const;

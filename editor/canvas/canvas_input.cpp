@@ -212,8 +212,7 @@ void Canvas::wheelEvent(QWheelEvent* event) {
         panBy(QPointF(angle.y() + angle.x(), 0) / 2);
     } else {
         const double turned = angle.y() != 0 ? angle.y() : angle.x();
-        setView(
-            m_view.zoomedAt(Vec2(event->position().x(), event->position().y()), std::pow(wheelZoom, turned / notch)));
+        zoomAt(Vec2(event->position().x(), event->position().y()), std::pow(wheelZoom, turned / notch));
     }
     moveTo(event->position(), event->modifiers());
     event->accept();
@@ -240,7 +239,7 @@ bool Canvas::event(QEvent* event) {
 bool Canvas::nativeGesture(const QNativeGestureEvent& event) {
     const Vec2 at(event.position().x(), event.position().y());
     if (event.gestureType() == Qt::ZoomNativeGesture) {
-        setView(m_view.zoomedAt(at, std::max(0.2, 1 + event.value())));
+        zoomAt(at, std::max(0.2, 1 + event.value()));
     } else if (event.gestureType() == Qt::PanNativeGesture) {
         panBy(event.delta());
     } else {

@@ -179,7 +179,29 @@ class CanvasTest : public QObject {
         for (int i = 0; i < 100; ++i) {
             wheel(test.canvas(), QPoint(10, 10), -10, {});
         }
-        QCOMPARE(test.canvas().view().scale, Viewport::minScale);
+        const double farthest = test.canvas().view().scale;
+        QVERIFY(farthest * 10 > 20 && farthest * 10 < 30); // px of an empty level, which is 10 m long
+    }
+
+    void aLevelIsNeverLostByZoomingOut() {
+        TestWindow test;
+        Level level = levelWithABall();
+        Object stray = level.objects[0];
+        stray.key = 2;
+        std::get<BodyObject>(stray.data).position = {500, 0};
+        test.document().reset(added(level, stray));
+        for (int i = 0; i < 100; ++i) {
+            wheel(test.canvas(), QPoint(300, 200), -10, {});
+        }
+        const double length = boundsOf(test.level()).size().x() * test.canvas().view().scale;
+        QVERIFY2(length > 20 && length < 30, qPrintable(QString::number(length)));
+        // The view of a larger one is not drawn nearer by a turn outwards.
+        test.document().reset(level);
+        const double before = test.canvas().view().scale;
+        wheel(test.canvas(), QPoint(300, 200), -1, {});
+        QCOMPARE(test.canvas().view().scale, before);
+        wheel(test.canvas(), QPoint(300, 200), 1, {});
+        QVERIFY(test.canvas().view().scale > before);
     }
 
     void theZoomIsTypedIntoTheStatusBar() {
