@@ -42,6 +42,7 @@ Canvas::Canvas(Document& document, Toolbox& toolbox, QWidget* parent)
     m_documentListener = m_document.changed.connect([this](const Change&) { update(); });
     m_toolboxListener = m_toolbox.changed.connect([this] {
         updateCursor();
+        tellPlace();
         m_entry.follow(m_position.value_or(QPointF(rect().center())).toPoint());
         if (!(m_toolbox.overlay() == m_overlay)) {
             update();

@@ -115,6 +115,8 @@ class Canvas : public QWidget {
 
   signals:
     void pointerMoved(double x, double y); // m
+    /// The place that a click would take or a release reach: where the pointer snaps, else the pointer.
+    void pointed(double x, double y, int decimals);
     void pointerLeft();
     void viewChanged();
     void leftOutChanged();
@@ -149,6 +151,7 @@ class Canvas : public QWidget {
         bool operator==(const Still&) const = default;
     };
 
+    void tellPlace();
     void moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void modifiersChanged(Qt::KeyboardModifiers modifiers);
     void zoomAt(const Vec2& screen, double factor);

@@ -2,6 +2,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/key_place.h"
 #include "editor/editing/guide_gestures.h"
+#include "editor/editing/measure.h"
 #include "editor/editing/verbs.h"
 
 #include <QApplication>
@@ -101,8 +102,20 @@ void Canvas::moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers) {
         m_toolbox.move(pointer);
     } else {
         updateCursor();
+        tellPlace();
     }
     Q_EMIT pointerMoved(pointer.world.x(), pointer.world.y());
+}
+
+void Canvas::tellPlace() {
+    if (!m_position || !(m_inside || isDragging())) {
+        return;
+    }
+    const bool isTools = !isLive() || m_live->showsTool();
+    const std::optional<SnapAnswer> snap = isTools ? m_toolbox.snapAnswer() : std::nullopt;
+    const Vec2 place = snap ? snap->mark : pointerPosition();
+    Q_EMIT pointed(place.x(), place.y(),
+                   placeDecimals(m_view.pixel(), snap && m_toolbox.snap.grid ? m_toolbox.snap.fineStep() : 0));
 }
 
 void Canvas::mousePressEvent(QMouseEvent* event) {

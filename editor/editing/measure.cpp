@@ -25,6 +25,19 @@ std::string lengthText(double metres) {
     return fixed(metres, small ? 3 : 2);
 }
 
+int placeDecimals(double pixel, double step) {
+    constexpr int least = 2, most = 5, mostOfStep = 4;
+    int decimals = least;
+    while (decimals < most && std::pow(10.0, -decimals) > pixel) {
+        ++decimals;
+    }
+    const auto isWhole = [](double value) { return std::abs(value - std::round(value)) < 1e-6; };
+    while (decimals < mostOfStep && !isWhole(step * std::pow(10.0, decimals))) {
+        ++decimals;
+    }
+    return decimals;
+}
+
 std::string degreesText(double radians) {
     const double tenths = std::round(std::remainder(radians * 180 / std::numbers::pi, 360.0) * 10);
     const double degrees = tenths == -1800 ? 180 : tenths / 10;

@@ -9,6 +9,8 @@ namespace spacetow {
 
 /// With two decimals, three below ten centimetres: "1.25", "0.075".
 std::string lengthText(double metres);
+/// How many decimals tell neighbouring pixels of a place apart, and the places of a grid of this step, m; none for 0.
+int placeDecimals(double pixel, double step);
 /// Whole degrees where it is that, else one decimal, in (−180, 180]: "45", "-22.5".
 std::string degreesText(double radians);
 /// Direction of a vector, anticlockwise from the x axis, in radians.

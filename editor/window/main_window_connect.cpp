@@ -64,7 +64,7 @@ void MainWindow::listenToPanels() {
         return file.dir().filePath(file.completeBaseName());
     };
     m_canvas.setSnapNames([this](const SnapAnswer& snap) { return snapName(*m_document.current().level, snap); });
-    connect(&m_canvas, &Canvas::pointerMoved, &m_status, &StatusLine::setPointer);
+    connect(&m_canvas, &Canvas::pointed, &m_status, &StatusLine::setPointer);
     connect(&m_canvas, &Canvas::pointerLeft, &m_status, &StatusLine::clearPointer);
     connect(&m_canvas, &Canvas::pointerLeft, this, [this] { m_toolbox.leave(); });
     connect(&m_canvas, &Canvas::viewChanged, this,

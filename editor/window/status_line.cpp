@@ -20,10 +20,10 @@ namespace {
 
 constexpr std::array divisions{1, 2, 3, 4, 5, 10};
 
-QString metres(double value) {
+QString metres(double value, int decimals = 2) {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(std::abs(value) < 0.005 ? 0 : value, 'f', 2);
+    return locale.toString(std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0 : value, 'f', decimals);
 }
 
 /// As many of its clauses as there is room for, or of the first one as many letters.
@@ -190,8 +190,8 @@ void StatusLine::paintEvent(QPaintEvent* event) {
                      fitted(currentMessage(), fontMetrics(), room.width()));
 }
 
-void StatusLine::setPointer(double x, double y) {
-    m_pointer.setText(tr("x %1  y %2 m").arg(metres(x), metres(y)));
+void StatusLine::setPointer(double x, double y, int decimals) {
+    m_pointer.setText(tr("x %1  y %2 m").arg(metres(x, decimals), metres(y, decimals)));
 }
 
 void StatusLine::clearPointer() {

@@ -25,7 +25,7 @@ class StatusLine : public QStatusBar {
     ~StatusLine() override;
 
     void setHint(const QString& sentence);
-    void setPointer(double x, double y); // m
+    void setPointer(double x, double y, int decimals = 2); // m
     void clearPointer();
     /// The box of what is selected, in metres; empty when it has no extent.
     void setSelection(int count, const Aabb& box);

@@ -12,6 +12,7 @@ class MeasureTest : public QObject {
   private slots:
     void lengthsAreShort_data();
     void lengthsAreShort();
+    void placesHaveAsManyDecimalsAsCanBeToldApart();
     void anglesAreShort_data();
     void anglesAreShort();
 };
@@ -52,6 +53,17 @@ void MeasureTest::anglesAreShort() {
     QFETCH(double, degrees);
     QFETCH(QString, text);
     QCOMPARE(QString::fromStdString(degreesText(degrees * std::numbers::pi / 180)), text);
+}
+
+void MeasureTest::placesHaveAsManyDecimalsAsCanBeToldApart() {
+    QCOMPARE(placeDecimals(1 / 66.0, 0), 2);
+    QCOMPARE(placeDecimals(1000, 0), 2);
+    QCOMPARE(placeDecimals(0.01, 0), 2);
+    QCOMPARE(placeDecimals(0.002, 0), 3);
+    QCOMPARE(placeDecimals(1 / 20000.0, 0), 5);
+    QCOMPARE(placeDecimals(1 / 66.0, 0.25), 2);
+    QCOMPARE(placeDecimals(1 / 66.0, 0.125), 3);
+    QCOMPARE(placeDecimals(1 / 66.0, 0.25 / 3), 4);
 }
 
 SPACETOW_TEST(MeasureTest)
