@@ -1,10 +1,13 @@
 #include "editor/editing/handles.h"
 
 #include "core/level/arrange.h"
+#include "core/level/object_geometry.h"
 #include "editor/editing/transform_gestures.h"
 #include "editor/editing/verbs.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace spacetow {
 
@@ -14,6 +17,7 @@ constexpr double outside = 10; // px, of a handle from the bounds
 constexpr double reach = 7;    // px, from a handle to a pointer that means it
 constexpr double roomy = 42;   // px; a pivot on something that is no longer takes too much of it
 constexpr double flat = 1e-9;  // m; what is no longer than this cannot be scaled
+constexpr double noSlant = 1e-9;
 
 bool hasSize(const Object& object) {
     return std::holds_alternative<BodyObject>(object.data) || std::holds_alternative<PayloadObject>(object.data) ||
@@ -30,6 +34,21 @@ bool isPlaced(const Object& object) {
     return !std::holds_alternative<ConnectorObject>(object.data) && !std::holds_alternative<GroupObject>(object.data);
 }
 
+/// The body whose sides the handles follow: one alone that is turned, and not by quarters, which have no other sides.
+const BodyObject* turnedBody(const Level& level, const std::vector<Key>& keys) {
+    constexpr double quarter = std::numbers::pi / 2;
+    const Object* object = keys.size() == 1 ? level.objects.find(keys.front()) : nullptr;
+    const auto* body = object != nullptr ? std::get_if<BodyObject>(&object->data) : nullptr;
+    const bool slants = body != nullptr && !isBall(*object) && std::abs(std::remainder(body->angle, quarter)) > noSlant;
+    return slants ? body : nullptr;
+}
+
+Aabb boundsIn(const Rot& axes, BodyObject body) {
+    body.angle = 0;
+    body.position = axes.inverse() * body.position;
+    return ownBounds(body);
+}
+
 } // namespace
 
 HandleFrame handleFrame(const ToolContext& context) {
@@ -40,7 +59,11 @@ HandleFrame handleFrame(const ToolContext& context) {
     if (frame.box.isEmpty()) {
         return frame;
     }
-    frame.pivot = turningPoint(context).value_or(frame.box.center());
+    if (const BodyObject* body = turnedBody(level, keys)) {
+        frame.turn = Rot::fromAngle(body->angle);
+        frame.box = boundsIn(frame.turn, *body);
+    }
+    frame.pivot = turningPoint(context).value_or(pointOf(frame, {}));
     int placed = 0;
     bool balls = true;
     for (const Key key : keys) {
@@ -60,6 +83,17 @@ Vec2 pointOf(const Aabb& box, const HandleSide& side) {
     return {along(0, side.x), along(1, side.y)};
 }
 
+Vec2 pointOf(const HandleFrame& frame, const HandleSide& side) {
+    return frame.turn * pointOf(frame.box, side);
+}
+
+Affine scalingIn(const HandleFrame& frame, const Vec2& fixed, const Vec2& factors) {
+    const auto scaled = [&](const Vec2& way) {
+        return frame.turn * Vec2(factors.cwiseProduct(frame.turn.inverse() * way));
+    };
+    return Affine::about(fixed, scaled({1, 0}), scaled({0, 1}));
+}
+
 std::vector<Handle> handlesOf(const HandleFrame& frame, HandleMode mode, double pixel) {
     std::vector<Handle> handles;
     if (frame.box.isEmpty() || (mode == HandleMode::Scale && !frame.scales)) {
@@ -71,18 +105,20 @@ std::vector<Handle> handlesOf(const HandleFrame& frame, HandleMode mode, double 
             const HandleSide side{x, y};
             const bool stretches = (x == 0 || frame.box.size().x() > flat) && (y == 0 || frame.box.size().y() > flat);
             if (!side.isPivot() && (mode == HandleMode::Scale ? stretches : side.isCorner())) {
-                handles.push_back({side, pointOf(around, side)});
+                handles.push_back({side, frame.turn * pointOf(around, side)});
             }
         }
     }
-    if (mode == HandleMode::Turn || (mode == HandleMode::TurnAtOnce && !around.contains(frame.pivot))) {
+    if (mode == HandleMode::Turn ||
+        (mode == HandleMode::TurnAtOnce && !around.contains(frame.turn.inverse() * frame.pivot))) {
         handles.push_back({{0, 0}, frame.pivot});
     }
     return handles;
 }
 
 bool coversSelection(const HandleFrame& frame, double pixel) {
-    return frame.box.size().maxCoeff() < roomy * pixel && frame.box.grown(outside * pixel).contains(frame.pivot);
+    return frame.box.size().maxCoeff() < roomy * pixel &&
+           frame.box.grown(outside * pixel).contains(frame.turn.inverse() * frame.pivot);
 }
 
 std::optional<Handle> handleAt(const HandleFrame& frame, HandleMode mode, const Pointer& pointer) {
@@ -123,14 +159,15 @@ Overlay handleOverlay(const HandleFrame& frame, HandleMode mode, double pixel, c
     return overlay;
 }
 
-CursorShape handleCursor(const Handle& handle, HandleMode mode) {
+CursorShape handleCursor(const HandleSide& side, HandleMode mode, const Rot& turn) {
     if (mode != HandleMode::Scale) {
-        return handle.side.isPivot() ? CursorShape::Move : CursorShape::Pointing;
+        return side.isPivot() ? CursorShape::Move : CursorShape::Pointing;
     }
-    if (handle.side.isCorner()) {
-        return handle.side.x == handle.side.y ? CursorShape::SizeRising : CursorShape::SizeFalling;
-    }
-    return handle.side.x != 0 ? CursorShape::SizeAcross : CursorShape::SizeUpright;
+    static constexpr CursorShape arrows[] = {CursorShape::SizeAcross, CursorShape::SizeRising, CursorShape::SizeUpright,
+                                             CursorShape::SizeFalling};
+    const Vec2 way = turn * Vec2(side.x, side.y);
+    const auto eighths = std::lround(std::atan2(way.y(), way.x()) / (std::numbers::pi / 4));
+    return arrows[(eighths + 4) % 4];
 }
 
 Hint handleHint(const Handle& handle, HandleMode mode) {

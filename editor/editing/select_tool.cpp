@@ -250,7 +250,7 @@ CursorShape SelectTool::cursor(const ToolContext& context, const Pointer& pointe
         return CursorShape::Pointing;
     }
     if (const std::optional<Handle> handle = handleUnder(context, pointer)) {
-        return handleCursor(*handle, modeOf(context));
+        return handleCursor(handle->side, modeOf(context), frameOf(context).turn);
     }
     const std::vector<GroupPick> pile = underPointer(context, pointer);
     if (pile.empty()) {

@@ -19,8 +19,18 @@ HandleSide opposite(const HandleSide& side) {
     return {-side.x, -side.y};
 }
 
-std::vector<Vec2> cornersOf(const Aabb& box) {
-    return {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
+std::vector<Vec2> cornersOf(const HandleFrame& frame) {
+    return {pointOf(frame, {-1, -1}), pointOf(frame, {1, -1}), pointOf(frame, {1, 1}), pointOf(frame, {-1, 1})};
+}
+
+/// What slants meets the grid nowhere in particular.
+ToolContext gridless(const HandleDrag& drag) {
+    ToolContext context = drag.context;
+    if (drag.frame.isTurned()) {
+        context.snap.grid = false;
+        context.snap.smart = true;
+    }
+    return context;
 }
 
 Edit mapped(const Edit& edit, const std::vector<Key>& keys, const Affine& map) {
@@ -41,45 +51,65 @@ std::string percent(double factor) {
 
 ScaleGesture::ScaleGesture(const HandleDrag& drag)
     : m_drag(drag), m_keys(unlockedKeys(*drag.context.edit.level, drag.context.edit.selection.keys())),
-      m_snap(drag.context, {.keys = m_keys}, pointOf(drag.frame.box, drag.side)) {}
+      m_snap(gridless(drag), {.keys = m_keys}, pointOf(drag.frame, drag.side)) {}
 
 /// Where the dragged side lands. What keeps its shape cannot be made to reach a point, only a grid line.
 std::optional<SnapAnswer> ScaleGesture::snapAt(const Pointer& pointer) const {
     if (keepsShape(pointer)) {
         return {};
     }
-    Vec2 target = pointOf(m_drag.frame.box, m_drag.side);
-    const Vec2 way = pointer.world - m_drag.start;
-    target.x() += m_drag.side.x != 0 ? way.x() : 0;
-    target.y() += m_drag.side.y != 0 ? way.y() : 0;
+    const Rot& turn = m_drag.frame.turn;
+    Vec2 way = inFrame(pointer.world - m_drag.start);
+    way.x() = m_drag.side.x != 0 ? way.x() : 0;
+    way.y() = m_drag.side.y != 0 ? way.y() : 0;
+    const Vec2 target = pointOf(m_drag.frame, m_drag.side) + turn * way;
     std::optional<Vec2> along;
     if (!m_drag.side.isCorner()) {
-        along = m_drag.side.x != 0 ? Vec2(1, 0) : Vec2(0, 1);
+        along = turn * (m_drag.side.x != 0 ? Vec2(1, 0) : Vec2(0, 1));
     }
-    return m_snap.to(target, atHandle(pointer), along);
+    if (!m_drag.frame.isTurned()) {
+        return m_snap.to(target, atHandle(pointer), along);
+    }
+    if (!withHeld(m_drag.context.snap, atHandle(pointer).modifiers).smart) {
+        return {};
+    }
+    Pointer plain = pointer;
+    plain.modifiers = {};
+    const SnapAnswer answer = m_snap.to(target, plain, along);
+    return answer.kind == SnapKind::None ? std::nullopt : std::optional(answer);
 }
 
 Vec2 ScaleGesture::targetAt(const Pointer& pointer) const {
     if (const std::optional<SnapAnswer> answer = snapAt(pointer)) {
-        return answer->point;
+        return inFrame(answer->point);
     }
-    const Vec2 target = pointOf(m_drag.frame.box, m_drag.side) + pointer.world - m_drag.start;
+    const Vec2 target = pointOf(m_drag.frame.box, m_drag.side) + inFrame(pointer.world - m_drag.start);
     const SnapSettings& settings = m_drag.context.snap;
-    return snaps(settings, atHandle(pointer).modifiers) ? onGrid(settings, target) : target;
+    if (!snaps(settings, atHandle(pointer).modifiers)) {
+        return target;
+    }
+    return m_drag.frame.isTurned() ? inSteps(pointer, target) : onGrid(settings, target);
+}
+
+/// As far from what stays as makes the sides of the whole multiples of the step.
+Vec2 ScaleGesture::inSteps(const Pointer& pointer, const Vec2& target) const {
+    const Vec2 fixed = inFrame(fixedPoint(pointer));
+    const bool bothWays = pointer.modifiers.shift && !m_drag.context.edit.selection.pivot();
+    const double share = bothWays ? 0.5 : 1;
+    return fixed + share * onGrid(m_drag.context.snap, Vec2((target - fixed) / share));
 }
 
 Vec2 ScaleGesture::fixedPoint(const Pointer& pointer) const {
-    const Aabb& box = m_drag.frame.box;
     if (!pointer.modifiers.shift) {
-        return pointOf(box, opposite(m_drag.side));
+        return pointOf(m_drag.frame, opposite(m_drag.side));
     }
-    return m_drag.context.edit.selection.pivot().value_or(box.center());
+    return m_drag.context.edit.selection.pivot().value_or(pointOf(m_drag.frame, {}));
 }
 
 Vec2 ScaleGesture::factorsAt(const Pointer& pointer) const {
     const SnapSettings& settings = m_drag.context.snap;
     const bool onSteps = snaps(settings, atHandle(pointer).modifiers);
-    const Vec2 fixed = fixedPoint(pointer);
+    const Vec2 fixed = inFrame(fixedPoint(pointer));
     const Vec2 grabbed = pointOf(m_drag.frame.box, m_drag.side);
     const Vec2 target = targetAt(pointer);
     const int sides[] = {m_drag.side.x, m_drag.side.y};
@@ -102,7 +132,7 @@ Vec2 ScaleGesture::factorsAt(const Pointer& pointer) const {
 }
 
 std::optional<Affine> ScaleGesture::map(const Pointer& pointer) const {
-    return Affine::scaling(fixedPoint(pointer), factorsAt(pointer));
+    return scalingIn(m_drag.frame, fixedPoint(pointer), factorsAt(pointer));
 }
 
 Edit ScaleGesture::at(const Pointer& pointer) const {
@@ -126,9 +156,9 @@ Overlay ScaleGesture::overlay(const Pointer& pointer) const {
     const Affine scaling = *map(pointer);
     const Vec2 factors = factorsAt(pointer).cwiseAbs();
     const Vec2 size = m_drag.frame.box.size().cwiseProduct(factors);
-    const Vec2 target = scaling(pointOf(m_drag.frame.box, m_drag.side));
+    const Vec2 target = scaling(pointOf(m_drag.frame, m_drag.side));
     Overlay overlay;
-    OverlayLine frame{OverlayStyle::Measure, cornersOf(m_drag.frame.box), true};
+    OverlayLine frame{OverlayStyle::Measure, cornersOf(m_drag.frame), true};
     std::ranges::transform(frame.points, frame.points.begin(), scaling);
     overlay.lines.push_back(std::move(frame));
     overlay.points.push_back({OverlayStyle::Pivot, fixedPoint(pointer)});
@@ -147,7 +177,7 @@ TurnGesture::TurnGesture(const HandleDrag& drag)
     : m_drag(drag), m_keys(unlockedKeys(*drag.context.edit.level, drag.context.edit.selection.keys())) {}
 
 Vec2 TurnGesture::pivotAt(const Pointer& pointer) const {
-    return pointer.modifiers.shift ? pointOf(m_drag.frame.box, opposite(m_drag.side)) : m_drag.frame.pivot;
+    return pointer.modifiers.shift ? pointOf(m_drag.frame, opposite(m_drag.side)) : m_drag.frame.pivot;
 }
 
 double TurnGesture::angleAt(const Pointer& pointer) const {
@@ -185,7 +215,7 @@ Overlay TurnGesture::overlay(const Pointer& pointer) const {
     const Affine turn = *map(pointer);
     const Vec2 reached = turn(m_drag.start);
     Overlay overlay;
-    OverlayLine frame{OverlayStyle::Measure, cornersOf(m_drag.frame.box), true};
+    OverlayLine frame{OverlayStyle::Measure, cornersOf(m_drag.frame), true};
     std::ranges::transform(frame.points, frame.points.begin(), turn);
     overlay.lines.push_back(std::move(frame));
     overlay.lines.push_back({OverlayStyle::Measure, {m_drag.start, pivot, reached}});
@@ -207,7 +237,7 @@ std::optional<SnapAnswer> PivotGesture::snapAt(const Pointer& pointer) const {
     for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {
             const HandleSide side{x, y};
-            const Vec2 point = pointOf(m_drag.frame.box, side);
+            const Vec2 point = pointOf(m_drag.frame, side);
             if ((held.grid || held.smart) && (point - wanted).norm() <= distance) {
                 const SnapKind kind = side.isPivot()    ? SnapKind::Center
                                       : side.isCorner() ? SnapKind::Vertex
@@ -227,7 +257,7 @@ Edit PivotGesture::at(const Pointer& pointer) const {
 
 Overlay PivotGesture::overlay(const Pointer& pointer) const {
     Overlay overlay;
-    overlay.lines.push_back({OverlayStyle::Measure, cornersOf(m_drag.frame.box), true});
+    overlay.lines.push_back({OverlayStyle::Measure, cornersOf(m_drag.frame), true});
     overlay.points.push_back({OverlayStyle::Pivot, placeAt(pointer)});
     return overlay;
 }

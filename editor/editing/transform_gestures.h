@@ -16,7 +16,8 @@ struct HandleDrag {
 };
 
 /// About the opposite side; with Shift about the pivot, or the middle where none was set. Ctrl keeps the proportions,
-/// Alt inverts the grid, on which the dragged side lands. Through zero it mirrors, at zero it stops just before.
+/// Alt inverts the grid, on which the dragged side lands; sides that slant have no grid, but their lengths are
+/// multiples of its step. Through zero it mirrors, at zero it stops just before.
 class ScaleGesture : public Gesture {
   public:
     explicit ScaleGesture(const HandleDrag& drag);
@@ -25,13 +26,17 @@ class ScaleGesture : public Gesture {
     Label label() const override;
     Overlay overlay(const Pointer& pointer) const override;
     Hint hint(const Pointer& pointer) const override;
-    CursorShape cursor(const Pointer&) const override { return handleCursor({m_drag.side, {}}, HandleMode::Scale); }
+    CursorShape cursor(const Pointer&) const override {
+        return handleCursor(m_drag.side, HandleMode::Scale, m_drag.frame.turn);
+    }
     std::optional<Affine> map(const Pointer& pointer) const override;
     std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override;
 
   private:
     Vec2 fixedPoint(const Pointer& pointer) const;
-    Vec2 targetAt(const Pointer& pointer) const;
+    Vec2 inFrame(const Vec2& world) const { return m_drag.frame.turn.inverse() * world; }
+    Vec2 targetAt(const Pointer& pointer) const; // in the axes of the frame
+    Vec2 inSteps(const Pointer& pointer, const Vec2& target) const;
     Vec2 factorsAt(const Pointer& pointer) const;
     bool keepsShape(const Pointer& pointer) const { return pointer.modifiers.ctrl || m_drag.frame.keepsShape; }
 

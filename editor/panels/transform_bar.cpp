@@ -25,6 +25,11 @@ bool isOnTheMap(const Aabb& box) {
     return box.isEmpty() || furthest <= limits::coordinate;
 }
 
+/// The lower left one of the bounds.
+Vec2 cornerOf(const Edit& edit) {
+    return placedBounds(*edit.level, unlockedKeys(*edit.level, edit.selection.keys())).min;
+}
+
 } // namespace
 
 TransformBar::TransformBar(Document& document, Toolbox& toolbox, QWidget* parent)
@@ -124,7 +129,7 @@ void TransformBar::refresh() {
     context.snap = m_toolbox.snap;
     const HandleFrame frame = handleFrame(context);
     const bool none = frame.box.isEmpty();
-    const Vec2 corner = none ? Vec2(0, 0) : frame.box.min;
+    const Vec2 corner = none ? Vec2(0, 0) : cornerOf(context.edit);
     const Vec2 size = none ? Vec2(0, 0) : frame.box.size();
     const bool relative = m_relative.isChecked();
     const std::array values{relative ? 0 : corner.x(), relative ? 0 : corner.y(), relative ? 100 : size.x(),
@@ -178,7 +183,7 @@ std::optional<FinishedEdit> TransformBar::edited(Field field, double value) {
     if (field == X || field == Y) {
         const int axis = field == X ? 0 : 1;
         Vec2 way(0, 0);
-        way[axis] = relative ? value : value - frame.box.min[axis];
+        way[axis] = relative ? value : value - cornerOf(context.edit)[axis];
         return mapSelected(context, "move", Affine::translation(way));
     }
     const int axis = field == Width ? 0 : 1;
@@ -186,7 +191,7 @@ std::optional<FinishedEdit> TransformBar::edited(Field field, double value) {
     Vec2 factors(1, 1);
     factors[axis] = factor;
     return mapSelected(context, "scale",
-                       Affine::scaling(frame.box.min, frame.keepsShape ? Vec2(factor, factor) : factors));
+                       scalingIn(frame, pointOf(frame, {-1, -1}), frame.keepsShape ? Vec2(factor, factor) : factors));
 }
 
 void TransformBar::keyPressEvent(QKeyEvent* event) {

@@ -1,7 +1,7 @@
 #pragma once
 // A bar above the canvas with the place and size of what is selected, to be typed: the lower left corner of its bounds,
-// width and height, and by how much to turn it. Relative, it moves by metres and scales by percent. Each number entered
-// is one history entry; labels can be dragged.
+// width and height, those of a single body along its own sides, and by how much to turn it. Relative, it moves by
+// metres and scales by percent. Each number entered is one history entry; labels can be dragged.
 
 #include "editor/editing/toolbox.h"
 #include "editor/panels/fault_label.h"

@@ -9,6 +9,9 @@
 #include <QCheckBox>
 #include <QTest>
 
+#include <cmath>
+#include <numbers>
+
 using namespace spacetow;
 using namespace spacetow::test;
 
@@ -53,6 +56,26 @@ class TransformBarTest : public QObject {
         QCOMPARE(typing.document.history(), (std::vector<Label>{{"move", 1}, {"scale", 1}}));
         typing.document.undo();
         QCOMPARE(typing.field(2).value(), std::optional(2.0));
+    }
+
+    void theSizeOfABodyThatIsTurnedIsThatOfItsSides() {
+        Typing typing;
+        Level level;
+        Object board = bodyWith(1, Polygon{{{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}}}, {3, 1});
+        std::get<BodyObject>(board.data).angle = std::numbers::pi / 6;
+        level.objects.append(board);
+        typing.document.reset(level);
+        typing.document.select(Selection({1}));
+        const auto body = [&] { return std::get<BodyObject>(typing.level().objects[0].data); };
+        QVERIFY(std::abs(*typing.field(2).value() - 2) < 1e-9);
+        QVERIFY(std::abs(*typing.field(3).value() - 1) < 1e-9);
+        typing.type(2, "3");
+        QVERIFY(std::abs(*typing.field(2).value() - 3) < 1e-9);
+        QVERIFY(std::abs(*typing.field(3).value() - 1) < 1e-9);
+        QCOMPARE(body().angle, std::numbers::pi / 6);
+        typing.type(0, "5"); // the place stays that of the bounds
+        QVERIFY(std::abs(typing.box().min.x() - 5) < 1e-9);
+        QCOMPARE(body().angle, std::numbers::pi / 6);
     }
 
     void relativeMovesByMetresAndScalesByPercent() {
