@@ -49,15 +49,18 @@ void Toolbox::choose(ToolId tool) {
     changed.emit();
 }
 
-void Toolbox::chooseAmong(std::span<const ToolId> tools) {
+void Toolbox::choosePlaceTool() {
+    const std::span<const ToolId> tools = placeTools;
     const std::vector<ToolId>& before = m_state->before;
     const auto current = std::ranges::find(tools, m_state->current);
     if (current != tools.end()) {
         choose(tools[static_cast<std::size_t>(current - tools.begin() + 1) % tools.size()]);
         return;
     }
+    const Level& level = m_state->document.level();
+    const auto lacking = std::ranges::find_if(tools, [&](ToolId tool) { return !hasPlaced(level, tool); });
     const auto last = std::find_first_of(before.rbegin(), before.rend(), tools.begin(), tools.end());
-    choose(last == before.rend() ? tools.front() : *last);
+    choose(lacking != tools.end() ? *lacking : last != before.rend() ? *last : tools.front());
 }
 
 ToolId Toolbox::current() const {

@@ -18,8 +18,9 @@ class Toolbox {
 
     /// Drops what is half done.
     void choose(ToolId tool);
-    /// One key for several tools: the one of them that was in the hand last or, where one is, the next.
-    void chooseAmong(std::span<const ToolId> tools);
+    /// One key for all that a level has one of: first the tool for what it lacks or, where it has all, the one of them
+    /// that was in the hand last; while one of them is in the hand, the next.
+    void choosePlaceTool();
     ToolId current() const;
     SnapSettings snap;         // shared by all tools
     bool guidesVisible = true; // what is hidden is not taken by mistake

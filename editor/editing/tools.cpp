@@ -11,6 +11,8 @@
 #include "editor/editing/rectangle_tool.h"
 #include "editor/editing/select_tool.h"
 
+#include <algorithm>
+
 namespace spacetow {
 
 namespace {
@@ -51,6 +53,13 @@ static_assert(areInOrder(), "a row for each ToolId, in their order");
 
 std::span<const ToolRow> toolRows() {
     return rows;
+}
+
+bool hasPlaced(const Level& level, ToolId placeTool) {
+    const std::array<const Object*, placeTools.size()> placed{firstOf<ShipObject>(level), firstOf<PayloadObject>(level),
+                                                              firstOf<FinishObject>(level)};
+    const auto which = std::ranges::find(placeTools, placeTool) - placeTools.begin();
+    return placed[static_cast<std::size_t>(which)] != nullptr;
 }
 
 } // namespace spacetow

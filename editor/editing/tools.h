@@ -42,6 +42,9 @@ std::span<const ToolRow> toolRows();
 /// The things of which a level has one, in the order in which a key goes through them.
 inline constexpr std::array placeTools{ToolId::Ship, ToolId::Payload, ToolId::Finish};
 
+/// Whether the level has what that one of them places.
+bool hasPlaced(const Level& level, ToolId placeTool);
+
 /// What an empty level is begun with: walls, and two things that fall.
 inline constexpr ToolId wallTool = ToolId::Edge;
 inline constexpr std::array solidTools{ToolId::Rectangle, ToolId::Circle};

@@ -118,8 +118,8 @@ void MainWindow::takeTool(ToolId tool) {
     m_canvas.setFocus();
 }
 
-void MainWindow::takeNextOf(std::span<const ToolId> tools) {
-    m_toolbox.chooseAmong(tools);
+void MainWindow::takePlaceTool() {
+    m_toolbox.choosePlaceTool();
     m_canvas.setFocus();
 }
 

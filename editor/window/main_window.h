@@ -49,7 +49,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 
 namespace spacetow {
 
@@ -135,8 +134,7 @@ class MainWindow : public QMainWindow {
     /// where there is none.
     void showObject(Key key);
     void takeTool(ToolId tool);
-    /// The one of these that was in the hand last or, where one is, the next.
-    void takeNextOf(std::span<const ToolId> tools);
+    void takePlaceTool();
     /// Each of these switches is remembered until the program runs again.
     void setGridVisible(bool visible);
     void setRulersVisible(bool visible);

@@ -34,7 +34,8 @@ class PlaceToolTest : public QObject {
     void theFinishIsDraggedOrClicked();
     void aFinishHasALength();
     void oneKeyGoesThroughAllKinds();
-    void theKindThatWasInTheHandLastComesFirst();
+    void whatTheLevelLacksComesFirst();
+    void inALevelThatHasAllTheKindThatWasInTheHandLastComesFirst();
     void escapeLeavesNothingBehind();
     void theGhostShowsWhatAClickWouldDo();
 };
@@ -147,19 +148,45 @@ void PlaceToolTest::aFinishHasALength() {
 void PlaceToolTest::oneKeyGoesThroughAllKinds() {
     Drive drive;
     for (const ToolId expected : {ToolId::Ship, ToolId::Payload, ToolId::Finish, ToolId::Ship}) {
-        drive.toolbox.chooseAmong(placeTools);
+        drive.toolbox.choosePlaceTool();
         QCOMPARE(drive.toolbox.current(), expected);
     }
 }
 
-void PlaceToolTest::theKindThatWasInTheHandLastComesFirst() {
+namespace {
+
+/// Places all three with the key that goes through them, and lets go.
+void placeAll(Drive& drive) {
+    for (double x = 0; x < 3; ++x) {
+        drive.toolbox.choosePlaceTool();
+        drive.drag({4 * x, 0}, {4 * x + 2, 0});
+    }
+    drive.toolbox.choose(ToolId::Select);
+}
+
+} // namespace
+
+void PlaceToolTest::whatTheLevelLacksComesFirst() {
     Drive drive;
-    drive.toolbox.choose(ToolId::Finish);
+    placeAll(drive);
+    QCOMPARE(drive.level().objects.size(), 3);
+    drive.document.undo(); // the finish
     drive.toolbox.choose(ToolId::Payload);
     drive.toolbox.choose(ToolId::Select);
-    drive.toolbox.chooseAmong(placeTools);
+    drive.toolbox.choosePlaceTool();
+    QCOMPARE(drive.toolbox.current(), ToolId::Finish);
+    drive.toolbox.choosePlaceTool();
+    QCOMPARE(drive.toolbox.current(), ToolId::Ship);
+}
+
+void PlaceToolTest::inALevelThatHasAllTheKindThatWasInTheHandLastComesFirst() {
+    Drive drive;
+    placeAll(drive);
+    drive.toolbox.choose(ToolId::Payload);
+    drive.toolbox.choose(ToolId::Select);
+    drive.toolbox.choosePlaceTool();
     QCOMPARE(drive.toolbox.current(), ToolId::Payload);
-    drive.toolbox.chooseAmong(placeTools);
+    drive.toolbox.choosePlaceTool();
     QCOMPARE(drive.toolbox.current(), ToolId::Finish);
 }
 
