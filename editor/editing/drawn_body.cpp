@@ -23,14 +23,12 @@ Edit withDrawnBody(const ToolContext& context, LevelShape shape, const Vec2& pos
 }
 
 Edit withDrawnPolygon(const ToolContext& context, std::vector<Vec2> outline, BodyKind kind) {
-    Vec2 position = outline.front();
-    if (kind == BodyKind::Kinematic) {
-        Aabb box;
-        for (const Vec2& point : outline) {
-            box.include(point);
-        }
-        position = tidied(box.center());
+    Aabb box;
+    for (const Vec2& point : outline) {
+        box.include(point);
     }
+    const bool onSteps = kind != BodyKind::Kinematic && context.snap.grid && context.snap.step > 0;
+    const Vec2 position = onSteps ? onGrid(context.snap, box.center()) : tidied(box.center());
     if (signedArea(outline) < 0) {
         std::reverse(outline.begin() + 1, outline.end());
     }

@@ -1,7 +1,9 @@
 #include "editor/editing/verbs.h"
 
+#include "core/level/bounds.h"
 #include "core/level/edits.h"
 #include "core/level/groups.h"
+#include "core/level/object_geometry.h"
 #include "core/level/outline.h"
 #include "editor/editing/node_verbs.h"
 
@@ -39,11 +41,33 @@ std::optional<Vec2> middleOf(const Edit& edit) {
     return all.sum / all.count;
 }
 
+/// The place of what is selected alone, where that says where its middle is.
+std::optional<Vec2> ownMiddle(const ToolContext& context) {
+    const std::vector<Key>& keys = context.edit.selection.keys();
+    const Object* only = keys.size() == 1 ? context.edit.level->objects.find(keys.front()) : nullptr;
+    if (only == nullptr || std::holds_alternative<FinishObject>(only->data)) {
+        return {};
+    }
+    const std::optional<Vec2> place = placeOf(only->data);
+    const auto* body = std::get_if<BodyObject>(&only->data);
+    if (!place || body == nullptr || body->kind == BodyKind::Kinematic) {
+        return place;
+    }
+    const Aabb box = boundsOf(*context.edit.level, *only);
+    const Vec2 step = Vec2::Constant(context.snap.grid ? 0.5 * context.snap.step : 0); // as far as it was rounded
+    const Vec2 room = (0.25 * box.size()).cwiseMax(step);
+    const bool isMiddle = ((*place - box.center()).cwiseAbs().array() <= room.array()).all();
+    return isMiddle ? place : std::nullopt;
+}
+
 } // namespace
 
 std::optional<Vec2> turningPoint(const ToolContext& context) {
     if (const std::optional<Vec2>& pivot = context.edit.selection.pivot()) {
         return pivot;
+    }
+    if (const std::optional<Vec2> own = ownMiddle(context)) {
+        return own;
     }
     const std::optional<Vec2> middle = middleOf(context.edit);
     const bool onSteps = context.snap.grid && context.snap.step > 0;

@@ -11,7 +11,9 @@
 namespace spacetow {
 
 /// About which the selection turns: its pivot, or without one the middle of its points, on the grid while points snap
-/// to it, so that quarter turns keep on the grid what is on it. Nothing when nothing in it has a place.
+/// to it, so that quarter turns keep on the grid what is on it. A single body whose place is about its middle turns
+/// about that, as when its angle is typed; so do ship, payload, and what moves by itself. Nothing when nothing in it
+/// has a place.
 std::optional<Vec2> turningPoint(const ToolContext& context);
 
 /// What is locked stays, here and below.

@@ -1,8 +1,11 @@
 #include "editor/editing/rectangle_tool.h"
 
 #include "core/geometry/polygon.h"
+#include "editor/editing/verbs.h"
 #include "tests/support/drive.h"
 #include "tests/support/test_main.h"
+
+#include <numbers>
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -41,6 +44,32 @@ class RectangleToolTest : public QObject {
         QVERIFY(drive.document.selection() == Selection({drive.newest().key}));
         drive.document.undo();
         QVERIFY(drive.level().objects.empty());
+    }
+
+    void itTurnsAboutItsPlaceAsWhenItsAngleIsTyped_data() {
+        QTest::addColumn<Vec2>("corner");
+        QTest::addColumn<Vec2>("place");
+        QTest::newRow("even") << Vec2(2, 1) << Vec2(1, 0.5);
+        QTest::newRow("whose middle is off the grid") << Vec2(1, 0.75) << Vec2(0.5, 0.5);
+        QTest::newRow("thin") << Vec2(3.25, 0.25) << Vec2(1.75, 0.25);
+    }
+    void itTurnsAboutItsPlaceAsWhenItsAngleIsTyped() {
+        QFETCH(Vec2, corner);
+        QFETCH(Vec2, place);
+        RectangleDrawer drive;
+        drive.drag({0, 0}, corner);
+        const auto body = [&] { return std::get<BodyObject>(drive.newest().data); };
+        QVERIFY(body().position == place);
+        const ShapeList drawn = body().shapes;
+        drive.toolbox.finish(rotateSelected(drive.toolbox.context(), std::numbers::pi / 4));
+        QVERIFY(body().position == place && body().shapes == drawn);
+        QVERIFY(std::abs(body().angle - std::numbers::pi / 4) < 1e-12);
+        // Also where it has been moved off the grid since.
+        drive.document.select(Selection({drive.newest().key}));
+        drive.toolbox.finish(nudgeSelected(drive.toolbox.context(), {0.013, 0.017}));
+        drive.toolbox.finish(rotateSelected(drive.toolbox.context(), std::numbers::pi / 4));
+        QVERIFY((body().position - place - Vec2(0.013, 0.017)).norm() < 1e-12);
+        QVERIFY(std::abs(body().angle - std::numbers::pi / 2) < 1e-12);
     }
 
     void twoClicksDrawToo() {
@@ -96,7 +125,8 @@ class RectangleToolTest : public QObject {
         drive.toolbox.snap.step = 0.1;
         drive.drag({0.1, 0.1}, {0.7, 0.3});
         const auto& body = std::get<BodyObject>(drive.newest().data);
-        QVERIFY(std::get<Polygon>(body.shapes.front()).vertices == (Corners{{0, 0}, {0.6, 0}, {0.6, 0.2}, {0, 0.2}}));
+        QVERIFY(std::get<Polygon>(body.shapes.front()).vertices ==
+                (Corners{{-0.3, -0.1}, {0.3, -0.1}, {0.3, 0.1}, {-0.3, 0.1}}));
     }
 
     void whatHasNoAreaIsNotDrawnAndSaysWhy() {
