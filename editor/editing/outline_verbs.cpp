@@ -33,6 +33,21 @@ std::vector<Key> movable(const Level& level, std::span<const Key> keys) {
     return result;
 }
 
+Selection onlyVisible(const Level& level, const Selection& selection) {
+    const GroupTree tree(level);
+    std::vector<Key> hidden = selection.keys();
+    std::erase_if(hidden, [&](Key key) {
+        const Object* object = level.objects.find(key);
+        return object == nullptr || tree.isVisible(*object);
+    });
+    if (hidden.empty()) {
+        return selection;
+    }
+    std::vector<Key> kept;
+    std::ranges::set_difference(selection.keys(), hidden, std::back_inserter(kept));
+    return Selection(std::move(kept)).entering(selection.entered());
+}
+
 } // namespace
 
 Selection selectionOf(const Level& level, std::vector<Key> keys) {
@@ -91,8 +106,13 @@ std::optional<FinishedEdit> colorGroup(const Edit& edit, Key key, std::optional<
 }
 
 std::optional<FinishedEdit> showObjects(const Edit& edit, std::span<const Key> keys, bool visible) {
-    return outlined(edit, {visible ? LabelCode("show") : "hide", static_cast<int>(keys.size())},
-                    withVisible(*edit.level, keys, visible));
+    std::optional<FinishedEdit> finished =
+        outlined(edit, {visible ? LabelCode("show") : "hide", static_cast<int>(keys.size())},
+                 withVisible(*edit.level, keys, visible));
+    if (finished && !visible) {
+        finished->edit.selection = onlyVisible(*finished->edit.level, edit.selection);
+    }
+    return finished;
 }
 
 std::optional<FinishedEdit> lockObjects(const Edit& edit, std::span<const Key> keys, bool locked) {

@@ -22,8 +22,9 @@ std::optional<FinishedEdit> regroup(const Edit& edit, std::span<const Key> keys,
 std::optional<FinishedEdit> renameObject(const Edit& edit, Key key, std::string name);
 /// Of groups alone; nothing takes the colour away.
 std::optional<FinishedEdit> colorGroup(const Edit& edit, Key key, std::optional<std::uint32_t> color);
-/// The selection stays as it is.
+/// What is hidden by it leaves the selection, members of groups included.
 std::optional<FinishedEdit> showObjects(const Edit& edit, std::span<const Key> keys, bool visible);
+/// The selection stays as it is.
 std::optional<FinishedEdit> lockObjects(const Edit& edit, std::span<const Key> keys, bool locked);
 
 } // namespace spacetow

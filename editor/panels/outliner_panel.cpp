@@ -314,6 +314,10 @@ void OutlinerPanel::fillFilterMenu(QMenu& menu) {
     for (int i = 0; i < TagTable::size; ++i) {
         const QString name = QString::fromStdString(m_document.level().tags[i].name);
         if (!name.isEmpty()) {
+    if (rows.empty() && m_view.currentIndex().isValid()) { // what is hidden is not selected
+        keys.push_back(OutlinerModel::keyOf(m_view.currentIndex()));
+        rows.push_back(m_view.currentIndex().row());
+    }
             add(*tags, name, ObjectFilter::term(QStringLiteral("tag"), name));
         }
     }

@@ -101,6 +101,19 @@ class OutlineVerbsTest : public QObject {
         QCOMPARE(outline.last(), std::string("show"));
         QCOMPARE(outline.document.history().size(), std::size_t{4});
     }
+
+    void whatIsHiddenLeavesTheSelection() {
+        Outline outline;
+        outline.document.select(Selection({4, 6}));
+        QVERIFY(outline.run(showObjects, OutlineKeys{5}, false)); // the layer that 6 is in
+        QCOMPARE(outline.document.selection(), Selection({4}));
+        outline.document.undo();
+        QCOMPARE(outline.document.selection(), Selection({4, 6}));
+        QVERIFY(outline.run(showObjects, OutlineKeys{3}, false)); // nothing of it is selected
+        QCOMPARE(outline.document.selection(), Selection({4, 6}));
+        QVERIFY(outline.run(lockObjects, OutlineKeys{4}, true)); // one sees it, and may want to unlock it
+        QCOMPARE(outline.document.selection(), Selection({4, 6}));
+    }
 };
 
 SPACETOW_TEST(OutlineVerbsTest)
