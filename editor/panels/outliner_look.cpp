@@ -41,8 +41,9 @@ QIcon switchIcon(const QString& name, bool isOff, const QPalette& palette) {
 
 } // namespace
 
+/// Faint is what is hidden, and what a filter shows only because it holds what was found.
 QColor OutlinerModel::ink(const OutlinerNode& node) const {
-    bool visible = true;
+    bool visible = !isFiltered() || (node.order >= 0 && m_filter.finds(m_level->objects[node.order]));
     for (const OutlinerNode* each = &node; each->parent != nullptr; each = each->parent) {
         visible = visible && each->order >= 0 && m_level->objects[each->order].visible;
     }

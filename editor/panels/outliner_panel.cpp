@@ -108,9 +108,10 @@ OutlinerPanel::~OutlinerPanel() {
 void OutlinerPanel::makeFilter() {
     m_filter.setPlaceholderText(tr("Find: name, kind:wall, tag:ice"));
     m_filter.setAccessibleName(tr("Filter of the objects"));
-    m_filter.setToolTip(tr("Shows the objects whose name holds these words, with their groups.\n"
-                           "kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word "
-                           "turns it round.\nThe list shows what is drawn on top first."));
+    m_filter.setToolTip(
+        tr("Shows the objects whose name holds these words, with their groups.\n"
+           "kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word "
+           "turns it round. Enter selects all that is found.\nThe list shows what is drawn on top first."));
     m_filter.setClearButtonEnabled(true);
     m_filter.installEventFilter(this);
     m_choose = m_filter.addAction(icon(QStringLiteral("filter"), palette()), QLineEdit::LeadingPosition);
@@ -157,7 +158,13 @@ bool OutlinerPanel::eventFilter(QObject* watched, QEvent* event) {
             m_filter.clear();
             return true;
         }
-        if (key == Qt::Key_Down || key == Qt::Key_Return || key == Qt::Key_Enter) {
+        const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
+        if (isEnter && m_model.isFiltered()) {
+            m_view.setFocus();
+            Q_EMIT m_view.allFoundWanted();
+            return true;
+        }
+        if (key == Qt::Key_Down || isEnter) {
             m_view.setFocus();
             if (!m_view.currentIndex().isValid() || m_view.selectionModel()->selectedRows().isEmpty()) {
                 m_view.setCurrentIndex(m_model.index(0, 0));

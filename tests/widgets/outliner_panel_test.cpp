@@ -201,6 +201,13 @@ class OutlinerPanelTest : public QObject {
         test.panel.filterField().setText("kind:wall");
         test.key(Qt::Key_A, Qt::ControlModifier);
         QCOMPARE(test.document.selection().keys(), (RowKeys{4, 5})); // not their group
+        test.document.select({});
+        QTest::keyClick(&test.panel.filterField(), Qt::Key_Return);
+        QCOMPARE(test.document.selection(), Selection({4, 5}).entering(3));
+        QCOMPARE(test.selectedRows(), (RowKeys{4, 5}));
+        const auto ink = [&test](Key key) { return test.at(key).data(Qt::ForegroundRole).value<QColor>(); };
+        QCOMPARE(ink(3), test.panel.palette().color(QPalette::Disabled, QPalette::Text)); // it only leads there
+        QCOMPARE(ink(4), test.panel.palette().color(QPalette::Active, QPalette::Text));
     }
 
     void rowsAreDroppedOnGroupsAndBetweenRows() {
