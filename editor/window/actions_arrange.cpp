@@ -1,10 +1,34 @@
 // How objects lie to each other: order, alignment, groups and layers, what is hidden or locked.
+#include "core/level/groups.h"
 #include "editor/editing/arrange_verbs.h"
 #include "editor/window/verb_action.h"
+
+#include <QDockWidget>
+#include <QItemSelectionModel>
 
 namespace spacetow {
 
 namespace {
+
+/// And asks for its name.
+void makeLayer(MainWindow& window) {
+    const std::shared_ptr<const Level> before = window.document().current().level;
+    doing<newLayer>(window);
+    const Level& level = *window.document().current().level;
+    for (const Object& object : level.objects) {
+        if (isLayer(object) && before->objects.find(object.key) == nullptr) {
+            window.panels().dock(QStringLiteral("outliner")).show();
+            window.panels().dock(QStringLiteral("outliner")).raise();
+            OutlinerView& view = window.outliner().view();
+            const QModelIndex row = window.outliner().model().indexOf(object.key);
+            view.setFocus();
+            view.selectionModel()->setCurrentIndex(row, QItemSelectionModel::NoUpdate);
+            view.scrollTo(row);
+            view.edit(row);
+            return;
+        }
+    }
+}
 
 constexpr ActionRow arrangeRows[] = {
     {.id = Act::Group,
@@ -189,9 +213,9 @@ constexpr ActionRow arrangeRows[] = {
      .text = QT_TRANSLATE_NOOP("Actions", "New &Layer"),
      .icon = "layer",
      .keys = "Ctrl+Shift+N",
-     .tip = QT_TRANSLATE_NOOP("Actions", "Put the selection into a new layer, or make an empty one"),
+     .tip = QT_TRANSLATE_NOOP("Actions", "Put the selection into a new layer, or make an empty one, and type its name"),
      .flags = SeparatorBefore,
-     .run = doing<newLayer>},
+     .run = makeLayer},
     {.id = Act::ToLayerAbove,
      .menu = MenuId::Level,
      .text = QT_TRANSLATE_NOOP("Actions", "Move to Layer &Above"),

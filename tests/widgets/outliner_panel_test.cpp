@@ -337,6 +337,24 @@ class OutlinerPanelTest : public QObject {
         QVERIFY(test.canvas().hasFocus());
     }
 
+    void aNewLayerIsNamedAtOnce() {
+        TestWindow test;
+        test.document().reset(crowd());
+        test.window->panels().dock("outliner").close();
+        test.document().select(Selection({100}));
+        test.trigger(Act::NewLayer);
+        test.key(Qt::Key_H); // which hides what is selected elsewhere
+        QWidget* editor = QApplication::focusWidget();
+        QVERIFY(test.window->outliner().view().viewport()->isAncestorOf(editor));
+        QTest::keyClicks(editor, "ills");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QApplication::processEvents(); // views enter what was typed a moment later
+        const Object& ball = *test.level().objects.find(100);
+        QVERIFY(ball.visible);
+        QCOMPARE(test.level().objects.find(ball.parent)->name, std::string("hills"));
+        QCOMPARE(test.document().selection(), Selection({100}));
+    }
+
     void keysOfTheTreeAreNotThoseOfTheCanvas() {
         TestWindow test;
         test.document().reset(crowd());
