@@ -6,12 +6,14 @@
 
 #include <QAction>
 #include <QColorDialog>
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QToolButton>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace spacetow {
@@ -44,6 +46,22 @@ QItemSelection rowsOf(const OutlinerModel& model, std::span<const Key> keys) {
         }
     }
     return selection;
+}
+
+constexpr std::array filterWords{
+    QT_TRANSLATE_NOOP("ObjectFilter", "wall"),      QT_TRANSLATE_NOOP("ObjectFilter", "line"),
+    QT_TRANSLATE_NOOP("ObjectFilter", "polygon"),   QT_TRANSLATE_NOOP("ObjectFilter", "circle"),
+    QT_TRANSLATE_NOOP("ObjectFilter", "static"),    QT_TRANSLATE_NOOP("ObjectFilter", "kinematic"),
+    QT_TRANSLATE_NOOP("ObjectFilter", "dynamic"),   QT_TRANSLATE_NOOP("ObjectFilter", "ship"),
+    QT_TRANSLATE_NOOP("ObjectFilter", "payload"),   QT_TRANSLATE_NOOP("ObjectFilter", "finish"),
+    QT_TRANSLATE_NOOP("ObjectFilter", "connector"), QT_TRANSLATE_NOOP("ObjectFilter", "group"),
+    QT_TRANSLATE_NOOP("ObjectFilter", "layer"),     QT_TRANSLATE_NOOP("ObjectFilter", "hidden"),
+    QT_TRANSLATE_NOOP("ObjectFilter", "locked")};
+
+/// In the language of the user; the filter has the English one.
+QString shownWord(const QString& word) {
+    const auto known = std::ranges::find_if(filterWords, [&](const char* each) { return QLatin1String(each) == word; });
+    return known == filterWords.end() ? word : QCoreApplication::translate("ObjectFilter", *known);
 }
 
 /// As scrollTo does by itself, but not while a drag ends.
@@ -296,6 +314,10 @@ void OutlinerPanel::step(int by) {
             rows.push_back(index.row());
         }
     }
+    if (rows.empty() && m_view.currentIndex().isValid()) { // what is hidden is not selected
+        keys.push_back(OutlinerModel::keyOf(m_view.currentIndex()));
+        rows.push_back(m_view.currentIndex().row());
+    }
     if (rows.empty()) {
         return;
     }
@@ -315,21 +337,17 @@ void OutlinerPanel::fillFilterMenu(QMenu& menu) {
     };
     QMenu* const kinds = menu.addMenu(tr("Kind"));
     for (const QString& kind : ObjectFilter::kinds()) {
-        add(*kinds, kind, ObjectFilter::term(QStringLiteral("kind"), kind));
+        add(*kinds, shownWord(kind), ObjectFilter::term(QStringLiteral("kind"), kind));
     }
     QMenu* const tags = menu.addMenu(tr("Tag"));
     for (int i = 0; i < TagTable::size; ++i) {
         const QString name = QString::fromStdString(m_document.level().tags[i].name);
         if (!name.isEmpty()) {
-    if (rows.empty() && m_view.currentIndex().isValid()) { // what is hidden is not selected
-        keys.push_back(OutlinerModel::keyOf(m_view.currentIndex()));
-        rows.push_back(m_view.currentIndex().row());
-    }
             add(*tags, name, ObjectFilter::term(QStringLiteral("tag"), name));
         }
     }
     for (const QString& state : ObjectFilter::states()) {
-        add(menu, state, ObjectFilter::term(QStringLiteral("is"), state));
+        add(menu, shownWord(state), ObjectFilter::term(QStringLiteral("is"), state));
     }
 }
 
