@@ -337,6 +337,9 @@ void NumberField::focusInEvent(QFocusEvent* event) {
     m_wheel = 0;
     refresh();
     QLineEdit::focusInEvent(event);
+    if (hasSelectedText() && selectedText() == text()) {
+        setSelection(static_cast<int>(text().size()), -static_cast<int>(text().size())); // its beginning is seen
+    }
 }
 
 void NumberField::focusOutEvent(QFocusEvent* event) {

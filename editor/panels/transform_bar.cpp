@@ -115,7 +115,8 @@ void TransformBar::begin() {
     show();
     refresh();
     m_fields[X].setFocus();
-    m_fields[X].selectAll();
+    const auto length = static_cast<int>(m_fields[X].text().size());
+    m_fields[X].setSelection(length, -length); // of a long number the beginning is seen
 }
 
 void TransformBar::shut() {

@@ -60,6 +60,18 @@ class NumberFieldTest : public QObject {
         }
     }
 
+    void ofALongNumberTheBeginningIsSeen() {
+        NumberFixture test({-1.1904122252265}, metres());
+        for (const Qt::FocusReason reason : {Qt::TabFocusReason, Qt::BacktabFocusReason, Qt::ShortcutFocusReason}) {
+            test.field->clearFocus();
+            test.field->setFocus(reason);
+            QCOMPARE(test.field->selectedText(), QString("-1.1904122252265"));
+            QCOMPARE(test.field->cursorPosition(), 0);
+        }
+        QTest::keyClicks(test.field, "2"); // replaces it all
+        QCOMPARE(test.field->text(), QString("2"));
+    }
+
     void whatIsShownIsNeverRoundedIntoTheValue() {
         NumberFixture test({1.23456789}, metres());
         QCOMPARE(test.field->text(), QString("1.2346"));
