@@ -1,10 +1,13 @@
 #include "editor/panels/object_field.h"
 
 #include "core/level/key_text.h"
+#include "editor/canvas/icons.h"
 #include "editor/panels/history_keys.h"
 #include "editor/panels/names.h"
 
+#include <QAction>
 #include <QCompleter>
+#include <QKeyEvent>
 
 namespace spacetow {
 
@@ -18,6 +21,9 @@ ObjectField::ObjectField(std::function<bool(const Object&)> suits, bool mayBeNon
     : QLineEdit(parent), m_suits(std::move(suits)), m_mayBeNone(mayBeNone) {
     connect(this, &QLineEdit::returnPressed, this, &ObjectField::commit);
     connect(this, &QLineEdit::textEdited, this, [this] { setFault({}); });
+    QAction* const list = addAction(livingIcon(QStringLiteral("outliner")), TrailingPosition);
+    list->setToolTip(tr("Choose from a list (Down)"));
+    connect(list, &QAction::triggered, this, &ObjectField::openList);
 }
 
 void ObjectField::setValue(std::optional<Key> key) {
@@ -34,28 +40,43 @@ void ObjectField::revert() {
     if (m_key && *m_key != 0) {
         const Object* object = level().objects.find(*m_key);
         const QString key = QString::fromStdString(keyText(*m_key));
-        const bool isTold =
-            object != nullptr && !object->name.empty() && meant(QString::fromStdString(object->name)).size() == 1;
-        wanted = isTold ? QString::fromStdString(object->name) : key;
-        setToolTip(
-            plainToolTip(object == nullptr ? tr("There is no object with this key.") : listedName(level(), *object)));
+        const bool isAmbiguous =
+            object == nullptr || (!object->name.empty() && meant(QString::fromStdString(object->name)).size() != 1);
+        wanted = isAmbiguous ? key : told(*object);
+        setToolTip(plainToolTip(object == nullptr ? tr("There is no object with this key.")
+                                                  : tr("%1, key %2").arg(listedName(level(), *object), key)));
     }
     if (wanted != text() || isModified()) {
         setText(wanted);
+        setCursorPosition(0);
     }
     setPlaceholderText(!m_key ? tr("mixed") : m_mayBeNone ? tr("none") : QString());
     setModified(false);
 }
 
+/// By its name where it has one, else by kind and place.
+QString ObjectField::told(const Object& object) const {
+    return object.name.empty() ? listedName(level(), object) : QString::fromStdString(object.name);
+}
+
 std::vector<Key> ObjectField::meant(const QString& text) const {
     std::vector<Key> keys;
-    const std::string name = text.trimmed().toStdString();
+    const QString wanted = text.trimmed();
+    const std::string name = wanted.toStdString();
     const std::optional<Key> asKey = keyFromText(name);
     for (const Object& object : level().objects) {
         if (object.name == name && m_suits(object)) {
             keys.push_back(object.key);
         } else if (asKey == object.key && m_suits(object)) {
             return {object.key};
+        }
+    }
+    for (const Object& object : level().objects) {
+        if (name.empty() || !keys.empty()) {
+            break;
+        }
+        if (object.name.empty() && m_suits(object) && listedName(level(), object) == wanted) {
+            keys.push_back(object.key);
         }
     }
     return keys;
@@ -101,6 +122,8 @@ void ObjectField::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && (isModified() || !m_fault.isEmpty())) {
         revert();
         selectAll();
+    } else if (event->key() == Qt::Key_Down && completer() != nullptr) {
+        openList();
     } else {
         QLineEdit::keyPressEvent(event);
     }
@@ -108,22 +131,38 @@ void ObjectField::keyPressEvent(QKeyEvent* event) {
 
 void ObjectField::focusInEvent(QFocusEvent* event) {
     if (event->reason() != Qt::PopupFocusReason) {
-        QStringList names;
-        for (const Object& object : level().objects) {
-            if (!object.name.empty() && m_suits(object)) {
-                names << QString::fromStdString(object.name);
-            }
-            if (names.size() >= mostNames) {
-                break;
-            }
-        }
-        auto* completer = new QCompleter(names, this);
-        completer->setCaseSensitivity(Qt::CaseInsensitive);
-        completer->setFilterMode(Qt::MatchContains);
-        delete this->completer();
-        setCompleter(completer);
+        offerNames();
     }
     QLineEdit::focusInEvent(event);
+}
+
+void ObjectField::offerNames() {
+    QStringList names;
+    for (const Object& object : level().objects) {
+        if (m_suits(object)) {
+            names << told(object);
+        }
+        if (names.size() >= mostNames) {
+            break;
+        }
+    }
+    names.removeDuplicates();
+    auto* completer = new QCompleter(names, this);
+    completer->setCaseSensitivity(Qt::CaseInsensitive);
+    completer->setFilterMode(Qt::MatchContains);
+    connect(completer, qOverload<const QString&>(&QCompleter::activated), this, [this](const QString& chosen) {
+        setText(chosen);
+        setModified(true);
+        commit();
+    });
+    delete this->completer();
+    setCompleter(completer);
+}
+
+void ObjectField::openList() {
+    setFocus(Qt::OtherFocusReason);
+    completer()->setCompletionPrefix({});
+    completer()->complete();
 }
 
 void ObjectField::focusOutEvent(QFocusEvent* event) {

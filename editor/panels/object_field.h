@@ -1,5 +1,6 @@
 #pragma once
-// A line that names another object of the level, by its name or by its key; completes what is typed.
+// A line that names another object of the level, by its name, by its kind and place where it has none, or by its key;
+// completes what is typed and offers all that suit.
 
 #include "core/level/level.h"
 
@@ -40,6 +41,9 @@ class ObjectField : public QLineEdit {
 
   private:
     void commit();
+    void offerNames();
+    void openList();
+    QString told(const Object& object) const;
     void setFault(const QString& fault);
     /// The objects whose name or key the text is; two are enough.
     std::vector<Key> meant(const QString& text) const;

@@ -6,6 +6,7 @@
 #include "tests/support/test_main.h"
 
 #include <QAbstractButton>
+#include <QCompleter>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopeGuard>
@@ -273,11 +274,23 @@ class InspectorFormTest : public QObject {
         auto* a = qobject_cast<QLineEdit*>(test.inspector.form().editor("a"));
         auto* b = qobject_cast<QLineEdit*>(test.inspector.form().editor("b"));
         QCOMPARE(a->text(), QString("crate"));
-        QCOMPARE(b->text(), QString("00000011"));
+        QCOMPARE(b->text(), QString("Circle at 1; 0"));
+        QVERIFY(b->toolTip().contains("00000011"));
         b->setFocus();
         b->selectAll();
         QTest::keyClicks(b, "00000012");
         QTest::keyClick(b, Qt::Key_Return);
+        QCOMPARE(std::get<ConnectorObject>(test.document.level().objects[3].data).b, Key(0x12));
+        QCOMPARE(b->text(), QString("Circle at 2; 0"));
+        b->selectAll();
+        QTest::keyClicks(b, "Circle at 1; 0");
+        QTest::keyClick(b, Qt::Key_Return);
+        QCOMPARE(std::get<ConnectorObject>(test.document.level().objects[3].data).b, Key(0x11));
+        b->clearFocus();
+        b->setFocus();
+        QCompleter& choice = *b->completer();
+        QCOMPARE(choice.completionCount(), 3); // with nothing typed, all that suit
+        Q_EMIT choice.activated(QString("Circle at 2; 0"));
         QCOMPARE(std::get<ConnectorObject>(test.document.level().objects[3].data).b, Key(0x12));
         b->selectAll();
         QTest::keyClicks(b, "nobody");
