@@ -67,7 +67,7 @@ QString kindIcon(const Object& object) {
 
 QString placedKind(const Object& object) {
     const std::optional<Vec2> at = placeOf(object.data);
-    return at ? Names::tr("%1 at (%2, %3)").arg(kindName(object), shortNumberText(at->x()), shortNumberText(at->y()))
+    return at ? Names::tr("%1 at %2; %3").arg(kindName(object), shortNumberText(at->x()), shortNumberText(at->y()))
               : kindName(object);
 }
 

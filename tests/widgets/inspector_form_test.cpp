@@ -157,7 +157,7 @@ class InspectorFormTest : public QObject {
             }
             return false;
         };
-        QVERIFY(says("Circle at (1.5, 0)"));
+        QVERIFY(says("Circle at 1.5; 0"));
         test.document.select(Selection({1, 2}));
         QVERIFY(says("2 objects") && says("1 × One-way wall, 1 × Circle"));
     }
