@@ -7,9 +7,19 @@
 #include <QFont>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <string_view>
 
 namespace spacetow {
+
+namespace {
+
+/// Problems whose sentences speak of the object as "it".
+constexpr std::array<std::string_view, 4> sayingIt{"hidden-in-play", "parent-missing", "parent-no-group",
+                                                   "parent-circle"};
+
+} // namespace
 
 void ProblemList::setProblems(std::shared_ptr<const Level> level,
                               std::shared_ptr<const std::vector<Problem>> problems) {
@@ -126,11 +136,18 @@ QVariant ProblemList::data(const QModelIndex& index, int role) const {
 
 QString ProblemList::text(const Problem& problem) const {
     const Object* object = problem.object != 0 ? m_level->objects.find(problem.object) : nullptr;
-    // There is but one ship, payload and finish; of the others one must say which.
-    const bool oneOfMany = object != nullptr && (std::holds_alternative<BodyObject>(object->data) ||
-                                                 std::holds_alternative<ConnectorObject>(object->data));
     const QString sentence = m_sentence(problem);
-    return oneOfMany ? tr("%1: %2").arg(listedName(*m_level, *object), sentence) : sentence;
+    if (object == nullptr) {
+        return sentence;
+    }
+    // There is but one ship, payload and finish, and most sentences name them; of the others one must say which.
+    const bool oneOfMany =
+        std::holds_alternative<BodyObject>(object->data) || std::holds_alternative<ConnectorObject>(object->data);
+    const bool saysIt = std::ranges::find(sayingIt, problem.code.text()) != sayingIt.end();
+    const bool isGroup = std::holds_alternative<GroupObject>(object->data);
+    return oneOfMany || (saysIt && isGroup) ? tr("%1: %2").arg(listedName(*m_level, *object), sentence)
+           : saysIt                         ? tr("%1: %2").arg(kindName(*object), sentence)
+                                            : sentence;
 }
 
 } // namespace spacetow

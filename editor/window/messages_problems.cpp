@@ -174,7 +174,8 @@ constexpr MessageText problems[] = {
     {"connector-end-no-body",
      QT_TRANSLATE_NOOP("messages", "The end “%1” of the connector is the object %2, which is not a body.")},
     {"connector-same-ends", QT_TRANSLATE_NOOP("messages", "Both ends of the connector are on the same object.")},
-    {"connector-moves-nothing", QT_TRANSLATE_NOOP("messages", "Neither end of the connector can move.")},
+    {"connector-moves-nothing",
+     QT_TRANSLATE_NOOP("messages", "Neither of the two bodies can be moved by the connector; one should be dynamic.")},
     {"spring-too-stiff",
      QT_TRANSLATE_NOOP(
          "messages",
