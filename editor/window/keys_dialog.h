@@ -5,6 +5,7 @@
 
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QLineEdit>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -16,11 +17,14 @@ class KeysDialog : public QDialog {
   public:
     explicit KeysDialog(const KeyBindings& bindings, QWidget* parent = nullptr);
 
-    /// Every action and panel that has a key stands in it.
-    static QString overview(const KeyBindings& bindings);
+    /// Every action and panel that has a key stands in it; with a filter, those lines that hold all its words.
+    static QString overview(const KeyBindings& bindings, const QString& filter = {});
+    QLineEdit& search() { return m_search; }
+    const QTextBrowser& text() const { return m_text; }
 
   private:
     QVBoxLayout m_column;
+    QLineEdit m_search;
     QTextBrowser m_text;
     QDialogButtonBox m_buttons;
 };
