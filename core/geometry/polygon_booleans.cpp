@@ -106,9 +106,10 @@ cInt middleOf(const Path& hole) {
     return min->X + (max->X - min->X) / 2;
 }
 
-/// An outline with its holes as areas without any. A line goes through the first hole, so that each part has fewer.
-void cutThroughHoles(const PolyNode& outer, Paths& result) {
-    if (outer.Childs.empty()) {
+/// An outline with its holes as areas without any. A line goes through the first hole, so that each part has fewer; but
+/// one that is no wider than the lattice may be shut again by rounding, and is filled after some `attempts`.
+void cutThroughHoles(const PolyNode& outer, Paths& result, int attempts = 4) {
+    if (outer.Childs.empty() || attempts == 0) {
         result.push_back(outer.Contour);
         return;
     }
@@ -121,7 +122,8 @@ void cutThroughHoles(const PolyNode& outer, Paths& result) {
         PolyTree half;
         clip(area, {halfOf(outer.Contour, x, left)}, ClipperLib::ctIntersection, half);
         for (const PolyNode* part : half.Childs) {
-            cutThroughHoles(*part, result);
+            const bool hasFewer = part->Childs.size() < outer.Childs.size();
+            cutThroughHoles(*part, result, hasFewer ? attempts : attempts - 1);
         }
     }
 }

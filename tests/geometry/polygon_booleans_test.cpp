@@ -44,6 +44,14 @@ class PolygonBooleansTest : public QObject {
     Q_OBJECT
 
   private slots:
+    /// What is left between them is one unit of the lattice wide: no line goes through its middle.
+    void aHoleThatRoundingShutsAgainIsFilled() {
+        const PolygonSet a{{{2e-5, 2e-5}, {3e-5, 1e-5}, {3e-5, 5e-5}}};
+        const PolygonSet b{{{1e-5, 2e-5}, {2e-5, 2e-5}, {3e-5, 0}, {4e-5, 5e-5}},
+                           {{0, 4e-5}, {1e-5, 2e-5}, {3e-5, 4e-5}, {5e-5, 3e-5}, {4e-5, 5e-5}}};
+        QVERIFY(combined(a, b, PolygonBoolean::Union).empty()); // all of it is smaller than what counts
+    }
+
     void boxesThatOverlapCombineOnTheGrid() {
         const PolygonSet a{box({0, 0}, {0.3, 0.3})};
         const PolygonSet b{box({0.1, 0.1}, {0.5, 0.1})};

@@ -2,6 +2,7 @@
 
 #include "core/geometry/polygon.h"
 #include "core/level/arrange.h"
+#include "tests/support/body_with.h"
 #include "tests/support/test_main.h"
 
 #include <numbers>
@@ -78,6 +79,16 @@ class CombineTest : public QObject {
         QVERIFY(level.objects.find(2) == nullptr && level.objects.find(4) == nullptr);
         QVERIFY(level.objects.find(3) != nullptr);
         QVERIFY(before == boxes());
+    }
+
+    /// The sliver goes through a corner of the triangle, and rounding leaves a corner of one piece on a side of it.
+    void aResultThatRoundingWouldLetCrossItselfIsRefused() {
+        Level level;
+        level.objects.append(bodyWith(1, Polygon{{{3, 4}, {0, 4}, {0, 1}}}));
+        level.objects.append(bodyWith(2, Polygon{{{0, 3}, {5, 4}, {4, 4}}}));
+        const Result<CombinedBodies> result = combinedBodies(level, CombineKeys{1, 2}, PolygonBoolean::Difference);
+        QVERIFY(!result);
+        QCOMPARE(result.error().code.text(), std::string("combine-not-simple"));
     }
 
     void whatCannotBeCombinedIsRefused() {
