@@ -37,7 +37,8 @@ FieldReader::FieldReader(ReadState& state, JsonView object, const Place& place)
 
 void FieldReader::report(Severity severity, Error error, JsonView at, const Place& place) {
     m_state.hasErrors = m_state.hasErrors || severity == Severity::Error;
-    if (m_state.problems.size() < maxProblems) {
+    std::size_t& count = severity == Severity::Error ? m_state.errors : m_state.others;
+    if (count++ < maxProblems) { // whatever warnings there are, the errors among them are told
         m_state.problems.push_back(
             {severity, error.code, std::move(error.arguments), place.pointer(), at.line(), m_state.object});
     }

@@ -26,8 +26,10 @@ struct Place {
 /// What all readers of a document share.
 struct ReadState {
     TagTable tags;
-    TagMask seenTags; // by their index in the table of the file
-    std::vector<Problem> problems;
+    TagMask seenTags;                // by their index in the table of the file
+    std::vector<Problem> problems;   // of errors, and of all else, no more than maxProblems
+    std::size_t errors = 0;          // that there are, listed or not
+    std::size_t others = 0;          // likewise
     bool adoptsTags = false;         // a tag that is not in the table is put there; else it is an error
     bool hasErrors = false;          // also counts the errors that are no longer listed
     Key object = 0;                  // whose fields are being read

@@ -26,16 +26,16 @@ void errorsFirst(std::vector<Problem>& problems) {
                           [](const Problem& p) { return p.severity == Severity::Error; });
 }
 
-/// Leaves at most `maxProblems`, errors before warnings, in the order of their lines.
-void trim(std::vector<Problem>& problems) {
-    if (problems.size() > maxProblems) {
-        const std::size_t total = problems.size();
+/// Leaves at most `maxProblems`, errors before warnings, in the order of their lines. `unlisted` are not among them.
+void trim(std::vector<Problem>& problems, std::size_t unlisted = 0) {
+    if (problems.size() > maxProblems || unlisted > 0) {
+        const std::size_t total = problems.size() + unlisted;
         errorsFirst(problems);
-        problems.resize(maxProblems);
+        problems.resize(std::min(problems.size(), maxProblems));
         Problem more;
         more.severity = Severity::Warning;
         more.code = "more-problems";
-        more.arguments = {std::to_string(total - maxProblems)};
+        more.arguments = {std::to_string(total - problems.size())};
         more.line = problems.back().line;
         problems.push_back(std::move(more));
     }
@@ -102,7 +102,7 @@ LevelFile parseLevel(std::string_view text, Checks checks) {
             file.problems.push_back(std::move(problem));
         }
     }
-    trim(file.problems);
+    trim(file.problems, reading.unlisted);
     return file;
 }
 

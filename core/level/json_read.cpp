@@ -3,6 +3,7 @@
 #include "core/level/field_reader.h"
 #include "core/level/migrate.h"
 
+#include <algorithm>
 #include <map>
 #include <type_traits>
 
@@ -184,7 +185,7 @@ bool checkDocument(ReadState& state, const JsonTree& tree) {
 LevelReading readTree(const JsonTree& tree) {
     ReadState state;
     if (!checkDocument(state, tree)) {
-        return {{}, std::move(state.problems)};
+        return {{}, std::move(state.problems), 0};
     }
     state.owner = &documentPlace;
     Level level;
@@ -215,6 +216,8 @@ LevelReading readTree(const JsonTree& tree) {
                        [&level](JsonView, Object object) { level.objects.append(std::move(object)); });
     }
     LevelReading reading;
+    reading.unlisted =
+        state.errors + state.others - std::min(state.errors, maxProblems) - std::min(state.others, maxProblems);
     reading.problems = std::move(state.problems);
     if (!state.hasErrors) {
         reading.level = std::move(level);

@@ -17,6 +17,7 @@ constexpr std::size_t maxProblems = 1000;
 struct LevelReading {
     std::optional<Level> level; // none when there is an error
     std::vector<Problem> problems;
+    std::size_t unlisted = 0; // problems that there are beside
 };
 
 LevelReading readTree(const JsonTree& tree);

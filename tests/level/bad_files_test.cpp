@@ -45,6 +45,22 @@ class BadFilesTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void anErrorIsToldHoweverManyWarningsComeBeforeItAndHowManyMoreThereAre() {
+        std::string text = R"({"schema": 2)";
+        for (int i = 0; i < 1100; ++i) {
+            text += ",\n\"what" + std::to_string(i) + "\": 0";
+        }
+        text += ",\n\"objects\": [7]}";
+        const LevelFile file = parseLevel(text);
+        QVERIFY(!file.level);
+        const auto told = [&file](LevelCode code) { return std::ranges::count(file.problems, code, &Problem::code); };
+        QCOMPARE(told("not-an-object"), 1);
+        QCOMPARE(told("unknown-field"), 999);
+        const auto more = std::ranges::find(file.problems, LevelCode("more-problems"), &Problem::code);
+        QVERIFY(more != file.problems.end());
+        QCOMPARE(more->arguments, std::vector<std::string>{"101"});
+    }
+
     void aBadFileIsRefusedWithItsReasonAndLine_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("code");
