@@ -4,6 +4,7 @@
 #include "app/levelc_support.h"
 
 #include <QGuiApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <memory>
@@ -55,6 +56,7 @@ std::unique_ptr<QCoreApplication> application(int& argc, char** argv) {
 
 int main(int argc, char** argv) {
     const auto app = application(argc, argv);
+    QLocale::setDefault(QLocale::c()); // programs read what is printed
     QCoreApplication::setApplicationName(QStringLiteral("levelc"));
     QStringList arguments = argumentsOf(argc, argv);
     if (arguments.size() < 2) {

@@ -1,6 +1,7 @@
 #include "editor/panels/history_model.h"
 
 #include "editor/canvas/icons.h"
+#include "editor/panels/number_text.h"
 
 #include <QFont>
 #include <QGuiApplication>
@@ -79,7 +80,8 @@ QString HistoryModel::textOf(int row) const {
         return m_words(m_document.label(row - 1));
     }
     const int forgotten = m_document.forgotten();
-    return forgotten == 0 ? m_origin : tr("%n older changes that can no longer be undone", nullptr, forgotten);
+    return forgotten == 0 ? m_origin
+                          : counted(tr("%n older changes that can no longer be undone", nullptr, forgotten), forgotten);
 }
 
 QString HistoryModel::stateOf(int row) const {

@@ -4,6 +4,7 @@
 #include "core/level/bounds.h"
 #include "core/level/file.h"
 #include "editor/panels/names.h"
+#include "editor/panels/number_text.h"
 
 #include <QFileInfo>
 #include <QKeyEvent>
@@ -293,8 +294,8 @@ void ImportBar::show(const Outcome& outcome) {
     const QLocale locale;
     const Vec2 size = outcome.box.isEmpty() ? Vec2(0, 0) : outcome.box.size();
     m_summary.setText(tr("%1 objects, %2 vertices, %3 × %4 m")
-                          .arg(locale.toString(m_count), locale.toString(outcome.vertices),
-                               locale.toString(size.x(), 'g', 4), locale.toString(size.y(), 'g', 4)));
+                          .arg(countText(m_count), countText(outcome.vertices), locale.toString(size.x(), 'g', 4),
+                               locale.toString(size.y(), 'g', 4)));
     m_document.preview(*m_edit);
     if (!m_hasAppeared) {
         m_hasAppeared = true;
@@ -309,7 +310,7 @@ void ImportBar::say(const std::vector<Error>& notes) {
     }
     QStringList shown = m_lines.mid(0, fewReportLines);
     if (m_lines.size() > fewReportLines) {
-        shown << tr("… and %1 more").arg(m_lines.size() - fewReportLines);
+        shown << tr("… and %1 more").arg(countText(m_lines.size() - fewReportLines));
     }
     m_report.setText(shown.join(QLatin1Char('\n')));
     m_report.setVisible(!shown.isEmpty());

@@ -4,6 +4,7 @@
 #include "core/level/groups.h"
 #include "editor/editing/collisions.h"
 #include "editor/panels/names.h"
+#include "editor/panels/number_text.h"
 
 #include <QShowEvent>
 
@@ -239,10 +240,11 @@ void Inspector::showTitle(const std::vector<int>& kinds, const Object& last) {
     if (m_shown.size() == 1) {
         const auto nodes = static_cast<int>(m_shown.nodes().size());
         m_title.setText(displayName(last));
-        m_subtitle.setText(nodes == 0 ? placedKind(last)
-                                      : tr("%1, %n nodes selected", nullptr, nodes).arg(placedKind(last)));
+        m_subtitle.setText(nodes == 0
+                               ? placedKind(last)
+                               : counted(tr("%1, %n nodes selected", nullptr, nodes), nodes).arg(placedKind(last)));
     } else {
-        m_title.setText(tr("%n objects", nullptr, m_shown.size()));
+        m_title.setText(counted(tr("%n objects", nullptr, m_shown.size()), m_shown.size()));
         m_subtitle.setText(counted(kinds));
     }
 }
@@ -270,8 +272,9 @@ QString Inspector::make(const FormEdit& edit) {
     if (refused > 0) {
         return selection.size() == 1
                    ? tr("That would leave the range of the field, so nothing has changed.")
-                   : tr("%n of the values would leave the range of the field, so nothing has changed.", nullptr,
-                        refused);
+                   : counted(tr("%n of the values would leave the range of the field, so nothing has changed.", nullptr,
+                                refused),
+                             refused);
     }
     Edit made{std::make_shared<const Level>(std::move(level)), selection};
     if (edit.phase == NumberEntry::Phase::Preview) {

@@ -53,6 +53,37 @@ QString exactNumberText(double number) {
     return locale.toString(number, size < veryLarge && size >= verySmall ? 'f' : 'g', QLocale::FloatingPointShortest);
 }
 
+QString countText(qint64 count) {
+    return QLocale().toString(count);
+}
+
+QString sizeText(qint64 bytes) {
+    const QLocale locale;
+    const QString whole = locale.formattedDataSize(bytes, 0, QLocale::DataSizeSIFormat);
+    const QString tenths = locale.formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat);
+    return tenths.contains(locale.decimalPoint() + locale.zeroDigit()) ? whole : tenths;
+}
+
+QString localNumberText(const std::string& spelled) {
+    const QString text = QString::fromStdString(spelled);
+    bool isNumber = false;
+    const double number = QLocale::c().toDouble(text, &isNumber);
+    if (!isNumber || !std::isfinite(number)) {
+        return text;
+    }
+    const QLocale locale;
+    if (text.contains(QLatin1Char('e'), Qt::CaseInsensitive)) {
+        return locale.toString(number, 'g', QLocale::FloatingPointShortest);
+    }
+    const qsizetype point = text.indexOf(QLatin1Char('.'));
+    return locale.toString(number, 'f', point < 0 ? 0 : static_cast<int>(text.size() - point - 1));
+}
+
+QString counted(QString text, int number) {
+    constexpr int least = 1000; // of which there are groups
+    return number < least ? text : text.replace(QString::number(number), countText(number));
+}
+
 QString withPlainDigits(const QString& text) {
     QString plain;
     for (const char32_t c : text.toUcs4()) {

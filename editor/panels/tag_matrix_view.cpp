@@ -2,6 +2,7 @@
 
 #include "editor/canvas/palette.h"
 #include "editor/panels/names.h"
+#include "editor/panels/number_text.h"
 #include "editor/panels/tag_names.h"
 
 #include <QHelpEvent>
@@ -147,10 +148,10 @@ bool TagMatrixView::event(QEvent* event) {
         if (const std::optional<Pair> pair = pairAt(help->pos())) {
             QToolTip::showText(help->globalPos(), plainToolTip(textFor(*pair)), this, cellOf(pair->a, pair->b));
         } else if (const std::optional<int> name = nameAt(help->pos())) {
-            QToolTip::showText(help->globalPos(),
-                               plainToolTip(tr("%n objects are “%1”; double-click to select them, right-click for more",
-                                               nullptr, m_matrix.objects[static_cast<std::size_t>(*name)])
-                                                .arg(tagText(m_tags, *name))),
+            const int objects = m_matrix.objects[static_cast<std::size_t>(*name)];
+            const QString words =
+                tr("%n objects are “%1”; double-click to select them, right-click for more", nullptr, objects);
+            QToolTip::showText(help->globalPos(), plainToolTip(counted(words, objects).arg(tagText(m_tags, *name))),
                                this);
         } else {
             QToolTip::hideText();

@@ -3,13 +3,13 @@
 #include "core/game/codes.h"
 #include "core/level/file.h"
 #include "editor/exchange/capsule_text.h"
+#include "editor/panels/number_text.h"
 #include "editor/window/application.h"
 #include "editor/window/main_window.h"
 #include "editor/window/messages.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QLocale>
 #include <QSysInfo>
 
 #include <utility>
@@ -114,7 +114,7 @@ void BugCapsule::copied(const QString& text) {
     m_window.messageBar().say(MessageBar::Tone::Info,
                               CapsuleWords::tr("A bug capsule of %1 is on the clipboard. Paste it into a mail or an "
                                                "issue, or into a window of this program.")
-                                  .arg(QLocale().formattedDataSize(text.size())));
+                                  .arg(sizeText(text.size())));
 }
 
 void BugCapsule::open(std::string text) {

@@ -1,5 +1,6 @@
 #include "editor/window/compare_words.h"
 
+#include "editor/panels/number_text.h"
 #include "editor/window/messages_compare.h"
 
 #include <QCoreApplication>
@@ -25,7 +26,7 @@ QString differencesInWords(const Level& before, const Level& after) {
         lines << all[static_cast<std::size_t>(i)].text;
     }
     if (count > listedDifferences) {
-        lines << CompareWords::tr("… and %1 more").arg(count - listedDifferences);
+        lines << CompareWords::tr("… and %1 more").arg(countText(count - listedDifferences));
     }
     return lines.join(QLatin1Char('\n'));
 }

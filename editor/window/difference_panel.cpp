@@ -3,6 +3,7 @@
 #include "core/level/arrange.h"
 #include "core/level/bounds.h"
 #include "editor/canvas/icons.h"
+#include "editor/panels/number_text.h"
 #include "editor/window/list_look.h"
 
 #include <QEvent>
@@ -149,7 +150,8 @@ void DifferencePanel::updateTexts() {
     } else if (m_list.lines().empty()) {
         m_title.setText(tr("Nothing is different from %1.").arg(m_name));
     } else {
-        m_title.setText(tr("%n differences from %1", nullptr, m_list.rowCount()).arg(m_name));
+        m_title.setText(
+            counted(tr("%n differences from %1", nullptr, m_list.rowCount()), m_list.rowCount()).arg(m_name));
     }
     m_view.setVisible(m_other != nullptr);
     m_takeOver.setVisible(m_other != nullptr);

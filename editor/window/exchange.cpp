@@ -3,6 +3,7 @@
 #include "core/base/whole_file.h"
 #include "core/level/bounds.h"
 #include "editor/canvas/export_picture.h"
+#include "editor/panels/number_text.h"
 #include "editor/window/messages.h"
 
 #include <QBuffer>
@@ -104,7 +105,7 @@ void Exchange::tellImported(const QString& name, const QStringList& report) {
     QString text =
         tr("%1 was imported, but:").arg(name) + QLatin1Char('\n') + report.mid(0, fewLines).join(QLatin1Char('\n'));
     if (report.size() > fewLines) {
-        text += QLatin1Char('\n') + tr("… and %1 more").arg(report.size() - fewLines);
+        text += QLatin1Char('\n') + tr("… and %1 more").arg(countText(report.size() - fewLines));
     }
     m_tell(MessageBar::Tone::Warning, text);
 }

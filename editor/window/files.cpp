@@ -1,5 +1,6 @@
 #include "editor/window/files.h"
 
+#include "editor/panels/number_text.h"
 #include "editor/window/messages.h"
 
 #include <QCoreApplication>
@@ -63,7 +64,7 @@ QString listed(const std::vector<Problem>& problems) {
         }
     }
     if (count > fewProblems) {
-        text += QLatin1Char('\n') + FileWords::tr("… and %1 more").arg(count - fewProblems);
+        text += QLatin1Char('\n') + FileWords::tr("… and %1 more").arg(countText(count - fewProblems));
     }
     return text;
 }

@@ -1,13 +1,13 @@
 #include "editor/window/flight_file.h"
 
 #include "core/game/codes.h"
+#include "editor/panels/number_text.h"
 #include "editor/window/main_window.h"
 #include "editor/window/messages.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QLocale>
 
 namespace spacetow {
 
@@ -31,8 +31,7 @@ QString FlightFile::savedWords(const QString& file, const Recording& recording) 
     }
     return saved + QLatin1Char(' ') +
            FlightWords::tr("It ends after %1 of %2 updates: a file holds no more.")
-               .arg(QLocale().toString(static_cast<qlonglong>(recording.run.updates())),
-                    QLocale().toString(static_cast<qlonglong>(recording.updates)));
+               .arg(countText(recording.run.updates()), countText(recording.updates));
 }
 
 void FlightFile::save() {

@@ -4,6 +4,7 @@
 
 #include "core/base/whole_file.h"
 #include "core/level/object_geometry.h"
+#include "editor/panels/number_text.h"
 #include "editor/window/messages.h"
 
 #include <QFileDialog>
@@ -148,9 +149,10 @@ void MainWindow::tellErrors() {
         return;
     }
     if (m_problems.errors() > 0) {
-        m_message.say(
-            MessageBar::Tone::Warning,
-            tr("The level has %n errors and may not play as it should; see Problems.", nullptr, m_problems.errors()));
+        m_message.say(MessageBar::Tone::Warning,
+                      counted(tr("The level has %n errors and may not play as it should; see Problems.", nullptr,
+                                 m_problems.errors()),
+                              m_problems.errors()));
     }
 }
 

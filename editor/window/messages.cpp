@@ -1,6 +1,7 @@
 #include "editor/window/messages.h"
 
 #include "core/base/codes.h"
+#include "editor/panels/number_text.h"
 #include "editor/window/messages_table.h"
 
 #include <QCoreApplication>
@@ -28,15 +29,13 @@ const Text* textOf(std::span<const Text> texts, std::string_view code) {
 }
 
 /// In one pass, so that a percent sign within an argument stays one.
-QString filled(const QString& text, const std::vector<std::string>& arguments) {
+QString filled(const QString& text, const QStringList& arguments) {
     QString out;
     for (qsizetype i = 0; i < text.size(); ++i) {
         const int number = text[i] == u'%' && i + 1 < text.size() ? text[i + 1].digitValue() : 0;
         if (number >= 1) {
             ++i;
-            if (static_cast<std::size_t>(number) <= arguments.size()) {
-                out += QString::fromStdString(arguments[static_cast<std::size_t>(number) - 1]);
-            }
+            out += arguments.value(number - 1);
         } else {
             out += text[i];
         }
@@ -57,10 +56,42 @@ QString translated(const char* text) {
     return QCoreApplication::translate("messages", text);
 }
 
+/// What the system gives for a reason, in the user's words.
+QString reasonText(const std::string& reason) {
+    const auto found = std::ranges::find(systemReasons(), std::string_view(reason), &ReasonText::reason);
+    return found == systemReasons().end() ? QString::fromStdString(reason) : translated(found->text);
+}
+
+/// As the user spells numbers and sizes.
+QStringList told(const std::vector<std::string>& arguments, ArgumentKinds kinds) {
+    QStringList out;
+    for (const std::string& argument : arguments) {
+        const char kind = *kinds == '\0' ? '-' : *kinds++;
+        bool isWhole = false;
+        const qlonglong bytes = QString::fromStdString(argument).toLongLong(&isWhole);
+        out << (kind == 'n'              ? localNumberText(argument)
+                : kind == 'b' && isWhole ? sizeText(bytes)
+                : kind == 'r'            ? reasonText(argument)
+                                         : QString::fromStdString(argument));
+    }
+    return out;
+}
+
+/// Names and what was typed stand in quotation marks.
+QStringList toldInHint(const Hint& hint, const char* text) {
+    QStringList out;
+    for (const std::string& argument : hint.arguments) {
+        const QString quoted = QStringLiteral("“%%1”").arg(out.size() + 1);
+        out << (QString::fromUtf8(text).contains(quoted) ? QString::fromStdString(argument)
+                                                         : localNumberText(argument));
+    }
+    return out;
+}
+
 QString sentenceOf(std::span<const MessageText> texts, std::string_view code,
                    const std::vector<std::string>& arguments) {
     const MessageText* text = textOf(texts, code);
-    return text == nullptr ? spokenCode(code) : filled(translated(text->text), arguments);
+    return text == nullptr ? spokenCode(code) : filled(translated(text->text), told(arguments, text->kinds));
 }
 
 /// Its arguments are a line, and the code and the arguments of what is wrong there.
@@ -72,8 +103,9 @@ bool wrapsAnother(const Error& error) {
 /// "3 times, in lines 4, 7 …": how often something came up in a file, and where.
 QString placesOf(const std::string& count, const std::string& lines) {
     const int times = QString::fromStdString(count).toInt();
-    const QString often = times == 1 ? QCoreApplication::translate("messages", "once")
-                                     : QCoreApplication::translate("messages", "%n times", nullptr, times);
+    const QString often = times == 1
+                              ? QCoreApplication::translate("messages", "once")
+                              : counted(QCoreApplication::translate("messages", "%n times", nullptr, times), times);
     if (lines.empty()) {
         return often;
     }
@@ -91,9 +123,9 @@ QString sentence(const Problem& problem) {
     if (text == nullptr || text->unnamed == nullptr || arguments.size() < 2 || !arguments[0].empty()) {
         return sentenceOf(problemTexts(), problem.code.text(), arguments);
     }
-    std::vector<std::string> told = arguments;
-    told[1] = sentenceOf(problemTexts(), arguments[1], {}).toStdString(); // a code itself: what kind of thing it is
-    return filled(translated(text->unnamed), told);
+    QStringList words = told(arguments, text->kinds);
+    words[1] = sentenceOf(problemTexts(), arguments[1], {}); // a code itself: what kind of thing it is
+    return filled(translated(text->unnamed), words);
 }
 
 bool namesItsFile(const Error& error) {
@@ -120,16 +152,16 @@ QString sentence(const Error& error) {
     if (textOf(exchangeTexts(), code) == nullptr) {
         return sentenceOf(problemTexts(), code, error.arguments);
     }
-    std::vector<std::string> told = error.arguments;
-    if (told.size() == 3) { // what a report has of each kind
-        told.push_back(placesOf(told[0], told[1]).toStdString());
+    std::vector<std::string> arguments = error.arguments;
+    if (arguments.size() == 3) { // what a report has of each kind
+        arguments.push_back(placesOf(arguments[0], arguments[1]).toStdString());
     }
-    return sentenceOf(exchangeTexts(), code, told);
+    return sentenceOf(exchangeTexts(), code, arguments);
 }
 
 QString sentence(const Hint& hint) {
     const HintText* const text = textOf(hintTexts(), hint.code);
-    return text == nullptr ? spokenCode(hint.code) : filled(translated(text->text), hint.arguments);
+    return text == nullptr ? spokenCode(hint.code) : filled(translated(text->text), toldInHint(hint, text->text));
 }
 
 QString sentence(const Label& label) {
@@ -139,8 +171,10 @@ QString sentence(const Label& label) {
     }
     // A text without a number has no plural to be looked up by.
     const bool counts = std::string_view(text->many).find("%n") != std::string_view::npos;
-    return label.count == 1 ? translated(text->one)
-                            : QCoreApplication::translate("messages", text->many, nullptr, counts ? label.count : -1);
+    return label.count == 1
+               ? translated(text->one)
+               : counted(QCoreApplication::translate("messages", text->many, nullptr, counts ? label.count : -1),
+                         label.count);
 }
 
 bool hasSentence(std::string_view code) {

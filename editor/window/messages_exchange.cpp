@@ -15,11 +15,12 @@ constexpr MessageText exchange[] = {
                                                       "as plain SVG, for example with Inkscape, and try again.")},
     {"import-too-deep",
      QT_TRANSLATE_NOOP(
-         "messages",
-         "Elements of the file lie more than %1 deep in one another. Ungroup some of them, and try again.")},
+         "messages", "Elements of the file lie more than %1 deep in one another. Ungroup some of them, and try again."),
+     nullptr, "n"},
     {"import-too-many",
      QT_TRANSLATE_NOOP("messages", "The file draws more than %1 pieces, which is more than can be imported. Take out "
-                                   "what the level does not need, and try again.")},
+                                   "what the level does not need, and try again."),
+     nullptr, "n"},
     {"import-stopped", QT_TRANSLATE_NOOP("messages", "The import was stopped; nothing was changed.")},
     {"import-compressed", QT_TRANSLATE_NOOP("messages", "The file is compressed. Unpack it first, or save it as plain "
                                                         "SVG instead of SVGZ.")},
@@ -28,10 +29,13 @@ constexpr MessageText exchange[] = {
     {"import-level", QT_TRANSLATE_NOOP("messages", "This is a level already: open it instead of importing it.")},
     {"import-tileset", QT_TRANSLATE_NOOP("messages", "This is a tileset or a template of Tiled, which draws nothing. "
                                                      "Import a map.")},
-    {"import-too-far", QT_TRANSLATE_NOOP("messages", "At this scale something would lie more than %1 m away. Choose a "
-                                                     "smaller scale.")},
+    {"import-too-far",
+     QT_TRANSLATE_NOOP("messages", "At this scale something would lie more than %1 m away. Choose a "
+                                   "smaller scale."),
+     nullptr, "n"},
     {"import-too-many-vertices",
-     QT_TRANSLATE_NOOP("messages", "The result would have more than %1 vertices. Choose a larger tolerance.")},
+     QT_TRANSLATE_NOOP("messages", "The result would have more than %1 vertices. Choose a larger tolerance."), nullptr,
+     "n"},
     {"import-nothing",
      QT_TRANSLATE_NOOP("messages", "There is nothing in this file that could become part of a level.")},
     {"import-text", QT_TRANSLATE_NOOP("messages", "Text was left out (%4). Turn it into paths to have it.")},

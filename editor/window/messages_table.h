@@ -6,18 +6,25 @@
 #include "editor/panels/explain_codes.h"
 
 #include <span>
+#include <string_view>
 
 namespace spacetow {
 
 /// All codes of problems and errors.
 using SentenceCode = ExchangeCode::And<explainCodes>;
 
+/// What each argument is, a letter each: n a number, b a size in bytes, r the reason that the system gives, else what
+/// stands as it is, as do those beyond.
+using ArgumentKinds = const char*;
+
 struct MessageText {
     SentenceCode code;
     const char* text;
     const char* unnamed = nullptr; // when the first argument, a name, is empty; %2 is what kind of thing it is
+    ArgumentKinds kinds = "";
 };
 
+/// Numbers that do not stand in quotation marks are spelled as the user does.
 struct HintText {
     const char* code;
     const char* text;
@@ -28,6 +35,14 @@ struct LabelText {
     const char* one;
     const char* many; // with %n
 };
+
+struct ReasonText {
+    std::string_view reason; // as of the system
+    const char* text;
+};
+
+/// Why files cannot be read or written.
+std::span<const ReasonText> systemReasons();
 
 std::span<const MessageText> problemTexts();  // and errors
 std::span<const MessageText> exchangeTexts(); // what importing and exporting have to say

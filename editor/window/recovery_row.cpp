@@ -1,4 +1,5 @@
 #include "editor/window/recovery_row.h"
+#include "editor/panels/number_text.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -40,7 +41,7 @@ RecoveryRow::RecoveryRow(FoundWork found) : m_found(std::move(found)), m_row(thi
     m_name.setFont(bold);
     QStringList details{timeText(entry.time)};
     if (m_found.level) {
-        details << tr("%n objects", nullptr, m_found.level->objects.size());
+        details << counted(tr("%n objects", nullptr, m_found.level->objects.size()), m_found.level->objects.size());
     }
     details << (path.isEmpty() ? tr("never saved") : withHome(path));
     m_details.setText(details.join(QStringLiteral(" · ")));

@@ -3,6 +3,7 @@
 #include "core/level/bounds.h"
 #include "editor/canvas/icons.h"
 #include "editor/panels/list_keys.h"
+#include "editor/panels/number_text.h"
 #include "editor/window/list_look.h"
 #include "editor/window/messages_compare.h"
 
@@ -134,8 +135,9 @@ void RunChangesPanel::follow() {
 void RunChangesPanel::updateTexts() {
     const bool waiting = m_changes.areWaiting();
     m_title.setText(
-        waiting ? tr("%n changes were made in this run. The level is as before; keep what you like.", nullptr,
-                     m_list.rowCount())
+        waiting ? counted(tr("%n changes were made in this run. The level is as before; keep what you like.", nullptr,
+                             m_list.rowCount()),
+                          m_list.rowCount())
         : m_changes.isEndUndone()
             ? tr("The end of the run is undone: what was changed in it is in the level again. Redo takes it "
                  "out, and lists it to be kept.")

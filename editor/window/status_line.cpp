@@ -3,6 +3,7 @@
 #include "editor/canvas/icons.h"
 #include "editor/canvas/palette.h"
 #include "editor/panels/names.h"
+#include "editor/panels/number_text.h"
 
 #include <QEvent>
 #include <QLocale>
@@ -199,7 +200,7 @@ void StatusLine::clearPointer() {
 }
 
 void StatusLine::setSelection(int count, const Aabb& box) {
-    m_selectionCount = count > 0 ? tr("%n selected", nullptr, count) : QString();
+    m_selectionCount = count > 0 ? counted(tr("%n selected", nullptr, count), count) : QString();
     m_selectionSize =
         count > 0 && !box.isEmpty() ? tr(", %1 × %2 m").arg(metres(box.size().x()), metres(box.size().y())) : QString();
     fit();
@@ -234,11 +235,12 @@ void StatusLine::setProblems(int errors, int warnings) {
     } else {
         m_problems.setIcon(icon(QStringLiteral("ok"), colors.good));
     }
-    const QString text = errors > 0 && warnings > 0
-                             ? tr("%1, %2").arg(tr("%n errors", nullptr, errors), tr("%n warnings", nullptr, warnings))
-                         : errors > 0   ? tr("%n errors", nullptr, errors)
-                         : warnings > 0 ? tr("%n warnings", nullptr, warnings)
-                                        : tr("No problems");
+    const QString ofErrors = counted(tr("%n errors", nullptr, errors), errors);
+    const QString ofWarnings = counted(tr("%n warnings", nullptr, warnings), warnings);
+    const QString text = errors > 0 && warnings > 0 ? tr("%1, %2").arg(ofErrors, ofWarnings)
+                         : errors > 0               ? ofErrors
+                         : warnings > 0             ? ofWarnings
+                                                    : tr("No problems");
     m_problems.setText(text);
     fit();
 }

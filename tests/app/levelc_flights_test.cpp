@@ -106,6 +106,16 @@ class LevelcFlightsTest : public QObject {
         QVERIFY2(all.contains(said.replace("FILE", path("FILE"))), qPrintable(all));
     }
 
+    void numbersArePlainAndSizesAreForPeople() {
+        write("level.json", levelText(populatedLevel()));
+        write("large.replay.json", std::string(maxReplayBytes + 1, ' '));
+        const LevelcRun large = runLevelc({"replay", path("level.json"), path("large.replay.json")});
+        QVERIFY2(large.err.endsWith("is too large: at most 8.4 MB can be read.\n"), qPrintable(large.err));
+        write("long.replay.json", R"({"replay":1,"level":"","seed":1,"updates":[[0,1000001]]})");
+        const LevelcRun tooLong = runLevelc({"replay", path("level.json"), path("long.replay.json")});
+        QVERIFY2(tooLong.err.contains(" longer than 1000000 updates"), qPrintable(tooLong.err));
+    }
+
   private:
     QString path(const QString& name) const { return m_folder->filePath(name); }
     void write(const QString& name, const std::string& text) const {

@@ -8,7 +8,9 @@
 #include "tests/support/test_main.h"
 
 #include <QDirIterator>
+#include <QLocale>
 #include <QRegularExpression>
+#include <QScopeGuard>
 
 #include <set>
 
@@ -170,6 +172,56 @@ class MessagesTest : public QObject {
         QFETCH(QString, lines);
         QFETCH(QString, text);
         QCOMPARE(sentence(Error{SentenceCode("import-filter"), {count.toStdString(), lines.toStdString(), ""}}), text);
+    }
+
+    void numbersAndSizesAreSpelledAsTheUserDoes_data() {
+        QTest::addColumn<QString>("locale");
+        QTest::addColumn<QStringList>("told");
+        QTest::newRow("C") << "C"
+                           << QStringList{"at most 8.4 MB can", "at most 33.6 MB can", "1000000 updates",
+                                          "0.25 m deep",        "Move 12345 objects",  "Velocity 12345 m/s, 2.5°",
+                                          "12345 times"};
+        QTest::newRow("English") << "en_US" << QStringList{"at most 8.4 MB can",  "at most 33.6 MB can",
+                                                           "1,000,000 updates",   "0.25 m deep",
+                                                           "Move 12,345 objects", "Velocity 12,345 m/s, 2.5°",
+                                                           "12,345 times"};
+        QTest::newRow("German") << "de_DE"
+                                << QStringList{"at most 8,4 MB can", "at most 33,6 MB can", "1.000.000 updates",
+                                               "0,25 m deep",        "Move 12.345 objects", "Velocity 12.345 m/s, 2,5°",
+                                               "12.345 times"};
+    }
+    void numbersAndSizesAreSpelledAsTheUserDoes() {
+        QFETCH(QString, locale);
+        QFETCH(QStringList, told);
+        const QLocale before;
+        const auto restore = qScopeGuard([&before] { QLocale::setDefault(before); });
+        QLocale::setDefault(QLocale(locale));
+        const QStringList sentences{
+            sentence(Error{SentenceCode("file-too-large"), {"/a/1000.json", "8388608"}}),
+            sentence(Error{SentenceCode("text-too-large"), {"33554432"}}),
+            sentence(Error{SentenceCode("replay-too-long"), {"1000000"}}),
+            sentence(Problem{.code = "wall-too-thin", .arguments = {"0.25", "3"}}),
+            sentence(Label{"move", 12345}),
+            sentence(Hint{"velocity.dragging", {"12345", "2.5"}}),
+            sentence(Error{SentenceCode("import-filter"), {"12345", "3, 5 …", ""}}),
+        };
+        for (qsizetype i = 0; i < told.size(); ++i) {
+            QVERIFY2(sentences[i].contains(told[i]), qPrintable(sentences[i]));
+        }
+        // Names and keys are none.
+        QVERIFY(sentences[0].contains("/a/1000.json"));
+        QVERIFY(sentence(Hint{"select.in-named-group", {"2", "1000"}}).contains(QStringLiteral("“1000”")));
+        QVERIFY(sentence(Problem{.code = "key-taken", .arguments = {"12345678"}}).contains("12345678"));
+    }
+
+    void theSystemsReasonsAreGivenInTheUsersWords() {
+        const Error gone{SentenceCode("cannot-read"), {"/a.json", "No such file or directory"}};
+        QVERIFY2(sentence(gone).contains("there is no such file"), qPrintable(sentence(gone)));
+        const Error odd{SentenceCode("cannot-read"), {"/a.json", "Frobnicated"}};
+        QVERIFY(sentence(odd).endsWith(": Frobnicated."));
+        for (const ReasonText& reason : systemReasons()) { // they are parts of sentences
+            QVERIFY2(QChar(reason.text[0]).isLower() && !QString(reason.text).endsWith('.'), reason.text);
+        }
     }
 
     void labelsCountTheirObjects() {
