@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/random.h"
+#include "core/game/codes.h"
 #include "core/level/edits.h"
 #include "core/level/file.h"
 #include "tests/support/capsule_fuzz.h"
@@ -202,6 +203,16 @@ class CapsuleTextTest : public QObject {
         QCOMPARE(codeOfCapsule(wrapped(many)), QStringLiteral("capsule-damaged"));
         const std::string much(maxCapsuleText + 1, 'A');
         QCOMPARE(codeOfCapsule("BEGIN SPACETOW BUG CAPSULE\n" + much), QStringLiteral("capsule-too-large"));
+    }
+
+    void aRunThatIsTooLongForACapsuleIsToldWithTheMostThatItMayHave() {
+        Capsule capsule = randomRun(10, 3);
+        capsule.run.runs = {{{}, maxReplayUpdates}};
+        QVERIFY(bool(capsuleText(capsule)));
+        capsule.run.runs.push_back({{}, 1});
+        const Result<std::string> text = capsuleText(capsule);
+        QVERIFY(!text);
+        QVERIFY((text.error() == Error{GameCode("capsule-too-long"), {"1000000"}}));
     }
 
     void whatMustHoldHoldsForCapsulesThatAreDamaged() {

@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <atomic>
 #include <cerrno>
 
 using namespace spacetow;
@@ -256,6 +257,36 @@ class DiskChangesTest : public QObject {
         QVERIFY(file.test.level() == ballAt(0) && !file.test.window->isWindowModified());
         file.test.trigger(Act::Undo);
         QVERIFY(file.test.level() == mine);
+    }
+
+    void aFileThatIsBrokenOffAndCannotBePutBackIsToldWithWhereItsTextIs_data() {
+        QTest::addColumn<bool>("hasCopy");
+        QTest::newRow("with a copy beside") << true;
+        QTest::newRow("in a folder of others") << false;
+    }
+    void aFileThatIsBrokenOffAndCannotBePutBackIsToldWithWhereItsTextIs() {
+        QFETCH(bool, hasCopy);
+        OpenFile file;
+        // Another name of the file lets it be written in place only, as does a folder in which none can be made.
+        QVERIFY(!hasCopy || ::link(qPrintable(file.path), qPrintable(file.path + ".link")) == 0);
+        file.test.drawWalls();
+        static std::atomic<bool> failsToMake;
+        static std::atomic<int> soundWrites; // before they fail: what is written first are the journal and a backup
+        QString words;
+        for (int sound = 0; sound < 30 && !words.contains("written in part only"); ++sound) {
+            failsToMake = !hasCopy;
+            soundWrites = sound;
+            disk::setFault([](std::string_view call) {
+                return call == "create" && failsToMake ? EACCES : call == "write" && --soundWrites < 0 ? EIO : 0;
+            });
+            file.test.window->files().overwrite();
+            disk::setFault(nullptr);
+            words = file.test.window->messageBar().text();
+        }
+        QVERIFY2(words.startsWith("The file “" + file.path + "” was written in part only: "), qPrintable(words));
+        QVERIFY2(words.contains(hasCopy ? "All that it was to hold is in the file “" : "What was there before is lost"),
+                 qPrintable(words));
+        QVERIFY(file.test.window->isWindowModified());
     }
 
     void whatKeepsAFileFromBeingSavedIsToldWithAWayOut_data() {

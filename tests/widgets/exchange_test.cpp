@@ -203,6 +203,27 @@ class ExchangeTest : public QObject {
         QVERIFY2(test.message().contains("missing.svg"), qPrintable(test.message()));
     }
 
+    void ofShipPayloadAndFinishTheLevelKeepsItsOwnWhichIsTold() {
+        Importing test("<map orientation='orthogonal' width='9' height='9' tilewidth='16' tileheight='16'><objectgroup>"
+                       "<object id='1' class='ship' x='40' y='40'><point/></object>"
+                       "<object id='2' x='0' y='0' width='16' height='16'/></objectgroup></map>",
+                       "map.tmx");
+        Level level;
+        level.objects.append({7, "mine", ShipObject{}, {}});
+        test.document().reset(level);
+        test.begin();
+        QTest::keyClick(&test.bar(), Qt::Key_Return);
+        int ships = 0;
+        for (const Object& object : test.level().objects) {
+            ships += std::holds_alternative<ShipObject>(object.data) ? 1 : 0;
+        }
+        QCOMPARE(ships, 1);
+        QCOMPARE(firstOf<ShipObject>(test.level())->name, std::string("mine"));
+        QVERIFY2(test.message().contains("The level has a ship, a payload or a finish already; those of the file were "
+                                         "left out."),
+                 qPrintable(test.message()));
+    }
+
     void whatElseIsDoneToTheLevelClosesTheBar() {
         Importing test;
         test.begin();
