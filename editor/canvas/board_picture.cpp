@@ -71,10 +71,8 @@ class BoardPicture::Planner {
         if (!m_request.live) {
             return {};
         }
-        std::vector<int> places;
-        if (m_request.level != m_request.base) {
-            places = placesChanged(*m_request.base, *m_request.level);
-        }
+        std::vector<int> places =
+            m_request.level != m_request.base ? placesChanged(*m_request.base, *m_request.level) : std::vector<int>{};
         if (m_picture.m_shown.base == m_request.base && !m_picture.m_moving.empty()) {
             std::vector<int> all;
             std::ranges::set_union(places, m_picture.m_moving, std::back_inserter(all));
