@@ -288,10 +288,6 @@
         <translation>Die Linie zeichnen, die die Fracht überqueren muss</translation>
     </message>
     <message>
-        <source>Place ship, payload or finish; again for the next of them</source>
-        <translation>Schiff, Fracht oder Ziellinie platzieren; erneut für das jeweils nächste</translation>
-    </message>
-    <message>
         <source>Rotate &amp;Left 15°</source>
         <translation>Um 15° nach &amp;links drehen</translation>
     </message>
@@ -574,10 +570,6 @@
     <message>
         <source>New &amp;Layer</source>
         <translation>Neue &amp;Ebene</translation>
-    </message>
-    <message>
-        <source>Put the selection into a new layer, or make an empty one</source>
-        <translation>Legt die Auswahl in eine neue Ebene oder eine leere Ebene an</translation>
     </message>
     <message>
         <source>Move to Layer &amp;Above</source>
@@ -1523,6 +1515,58 @@
         <source>Choose the set of colors of the overlays, and colors of your own for each</source>
         <translation>Die Farbpalette der Einblendungen wählen und eigene Farben für jede</translation>
     </message>
+    <message>
+        <source>Wa&amp;ys of a Run</source>
+        <translation>&amp;Wege eines Laufs</translation>
+    </message>
+    <message>
+        <source>Show the ways of the last minute where a run is held, and those of futures given up</source>
+        <translation>Die Wege der letzten Minute zeigen, wo ein Lauf angehalten ist, und die aufgegebener Zukünfte</translation>
+    </message>
+    <message>
+        <source>What is selected is locked.</source>
+        <translation>Was ausgewählt ist, ist gesperrt.</translation>
+    </message>
+    <message>
+        <source>Ship, payload and finish exist once, and connectors are copied with their two bodies.</source>
+        <translation>Schiff, Fracht und Ziellinie gibt es nur einmal, und Verbindungen werden mit ihren beiden Körpern kopiert.</translation>
+    </message>
+    <message>
+        <source>Select a wall or a line first.</source>
+        <translation>Zuerst eine Kante oder Linie auswählen.</translation>
+    </message>
+    <message>
+        <source>Select a group first.</source>
+        <translation>Zuerst eine Gruppe auswählen.</translation>
+    </message>
+    <message>
+        <source>What is selected has no nodes.</source>
+        <translation>Was ausgewählt ist, hat keine Knoten.</translation>
+    </message>
+    <message>
+        <source>“%1” changes nothing here.</source>
+        <translation>„%1“ ändert hier nichts.</translation>
+    </message>
+    <message>
+        <source>Put the selection into a new layer, or make an empty one, and type its name</source>
+        <translation>Die Auswahl in eine neue Ebene legen oder eine leere anlegen und ihren Namen eingeben</translation>
+    </message>
+    <message>
+        <source>Insert Node &amp;Here</source>
+        <translation>Knoten &amp;hier einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a node where the pointer is at an edge of the selection</source>
+        <translation>Einen Knoten einfügen, wo der Zeiger an einer Kante der Auswahl ist</translation>
+    </message>
+    <message>
+        <source>Not while the level runs.</source>
+        <translation>Nicht, während das Level läuft.</translation>
+    </message>
+    <message>
+        <source>Place ship, payload or finish, first what the level lacks; again for the next of them</source>
+        <translation>Schiff, Fracht oder Ziellinie setzen, zuerst was dem Level fehlt; noch einmal für das nächste</translation>
+    </message>
 </context>
 <context>
     <name>BugCapsule</name>
@@ -1541,6 +1585,10 @@
     <message>
         <source>The bug capsule is being read…</source>
         <translation>Die Fehlerkapsel wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The bug capsule</source>
+        <translation>Die Fehlerkapsel</translation>
     </message>
 </context>
 <context>
@@ -1737,6 +1785,14 @@
     <message>
         <source>There is not enough memory to read the flight.</source>
         <translation>Der Speicher reicht nicht, um den Flug zu lesen.</translation>
+    </message>
+    <message>
+        <source>%1 is a simulation of the level “%2”, which is neither open nor beside it. Open the level and drop the simulation on it.</source>
+        <translation>%1 ist eine Simulation des Levels „%2“, das weder offen ist noch daneben liegt. Öffnen Sie das Level und lassen Sie die Simulation darauf fallen.</translation>
+    </message>
+    <message>
+        <source>The level has been changed since the simulation was recorded, which may therefore go otherwise.</source>
+        <translation>Das Level wurde geändert, seit die Simulation aufgezeichnet wurde; sie kann daher anders verlaufen.</translation>
     </message>
 </context>
 <context>
@@ -1972,16 +2028,16 @@
         <translation>Der Flug wurde als %1 gespeichert. Ziehen Sie die Datei auf ein Fenster, um ihn wieder anzusehen.</translation>
     </message>
     <message>
-        <source>It ends after %1 of %2 updates: a flight file holds no more.</source>
-        <translation>Er endet nach %1 von %2 Schritten: Mehr fasst eine Flugdatei nicht.</translation>
-    </message>
-    <message>
-        <source>Another flight is still being saved.</source>
-        <translation>Ein anderer Flug wird noch gespeichert.</translation>
-    </message>
-    <message>
         <source>The simulation has been saved as %1. Drop the file on a window to see it again.</source>
         <translation>Die Simulation wurde als %1 gespeichert. Ziehen Sie die Datei auf ein Fenster, um sie wieder anzusehen.</translation>
+    </message>
+    <message>
+        <source>It ends after %1 of %2 updates: a file holds no more.</source>
+        <translation>Sie endet nach %1 von %2 Schritten: mehr fasst eine Datei nicht.</translation>
+    </message>
+    <message>
+        <source>Another recording is still being saved.</source>
+        <translation>Eine andere Aufzeichnung wird noch gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -1989,10 +2045,6 @@
     <message>
         <source>wins after %1 s, with %2 s of thrust</source>
         <translation>gewinnt nach %1 s, mit %2 s Schub</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>lässt sich nicht lesen</translation>
     </message>
     <message>
         <source>is being flown…</source>
@@ -2069,6 +2121,10 @@
     <message>
         <source>is a simulation of %1 s</source>
         <translation>ist eine Simulation von %1 s</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
     </message>
 </context>
 <context>
@@ -2757,22 +2813,6 @@
         <translation>Ziehen auf leerer Fläche</translation>
     </message>
     <message>
-        <source>Shift while dragging</source>
-        <translation>Umschalt beim Ziehen</translation>
-    </message>
-    <message>
-        <source>Keep to an axis, or to steps of 15°</source>
-        <translation>An einer Achse oder in Schritten von 15° bleiben</translation>
-    </message>
-    <message>
-        <source>Ctrl while dragging</source>
-        <translation>Strg beim Ziehen</translation>
-    </message>
-    <message>
-        <source>Switch snapping off or on for the moment</source>
-        <translation>Einrasten vorübergehend aus- oder einschalten</translation>
-    </message>
-    <message>
         <source>Enter or right click</source>
         <translation>Eingabe oder Rechtsklick</translation>
     </message>
@@ -2900,6 +2940,38 @@
         <source>Turn time back, as long as the key is held</source>
         <translation>Die Zeit zurückdrehen, solange die Taste gehalten wird</translation>
     </message>
+    <message>
+        <source>Shift · Ctrl while moving or drawing</source>
+        <translation>Umschalt · Strg beim Bewegen oder Zeichnen</translation>
+    </message>
+    <message>
+        <source>Keep to an axis or to steps of 15° · switch snapping off or on for the moment</source>
+        <translation>Auf einer Achse oder in 15°-Schritten bleiben · Einrasten vorübergehend aus- oder einschalten</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while drawing a rectangle</source>
+        <translation>Umschalt · Strg beim Zeichnen eines Rechtecks</translation>
+    </message>
+    <message>
+        <source>From its middle · a square</source>
+        <translation>Von der Mitte aus · ein Quadrat</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl · Alt while scaling</source>
+        <translation>Umschalt · Strg · Alt beim Skalieren</translation>
+    </message>
+    <message>
+        <source>About the middle · keep the proportions · switch snapping off or on</source>
+        <translation>Um die Mitte · Seitenverhältnis halten · Einrasten aus- oder einschalten</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while turning</source>
+        <translation>Umschalt · Strg beim Drehen</translation>
+    </message>
+    <message>
+        <source>About the opposite corner · in steps of 15°</source>
+        <translation>Um die gegenüberliegende Ecke · in 15°-Schritten</translation>
+    </message>
 </context>
 <context>
     <name>Legend</name>
@@ -3007,6 +3079,14 @@
         <source>Force; 1 m is the weight of the lighter one, 2 m ten times as much</source>
         <translation>Kraft; 1 m ist das Gewicht des leichteren, 2 m zehnmal so viel</translation>
     </message>
+    <message>
+        <source>Way in the time that is kept</source>
+        <translation>Weg in der aufbewahrten Zeit</translation>
+    </message>
+    <message>
+        <source>Way in a future given up, dashed</source>
+        <translation>Weg in einer aufgegebenen Zukunft, gestrichelt</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -3055,16 +3135,75 @@
         <translation>Gruppe</translation>
     </message>
     <message>
-        <source>%1 at (%2, %3)</source>
-        <translation>%1 bei (%2, %3)</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1 at %2; %3</source>
         <translation>%1 bei %2; %3</translation>
+    </message>
+</context>
+<context>
+    <name>ObjectFilter</name>
+    <message>
+        <source>wall</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>Polygon</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>statisch</translation>
+    </message>
+    <message>
+        <source>kinematic</source>
+        <translation>kinematisch</translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation>dynamisch</translation>
+    </message>
+    <message>
+        <source>ship</source>
+        <translation>Schiff</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>Fracht</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>connector</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
     </message>
 </context>
 <context>
@@ -3584,28 +3723,12 @@
         <translation>„%1“ ist %2; der Wert muss größer als null sein.</translation>
     </message>
     <message>
-        <source>The file is empty.</source>
-        <translation>Die Datei ist leer.</translation>
-    </message>
-    <message>
-        <source>The file is not text in UTF-8 from here on.</source>
-        <translation>Ab hier ist die Datei kein Text in UTF-8.</translation>
-    </message>
-    <message>
-        <source>There is a zero byte here, which text cannot hold.</source>
-        <translation>Hier steht ein Nullbyte, das in Text nicht vorkommen darf.</translation>
-    </message>
-    <message>
         <source>The file starts with a byte order mark, which saving will leave out.</source>
         <translation>Die Datei beginnt mit einer Byte-Reihenfolge-Markierung (BOM), die beim Speichern entfällt.</translation>
     </message>
     <message>
         <source>“%1” is not expected here: something is wrong at this place or just before it.</source>
         <translation>„%1“ wird hier nicht erwartet: An dieser Stelle oder kurz davor stimmt etwas nicht.</translation>
-    </message>
-    <message>
-        <source>The file ends too early: a bracket, a brace or a quotation mark is not closed.</source>
-        <translation>Die Datei endet zu früh: Eine eckige oder geschweifte Klammer oder ein Anführungszeichen ist nicht geschlossen.</translation>
     </message>
     <message>
         <source>A text is not closed with a quotation mark before its line ends.</source>
@@ -3832,10 +3955,6 @@
         <translation>Beide Enden der Verbindung sitzen am selben Objekt.</translation>
     </message>
     <message>
-        <source>Neither end of the connector can move.</source>
-        <translation>Keines der beiden Enden der Verbindung ist beweglich.</translation>
-    </message>
-    <message>
         <source>A stiffness of %1 N/m is too much for the sub-steps: the spring may shake. About %2 sub-steps would do.</source>
         <translation>Eine Steifigkeit von %1 N/m ist zu viel für die Teilschritte: Die Feder kann zittern. Etwa %2 Teilschritte würden genügen.</translation>
     </message>
@@ -3862,30 +3981,6 @@
     <message>
         <source>Both ends of the connector are on the same body.</source>
         <translation>Beide Enden der Verbindung sitzen am selben Körper.</translation>
-    </message>
-    <message>
-        <source>The replay cannot be understood at “%1”.</source>
-        <translation>Die Flugaufzeichnung ist bei „%1“ unverständlich.</translation>
-    </message>
-    <message>
-        <source>The replay was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
-        <translation>Die Flugaufzeichnung stammt aus einer neueren Version (%1; diese liest bis %2). Bitte aktualisieren Sie das Programm.</translation>
-    </message>
-    <message>
-        <source>The replay is longer than %1 updates.</source>
-        <translation>Die Flugaufzeichnung ist länger als %1 Zeitschritte.</translation>
-    </message>
-    <message>
-        <source>The replay is not JSON: line %1 is wrong.</source>
-        <translation>Die Flugaufzeichnung ist kein JSON: Zeile %1 ist fehlerhaft.</translation>
-    </message>
-    <message>
-        <source>The file “%1” is too large: at most %2 bytes are read.</source>
-        <translation>Die Datei „%1“ ist zu groß: Gelesen werden höchstens %2 Byte.</translation>
-    </message>
-    <message>
-        <source>This is too large: at most %1 bytes are read.</source>
-        <translation>Das ist zu groß: Gelesen werden höchstens %1 Byte.</translation>
     </message>
     <message>
         <source>Nodes · click a wall, line, polygon or finish to edit its nodes</source>
@@ -4792,28 +4887,12 @@
         <translation>%1 und %2</translation>
     </message>
     <message>
-        <source>The file is not sound XML: line %1, column %2: %3 Nothing was imported.</source>
-        <translation>Die Datei ist kein gültiges XML: Zeile %1, Spalte %2: %3 Es wurde nichts importiert.</translation>
-    </message>
-    <message>
         <source>The file declares entities of its own (line %1), which are not read because they can be made to grow without end. Save it as plain SVG, for example with Inkscape, and try again.</source>
         <translation>Die Datei deklariert eigene Entitäten (Zeile %1). Sie werden nicht gelesen, weil sie sich endlos aufblähen lassen. Speichern Sie die Datei als einfaches SVG, etwa mit Inkscape, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>Elements of the file lie more than %1 deep in one another.</source>
-        <translation>Elemente der Datei sind mehr als %1-fach ineinander verschachtelt.</translation>
-    </message>
-    <message>
-        <source>The file draws more than %1 pieces, which is more than can be imported.</source>
-        <translation>Die Datei zeichnet mehr als %1 Teile; so viele lassen sich nicht importieren.</translation>
-    </message>
-    <message>
         <source>The import was stopped; nothing was changed.</source>
         <translation>Der Import wurde angehalten; es hat sich nichts geändert.</translation>
-    </message>
-    <message>
-        <source>The file is not sound JSON: something is wrong in line %1 or just before it. Nothing was imported.</source>
-        <translation>Die Datei ist kein gültiges JSON: In Zeile %1 oder kurz davor stimmt etwas nicht. Es wurde nichts importiert.</translation>
     </message>
     <message>
         <source>The file is compressed. Unpack it first, or save it as plain SVG instead of SVGZ.</source>
@@ -5330,14 +5409,6 @@
         <translation>Zwischen diesem und %2 bei %3; %4 m kommt das Schiff hinaus: Sie sind %5 m voneinander entfernt.</translation>
     </message>
     <message>
-        <source>The field “%1” is none that a replay has.</source>
-        <translation>Das Feld „%1“ kommt in einer Flugaufzeichnung nicht vor.</translation>
-    </message>
-    <message>
-        <source>The field “%1” is given twice in the replay.</source>
-        <translation>Das Feld „%1“ ist in der Flugaufzeichnung zweimal angegeben.</translation>
-    </message>
-    <message>
         <source>anchor</source>
         <translation>Anker</translation>
     </message>
@@ -5485,32 +5556,12 @@
         <translation>Der Text enthält keine Fehlerkapsel.</translation>
     </message>
     <message>
-        <source>The bug capsule is not whole: its last line is missing.</source>
-        <translation>Die Fehlerkapsel ist unvollständig: Ihre letzte Zeile fehlt.</translation>
-    </message>
-    <message>
-        <source>The bug capsule has been changed or damaged on its way.</source>
-        <translation>Die Fehlerkapsel wurde unterwegs verändert oder beschädigt.</translation>
-    </message>
-    <message>
-        <source>The bug capsule cannot be understood at “%1”.</source>
-        <translation>Die Fehlerkapsel ist bei „%1“ unverständlich.</translation>
-    </message>
-    <message>
-        <source>The level in the bug capsule cannot be read.</source>
-        <translation>Das Level in der Fehlerkapsel lässt sich nicht lesen.</translation>
-    </message>
-    <message>
         <source>The bug capsule was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
         <translation>Die Fehlerkapsel stammt aus einer neueren Version (%1; diese liest bis %2). Bitte aktualisieren Sie das Programm.</translation>
     </message>
     <message>
         <source>The run is longer than a bug capsule may be: %1 updates.</source>
         <translation>Der Lauf ist länger, als eine Fehlerkapsel sein darf: %1 Zeitschritte.</translation>
-    </message>
-    <message>
-        <source>The run is larger than a bug capsule may be: %1 bytes.</source>
-        <translation>Der Lauf ist größer, als eine Fehlerkapsel sein darf: %1 Byte.</translation>
     </message>
     <message>
         <source>The run has ended, and nothing of it is left.</source>
@@ -5534,6 +5585,134 @@
     <message>
         <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
         <translation>„%2“ ist auf dem Weg durch eine einseitige Kante von „%1“, von (%3, %4) bis (%5, %6): Es kam von hinten und berührt nichts, bis es ganz davor ist.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened.</source>
+        <translation>%1 kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>The file is not sound XML: line %1, column %2: %3</source>
+        <translation>Die Datei ist kein fehlerfreies XML: Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>Elements of the file lie more than %1 deep in one another. Ungroup some of them, and try again.</source>
+        <translation>Elemente der Datei liegen mehr als %1-fach ineinander. Lösen Sie einige Gruppen auf und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file draws more than %1 pieces, which is more than can be imported. Take out what the level does not need, and try again.</source>
+        <translation>Die Datei zeichnet mehr als %1 Teile, mehr als importiert werden können. Entfernen Sie, was das Level nicht braucht, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Drag: move · Shift + drag: move the pivot, about which it turns</source>
+        <translation>Ziehen: verschieben · Umschalt + ziehen: den Drehpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>The file “%1” is too large: at most %2 can be read.</source>
+        <translation>Die Datei „%1“ ist zu groß: höchstens %2 können gelesen werden.</translation>
+    </message>
+    <message>
+        <source>This is too large: at most %1 can be read.</source>
+        <translation>Das ist zu groß: höchstens %1 können gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file is empty. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>Die Datei ist leer. Holen Sie sie noch einmal, oder nehmen Sie eine Kopie aus einer Sicherung.</translation>
+    </message>
+    <message>
+        <source>The file is not text in UTF-8 from here on: it is damaged, or something else. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>Von hier an ist die Datei kein Text in UTF-8: sie ist beschädigt oder etwas anderes. Holen Sie sie noch einmal, oder nehmen Sie eine Kopie aus einer Sicherung.</translation>
+    </message>
+    <message>
+        <source>There is a zero byte here, which text cannot hold: the file is damaged, or something else. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>Hier steht ein Nullbyte, das in Text nicht vorkommt: die Datei ist beschädigt oder etwas anderes. Holen Sie sie noch einmal, oder nehmen Sie eine Kopie aus einer Sicherung.</translation>
+    </message>
+    <message>
+        <source>The file ends too early: a bracket, a brace or a quotation mark is not closed. Perhaps it was not copied as a whole; fetch it again.</source>
+        <translation>Die Datei endet zu früh: eine Klammer oder ein Anführungszeichen ist nicht geschlossen. Vielleicht wurde sie nicht ganz kopiert; holen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Neither of the two bodies can be moved by the connector; one should be dynamic.</source>
+        <translation>Keinen der beiden Körper kann die Verbindung bewegen; einer sollte dynamisch sein.</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>This is not a recorded flight. “Save Flight…” makes one of a run.</source>
+        <translation>Das ist kein aufgezeichneter Flug. „Flug speichern…“ macht einen aus einem Lauf.</translation>
+    </message>
+    <message>
+        <source>Line %2: “%1” is missing or not what a recorded flight has there. Correct it in a text editor, or save the flight again.</source>
+        <translation>Zeile %2: „%1“ fehlt oder ist nicht, was ein aufgezeichneter Flug dort hat. Berichtigen Sie es in einem Texteditor, oder speichern Sie den Flug noch einmal.</translation>
+    </message>
+    <message>
+        <source>Line %2: the field “%1” is none that a recorded flight has. Take it out; if a newer version wrote it, update the program.</source>
+        <translation>Zeile %2: das Feld „%1“ hat ein aufgezeichneter Flug nicht. Nehmen Sie es heraus; hat eine neuere Version es geschrieben, aktualisieren Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>Line %2: the field “%1” is given a second time. Take one of the two out.</source>
+        <translation>Zeile %2: das Feld „%1“ steht ein zweites Mal da. Nehmen Sie eines von beiden heraus.</translation>
+    </message>
+    <message>
+        <source>The flight was saved by a newer version (%1; this one reads up to %2). Please update the program.</source>
+        <translation>Der Flug wurde von einer neueren Version gespeichert (%1; diese liest bis %2). Bitte aktualisieren Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>The flight is longer than %1 updates, so it cannot be flown again. Save a shorter one.</source>
+        <translation>Der Flug ist länger als %1 Schritte und kann daher nicht noch einmal geflogen werden. Speichern Sie einen kürzeren.</translation>
+    </message>
+    <message>
+        <source>The bug capsule is not whole: its last line is missing. Copy it again, from its first line to its last.</source>
+        <translation>Die Fehlerkapsel ist nicht vollständig: ihre letzte Zeile fehlt. Kopieren Sie sie noch einmal, von der ersten Zeile bis zur letzten.</translation>
+    </message>
+    <message>
+        <source>The bug capsule has been changed or damaged on its way. Copy it again, or have it sent as a file.</source>
+        <translation>Die Fehlerkapsel wurde unterwegs verändert oder beschädigt. Kopieren Sie sie noch einmal, oder lassen Sie sie sich als Datei schicken.</translation>
+    </message>
+    <message>
+        <source>The bug capsule cannot be understood at “%1”. Ask for a new one.</source>
+        <translation>Die Fehlerkapsel ist bei „%1“ nicht zu verstehen. Bitten Sie um eine neue.</translation>
+    </message>
+    <message>
+        <source>The level in the bug capsule cannot be read, so ask for a new one. Line %1 of it: %2</source>
+        <translation>Das Level in der Fehlerkapsel kann nicht gelesen werden; bitten Sie um eine neue. Zeile %1 darin: %2</translation>
+    </message>
+    <message>
+        <source>The run is larger than a bug capsule may be: %1.</source>
+        <translation>Der Lauf ist größer, als eine Fehlerkapsel sein darf: %1.</translation>
+    </message>
+    <message>
+        <source>there is no such file; it may have been moved</source>
+        <translation>es gibt diese Datei nicht; vielleicht wurde sie verschoben</translation>
+    </message>
+    <message>
+        <source>you do not have the permission; ask its owner for it</source>
+        <translation>Sie haben nicht die Berechtigung; bitten Sie den Besitzer darum</translation>
+    </message>
+    <message>
+        <source>the system does not permit it</source>
+        <translation>das System erlaubt es nicht</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>what should be its folder is a file</source>
+        <translation>was sein Ordner sein sollte, ist eine Datei</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>sein Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>the disk does not answer as it should; copy what it holds</source>
+        <translation>der Datenträger antwortet nicht, wie er sollte; kopieren Sie, was er enthält</translation>
     </message>
 </context>
 <context>
@@ -5783,6 +5962,10 @@
     <message>
         <source>The screenshot was written to %1.</source>
         <translation>Das Bildschirmfoto wurde in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 was not imported.</source>
+        <translation>%1 wurde nicht importiert.</translation>
     </message>
 </context>
 <context>
@@ -6322,6 +6505,18 @@
         <source>Keys</source>
         <translation>Tasten</translation>
     </message>
+    <message>
+        <source>Search: a word, or a key as it is written</source>
+        <translation>Suchen: ein Wort, oder eine Taste, wie man sie schreibt</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>No key does anything of that name.</source>
+        <translation>Keine Taste tut etwas mit diesem Namen.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::Legend</name>
@@ -6348,6 +6543,10 @@
     <message>
         <source>What is too small at this zoom is not drawn</source>
         <translation>Was in dieser Vergrößerung zu klein ist, wird nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>Names that would lie on others are left out</source>
+        <translation>Namen, die auf anderen lägen, sind weggelassen</translation>
     </message>
 </context>
 <context>
@@ -6714,6 +6913,22 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <source>Playing a recorded simulation · %1: back to the editor</source>
         <translation>Aufgezeichnete Simulation läuft · %1: zurück zum Editor</translation>
     </message>
+    <message>
+        <source>A connector is pasted together with the two bodies that it joins.</source>
+        <translation>Eine Verbindung wird zusammen mit den beiden Körpern eingefügt, die sie verbindet.</translation>
+    </message>
+    <message>
+        <source>A level has one ship, one payload and one finish, and this one has them already.</source>
+        <translation>Ein Level hat ein Schiff, eine Fracht und eine Ziellinie, und dieses hat sie schon.</translation>
+    </message>
+    <message>
+        <source>Nothing that is selected has an edge at the pointer.</source>
+        <translation>Nichts Ausgewähltes hat am Zeiger eine Kante.</translation>
+    </message>
+    <message>
+        <source>Edit N&amp;odes</source>
+        <translation>Kn&amp;oten bearbeiten</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -6906,6 +7121,14 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <source>Several objects are called “%1”; write the key of the one you mean.</source>
         <translation>Mehrere Objekte heißen „%1“; gebraucht wird der Schlüssel des gemeinten.</translation>
     </message>
+    <message>
+        <source>Choose from a list (Down)</source>
+        <translation>Aus einer Liste wählen (Ab)</translation>
+    </message>
+    <message>
+        <source>%1, key %2</source>
+        <translation>%1, Schlüssel %2</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::OutlinerModel</name>
@@ -6981,14 +7204,6 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <translation>Filter der Objekte</translation>
     </message>
     <message>
-        <source>Shows the objects whose name holds these words, with their groups.
-kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round.
-The list shows what is drawn on top first.</source>
-        <translation>Zeigt die Objekte, deren Name diese Wörter enthält, mit ihren Gruppen.
-kind:wall, tag:ice, is:hidden und is:locked fragen nach anderem; ein Minus vor einem Wort kehrt es um.
-Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
-    </message>
-    <message>
         <source>Choose what to find</source>
         <translation>Wählt, was gesucht wird</translation>
     </message>
@@ -7003,6 +7218,14 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     <message>
         <source>Tag</source>
         <translation>Merkmal</translation>
+    </message>
+    <message>
+        <source>Shows the objects whose name holds these words, with their groups.
+kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round. Enter selects all that is found.
+The list shows what is drawn on top first.</source>
+        <translation>Zeigt die Objekte, deren Name diese Wörter enthält, mit ihren Gruppen.
+kind:wall, tag:ice, is:hidden und is:locked fragen nach anderem; ein Minus vor einem Wort kehrt es um. Die Eingabetaste wählt alles Gefundene aus.
+Die Liste zeigt zuerst, was zuoberst gezeichnet ist.</translation>
     </message>
 </context>
 <context>
@@ -7455,6 +7678,10 @@ Die Liste zeigt zuerst, was ganz oben gezeichnet wird.</translation>
     <message>
         <source>Makes all of these changes in the level, as one step that can be undone</source>
         <translation>Nimmt alle diese Änderungen im Level vor, als einen Schritt, der rückgängig gemacht werden kann</translation>
+    </message>
+    <message>
+        <source>The end of the run is undone: what was changed in it is in the level again. Redo takes it out, and lists it to be kept.</source>
+        <translation>Das Ende des Laufs ist zurückgenommen: was darin geändert wurde, ist wieder im Level. Wiederholen nimmt es heraus und listet es zum Behalten auf.</translation>
     </message>
 </context>
 <context>

@@ -212,10 +212,6 @@
         <translation>Nueva &amp;capa</translation>
     </message>
     <message>
-        <source>Put the selection into a new layer, or make an empty one</source>
-        <translation>Poner la selección en una capa nueva, o crear una vacía</translation>
-    </message>
-    <message>
         <source>Move to Layer &amp;Above</source>
         <translation>Mover a la capa &amp;superior</translation>
     </message>
@@ -1060,10 +1056,6 @@
         <translation>C&amp;olocar nave, carga, meta</translation>
     </message>
     <message>
-        <source>Place ship, payload or finish; again for the next of them</source>
-        <translation>Colocar nave, carga o meta; otra vez: la siguiente de ellas</translation>
-    </message>
-    <message>
         <source>&amp;Guide…</source>
         <translation>G&amp;uía…</translation>
     </message>
@@ -1523,6 +1515,58 @@
         <source>Choose the set of colors of the overlays, and colors of your own for each</source>
         <translation>Elegir el juego de colores de las superposiciones y colores propios para cada una</translation>
     </message>
+    <message>
+        <source>Wa&amp;ys of a Run</source>
+        <translation>Trayec&amp;tos de una ejecución</translation>
+    </message>
+    <message>
+        <source>Show the ways of the last minute where a run is held, and those of futures given up</source>
+        <translation>Mostrar los trayectos del último minuto de una ejecución detenida y los de futuros abandonados</translation>
+    </message>
+    <message>
+        <source>What is selected is locked.</source>
+        <translation>Lo seleccionado está bloqueado.</translation>
+    </message>
+    <message>
+        <source>Ship, payload and finish exist once, and connectors are copied with their two bodies.</source>
+        <translation>La nave, la carga y la meta existen una sola vez, y los conectores se copian con sus dos cuerpos.</translation>
+    </message>
+    <message>
+        <source>Select a wall or a line first.</source>
+        <translation>Seleccione primero un muro o una línea.</translation>
+    </message>
+    <message>
+        <source>Select a group first.</source>
+        <translation>Seleccione primero un grupo.</translation>
+    </message>
+    <message>
+        <source>What is selected has no nodes.</source>
+        <translation>Lo seleccionado no tiene nodos.</translation>
+    </message>
+    <message>
+        <source>“%1” changes nothing here.</source>
+        <translation>«%1» no cambia nada aquí.</translation>
+    </message>
+    <message>
+        <source>Put the selection into a new layer, or make an empty one, and type its name</source>
+        <translation>Poner la selección en una capa nueva, o crear una vacía, y escribir su nombre</translation>
+    </message>
+    <message>
+        <source>Insert Node &amp;Here</source>
+        <translation>Insertar un nodo &amp;aquí</translation>
+    </message>
+    <message>
+        <source>Insert a node where the pointer is at an edge of the selection</source>
+        <translation>Insertar un nodo donde el puntero está en un borde de la selección</translation>
+    </message>
+    <message>
+        <source>Not while the level runs.</source>
+        <translation>No mientras el nivel está en marcha.</translation>
+    </message>
+    <message>
+        <source>Place ship, payload or finish, first what the level lacks; again for the next of them</source>
+        <translation>Colocar nave, carga o meta, primero lo que falta en el nivel; otra vez para el siguiente</translation>
+    </message>
 </context>
 <context>
     <name>BugCapsule</name>
@@ -1541,6 +1585,10 @@
     <message>
         <source>The bug capsule is being read…</source>
         <translation>Se está leyendo la cápsula de error…</translation>
+    </message>
+    <message>
+        <source>The bug capsule</source>
+        <translation>La cápsula de error</translation>
     </message>
 </context>
 <context>
@@ -1737,6 +1785,14 @@
     <message>
         <source>There is not enough memory to read the flight.</source>
         <translation>No hay memoria suficiente para leer el vuelo.</translation>
+    </message>
+    <message>
+        <source>%1 is a simulation of the level “%2”, which is neither open nor beside it. Open the level and drop the simulation on it.</source>
+        <translation>%1 es una simulación del nivel «%2», que no está abierto ni junto a ella. Abra el nivel y suelte la simulación en él.</translation>
+    </message>
+    <message>
+        <source>The level has been changed since the simulation was recorded, which may therefore go otherwise.</source>
+        <translation>El nivel ha cambiado desde que se grabó la simulación, que puede por ello transcurrir de otro modo.</translation>
     </message>
 </context>
 <context>
@@ -1972,16 +2028,16 @@
         <translation>El vuelo se guardó como %1. Suelte el archivo sobre una ventana para volver a verlo.</translation>
     </message>
     <message>
-        <source>It ends after %1 of %2 updates: a flight file holds no more.</source>
-        <translation>Termina tras %1 de %2 actualizaciones: un archivo de vuelo no admite más.</translation>
-    </message>
-    <message>
-        <source>Another flight is still being saved.</source>
-        <translation>Todavía se está guardando otro vuelo.</translation>
-    </message>
-    <message>
         <source>The simulation has been saved as %1. Drop the file on a window to see it again.</source>
         <translation>La simulación se guardó como %1. Suelte el archivo sobre una ventana para volver a verla.</translation>
+    </message>
+    <message>
+        <source>It ends after %1 of %2 updates: a file holds no more.</source>
+        <translation>Termina tras %1 de %2 actualizaciones: un archivo no contiene más.</translation>
+    </message>
+    <message>
+        <source>Another recording is still being saved.</source>
+        <translation>Otra grabación aún se está guardando.</translation>
     </message>
 </context>
 <context>
@@ -1989,10 +2045,6 @@
     <message>
         <source>wins after %1 s, with %2 s of thrust</source>
         <translation>gana tras %1 s, con %2 s de propulsión</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>no se puede leer</translation>
     </message>
     <message>
         <source>is being flown…</source>
@@ -2069,6 +2121,10 @@
     <message>
         <source>is a simulation of %1 s</source>
         <translation>es una simulación de %1 s</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>no se puede leer: %1</translation>
     </message>
 </context>
 <context>
@@ -2777,22 +2833,6 @@
         <translation>Mover la selección desde cualquier sitio</translation>
     </message>
     <message>
-        <source>Shift while dragging</source>
-        <translation>Mayús al arrastrar</translation>
-    </message>
-    <message>
-        <source>Keep to an axis, or to steps of 15°</source>
-        <translation>Mantenerse en un eje, o en pasos de 15°</translation>
-    </message>
-    <message>
-        <source>Ctrl while dragging</source>
-        <translation>Ctrl al arrastrar</translation>
-    </message>
-    <message>
-        <source>Switch snapping off or on for the moment</source>
-        <translation>Desactivar o activar el ajuste por el momento</translation>
-    </message>
-    <message>
         <source>Enter or right click</source>
         <translation>Intro o clic derecho</translation>
     </message>
@@ -2899,6 +2939,38 @@
     <message>
         <source>Turn time back, as long as the key is held</source>
         <translation>Retroceder en el tiempo mientras se mantiene la tecla</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while moving or drawing</source>
+        <translation>Mayús · Ctrl al mover o dibujar</translation>
+    </message>
+    <message>
+        <source>Keep to an axis or to steps of 15° · switch snapping off or on for the moment</source>
+        <translation>Mantenerse en un eje o en pasos de 15° · desactivar o activar el ajuste por un momento</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while drawing a rectangle</source>
+        <translation>Mayús · Ctrl al dibujar un rectángulo</translation>
+    </message>
+    <message>
+        <source>From its middle · a square</source>
+        <translation>Desde su centro · un cuadrado</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl · Alt while scaling</source>
+        <translation>Mayús · Ctrl · Alt al escalar</translation>
+    </message>
+    <message>
+        <source>About the middle · keep the proportions · switch snapping off or on</source>
+        <translation>Desde el centro · mantener las proporciones · desactivar o activar el ajuste</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while turning</source>
+        <translation>Mayús · Ctrl al girar</translation>
+    </message>
+    <message>
+        <source>About the opposite corner · in steps of 15°</source>
+        <translation>Alrededor de la esquina opuesta · en pasos de 15°</translation>
     </message>
 </context>
 <context>
@@ -3007,6 +3079,14 @@
         <source>Force; 1 m is the weight of the lighter one, 2 m ten times as much</source>
         <translation>Fuerza; 1 m es el peso del más ligero, 2 m diez veces más</translation>
     </message>
+    <message>
+        <source>Way in the time that is kept</source>
+        <translation>Trayecto en el tiempo conservado</translation>
+    </message>
+    <message>
+        <source>Way in a future given up, dashed</source>
+        <translation>Trayecto en un futuro abandonado, a trazos</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -3055,16 +3135,75 @@
         <translation>Capa</translation>
     </message>
     <message>
-        <source>%1 at (%2, %3)</source>
-        <translation>%1 en (%2, %3)</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1 at %2; %3</source>
         <translation>%1 en %2; %3</translation>
+    </message>
+</context>
+<context>
+    <name>ObjectFilter</name>
+    <message>
+        <source>wall</source>
+        <translation>muro</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>línea</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>polígono</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>círculo</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>estático</translation>
+    </message>
+    <message>
+        <source>kinematic</source>
+        <translation>cinemático</translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation>dinámico</translation>
+    </message>
+    <message>
+        <source>ship</source>
+        <translation>nave</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>carga</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>meta</translation>
+    </message>
+    <message>
+        <source>connector</source>
+        <translation>conector</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>grupo</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>capa</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>oculto</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>bloqueado</translation>
     </message>
 </context>
 <context>
@@ -3364,28 +3503,12 @@
 <context>
     <name>messages</name>
     <message>
-        <source>The file is not sound XML: line %1, column %2: %3 Nothing was imported.</source>
-        <translation>El archivo no es XML correcto: línea %1, columna %2: %3 No se importó nada.</translation>
-    </message>
-    <message>
         <source>The file declares entities of its own (line %1), which are not read because they can be made to grow without end. Save it as plain SVG, for example with Inkscape, and try again.</source>
         <translation>El archivo declara entidades propias (línea %1), que no se leen porque pueden crecer sin fin. Guárdelo como SVG plano, por ejemplo con Inkscape, e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>Elements of the file lie more than %1 deep in one another.</source>
-        <translation>Hay elementos del archivo anidados a más de %1 niveles.</translation>
-    </message>
-    <message>
-        <source>The file draws more than %1 pieces, which is more than can be imported.</source>
-        <translation>El archivo dibuja más de %1 piezas, más de las que se pueden importar.</translation>
-    </message>
-    <message>
         <source>The import was stopped; nothing was changed.</source>
         <translation>La importación se detuvo; no se cambió nada.</translation>
-    </message>
-    <message>
-        <source>The file is not sound JSON: something is wrong in line %1 or just before it. Nothing was imported.</source>
-        <translation>El archivo no es JSON correcto: algo está mal en la línea %1 o justo antes. No se importó nada.</translation>
     </message>
     <message>
         <source>The file is compressed. Unpack it first, or save it as plain SVG instead of SVGZ.</source>
@@ -4630,14 +4753,6 @@
         <translation>El archivo «%1» se escribió solo en parte: %2. Todo lo que debía contener está en el archivo «%3».</translation>
     </message>
     <message>
-        <source>The file “%1” is too large: at most %2 bytes are read.</source>
-        <translation>El archivo «%1» es demasiado grande: se leen como máximo %2 bytes.</translation>
-    </message>
-    <message>
-        <source>This is too large: at most %1 bytes are read.</source>
-        <translation>Esto es demasiado grande: se leen como máximo %1 bytes.</translation>
-    </message>
-    <message>
         <source>“%1” is not a finite number, and a file cannot hold it.</source>
         <translation>«%1» no es un número finito, y un archivo no puede contenerlo.</translation>
     </message>
@@ -4678,28 +4793,12 @@
         <translation>El resultado se cruzaría a sí mismo, así que los cuerpos se quedan como están. Mueva un poco uno de ellos e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>The file is empty.</source>
-        <translation>El archivo está vacío.</translation>
-    </message>
-    <message>
-        <source>The file is not text in UTF-8 from here on.</source>
-        <translation>A partir de aquí, el archivo no es texto en UTF-8.</translation>
-    </message>
-    <message>
-        <source>There is a zero byte here, which text cannot hold.</source>
-        <translation>Aquí hay un byte cero, que un texto no puede contener.</translation>
-    </message>
-    <message>
         <source>The file starts with a byte order mark, which saving will leave out.</source>
         <translation>El archivo empieza con una marca de orden de bytes, que se omitirá al guardar.</translation>
     </message>
     <message>
         <source>“%1” is not expected here: something is wrong at this place or just before it.</source>
         <translation>Aquí no se espera «%1»: algo está mal en este lugar o justo antes.</translation>
-    </message>
-    <message>
-        <source>The file ends too early: a bracket, a brace or a quotation mark is not closed.</source>
-        <translation>El archivo termina demasiado pronto: falta cerrar un corchete, una llave o unas comillas.</translation>
     </message>
     <message>
         <source>A text is not closed with a quotation mark before its line ends.</source>
@@ -4982,10 +5081,6 @@
         <translation>Los dos extremos del conector están en el mismo objeto.</translation>
     </message>
     <message>
-        <source>Neither end of the connector can move.</source>
-        <translation>Ningún extremo del conector se puede mover.</translation>
-    </message>
-    <message>
         <source>A stiffness of %1 N/m is too much for the sub-steps: the spring may shake. About %2 sub-steps would do.</source>
         <translation>Una rigidez de %1 N/m es demasiada para los subpasos: el muelle puede temblar. Bastarían unos %2 subpasos.</translation>
     </message>
@@ -5176,30 +5271,6 @@
     <message>
         <source>Both ends of the connector are on the same body.</source>
         <translation>Los dos extremos del conector están en el mismo cuerpo.</translation>
-    </message>
-    <message>
-        <source>The replay cannot be understood at “%1”.</source>
-        <translation>La grabación no se entiende en «%1».</translation>
-    </message>
-    <message>
-        <source>The field “%1” is none that a replay has.</source>
-        <translation>El campo «%1» no es propio de una grabación.</translation>
-    </message>
-    <message>
-        <source>The field “%1” is given twice in the replay.</source>
-        <translation>El campo «%1» aparece dos veces en la grabación.</translation>
-    </message>
-    <message>
-        <source>The replay was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
-        <translation>La grabación se hizo con una versión más nueva (%1; esta lee hasta %2). Actualice el programa.</translation>
-    </message>
-    <message>
-        <source>The replay is longer than %1 updates.</source>
-        <translation>La grabación tiene más de %1 actualizaciones.</translation>
-    </message>
-    <message>
-        <source>The replay is not JSON: line %1 is wrong.</source>
-        <translation>La grabación no es JSON: la línea %1 está mal.</translation>
     </message>
     <message>
         <source>These tags came along, as the level did not have them: %1.</source>
@@ -5485,32 +5556,12 @@
         <translation>En el texto no hay ninguna cápsula de error.</translation>
     </message>
     <message>
-        <source>The bug capsule is not whole: its last line is missing.</source>
-        <translation>La cápsula de error no está completa: falta su última línea.</translation>
-    </message>
-    <message>
-        <source>The bug capsule has been changed or damaged on its way.</source>
-        <translation>La cápsula de error se alteró o se dañó por el camino.</translation>
-    </message>
-    <message>
-        <source>The bug capsule cannot be understood at “%1”.</source>
-        <translation>La cápsula de error no se entiende en «%1».</translation>
-    </message>
-    <message>
-        <source>The level in the bug capsule cannot be read.</source>
-        <translation>No se puede leer el nivel de la cápsula de error.</translation>
-    </message>
-    <message>
         <source>The bug capsule was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
         <translation>La cápsula de error se hizo con una versión más nueva (%1; esta lee hasta %2). Actualice el programa.</translation>
     </message>
     <message>
         <source>The run is longer than a bug capsule may be: %1 updates.</source>
         <translation>La ejecución es más larga de lo que puede ser una cápsula de error: %1 actualizaciones.</translation>
-    </message>
-    <message>
-        <source>The run is larger than a bug capsule may be: %1 bytes.</source>
-        <translation>La ejecución es mayor de lo que puede ser una cápsula de error: %1 bytes.</translation>
     </message>
     <message>
         <source>The run has ended, and nothing of it is left.</source>
@@ -5534,6 +5585,134 @@
     <message>
         <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
         <translation>«%2» está atravesando un muro de una cara de «%1», de (%3, %4) a (%5, %6): vino por detrás y no toca nada hasta que esté entero delante.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened.</source>
+        <translation>No se puede abrir %1.</translation>
+    </message>
+    <message>
+        <source>The file is not sound XML: line %1, column %2: %3</source>
+        <translation>El archivo no es XML correcto: línea %1, columna %2: %3</translation>
+    </message>
+    <message>
+        <source>Elements of the file lie more than %1 deep in one another. Ungroup some of them, and try again.</source>
+        <translation>Hay elementos del archivo anidados a más de %1 niveles. Desagrupe algunos e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The file draws more than %1 pieces, which is more than can be imported. Take out what the level does not need, and try again.</source>
+        <translation>El archivo dibuja más de %1 piezas, más de las que se pueden importar. Quite lo que el nivel no necesita e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Drag: move · Shift + drag: move the pivot, about which it turns</source>
+        <translation>Arrastrar: mover · Mayús + arrastrar: mover el pivote, alrededor del cual gira</translation>
+    </message>
+    <message>
+        <source>The file “%1” is too large: at most %2 can be read.</source>
+        <translation>El archivo «%1» es demasiado grande: se pueden leer %2 como máximo.</translation>
+    </message>
+    <message>
+        <source>This is too large: at most %1 can be read.</source>
+        <translation>Es demasiado grande: se pueden leer %1 como máximo.</translation>
+    </message>
+    <message>
+        <source>The file is empty. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>El archivo está vacío. Obténgalo de nuevo o tome una copia de seguridad.</translation>
+    </message>
+    <message>
+        <source>The file is not text in UTF-8 from here on: it is damaged, or something else. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>Desde aquí el archivo no es texto UTF-8: está dañado o es otra cosa. Obténgalo de nuevo o tome una copia de seguridad.</translation>
+    </message>
+    <message>
+        <source>There is a zero byte here, which text cannot hold: the file is damaged, or something else. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>Aquí hay un byte cero, que un texto no puede contener: el archivo está dañado o es otra cosa. Obténgalo de nuevo o tome una copia de seguridad.</translation>
+    </message>
+    <message>
+        <source>The file ends too early: a bracket, a brace or a quotation mark is not closed. Perhaps it was not copied as a whole; fetch it again.</source>
+        <translation>El archivo termina demasiado pronto: falta cerrar un corchete, una llave o unas comillas. Quizá no se copió entero; obténgalo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Neither of the two bodies can be moved by the connector; one should be dynamic.</source>
+        <translation>El conector no puede mover ninguno de los dos cuerpos; uno debería ser dinámico.</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Línea %1: %2</translation>
+    </message>
+    <message>
+        <source>This is not a recorded flight. “Save Flight…” makes one of a run.</source>
+        <translation>No es un vuelo grabado. «Guardar vuelo…» crea uno a partir de una ejecución.</translation>
+    </message>
+    <message>
+        <source>Line %2: “%1” is missing or not what a recorded flight has there. Correct it in a text editor, or save the flight again.</source>
+        <translation>Línea %2: «%1» falta o no es lo que un vuelo grabado tiene ahí. Corríjalo en un editor de texto o guarde el vuelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Line %2: the field “%1” is none that a recorded flight has. Take it out; if a newer version wrote it, update the program.</source>
+        <translation>Línea %2: un vuelo grabado no tiene el campo «%1». Quítelo; si lo escribió una versión más nueva, actualice el programa.</translation>
+    </message>
+    <message>
+        <source>Line %2: the field “%1” is given a second time. Take one of the two out.</source>
+        <translation>Línea %2: el campo «%1» aparece por segunda vez. Quite uno de los dos.</translation>
+    </message>
+    <message>
+        <source>The flight was saved by a newer version (%1; this one reads up to %2). Please update the program.</source>
+        <translation>El vuelo lo guardó una versión más nueva (%1; esta lee hasta %2). Actualice el programa.</translation>
+    </message>
+    <message>
+        <source>The flight is longer than %1 updates, so it cannot be flown again. Save a shorter one.</source>
+        <translation>El vuelo dura más de %1 actualizaciones, así que no se puede repetir. Guarde uno más corto.</translation>
+    </message>
+    <message>
+        <source>The bug capsule is not whole: its last line is missing. Copy it again, from its first line to its last.</source>
+        <translation>La cápsula de error no está completa: falta su última línea. Cópiela de nuevo, de la primera línea a la última.</translation>
+    </message>
+    <message>
+        <source>The bug capsule has been changed or damaged on its way. Copy it again, or have it sent as a file.</source>
+        <translation>La cápsula de error se cambió o se dañó por el camino. Cópiela de nuevo o pida que se la envíen como archivo.</translation>
+    </message>
+    <message>
+        <source>The bug capsule cannot be understood at “%1”. Ask for a new one.</source>
+        <translation>La cápsula de error no se entiende en «%1». Pida una nueva.</translation>
+    </message>
+    <message>
+        <source>The level in the bug capsule cannot be read, so ask for a new one. Line %1 of it: %2</source>
+        <translation>El nivel de la cápsula de error no se puede leer; pida una nueva. Su línea %1: %2</translation>
+    </message>
+    <message>
+        <source>The run is larger than a bug capsule may be: %1.</source>
+        <translation>La ejecución es mayor de lo que puede ser una cápsula de error: %1.</translation>
+    </message>
+    <message>
+        <source>there is no such file; it may have been moved</source>
+        <translation>ese archivo no existe; quizá se haya movido</translation>
+    </message>
+    <message>
+        <source>you do not have the permission; ask its owner for it</source>
+        <translation>no tiene permiso; pídaselo a su propietario</translation>
+    </message>
+    <message>
+        <source>the system does not permit it</source>
+        <translation>el sistema no lo permite</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>es una carpeta</translation>
+    </message>
+    <message>
+        <source>what should be its folder is a file</source>
+        <translation>lo que debería ser su carpeta es un archivo</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>no es un archivo normal</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>su nombre es demasiado largo</translation>
+    </message>
+    <message>
+        <source>the disk does not answer as it should; copy what it holds</source>
+        <translation>el disco no responde como debería; copie lo que contiene</translation>
     </message>
 </context>
 <context>
@@ -5783,6 +5962,10 @@
     <message>
         <source>The screenshot was written to %1.</source>
         <translation>La captura se ha guardado en %1.</translation>
+    </message>
+    <message>
+        <source>%1 was not imported.</source>
+        <translation>%1 no se importó.</translation>
     </message>
 </context>
 <context>
@@ -6322,6 +6505,18 @@
         <source>Keys</source>
         <translation>Teclas</translation>
     </message>
+    <message>
+        <source>Search: a word, or a key as it is written</source>
+        <translation>Buscar: una palabra, o una tecla tal como se escribe</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>No key does anything of that name.</source>
+        <translation>Ninguna tecla hace nada con ese nombre.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::Legend</name>
@@ -6348,6 +6543,10 @@
     <message>
         <source>What is too small at this zoom is not drawn</source>
         <translation>Lo que es demasiado pequeño con este zoom no se dibuja</translation>
+    </message>
+    <message>
+        <source>Names that would lie on others are left out</source>
+        <translation>Se omiten los nombres que taparían otros</translation>
     </message>
 </context>
 <context>
@@ -6714,6 +6913,22 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
         <source>Playing a recorded simulation · %1: back to the editor</source>
         <translation>Se reproduce una simulación grabada · %1: volver al editor</translation>
     </message>
+    <message>
+        <source>A connector is pasted together with the two bodies that it joins.</source>
+        <translation>Un conector se pega junto con los dos cuerpos que une.</translation>
+    </message>
+    <message>
+        <source>A level has one ship, one payload and one finish, and this one has them already.</source>
+        <translation>Un nivel tiene una nave, una carga y una meta, y este ya las tiene.</translation>
+    </message>
+    <message>
+        <source>Nothing that is selected has an edge at the pointer.</source>
+        <translation>Nada de lo seleccionado tiene un borde en el puntero.</translation>
+    </message>
+    <message>
+        <source>Edit N&amp;odes</source>
+        <translation>Editar n&amp;odos</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -6906,6 +7121,14 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
         <source>Several objects are called “%1”; write the key of the one you mean.</source>
         <translation>Varios objetos se llaman «%1»; escriba la clave del que busca.</translation>
     </message>
+    <message>
+        <source>Choose from a list (Down)</source>
+        <translation>Elegir de una lista (Abajo)</translation>
+    </message>
+    <message>
+        <source>%1, key %2</source>
+        <translation>%1, clave %2</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::OutlinerModel</name>
@@ -6981,14 +7204,6 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
         <translation>Filtro de los objetos</translation>
     </message>
     <message>
-        <source>Shows the objects whose name holds these words, with their groups.
-kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round.
-The list shows what is drawn on top first.</source>
-        <translation>Muestra los objetos cuyo nombre contiene estas palabras, con sus grupos.
-kind:wall, tag:ice, is:hidden e is:locked preguntan por otras cosas; un menos antes de una palabra la invierte.
-La lista muestra primero lo que se dibuja encima.</translation>
-    </message>
-    <message>
         <source>Choose what to find</source>
         <translation>Elegir qué buscar</translation>
     </message>
@@ -7003,6 +7218,14 @@ La lista muestra primero lo que se dibuja encima.</translation>
     <message>
         <source>Tag</source>
         <translation>Etiqueta</translation>
+    </message>
+    <message>
+        <source>Shows the objects whose name holds these words, with their groups.
+kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round. Enter selects all that is found.
+The list shows what is drawn on top first.</source>
+        <translation>Muestra los objetos cuyo nombre contiene estas palabras, con sus grupos.
+kind:wall, tag:ice, is:hidden e is:locked preguntan por otras cosas; un menos delante de una palabra la invierte. Intro selecciona todo lo encontrado.
+La lista muestra primero lo que se dibuja encima.</translation>
     </message>
 </context>
 <context>
@@ -7455,6 +7678,10 @@ La lista muestra primero lo que se dibuja encima.</translation>
     <message>
         <source>Makes all of these changes in the level, as one step that can be undone</source>
         <translation>Hace todos estos cambios en el nivel, como un paso que se puede deshacer</translation>
+    </message>
+    <message>
+        <source>The end of the run is undone: what was changed in it is in the level again. Redo takes it out, and lists it to be kept.</source>
+        <translation>Se ha deshecho el final de la ejecución: lo que se cambió está de nuevo en el nivel. Rehacer lo quita y lo lista para conservarlo.</translation>
     </message>
 </context>
 <context>

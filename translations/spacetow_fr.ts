@@ -212,10 +212,6 @@
         <translation>&amp;Nouveau calque</translation>
     </message>
     <message>
-        <source>Put the selection into a new layer, or make an empty one</source>
-        <translation>Mettre la sélection dans un nouveau calque, ou en créer un vide</translation>
-    </message>
-    <message>
         <source>Move to Layer &amp;Above</source>
         <translation>Vers le &amp;calque au-dessus</translation>
     </message>
@@ -1060,10 +1056,6 @@
         <translation>Placer va&amp;isseau, charge, arrivée</translation>
     </message>
     <message>
-        <source>Place ship, payload or finish; again for the next of them</source>
-        <translation>Placer vaisseau, charge ou arrivée&#xa0;; encore une fois&#xa0;: la suivante</translation>
-    </message>
-    <message>
         <source>&amp;Guide…</source>
         <translation>&amp;Guide…</translation>
     </message>
@@ -1523,6 +1515,58 @@
         <source>Choose the set of colors of the overlays, and colors of your own for each</source>
         <translation>Choisir le jeu de couleurs des surimpressions, et vos propres couleurs pour chacune</translation>
     </message>
+    <message>
+        <source>Wa&amp;ys of a Run</source>
+        <translation>Tra&amp;jets d’une exécution</translation>
+    </message>
+    <message>
+        <source>Show the ways of the last minute where a run is held, and those of futures given up</source>
+        <translation>Afficher les trajets de la dernière minute d’une exécution suspendue et ceux des futurs abandonnés</translation>
+    </message>
+    <message>
+        <source>What is selected is locked.</source>
+        <translation>La sélection est verrouillée.</translation>
+    </message>
+    <message>
+        <source>Ship, payload and finish exist once, and connectors are copied with their two bodies.</source>
+        <translation>Le vaisseau, la charge et l’arrivée n’existent qu’une fois, et les connecteurs sont copiés avec leurs deux corps.</translation>
+    </message>
+    <message>
+        <source>Select a wall or a line first.</source>
+        <translation>Sélectionnez d’abord un mur ou une ligne.</translation>
+    </message>
+    <message>
+        <source>Select a group first.</source>
+        <translation>Sélectionnez d’abord un groupe.</translation>
+    </message>
+    <message>
+        <source>What is selected has no nodes.</source>
+        <translation>La sélection n’a pas de nœuds.</translation>
+    </message>
+    <message>
+        <source>“%1” changes nothing here.</source>
+        <translation>« %1 » ne change rien ici.</translation>
+    </message>
+    <message>
+        <source>Put the selection into a new layer, or make an empty one, and type its name</source>
+        <translation>Mettre la sélection dans un nouveau calque, ou en créer un vide, et saisir son nom</translation>
+    </message>
+    <message>
+        <source>Insert Node &amp;Here</source>
+        <translation>Insérer un nœud &amp;ici</translation>
+    </message>
+    <message>
+        <source>Insert a node where the pointer is at an edge of the selection</source>
+        <translation>Insérer un nœud là où le pointeur touche un bord de la sélection</translation>
+    </message>
+    <message>
+        <source>Not while the level runs.</source>
+        <translation>Pas pendant que le niveau tourne.</translation>
+    </message>
+    <message>
+        <source>Place ship, payload or finish, first what the level lacks; again for the next of them</source>
+        <translation>Placer le vaisseau, la charge ou l’arrivée, d’abord ce qui manque au niveau ; encore une fois pour le suivant</translation>
+    </message>
 </context>
 <context>
     <name>BugCapsule</name>
@@ -1541,6 +1585,10 @@
     <message>
         <source>The bug capsule is being read…</source>
         <translation>La capsule de bogue est en cours de lecture…</translation>
+    </message>
+    <message>
+        <source>The bug capsule</source>
+        <translation>La capsule de bogue</translation>
     </message>
 </context>
 <context>
@@ -1737,6 +1785,14 @@
     <message>
         <source>There is not enough memory to read the flight.</source>
         <translation>Il n’y a pas assez de mémoire pour lire le vol.</translation>
+    </message>
+    <message>
+        <source>%1 is a simulation of the level “%2”, which is neither open nor beside it. Open the level and drop the simulation on it.</source>
+        <translation>%1 est une simulation du niveau « %2 », qui n’est ni ouvert ni à côté. Ouvrez le niveau et déposez-y la simulation.</translation>
+    </message>
+    <message>
+        <source>The level has been changed since the simulation was recorded, which may therefore go otherwise.</source>
+        <translation>Le niveau a été modifié depuis l’enregistrement de la simulation, qui peut donc se dérouler autrement.</translation>
     </message>
 </context>
 <context>
@@ -1972,16 +2028,16 @@
         <translation>Le vol a été enregistré sous %1. Déposez le fichier sur une fenêtre pour le revoir.</translation>
     </message>
     <message>
-        <source>It ends after %1 of %2 updates: a flight file holds no more.</source>
-        <translation>Il se termine après %1 des %2 mises à jour : un fichier de vol n’en contient pas plus.</translation>
-    </message>
-    <message>
-        <source>Another flight is still being saved.</source>
-        <translation>Un autre vol est encore en cours d’enregistrement.</translation>
-    </message>
-    <message>
         <source>The simulation has been saved as %1. Drop the file on a window to see it again.</source>
         <translation>La simulation a été enregistrée sous %1. Déposez le fichier sur une fenêtre pour la revoir.</translation>
+    </message>
+    <message>
+        <source>It ends after %1 of %2 updates: a file holds no more.</source>
+        <translation>L’enregistrement finit après %1 mises à jour sur %2 : un fichier n’en contient pas plus.</translation>
+    </message>
+    <message>
+        <source>Another recording is still being saved.</source>
+        <translation>Un autre enregistrement est encore en cours de sauvegarde.</translation>
     </message>
 </context>
 <context>
@@ -1989,10 +2045,6 @@
     <message>
         <source>wins after %1 s, with %2 s of thrust</source>
         <translation>gagne après %1 s, avec %2 s de poussée</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>est illisible</translation>
     </message>
     <message>
         <source>is being flown…</source>
@@ -2069,6 +2121,10 @@
     <message>
         <source>is a simulation of %1 s</source>
         <translation>est une simulation de %1 s</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ne peut pas être lu : %1</translation>
     </message>
 </context>
 <context>
@@ -2777,22 +2833,6 @@
         <translation>Déplacer la sélection de n’importe où</translation>
     </message>
     <message>
-        <source>Shift while dragging</source>
-        <translation>Maj en glissant</translation>
-    </message>
-    <message>
-        <source>Keep to an axis, or to steps of 15°</source>
-        <translation>Garder un axe, ou des pas de 15°</translation>
-    </message>
-    <message>
-        <source>Ctrl while dragging</source>
-        <translation>Ctrl en glissant</translation>
-    </message>
-    <message>
-        <source>Switch snapping off or on for the moment</source>
-        <translation>Couper ou activer l’aimantation un moment</translation>
-    </message>
-    <message>
         <source>Enter or right click</source>
         <translation>Entrée ou clic droit</translation>
     </message>
@@ -2899,6 +2939,38 @@
     <message>
         <source>Turn time back, as long as the key is held</source>
         <translation>Remonter le temps tant que la touche est maintenue</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while moving or drawing</source>
+        <translation>Maj · Ctrl en déplaçant ou dessinant</translation>
+    </message>
+    <message>
+        <source>Keep to an axis or to steps of 15° · switch snapping off or on for the moment</source>
+        <translation>Rester sur un axe ou par pas de 15° · couper ou activer le magnétisme un instant</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while drawing a rectangle</source>
+        <translation>Maj · Ctrl en dessinant un rectangle</translation>
+    </message>
+    <message>
+        <source>From its middle · a square</source>
+        <translation>Depuis son milieu · un carré</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl · Alt while scaling</source>
+        <translation>Maj · Ctrl · Alt en redimensionnant</translation>
+    </message>
+    <message>
+        <source>About the middle · keep the proportions · switch snapping off or on</source>
+        <translation>Autour du milieu · garder les proportions · couper ou activer le magnétisme</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while turning</source>
+        <translation>Maj · Ctrl en tournant</translation>
+    </message>
+    <message>
+        <source>About the opposite corner · in steps of 15°</source>
+        <translation>Autour du coin opposé · par pas de 15°</translation>
     </message>
 </context>
 <context>
@@ -3007,6 +3079,14 @@
         <source>Force; 1 m is the weight of the lighter one, 2 m ten times as much</source>
         <translation>Force ; 1 m vaut le poids du plus léger, 2 m dix fois plus</translation>
     </message>
+    <message>
+        <source>Way in the time that is kept</source>
+        <translation>Trajet dans le temps conservé</translation>
+    </message>
+    <message>
+        <source>Way in a future given up, dashed</source>
+        <translation>Trajet dans un futur abandonné, en tirets</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -3055,16 +3135,75 @@
         <translation>Calque</translation>
     </message>
     <message>
-        <source>%1 at (%2, %3)</source>
-        <translation>%1 en (%2, %3)</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1 at %2; %3</source>
         <translation>%1 à %2&#xa0;; %3</translation>
+    </message>
+</context>
+<context>
+    <name>ObjectFilter</name>
+    <message>
+        <source>wall</source>
+        <translation>mur</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>ligne</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>polygone</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>cercle</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>statique</translation>
+    </message>
+    <message>
+        <source>kinematic</source>
+        <translation>cinématique</translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation>dynamique</translation>
+    </message>
+    <message>
+        <source>ship</source>
+        <translation>vaisseau</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>charge</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>arrivée</translation>
+    </message>
+    <message>
+        <source>connector</source>
+        <translation>connecteur</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>groupe</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>calque</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>masqué</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>verrouillé</translation>
     </message>
 </context>
 <context>
@@ -3364,28 +3503,12 @@
 <context>
     <name>messages</name>
     <message>
-        <source>The file is not sound XML: line %1, column %2: %3 Nothing was imported.</source>
-        <translation>Le fichier n’est pas du XML correct&#xa0;: ligne %1, colonne %2&#xa0;: %3 Rien n’a été importé.</translation>
-    </message>
-    <message>
         <source>The file declares entities of its own (line %1), which are not read because they can be made to grow without end. Save it as plain SVG, for example with Inkscape, and try again.</source>
         <translation>Le fichier déclare ses propres entités (ligne %1), qui ne sont pas lues car elles peuvent grossir sans fin. Enregistrez-le en SVG simple, par exemple avec Inkscape, et réessayez.</translation>
     </message>
     <message>
-        <source>Elements of the file lie more than %1 deep in one another.</source>
-        <translation>Des éléments du fichier sont imbriqués sur plus de %1 niveaux.</translation>
-    </message>
-    <message>
-        <source>The file draws more than %1 pieces, which is more than can be imported.</source>
-        <translation>Le fichier dessine plus de %1 morceaux, plus qu’on ne peut en importer.</translation>
-    </message>
-    <message>
         <source>The import was stopped; nothing was changed.</source>
         <translation>L’import a été arrêté&#xa0;; rien n’a changé.</translation>
-    </message>
-    <message>
-        <source>The file is not sound JSON: something is wrong in line %1 or just before it. Nothing was imported.</source>
-        <translation>Le fichier n’est pas du JSON correct&#xa0;: une erreur se trouve à la ligne %1 ou juste avant. Rien n’a été importé.</translation>
     </message>
     <message>
         <source>The file is compressed. Unpack it first, or save it as plain SVG instead of SVGZ.</source>
@@ -4630,14 +4753,6 @@
         <translation>Le fichier «&#xa0;%1&#xa0;» n’a été écrit qu’en partie&#xa0;: %2. Tout ce qu’il devait contenir est dans le fichier «&#xa0;%3&#xa0;».</translation>
     </message>
     <message>
-        <source>The file “%1” is too large: at most %2 bytes are read.</source>
-        <translation>Le fichier «&#xa0;%1&#xa0;» est trop gros&#xa0;: %2 octets au plus sont lus.</translation>
-    </message>
-    <message>
-        <source>This is too large: at most %1 bytes are read.</source>
-        <translation>C’est trop gros&#xa0;: %1 octets au plus sont lus.</translation>
-    </message>
-    <message>
         <source>“%1” is not a finite number, and a file cannot hold it.</source>
         <translation>«&#xa0;%1&#xa0;» n’est pas un nombre fini, et un fichier ne peut le contenir.</translation>
     </message>
@@ -4678,28 +4793,12 @@
         <translation>Le résultat se croiserait, les corps restent donc tels quels. Déplacez l’un d’eux un peu et réessayez.</translation>
     </message>
     <message>
-        <source>The file is empty.</source>
-        <translation>Le fichier est vide.</translation>
-    </message>
-    <message>
-        <source>The file is not text in UTF-8 from here on.</source>
-        <translation>À partir d’ici, le fichier n’est pas du texte en UTF-8.</translation>
-    </message>
-    <message>
-        <source>There is a zero byte here, which text cannot hold.</source>
-        <translation>Il y a ici un octet nul, impossible dans un texte.</translation>
-    </message>
-    <message>
         <source>The file starts with a byte order mark, which saving will leave out.</source>
         <translation>Le fichier commence par une marque d’ordre d’octets, que l’enregistrement omettra.</translation>
     </message>
     <message>
         <source>“%1” is not expected here: something is wrong at this place or just before it.</source>
         <translation>«&#xa0;%1&#xa0;» n’est pas attendu ici&#xa0;: une erreur se trouve à cet endroit ou juste avant.</translation>
-    </message>
-    <message>
-        <source>The file ends too early: a bracket, a brace or a quotation mark is not closed.</source>
-        <translation>Le fichier finit trop tôt&#xa0;: un crochet, une accolade ou un guillemet n’est pas fermé.</translation>
     </message>
     <message>
         <source>A text is not closed with a quotation mark before its line ends.</source>
@@ -4982,10 +5081,6 @@
         <translation>Les deux bouts du connecteur sont sur le même objet.</translation>
     </message>
     <message>
-        <source>Neither end of the connector can move.</source>
-        <translation>Aucun bout du connecteur ne peut bouger.</translation>
-    </message>
-    <message>
         <source>A stiffness of %1 N/m is too much for the sub-steps: the spring may shake. About %2 sub-steps would do.</source>
         <translation>Une raideur de %1 N/m est trop forte pour les sous-pas&#xa0;: le ressort peut trembler. Environ %2 sous-pas conviendraient.</translation>
     </message>
@@ -5176,30 +5271,6 @@
     <message>
         <source>Both ends of the connector are on the same body.</source>
         <translation>Les deux bouts du connecteur sont sur le même corps.</translation>
-    </message>
-    <message>
-        <source>The replay cannot be understood at “%1”.</source>
-        <translation>Le vol enregistré est incompréhensible à «&#xa0;%1&#xa0;».</translation>
-    </message>
-    <message>
-        <source>The field “%1” is none that a replay has.</source>
-        <translation>Le champ «&#xa0;%1&#xa0;» n’existe pas dans un vol enregistré.</translation>
-    </message>
-    <message>
-        <source>The field “%1” is given twice in the replay.</source>
-        <translation>Le champ «&#xa0;%1&#xa0;» est donné deux fois dans le vol enregistré.</translation>
-    </message>
-    <message>
-        <source>The replay was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
-        <translation>Le vol vient d’une version plus récente (%1&#xa0;; celle-ci lit jusqu’à %2). Mettez à jour le programme.</translation>
-    </message>
-    <message>
-        <source>The replay is longer than %1 updates.</source>
-        <translation>Le vol enregistré dépasse %1 pas.</translation>
-    </message>
-    <message>
-        <source>The replay is not JSON: line %1 is wrong.</source>
-        <translation>Le vol enregistré n’est pas du JSON&#xa0;: la ligne %1 est fausse.</translation>
     </message>
     <message>
         <source>These tags came along, as the level did not have them: %1.</source>
@@ -5485,32 +5556,12 @@
         <translation>Il n’y a pas de capsule de bogue dans le texte.</translation>
     </message>
     <message>
-        <source>The bug capsule is not whole: its last line is missing.</source>
-        <translation>La capsule de bogue est incomplète&#xa0;: sa dernière ligne manque.</translation>
-    </message>
-    <message>
-        <source>The bug capsule has been changed or damaged on its way.</source>
-        <translation>La capsule de bogue a été modifiée ou abîmée en chemin.</translation>
-    </message>
-    <message>
-        <source>The bug capsule cannot be understood at “%1”.</source>
-        <translation>La capsule de bogue est incompréhensible à «&#xa0;%1&#xa0;».</translation>
-    </message>
-    <message>
-        <source>The level in the bug capsule cannot be read.</source>
-        <translation>Le niveau de la capsule de bogue est illisible.</translation>
-    </message>
-    <message>
         <source>The bug capsule was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
         <translation>La capsule de bogue vient d’une version plus récente (%1&#xa0;; celle-ci lit jusqu’à %2). Mettez à jour le programme.</translation>
     </message>
     <message>
         <source>The run is longer than a bug capsule may be: %1 updates.</source>
         <translation>L’exécution est plus longue que ne peut l’être une capsule de bogue&#xa0;: %1 pas.</translation>
-    </message>
-    <message>
-        <source>The run is larger than a bug capsule may be: %1 bytes.</source>
-        <translation>L’exécution est plus grosse que ne peut l’être une capsule de bogue&#xa0;: %1 octets.</translation>
     </message>
     <message>
         <source>The run has ended, and nothing of it is left.</source>
@@ -5534,6 +5585,134 @@
     <message>
         <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
         <translation>« %2 » traverse un mur à sens unique de « %1 », de (%3, %4) à (%5, %6) : il est venu de derrière et ne touche rien tant qu’il n’est pas entièrement devant.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened.</source>
+        <translation>%1 ne peut pas être ouvert.</translation>
+    </message>
+    <message>
+        <source>The file is not sound XML: line %1, column %2: %3</source>
+        <translation>Le fichier n’est pas du XML correct : ligne %1, colonne %2 : %3</translation>
+    </message>
+    <message>
+        <source>Elements of the file lie more than %1 deep in one another. Ungroup some of them, and try again.</source>
+        <translation>Des éléments du fichier sont imbriqués sur plus de %1 niveaux. Dégroupez-en quelques-uns et réessayez.</translation>
+    </message>
+    <message>
+        <source>The file draws more than %1 pieces, which is more than can be imported. Take out what the level does not need, and try again.</source>
+        <translation>Le fichier dessine plus de %1 éléments, plus qu’il n’est possible d’importer. Retirez ce dont le niveau n’a pas besoin et réessayez.</translation>
+    </message>
+    <message>
+        <source>Drag: move · Shift + drag: move the pivot, about which it turns</source>
+        <translation>Glisser : déplacer · Maj + glisser : déplacer le pivot, autour duquel il tourne</translation>
+    </message>
+    <message>
+        <source>The file “%1” is too large: at most %2 can be read.</source>
+        <translation>Le fichier « %1 » est trop grand : %2 au plus peuvent être lus.</translation>
+    </message>
+    <message>
+        <source>This is too large: at most %1 can be read.</source>
+        <translation>C’est trop grand : %1 au plus peuvent être lus.</translation>
+    </message>
+    <message>
+        <source>The file is empty. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>Le fichier est vide. Récupérez-le de nouveau, ou prenez-en une copie dans une sauvegarde.</translation>
+    </message>
+    <message>
+        <source>The file is not text in UTF-8 from here on: it is damaged, or something else. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>À partir d’ici, le fichier n’est pas du texte UTF-8 : il est endommagé ou d’une autre nature. Récupérez-le de nouveau, ou prenez-en une copie dans une sauvegarde.</translation>
+    </message>
+    <message>
+        <source>There is a zero byte here, which text cannot hold: the file is damaged, or something else. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>Il y a ici un octet nul, impossible dans un texte : le fichier est endommagé ou d’une autre nature. Récupérez-le de nouveau, ou prenez-en une copie dans une sauvegarde.</translation>
+    </message>
+    <message>
+        <source>The file ends too early: a bracket, a brace or a quotation mark is not closed. Perhaps it was not copied as a whole; fetch it again.</source>
+        <translation>Le fichier se termine trop tôt : un crochet, une accolade ou un guillemet n’est pas fermé. Il n’a peut-être pas été copié en entier ; récupérez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Neither of the two bodies can be moved by the connector; one should be dynamic.</source>
+        <translation>Le connecteur ne peut déplacer aucun des deux corps ; l’un devrait être dynamique.</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>This is not a recorded flight. “Save Flight…” makes one of a run.</source>
+        <translation>Ce n’est pas un vol enregistré. « Enregistrer le vol… » en crée un à partir d’une exécution.</translation>
+    </message>
+    <message>
+        <source>Line %2: “%1” is missing or not what a recorded flight has there. Correct it in a text editor, or save the flight again.</source>
+        <translation>Ligne %2 : « %1 » manque ou n’est pas ce qu’un vol enregistré contient à cet endroit. Corrigez-le dans un éditeur de texte, ou enregistrez le vol de nouveau.</translation>
+    </message>
+    <message>
+        <source>Line %2: the field “%1” is none that a recorded flight has. Take it out; if a newer version wrote it, update the program.</source>
+        <translation>Ligne %2 : un vol enregistré n’a pas de champ « %1 ». Retirez-le ; si une version plus récente l’a écrit, mettez le programme à jour.</translation>
+    </message>
+    <message>
+        <source>Line %2: the field “%1” is given a second time. Take one of the two out.</source>
+        <translation>Ligne %2 : le champ « %1 » est donné une seconde fois. Retirez l’un des deux.</translation>
+    </message>
+    <message>
+        <source>The flight was saved by a newer version (%1; this one reads up to %2). Please update the program.</source>
+        <translation>Le vol a été enregistré par une version plus récente (%1 ; celle-ci lit jusqu’à %2). Veuillez mettre le programme à jour.</translation>
+    </message>
+    <message>
+        <source>The flight is longer than %1 updates, so it cannot be flown again. Save a shorter one.</source>
+        <translation>Le vol dure plus de %1 mises à jour et ne peut donc pas être rejoué. Enregistrez-en un plus court.</translation>
+    </message>
+    <message>
+        <source>The bug capsule is not whole: its last line is missing. Copy it again, from its first line to its last.</source>
+        <translation>La capsule de bogue n’est pas entière : sa dernière ligne manque. Copiez-la de nouveau, de la première ligne à la dernière.</translation>
+    </message>
+    <message>
+        <source>The bug capsule has been changed or damaged on its way. Copy it again, or have it sent as a file.</source>
+        <translation>La capsule de bogue a été modifiée ou endommagée en chemin. Copiez-la de nouveau, ou faites-la envoyer comme fichier.</translation>
+    </message>
+    <message>
+        <source>The bug capsule cannot be understood at “%1”. Ask for a new one.</source>
+        <translation>La capsule de bogue est incompréhensible à « %1 ». Demandez-en une nouvelle.</translation>
+    </message>
+    <message>
+        <source>The level in the bug capsule cannot be read, so ask for a new one. Line %1 of it: %2</source>
+        <translation>Le niveau de la capsule de bogue ne peut pas être lu ; demandez-en une nouvelle. Sa ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>The run is larger than a bug capsule may be: %1.</source>
+        <translation>L’exécution dépasse la taille permise d’une capsule de bogue : %1.</translation>
+    </message>
+    <message>
+        <source>there is no such file; it may have been moved</source>
+        <translation>ce fichier n’existe pas ; il a peut-être été déplacé</translation>
+    </message>
+    <message>
+        <source>you do not have the permission; ask its owner for it</source>
+        <translation>vous n’avez pas l’autorisation ; demandez-la à son propriétaire</translation>
+    </message>
+    <message>
+        <source>the system does not permit it</source>
+        <translation>le système ne le permet pas</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>c’est un dossier</translation>
+    </message>
+    <message>
+        <source>what should be its folder is a file</source>
+        <translation>ce qui devrait être son dossier est un fichier</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>ce n’est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>son nom est trop long</translation>
+    </message>
+    <message>
+        <source>the disk does not answer as it should; copy what it holds</source>
+        <translation>le disque ne répond pas comme il le devrait ; copiez ce qu’il contient</translation>
     </message>
 </context>
 <context>
@@ -5783,6 +5962,10 @@
     <message>
         <source>The screenshot was written to %1.</source>
         <translation>La capture d’écran a été écrite dans %1.</translation>
+    </message>
+    <message>
+        <source>%1 was not imported.</source>
+        <translation>%1 n’a pas été importé.</translation>
     </message>
 </context>
 <context>
@@ -6322,6 +6505,18 @@
         <source>Keys</source>
         <translation>Touches</translation>
     </message>
+    <message>
+        <source>Search: a word, or a key as it is written</source>
+        <translation>Rechercher : un mot, ou une touche comme elle s’écrit</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>No key does anything of that name.</source>
+        <translation>Aucune touche ne fait quoi que ce soit de ce nom.</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::Legend</name>
@@ -6348,6 +6543,10 @@
     <message>
         <source>What is too small at this zoom is not drawn</source>
         <translation>Ce qui est trop petit à ce zoom n’est pas dessiné</translation>
+    </message>
+    <message>
+        <source>Names that would lie on others are left out</source>
+        <translation>Les noms qui en recouvriraient d’autres sont omis</translation>
     </message>
 </context>
 <context>
@@ -6714,6 +6913,22 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
         <source>Playing a recorded simulation · %1: back to the editor</source>
         <translation>Lecture d’une simulation enregistrée · %1&#xa0;: retour à l’éditeur</translation>
     </message>
+    <message>
+        <source>A connector is pasted together with the two bodies that it joins.</source>
+        <translation>Un connecteur se colle avec les deux corps qu’il relie.</translation>
+    </message>
+    <message>
+        <source>A level has one ship, one payload and one finish, and this one has them already.</source>
+        <translation>Un niveau a un vaisseau, une charge et une arrivée, et celui-ci les a déjà.</translation>
+    </message>
+    <message>
+        <source>Nothing that is selected has an edge at the pointer.</source>
+        <translation>Rien de la sélection n’a de bord sous le pointeur.</translation>
+    </message>
+    <message>
+        <source>Edit N&amp;odes</source>
+        <translation>Éditer les n&amp;œuds</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -6906,6 +7121,14 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
         <source>Several objects are called “%1”; write the key of the one you mean.</source>
         <translation>Plusieurs objets s’appellent «&#xa0;%1&#xa0;»&#xa0;; écrivez la clé de celui que vous voulez.</translation>
     </message>
+    <message>
+        <source>Choose from a list (Down)</source>
+        <translation>Choisir dans une liste (Bas)</translation>
+    </message>
+    <message>
+        <source>%1, key %2</source>
+        <translation>%1, clé %2</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::OutlinerModel</name>
@@ -6981,14 +7204,6 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
         <translation>Filtre des objets</translation>
     </message>
     <message>
-        <source>Shows the objects whose name holds these words, with their groups.
-kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round.
-The list shows what is drawn on top first.</source>
-        <translation>Affiche les objets dont le nom contient ces mots, avec leurs groupes.
-kind:wall, tag:ice, is:hidden et is:locked cherchent autre chose&#xa0;; un moins devant un mot l’inverse.
-La liste montre d’abord ce qui est dessiné au-dessus.</translation>
-    </message>
-    <message>
         <source>Choose what to find</source>
         <translation>Choisir ce qui est recherché</translation>
     </message>
@@ -7003,6 +7218,14 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <message>
         <source>Tag</source>
         <translation>Étiquette</translation>
+    </message>
+    <message>
+        <source>Shows the objects whose name holds these words, with their groups.
+kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round. Enter selects all that is found.
+The list shows what is drawn on top first.</source>
+        <translation>Affiche les objets dont le nom contient ces mots, avec leurs groupes.
+kind:wall, tag:ice, is:hidden et is:locked demandent autre chose ; un moins devant un mot l’inverse. Entrée sélectionne tout ce qui est trouvé.
+La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     </message>
 </context>
 <context>
@@ -7455,6 +7678,10 @@ La liste montre d’abord ce qui est dessiné au-dessus.</translation>
     <message>
         <source>Makes all of these changes in the level, as one step that can be undone</source>
         <translation>Apporte toutes ces modifications au niveau, en une étape annulable</translation>
+    </message>
+    <message>
+        <source>The end of the run is undone: what was changed in it is in the level again. Redo takes it out, and lists it to be kept.</source>
+        <translation>La fin de l’exécution est annulée : ce qui y a été modifié est de nouveau dans le niveau. Rétablir le retire et le liste pour être gardé.</translation>
     </message>
 </context>
 <context>

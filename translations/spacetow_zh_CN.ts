@@ -212,10 +212,6 @@
         <translation>新建图层(&amp;L)</translation>
     </message>
     <message>
-        <source>Put the selection into a new layer, or make an empty one</source>
-        <translation>把所选对象放入新图层，或新建空图层</translation>
-    </message>
-    <message>
         <source>Move to Layer &amp;Above</source>
         <translation>移到上一图层(&amp;A)</translation>
     </message>
@@ -1060,10 +1056,6 @@
         <translation>放置飞船、载荷、终点(&amp;A)</translation>
     </message>
     <message>
-        <source>Place ship, payload or finish; again for the next of them</source>
-        <translation>放置飞船、载荷或终点；再按一次切换到下一个</translation>
-    </message>
-    <message>
         <source>&amp;Guide…</source>
         <translation>参考线(&amp;G)…</translation>
     </message>
@@ -1523,6 +1515,58 @@
         <source>Choose the set of colors of the overlays, and colors of your own for each</source>
         <translation>选择叠加层的配色方案，并为每个叠加层选择自己的颜色</translation>
     </message>
+    <message>
+        <source>Wa&amp;ys of a Run</source>
+        <translation>运行轨迹(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Show the ways of the last minute where a run is held, and those of futures given up</source>
+        <translation>暂停时显示最近一分钟的轨迹和已放弃的未来轨迹</translation>
+    </message>
+    <message>
+        <source>What is selected is locked.</source>
+        <translation>所选对象已锁定。</translation>
+    </message>
+    <message>
+        <source>Ship, payload and finish exist once, and connectors are copied with their two bodies.</source>
+        <translation>飞船、载荷和终点只有一个；连接件须与其两个物体一起复制。</translation>
+    </message>
+    <message>
+        <source>Select a wall or a line first.</source>
+        <translation>请先选择墙或线。</translation>
+    </message>
+    <message>
+        <source>Select a group first.</source>
+        <translation>请先选择一个组。</translation>
+    </message>
+    <message>
+        <source>What is selected has no nodes.</source>
+        <translation>所选对象没有节点。</translation>
+    </message>
+    <message>
+        <source>“%1” changes nothing here.</source>
+        <translation>“%1”在此不会改变任何内容。</translation>
+    </message>
+    <message>
+        <source>Put the selection into a new layer, or make an empty one, and type its name</source>
+        <translation>将所选对象放入新图层或新建空图层，并输入名称</translation>
+    </message>
+    <message>
+        <source>Insert Node &amp;Here</source>
+        <translation>在此插入节点(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Insert a node where the pointer is at an edge of the selection</source>
+        <translation>在指针所在的所选对象边上插入节点</translation>
+    </message>
+    <message>
+        <source>Not while the level runs.</source>
+        <translation>关卡运行时不可用。</translation>
+    </message>
+    <message>
+        <source>Place ship, payload or finish, first what the level lacks; again for the next of them</source>
+        <translation>放置飞船、载荷或终点，先放关卡缺少的；再按一次切换到下一个</translation>
+    </message>
 </context>
 <context>
     <name>BugCapsule</name>
@@ -1541,6 +1585,10 @@
     <message>
         <source>The bug capsule is being read…</source>
         <translation>正在读取错误胶囊…</translation>
+    </message>
+    <message>
+        <source>The bug capsule</source>
+        <translation>错误胶囊</translation>
     </message>
 </context>
 <context>
@@ -1737,6 +1785,14 @@
     <message>
         <source>There is not enough memory to read the flight.</source>
         <translation>内存不足，无法读取飞行记录。</translation>
+    </message>
+    <message>
+        <source>%1 is a simulation of the level “%2”, which is neither open nor beside it. Open the level and drop the simulation on it.</source>
+        <translation>%1 是关卡“%2”的模拟，该关卡既未打开也不在其旁边。请打开关卡并将模拟拖放到其上。</translation>
+    </message>
+    <message>
+        <source>The level has been changed since the simulation was recorded, which may therefore go otherwise.</source>
+        <translation>录制模拟后关卡已更改，因此模拟过程可能不同。</translation>
     </message>
 </context>
 <context>
@@ -1972,16 +2028,16 @@
         <translation>飞行记录已保存为 %1。把该文件拖放到窗口上即可重新观看。</translation>
     </message>
     <message>
-        <source>It ends after %1 of %2 updates: a flight file holds no more.</source>
-        <translation>它在 %2 次更新中的第 %1 次之后结束：飞行文件容纳不了更多。</translation>
-    </message>
-    <message>
-        <source>Another flight is still being saved.</source>
-        <translation>另一个飞行仍在保存中。</translation>
-    </message>
-    <message>
         <source>The simulation has been saved as %1. Drop the file on a window to see it again.</source>
         <translation>模拟已保存为 %1。把该文件拖放到窗口上即可重新观看。</translation>
+    </message>
+    <message>
+        <source>It ends after %1 of %2 updates: a file holds no more.</source>
+        <translation>在 %2 次更新中的第 %1 次后结束：文件容纳不下更多。</translation>
+    </message>
+    <message>
+        <source>Another recording is still being saved.</source>
+        <translation>另一段录制仍在保存。</translation>
     </message>
 </context>
 <context>
@@ -1989,10 +2045,6 @@
     <message>
         <source>wins after %1 s, with %2 s of thrust</source>
         <translation>%1 s 后获胜，推进 %2 s</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>无法读取</translation>
     </message>
     <message>
         <source>is being flown…</source>
@@ -2069,6 +2121,10 @@
     <message>
         <source>is a simulation of %1 s</source>
         <translation>是一段 %1 秒的模拟</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>无法读取：%1</translation>
     </message>
 </context>
 <context>
@@ -2777,22 +2833,6 @@
         <translation>从任意处移动所选对象</translation>
     </message>
     <message>
-        <source>Shift while dragging</source>
-        <translation>拖动时按 Shift</translation>
-    </message>
-    <message>
-        <source>Keep to an axis, or to steps of 15°</source>
-        <translation>保持沿轴，或按 15° 步进</translation>
-    </message>
-    <message>
-        <source>Ctrl while dragging</source>
-        <translation>拖动时按 Ctrl</translation>
-    </message>
-    <message>
-        <source>Switch snapping off or on for the moment</source>
-        <translation>暂时关闭或开启吸附</translation>
-    </message>
-    <message>
         <source>Enter or right click</source>
         <translation>Enter 或右击</translation>
     </message>
@@ -2899,6 +2939,38 @@
     <message>
         <source>Turn time back, as long as the key is held</source>
         <translation>按住该键期间让时间倒流</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while moving or drawing</source>
+        <translation>移动或绘制时 Shift · Ctrl</translation>
+    </message>
+    <message>
+        <source>Keep to an axis or to steps of 15° · switch snapping off or on for the moment</source>
+        <translation>保持在轴向或 15° 步进 · 暂时关闭或打开吸附</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while drawing a rectangle</source>
+        <translation>绘制矩形时 Shift · Ctrl</translation>
+    </message>
+    <message>
+        <source>From its middle · a square</source>
+        <translation>从中心 · 正方形</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl · Alt while scaling</source>
+        <translation>缩放时 Shift · Ctrl · Alt</translation>
+    </message>
+    <message>
+        <source>About the middle · keep the proportions · switch snapping off or on</source>
+        <translation>以中心为基准 · 保持比例 · 关闭或打开吸附</translation>
+    </message>
+    <message>
+        <source>Shift · Ctrl while turning</source>
+        <translation>旋转时 Shift · Ctrl</translation>
+    </message>
+    <message>
+        <source>About the opposite corner · in steps of 15°</source>
+        <translation>绕对角 · 以 15° 步进</translation>
     </message>
 </context>
 <context>
@@ -3007,6 +3079,14 @@
         <source>Force; 1 m is the weight of the lighter one, 2 m ten times as much</source>
         <translation>力；1 m 为较轻者的重量，2 m 为其十倍</translation>
     </message>
+    <message>
+        <source>Way in the time that is kept</source>
+        <translation>保留时间内的轨迹</translation>
+    </message>
+    <message>
+        <source>Way in a future given up, dashed</source>
+        <translation>已放弃的未来轨迹（虚线）</translation>
+    </message>
 </context>
 <context>
     <name>Names</name>
@@ -3055,16 +3135,75 @@
         <translation>图层</translation>
     </message>
     <message>
-        <source>%1 at (%2, %3)</source>
-        <translation>%1，位于 (%2, %3)</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
     </message>
     <message>
         <source>%1 at %2; %3</source>
         <translation>%1，位于 %2; %3</translation>
+    </message>
+</context>
+<context>
+    <name>ObjectFilter</name>
+    <message>
+        <source>wall</source>
+        <translation>墙</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>线</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>多边形</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>圆</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>静态</translation>
+    </message>
+    <message>
+        <source>kinematic</source>
+        <translation>运动学</translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation>动态</translation>
+    </message>
+    <message>
+        <source>ship</source>
+        <translation>飞船</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>载荷</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>connector</source>
+        <translation>连接件</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>锁定</translation>
     </message>
 </context>
 <context>
@@ -3364,28 +3503,12 @@
 <context>
     <name>messages</name>
     <message>
-        <source>The file is not sound XML: line %1, column %2: %3 Nothing was imported.</source>
-        <translation>文件不是有效的 XML：第 %1 行，第 %2 列：%3 未导入任何内容。</translation>
-    </message>
-    <message>
         <source>The file declares entities of its own (line %1), which are not read because they can be made to grow without end. Save it as plain SVG, for example with Inkscape, and try again.</source>
         <translation>文件声明了自己的实体（第 %1 行）；由于实体可能无限膨胀，因此不读取。请另存为普通 SVG（例如用 Inkscape）后重试。</translation>
     </message>
     <message>
-        <source>Elements of the file lie more than %1 deep in one another.</source>
-        <translation>文件中元素的嵌套超过 %1 层。</translation>
-    </message>
-    <message>
-        <source>The file draws more than %1 pieces, which is more than can be imported.</source>
-        <translation>文件绘制的部件超过 %1 个，无法导入。</translation>
-    </message>
-    <message>
         <source>The import was stopped; nothing was changed.</source>
         <translation>导入已停止；未做任何更改。</translation>
-    </message>
-    <message>
-        <source>The file is not sound JSON: something is wrong in line %1 or just before it. Nothing was imported.</source>
-        <translation>文件不是有效的 JSON：第 %1 行或其前方有错误。未导入任何内容。</translation>
     </message>
     <message>
         <source>The file is compressed. Unpack it first, or save it as plain SVG instead of SVGZ.</source>
@@ -4596,14 +4719,6 @@
         <translation>文件“%1”仅写入了一部分：%2。应写入的全部内容在文件“%3”中。</translation>
     </message>
     <message>
-        <source>The file “%1” is too large: at most %2 bytes are read.</source>
-        <translation>文件“%1”过大：最多读取 %2 字节。</translation>
-    </message>
-    <message>
-        <source>This is too large: at most %1 bytes are read.</source>
-        <translation>内容过大：最多读取 %1 字节。</translation>
-    </message>
-    <message>
         <source>“%1” is not a finite number, and a file cannot hold it.</source>
         <translation>“%1”不是有限数，文件无法保存。</translation>
     </message>
@@ -4644,28 +4759,12 @@
         <translation>结果会自交，因此物体保持原样。请稍微移动其中一个再试。</translation>
     </message>
     <message>
-        <source>The file is empty.</source>
-        <translation>文件为空。</translation>
-    </message>
-    <message>
-        <source>The file is not text in UTF-8 from here on.</source>
-        <translation>文件从此处起不是 UTF-8 文本。</translation>
-    </message>
-    <message>
-        <source>There is a zero byte here, which text cannot hold.</source>
-        <translation>此处有零字节，文本中不能出现。</translation>
-    </message>
-    <message>
         <source>The file starts with a byte order mark, which saving will leave out.</source>
         <translation>文件以字节顺序标记 (BOM) 开头，保存时会略去。</translation>
     </message>
     <message>
         <source>“%1” is not expected here: something is wrong at this place or just before it.</source>
         <translation>此处不应出现“%1”：此处或其前方有错误。</translation>
-    </message>
-    <message>
-        <source>The file ends too early: a bracket, a brace or a quotation mark is not closed.</source>
-        <translation>文件过早结束：有方括号、花括号或引号未闭合。</translation>
     </message>
     <message>
         <source>A text is not closed with a quotation mark before its line ends.</source>
@@ -4948,10 +5047,6 @@
         <translation>连接件的两端在同一对象上。</translation>
     </message>
     <message>
-        <source>Neither end of the connector can move.</source>
-        <translation>连接件的两端都不能移动。</translation>
-    </message>
-    <message>
         <source>A stiffness of %1 N/m is too much for the sub-steps: the spring may shake. About %2 sub-steps would do.</source>
         <translation>对当前子步数而言，刚度 %1 N/m 过大：弹簧可能抖动。约需 %2 个子步。</translation>
     </message>
@@ -5142,30 +5237,6 @@
     <message>
         <source>Both ends of the connector are on the same body.</source>
         <translation>连接件的两端在同一物体上。</translation>
-    </message>
-    <message>
-        <source>The replay cannot be understood at “%1”.</source>
-        <translation>飞行记录在“%1”处无法识别。</translation>
-    </message>
-    <message>
-        <source>The field “%1” is none that a replay has.</source>
-        <translation>字段“%1”不属于飞行记录。</translation>
-    </message>
-    <message>
-        <source>The field “%1” is given twice in the replay.</source>
-        <translation>字段“%1”在飞行记录中出现了两次。</translation>
-    </message>
-    <message>
-        <source>The replay was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
-        <translation>飞行记录由更新版本制作（%1；本程序最高支持 %2）。请更新程序。</translation>
-    </message>
-    <message>
-        <source>The replay is longer than %1 updates.</source>
-        <translation>飞行记录超过 %1 个时间步。</translation>
-    </message>
-    <message>
-        <source>The replay is not JSON: line %1 is wrong.</source>
-        <translation>飞行记录不是 JSON：第 %1 行有误。</translation>
     </message>
     <message>
         <source>These tags came along, as the level did not have them: %1.</source>
@@ -5450,32 +5521,12 @@
         <translation>文本中没有错误胶囊。</translation>
     </message>
     <message>
-        <source>The bug capsule is not whole: its last line is missing.</source>
-        <translation>错误胶囊不完整：缺少最后一行。</translation>
-    </message>
-    <message>
-        <source>The bug capsule has been changed or damaged on its way.</source>
-        <translation>错误胶囊在传递途中被更改或损坏。</translation>
-    </message>
-    <message>
-        <source>The bug capsule cannot be understood at “%1”.</source>
-        <translation>错误胶囊在“%1”处无法识别。</translation>
-    </message>
-    <message>
-        <source>The level in the bug capsule cannot be read.</source>
-        <translation>无法读取错误胶囊中的关卡。</translation>
-    </message>
-    <message>
         <source>The bug capsule was made with a newer version (%1; this one reads up to %2). Please update the program.</source>
         <translation>错误胶囊由更新版本制作（%1；本程序最高支持 %2）。请更新程序。</translation>
     </message>
     <message>
         <source>The run is longer than a bug capsule may be: %1 updates.</source>
         <translation>这次运行超出了错误胶囊的长度限制：%1 个时间步。</translation>
-    </message>
-    <message>
-        <source>The run is larger than a bug capsule may be: %1 bytes.</source>
-        <translation>这次运行超出了错误胶囊的大小限制：%1 字节。</translation>
     </message>
     <message>
         <source>The run has ended, and nothing of it is left.</source>
@@ -5498,6 +5549,134 @@
     <message>
         <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
         <translation>“%2”正在穿过“%1”的单向墙，从 (%3, %4) 到 (%5, %6)：它来自背面，在完全到达正面之前不会接触任何东西。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened.</source>
+        <translation>无法打开 %1。</translation>
+    </message>
+    <message>
+        <source>The file is not sound XML: line %1, column %2: %3</source>
+        <translation>文件不是有效的 XML：第 %1 行第 %2 列：%3</translation>
+    </message>
+    <message>
+        <source>Elements of the file lie more than %1 deep in one another. Ungroup some of them, and try again.</source>
+        <translation>文件中的元素嵌套超过 %1 层。请取消一些组合后重试。</translation>
+    </message>
+    <message>
+        <source>The file draws more than %1 pieces, which is more than can be imported. Take out what the level does not need, and try again.</source>
+        <translation>文件绘制了超过 %1 个图形，超出可导入的数量。请去掉关卡不需要的内容后重试。</translation>
+    </message>
+    <message>
+        <source>Drag: move · Shift + drag: move the pivot, about which it turns</source>
+        <translation>拖动：移动 · Shift + 拖动：移动旋转中心</translation>
+    </message>
+    <message>
+        <source>The file “%1” is too large: at most %2 can be read.</source>
+        <translation>文件“%1”过大：最多可读取 %2。</translation>
+    </message>
+    <message>
+        <source>This is too large: at most %1 can be read.</source>
+        <translation>内容过大：最多可读取 %1。</translation>
+    </message>
+    <message>
+        <source>The file is empty. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>文件为空。请重新获取，或使用备份中的副本。</translation>
+    </message>
+    <message>
+        <source>The file is not text in UTF-8 from here on: it is damaged, or something else. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>从此处起文件不是 UTF-8 文本：它已损坏或是其他类型的文件。请重新获取，或使用备份中的副本。</translation>
+    </message>
+    <message>
+        <source>There is a zero byte here, which text cannot hold: the file is damaged, or something else. Fetch it again, or take a copy of it from a backup.</source>
+        <translation>此处有一个零字节，文本中不能包含它：文件已损坏或是其他类型的文件。请重新获取，或使用备份中的副本。</translation>
+    </message>
+    <message>
+        <source>The file ends too early: a bracket, a brace or a quotation mark is not closed. Perhaps it was not copied as a whole; fetch it again.</source>
+        <translation>文件过早结束：有括号、花括号或引号没有闭合。文件可能没有完整复制；请重新获取。</translation>
+    </message>
+    <message>
+        <source>Neither of the two bodies can be moved by the connector; one should be dynamic.</source>
+        <translation>连接件无法移动这两个物体中的任何一个；其中一个应为动态。</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>This is not a recorded flight. “Save Flight…” makes one of a run.</source>
+        <translation>这不是录制的飞行。“保存飞行…”可由一次运行生成。</translation>
+    </message>
+    <message>
+        <source>Line %2: “%1” is missing or not what a recorded flight has there. Correct it in a text editor, or save the flight again.</source>
+        <translation>第 %2 行：缺少“%1”，或其内容与录制的飞行不符。请用文本编辑器更正，或重新保存飞行。</translation>
+    </message>
+    <message>
+        <source>Line %2: the field “%1” is none that a recorded flight has. Take it out; if a newer version wrote it, update the program.</source>
+        <translation>第 %2 行：录制的飞行没有“%1”字段。请将其删除；如果是较新版本写入的，请更新程序。</translation>
+    </message>
+    <message>
+        <source>Line %2: the field “%1” is given a second time. Take one of the two out.</source>
+        <translation>第 %2 行：字段“%1”重复出现。请删除其中一个。</translation>
+    </message>
+    <message>
+        <source>The flight was saved by a newer version (%1; this one reads up to %2). Please update the program.</source>
+        <translation>该飞行由较新版本保存（%1；当前版本最多读取到 %2）。请更新程序。</translation>
+    </message>
+    <message>
+        <source>The flight is longer than %1 updates, so it cannot be flown again. Save a shorter one.</source>
+        <translation>该飞行超过 %1 次更新，无法重放。请保存较短的飞行。</translation>
+    </message>
+    <message>
+        <source>The bug capsule is not whole: its last line is missing. Copy it again, from its first line to its last.</source>
+        <translation>错误胶囊不完整：缺少最后一行。请从第一行到最后一行重新复制。</translation>
+    </message>
+    <message>
+        <source>The bug capsule has been changed or damaged on its way. Copy it again, or have it sent as a file.</source>
+        <translation>错误胶囊在传递中被更改或损坏。请重新复制，或请对方以文件发送。</translation>
+    </message>
+    <message>
+        <source>The bug capsule cannot be understood at “%1”. Ask for a new one.</source>
+        <translation>错误胶囊在“%1”处无法理解。请索取新的胶囊。</translation>
+    </message>
+    <message>
+        <source>The level in the bug capsule cannot be read, so ask for a new one. Line %1 of it: %2</source>
+        <translation>错误胶囊中的关卡无法读取，请索取新的胶囊。其第 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>The run is larger than a bug capsule may be: %1.</source>
+        <translation>运行超出错误胶囊允许的大小：%1。</translation>
+    </message>
+    <message>
+        <source>there is no such file; it may have been moved</source>
+        <translation>没有此文件；它可能已被移动</translation>
+    </message>
+    <message>
+        <source>you do not have the permission; ask its owner for it</source>
+        <translation>您没有权限；请向其所有者索取</translation>
+    </message>
+    <message>
+        <source>the system does not permit it</source>
+        <translation>系统不允许</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>它是一个文件夹</translation>
+    </message>
+    <message>
+        <source>what should be its folder is a file</source>
+        <translation>本应是其文件夹的是一个文件</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>它不是普通文件</translation>
+    </message>
+    <message>
+        <source>its name is too long</source>
+        <translation>其名称过长</translation>
+    </message>
+    <message>
+        <source>the disk does not answer as it should; copy what it holds</source>
+        <translation>磁盘响应异常；请复制其中的内容</translation>
     </message>
 </context>
 <context>
@@ -5746,6 +5925,10 @@
     <message>
         <source>The screenshot was written to %1.</source>
         <translation>截图已写入 %1。</translation>
+    </message>
+    <message>
+        <source>%1 was not imported.</source>
+        <translation>未导入 %1。</translation>
     </message>
 </context>
 <context>
@@ -6280,6 +6463,18 @@
         <source>Keys</source>
         <translation>按键</translation>
     </message>
+    <message>
+        <source>Search: a word, or a key as it is written</source>
+        <translation>搜索：一个词，或按键的写法</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>No key does anything of that name.</source>
+        <translation>没有按键对应此名称。</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::Legend</name>
@@ -6306,6 +6501,10 @@
     <message>
         <source>What is too small at this zoom is not drawn</source>
         <translation>在此缩放比例下过小的内容不绘制</translation>
+    </message>
+    <message>
+        <source>Names that would lie on others are left out</source>
+        <translation>会与其他名称重叠的名称已省略</translation>
     </message>
 </context>
 <context>
@@ -6671,6 +6870,22 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
         <source>Playing a recorded simulation · %1: back to the editor</source>
         <translation>正在播放录制的模拟 · %1：返回编辑器</translation>
     </message>
+    <message>
+        <source>A connector is pasted together with the two bodies that it joins.</source>
+        <translation>连接件须与其连接的两个物体一起粘贴。</translation>
+    </message>
+    <message>
+        <source>A level has one ship, one payload and one finish, and this one has them already.</source>
+        <translation>一个关卡只有一艘飞船、一个载荷和一个终点，本关卡已具备。</translation>
+    </message>
+    <message>
+        <source>Nothing that is selected has an edge at the pointer.</source>
+        <translation>所选对象在指针处没有边。</translation>
+    </message>
+    <message>
+        <source>Edit N&amp;odes</source>
+        <translation>编辑节点(&amp;O)</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -6863,6 +7078,14 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
         <source>Several objects are called “%1”; write the key of the one you mean.</source>
         <translation>有多个对象名为“%1”；请填写所指对象的标识。</translation>
     </message>
+    <message>
+        <source>Choose from a list (Down)</source>
+        <translation>从列表中选择（下键）</translation>
+    </message>
+    <message>
+        <source>%1, key %2</source>
+        <translation>%1，键 %2</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::OutlinerModel</name>
@@ -6938,14 +7161,6 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
         <translation>对象过滤器</translation>
     </message>
     <message>
-        <source>Shows the objects whose name holds these words, with their groups.
-kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round.
-The list shows what is drawn on top first.</source>
-        <translation>显示名称中含有这些词的对象及其所在的组。
-kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加减号表示相反。
-列表中先显示绘制在最上面的对象。</translation>
-    </message>
-    <message>
         <source>Choose what to find</source>
         <translation>选择查找条件</translation>
     </message>
@@ -6960,6 +7175,14 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     <message>
         <source>Tag</source>
         <translation>标签</translation>
+    </message>
+    <message>
+        <source>Shows the objects whose name holds these words, with their groups.
+kind:wall, tag:ice, is:hidden and is:locked ask for other things; a minus before a word turns it round. Enter selects all that is found.
+The list shows what is drawn on top first.</source>
+        <translation>显示名称包含这些词的对象及其所在的组。
+kind:wall、tag:ice、is:hidden 和 is:locked 用于查询其他内容；词前的减号表示取反。回车选择所有找到的对象。
+列表先显示绘制在最上层的对象。</translation>
     </message>
 </context>
 <context>
@@ -7410,6 +7633,10 @@ kind:wall、tag:ice、is:hidden 和 is:locked 按其他条件查找；词前加�
     <message>
         <source>Makes all of these changes in the level, as one step that can be undone</source>
         <translation>在关卡中进行所有这些更改，作为可撤销的一步</translation>
+    </message>
+    <message>
+        <source>The end of the run is undone: what was changed in it is in the level again. Redo takes it out, and lists it to be kept.</source>
+        <translation>已撤销运行的结束：其中的更改重新回到关卡中。重做会将其移出并列出以供保留。</translation>
     </message>
 </context>
 <context>

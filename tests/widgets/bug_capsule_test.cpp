@@ -249,6 +249,8 @@ class BugCapsuleTest : public QObject {
         QVERIFY(to.window->isPlaying() && !to.window->isInGame());
         from.trigger(Act::Stop);
         from.trigger(Act::Play);
+        QTRY_VERIFY(from.window->isInGame());
+        QTest::keyPress(&from.canvas(), Qt::Key_W);
         QTRY_VERIFY(from.shown() > 2);
         paste(to, from.copied());
         QVERIFY(to.window->isInGame());

@@ -34,6 +34,8 @@ class LivePauseTest : public QObject {
         }
         test.document().reset(level);
         test.trigger(Act::Play);
+        QTRY_VERIFY(test.window->isPlaying());
+        QTest::keyPress(&test.canvas(), Qt::Key_W);
         QTRY_VERIFY2(test.window->messageBar().text().contains("memory"), qPrintable(test.window->messageBar().text()));
         QVERIFY(!test.window->isPlaying() && !test.window->liveRun().isStarting());
         QVERIFY(test.level() == level);

@@ -50,6 +50,7 @@ class StartingTest : public QObject {
         QTRY_VERIFY(test.window->isInGame());
         QVERIFY(!test.run().isStarting() && test.canvas().isLive() && test.isPossible(Act::Pause));
         QVERIFY(!test.window->statusLine().hint().contains("Getting ready"));
+        QTest::keyPress(&test.canvas(), Qt::Key_W);
         QTRY_VERIFY(test.run().updates() > 2);
     }
     void aSmallLevelRunsAtOnce() {
