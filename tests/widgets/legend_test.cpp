@@ -109,9 +109,10 @@ class LegendTest : public QObject {
             return std::ranges::any_of(labels, [](const QLabel* label) { return label->text().contains("too small"); });
         };
         QVERIFY(!isSaid());
-        test.canvas().zoomTo(0.5);
+        const Viewport large = test.canvas().view();
+        const Viewport small = large.zoomedAt(0.5 * large.size, 0.5 / large.scale); // from further than by the wheel
+        test.canvas().setView(small);
         QVERIFY(isSaid());
-        const Viewport small = test.canvas().view();
         test.canvas().setView(small.panned({0.6 * small.size.x(), 0})); // part of the picture stays
         QVERIFY(!isSaid());
         test.canvas().setView(small);

@@ -153,7 +153,7 @@ class NamesOverlayTest : public QObject {
 
     void theLegendSaysThatNamesAreLeftOut() {
         TestWindow test;
-        test.document().reset(namedBalls(20));
+        test.document().reset(namedBalls(30));
         test.canvas().fitLevel();
         QVERIFY(!saysThatNamesAreLeftOut(test));
         test.trigger(Act::OverlayNames);
@@ -169,16 +169,16 @@ class NamesOverlayTest : public QObject {
 
     void whatIsSelectedOrPointedAtIsNamed() {
         TestWindow test;
-        test.document().reset(namedBalls(20));
+        test.document().reset(namedBalls(30));
         test.canvas().fitLevel();
         test.window->setOverlayPalette({.own = {{"name", magenta}}});
         test.trigger(Act::OverlayNames);
         const auto named = [&](int ball) {
             test.canvas().finishPainting();
-            const Vec2 at(0.5 * (ball % 20), 0.5 * (ball / 20));
+            const Vec2 at(0.5 * (ball % 30), 0.5 * (ball / 30));
             return isNamed(test.canvas().grab().toImage(), test.canvas().view().toScreen(at));
         };
-        int unnamed = 210; // about the middle
+        int unnamed = 465; // about the middle
         while (named(unnamed)) {
             ++unnamed;
         }
@@ -186,12 +186,12 @@ class NamesOverlayTest : public QObject {
         QVERIFY(named(unnamed));
         test.document().select({});
         QVERIFY(!named(unnamed));
-        QTest::mouseMove(&test.canvas(), test.at(0.5 * (unnamed % 20), 0.5 * (unnamed / 20)));
+        QTest::mouseMove(&test.canvas(), test.at(0.5 * (unnamed % 30), 0.5 * (unnamed / 30)));
         QVERIFY(named(unnamed));
     }
 
     void inARunTooNamesOfACrowdStayFromMomentToMoment() {
-        Game game(namedBalls(20), {800, 600}, LiveRun::Kind::Simulation);
+        Game game(namedBalls(30), {800, 600}, LiveRun::Kind::Simulation);
         game.view().setView(game.view().view().showing({{-1, -1}, {11, 11}}));
         game.view().setOverlayPalette({.own = {{"name", magenta}}});
         game.scene().setOverlays({.names = true});
@@ -208,7 +208,7 @@ class NamesOverlayTest : public QObject {
         const QImage first = names();
         int seen = 0;
         for (int ball = 0; ball < 400; ++ball) {
-            const Vec2 at = game.view().view().toScreen(Vec2(0.5 * (ball % 20), 0.5 * (ball / 20)));
+            const Vec2 at = game.view().view().toScreen(Vec2(0.5 * (ball % 30), 0.5 * (ball / 30)));
             seen += isNamed(first, at) ? 1 : 0;
         }
         QVERIFY2(seen > 20 && seen < 300, qPrintable(QString::number(seen)));
