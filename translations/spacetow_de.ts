@@ -1517,7 +1517,7 @@
     </message>
     <message>
         <source>Wa&amp;ys of a Run</source>
-        <translation>&amp;Wege eines Laufs</translation>
+        <translation>Wege eines Lau&amp;fs</translation>
     </message>
     <message>
         <source>Show the ways of the last minute where a run is held, and those of futures given up</source>
@@ -5667,8 +5667,8 @@
         <translation>Die Fehlerkapsel ist nicht vollständig: ihre letzte Zeile fehlt. Kopieren Sie sie noch einmal, von der ersten Zeile bis zur letzten.</translation>
     </message>
     <message>
-        <source>The bug capsule has been changed or damaged on its way. Copy it again, or have it sent as a file.</source>
-        <translation>Die Fehlerkapsel wurde unterwegs verändert oder beschädigt. Kopieren Sie sie noch einmal, oder lassen Sie sie sich als Datei schicken.</translation>
+        <source>The bug capsule has been changed or damaged on its way. Copy it again where it was made.</source>
+        <translation>Die Fehlerkapsel wurde unterwegs verändert oder beschädigt. Kopieren Sie sie dort noch einmal, wo sie gemacht wurde.</translation>
     </message>
     <message>
         <source>The bug capsule cannot be understood at “%1”. Ask for a new one.</source>

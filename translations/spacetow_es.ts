@@ -1517,7 +1517,7 @@
     </message>
     <message>
         <source>Wa&amp;ys of a Run</source>
-        <translation>Trayec&amp;tos de una ejecución</translation>
+        <translation>Trayecto&amp;s de una ejecución</translation>
     </message>
     <message>
         <source>Show the ways of the last minute where a run is held, and those of futures given up</source>
@@ -1553,7 +1553,7 @@
     </message>
     <message>
         <source>Insert Node &amp;Here</source>
-        <translation>Insertar un nodo &amp;aquí</translation>
+        <translation>Insertar un nodo aqu&amp;í</translation>
     </message>
     <message>
         <source>Insert a node where the pointer is at an edge of the selection</source>
@@ -5667,8 +5667,8 @@
         <translation>La cápsula de error no está completa: falta su última línea. Cópiela de nuevo, de la primera línea a la última.</translation>
     </message>
     <message>
-        <source>The bug capsule has been changed or damaged on its way. Copy it again, or have it sent as a file.</source>
-        <translation>La cápsula de error se cambió o se dañó por el camino. Cópiela de nuevo o pida que se la envíen como archivo.</translation>
+        <source>The bug capsule has been changed or damaged on its way. Copy it again where it was made.</source>
+        <translation>La cápsula de error se cambió o se dañó por el camino. Cópiela de nuevo donde se hizo.</translation>
     </message>
     <message>
         <source>The bug capsule cannot be understood at “%1”. Ask for a new one.</source>

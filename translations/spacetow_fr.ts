@@ -1553,7 +1553,7 @@
     </message>
     <message>
         <source>Insert Node &amp;Here</source>
-        <translation>Insérer un nœud &amp;ici</translation>
+        <translation>Ins&amp;érer un nœud ici</translation>
     </message>
     <message>
         <source>Insert a node where the pointer is at an edge of the selection</source>
@@ -5667,8 +5667,8 @@
         <translation>La capsule de bogue n’est pas entière : sa dernière ligne manque. Copiez-la de nouveau, de la première ligne à la dernière.</translation>
     </message>
     <message>
-        <source>The bug capsule has been changed or damaged on its way. Copy it again, or have it sent as a file.</source>
-        <translation>La capsule de bogue a été modifiée ou endommagée en chemin. Copiez-la de nouveau, ou faites-la envoyer comme fichier.</translation>
+        <source>The bug capsule has been changed or damaged on its way. Copy it again where it was made.</source>
+        <translation>La capsule de bogue a été modifiée ou endommagée en chemin. Copiez-la de nouveau là où elle a été faite.</translation>
     </message>
     <message>
         <source>The bug capsule cannot be understood at “%1”. Ask for a new one.</source>

@@ -5631,8 +5631,8 @@
         <translation>错误胶囊不完整：缺少最后一行。请从第一行到最后一行重新复制。</translation>
     </message>
     <message>
-        <source>The bug capsule has been changed or damaged on its way. Copy it again, or have it sent as a file.</source>
-        <translation>错误胶囊在传递中被更改或损坏。请重新复制，或请对方以文件发送。</translation>
+        <source>The bug capsule has been changed or damaged on its way. Copy it again where it was made.</source>
+        <translation>错误胶囊在传递中被更改或损坏。请在生成它的地方重新复制。</translation>
     </message>
     <message>
         <source>The bug capsule cannot be understood at “%1”. Ask for a new one.</source>

@@ -319,8 +319,8 @@ constexpr MessageText problems[] = {
                        "line to its last.")},
     {"capsule-damaged",
      QT_TRANSLATE_NOOP("messages",
-                       "The bug capsule has been changed or damaged on its way. Copy it again, or have it sent "
-                       "as a file.")},
+                       "The bug capsule has been changed or damaged on its way. Copy it again where it was "
+                       "made.")},
     {"capsule-bad-field",
      QT_TRANSLATE_NOOP("messages", "The bug capsule cannot be understood at “%1”. Ask for a new one.")},
     {"capsule-bad-level",
