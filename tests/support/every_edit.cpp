@@ -18,6 +18,7 @@
 #include "core/level/tag_edits.h"
 #include "tests/support/random_level.h"
 
+#include <string>
 #include <utility>
 
 namespace spacetow::test {
@@ -199,7 +200,8 @@ constexpr EditRow editRows[] = {
     {"renamed", [](EditTask& t) { return renamed(t.level, t.key, "renamed"); }},
     {"withTag",
      [](EditTask& t) {
-         return withTag(t.level, t.below(TagTable::size), {"made", 0x112233});
+         const int tag = t.below(TagTable::size);
+         return withTag(t.level, tag, {"made " + std::to_string(tag), 0x112233}); // no two tags have one name
      }},
     {"flipped",
      [](EditTask& t) {

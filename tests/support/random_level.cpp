@@ -2,13 +2,24 @@
 
 #include "core/level/nodes.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace spacetow::test {
 
 namespace {
+
+void tame(double& number) {
+    number = std::fmod(number, 100);
+}
+
+void tame(Vec2& point) {
+    tame(point.x());
+    tame(point.y());
+}
 
 class Maker {
   public:
@@ -103,6 +114,25 @@ class Maker {
             tags.set(31, {"", 0x123456});
         }
     }
+    /// Three of its corners at least lie further from each other than an edit rounds: two that lie closer may become
+    /// one when they are moved, and no edit can help that.
+    Polygon polygon() {
+        constexpr double apart = 1e-6;
+        std::vector<Vec2> corners = points(3);
+        std::vector<Vec2> different;
+        const auto take = [&different](Vec2 corner) {
+            tame(corner); // in a sound level they are so
+            if (std::ranges::none_of(different, [&](const Vec2& other) { return (corner - other).norm() < apart; })) {
+                different.push_back(corner);
+            }
+        };
+        std::ranges::for_each(corners, take);
+        while (different.size() < 3) {
+            corners.push_back(point());
+            take(corners.back());
+        }
+        return {std::move(corners)};
+    }
     LevelShape shape() {
         switch (below(4)) {
         case 0:
@@ -110,7 +140,7 @@ class Maker {
         case 1:
             return LineChain{points(2), chance()};
         case 2:
-            return Polygon{points(3)};
+            return polygon();
         default:
             return Circle{point(), positive()};
         }
@@ -203,15 +233,6 @@ class Maker {
     Random m_random;
     Random m_figures; // of the ship and its rope, which came later: the other draws stay what they were
 };
-
-void tame(double& number) {
-    number = std::fmod(number, 100);
-}
-
-void tame(Vec2& point) {
-    tame(point.x());
-    tame(point.y());
-}
 
 void tame(LevelShape& shape) {
     if (std::vector<Vec2>* vertices = verticesOf(shape)) {
