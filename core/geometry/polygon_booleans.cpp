@@ -106,24 +106,42 @@ cInt middleOf(const Path& hole) {
     return min->X + (max->X - min->X) / 2;
 }
 
+Paths holesOf(const PolyNode& outer) {
+    Paths holes;
+    for (const PolyNode* hole : outer.Childs) {
+        holes.push_back(hole->Contour);
+    }
+    return holes;
+}
+
+void removeSmallest(Paths& holes) {
+    holes.erase(std::ranges::min_element(holes, {}, [](const Path& hole) { return std::abs(ClipperLib::Area(hole)); }));
+}
+
+constexpr int cutAttempts = 4;
+
 /// An outline with its holes as areas without any. A line goes through the first hole, so that each part has fewer; but
-/// one that is no wider than the lattice may be shut again by rounding, and is filled after some `attempts`.
-void cutThroughHoles(const PolyNode& outer, Paths& result, int attempts = 4) {
-    if (outer.Childs.empty() || attempts == 0) {
-        result.push_back(outer.Contour);
+/// one that is no wider than the lattice may be shut again by rounding. After some attempts the smallest hole is
+/// filled.
+void cutThroughHoles(const Path& outline, Paths holes, Paths& result, int attempts = cutAttempts) {
+    if (attempts == 0) {
+        removeSmallest(holes);
+        attempts = cutAttempts;
+    }
+    if (holes.empty()) {
+        result.push_back(outline);
         return;
     }
-    Paths area{outer.Contour};
-    for (const PolyNode* hole : outer.Childs) {
-        area.push_back(hole->Contour);
-    }
-    const cInt x = middleOf(outer.Childs.front()->Contour);
+    Paths area = holes;
+    area.push_back(outline);
+    const cInt x = middleOf(holes.front());
     for (const bool left : {true, false}) {
         PolyTree half;
-        clip(area, {halfOf(outer.Contour, x, left)}, ClipperLib::ctIntersection, half);
+        clip(area, {halfOf(outline, x, left)}, ClipperLib::ctIntersection, half);
         for (const PolyNode* part : half.Childs) {
-            const bool hasFewer = part->Childs.size() < outer.Childs.size();
-            cutThroughHoles(*part, result, hasFewer ? attempts : attempts - 1);
+            Paths within = holesOf(*part);
+            const bool hasFewer = within.size() < holes.size();
+            cutThroughHoles(part->Contour, std::move(within), result, hasFewer ? attempts : attempts - 1);
         }
     }
 }
@@ -131,7 +149,7 @@ void cutThroughHoles(const PolyNode& outer, Paths& result, int attempts = 4) {
 /// All outlines of areas, those inside holes included.
 void collect(const PolyNode& node, Paths& result) {
     for (const PolyNode* outer : node.Childs) {
-        cutThroughHoles(*outer, result);
+        cutThroughHoles(outer->Contour, holesOf(*outer), result);
         for (const PolyNode* hole : outer->Childs) {
             collect(*hole, result);
         }

@@ -52,6 +52,17 @@ class PolygonBooleansTest : public QObject {
         QVERIFY(combined(a, b, PolygonBoolean::Union).empty()); // all of it is smaller than what counts
     }
 
+    void aLargeHoleBesideOneThatRoundingShutsStaysOpen() {
+        const PolygonSet a{{{2e-5, 2e-5}, {3e-5, 1e-5}, {3e-5, 5e-5}}};
+        const PolygonSet b{{{1e-5, 2e-5}, {2e-5, 2e-5}, {3e-5, 0}, {4e-5, 5e-5}},
+                           {{0, 4e-5}, {1e-5, 2e-5}, {3e-5, 4e-5}, {5e-5, 3e-5}, {4e-5, 5e-5}},
+                           box({4.2e-5, -1.5}, {1 - 4.2e-5, 3}),
+                           box({2, -1.5}, {1, 3}),
+                           box({0.9, -1.5}, {1.2, 1}),
+                           box({0.9, 0.5}, {1.2, 1})}; // around the hole of 1 m by 1 m
+        QVERIFY(std::abs(areaOf(combined(a, b, PolygonBoolean::Union)) - 8) < 1e-3);
+    }
+
     void boxesThatOverlapCombineOnTheGrid() {
         const PolygonSet a{box({0, 0}, {0.3, 0.3})};
         const PolygonSet b{box({0.1, 0.1}, {0.5, 0.1})};
