@@ -83,8 +83,7 @@ void Runner::resume() {
     command([this] {
         m_paused = false;
         m_watching = false;
-        m_pacer.restart(seconds(Clock::now()));
-        post(m_last);
+        restartPace();
     });
 }
 
@@ -92,8 +91,7 @@ void Runner::watch() {
     command([this] {
         m_paused = false;
         m_watching = true;
-        m_pacer.restart(seconds(Clock::now()));
-        post(m_last);
+        restartPace();
     });
 }
 
@@ -185,16 +183,11 @@ void Runner::beginAnew() {
     showAgain();
 }
 
-void Runner::setGrab(const std::optional<Grab>& grab) {
-    command([this, grab] { m_grab = grab; });
-}
-
 void Runner::setSpeed(double speed) {
     command([this, speed] {
         m_speed = speed >= slowest ? std::min(speed, fastest) : slowest;
         m_pacer.setPeriod(m_course->session().updateSeconds() / m_speed);
-        m_pacer.restart(seconds(Clock::now()));
-        post(m_last);
+        restartPace();
     });
 }
 
@@ -280,8 +273,7 @@ void Runner::turn(const std::stop_token& stop) {
     obeyCommands();
     if (const bool waits = !m_paused && (isUnattended() || awaitsPilot()); waits != m_waits) {
         m_waits = waits;
-        m_pacer.restart(seconds(Clock::now()));
-        post(m_last);
+        restartPace();
     }
     if (m_course->isSimulating()) {
         simulate();
@@ -296,15 +288,19 @@ void Runner::turn(const std::stop_token& stop) {
         }
     }
     m_more = false;
+    if (m_waits && m_withSession && Clock::now() >= m_nextCopy && m_frames.latest()->ofSession != m_last) {
+        post(m_last); // nothing else would bring a newer copy
+    }
     if (m_course->isSimulating() || (m_paused && !m_prepared)) {
         return;
     }
+    m_lender.collect();
     std::unique_lock lock(m_mutex);
     const auto called = [this] { return !m_commands.empty(); };
-    if (m_paused) {
-        m_wake.wait(lock, stop, called);
+    if (m_paused || m_waits) { // copies that come back are to be freed, keys to be seen
+        m_wake.wait_for(lock, stop, m_paused ? patience : glance, called);
     } else {
-        m_wake.wait_until(lock, stop, m_waits ? Clock::now() + glance : timePoint(m_pacer.next()), called);
+        m_wake.wait_until(lock, stop, timePoint(m_pacer.next()), called);
     }
 }
 
@@ -366,6 +362,11 @@ void Runner::simulate() {
     }
 }
 
+void Runner::restartPace() {
+    m_pacer.restart(seconds(Clock::now()));
+    post(m_last);
+}
+
 /// A level may have been given another length of its updates.
 void Runner::keepPace() {
     const double period = m_course->session().updateSeconds() / m_speed;
@@ -389,10 +390,9 @@ void Runner::post(std::shared_ptr<const Snapshot> before) {
         const Clock::time_point done = Clock::now();
         m_nextCopy = m_mode == Mode::Manual ? done : done + share * (done - begun);
     }
-    const bool paused = m_paused || m_waits;
-    m_frames.post(std::make_shared<const Frame>(Frame{std::move(before), m_last, Clock::now(), m_pacer.period(),
-                                                      m_speed, paused, std::move(session), std::move(ofSession),
-                                                      m_course->summary(m_paused), profileOf(m_watch)}));
+    m_frames.post(std::make_shared<const Frame>(
+        Frame{std::move(before), m_last, Clock::now(), m_pacer.period(), m_speed, m_paused || m_waits,
+              std::move(session), std::move(ofSession), m_course->summary(m_paused), profileOf(m_watch)}));
 }
 
 } // namespace spacetow

@@ -84,7 +84,9 @@ class Runner {
     /// The object that somebody looks at, 0 for none: see Timeline::setFocus.
     void setFocus(Key object);
     /// What the mouse holds from the next update on; none lets go.
-    void setGrab(const std::optional<Grab>& grab);
+    void setGrab(const std::optional<Grab>& grab) {
+        command([this, grab] { m_grab = grab; });
+    }
     /// So many times as fast as the clock, within `slowest` … `fastest`.
     void setSpeed(double speed);
     static constexpr double slowest = 1.0 / 16, fastest = 8;
@@ -140,6 +142,8 @@ class Runner {
     void simulate();
     /// Then nothing moves any more.
     bool failsAt(std::int64_t update, const World& world);
+    /// Time passes from now on, and frames say so.
+    void restartPace();
     void keepPace();
     void post(std::shared_ptr<const Snapshot> before);
     /// When nothing has moved but how it is looked at.

@@ -212,6 +212,48 @@ class RunnerTest : public QObject {
             QVERIFY(comesTrue([&] { return runner.frame()->paused && runner.frame()->now->update == 0; }));
         }
     }
+    /// Copies of it take a while.
+    static Level manyBalls() {
+        Level level = openSpace();
+        BodyObject platform{.kind = BodyKind::Kinematic, .shapes = {Circle{{0, 0}, 0.3}}, .velocity = {1, 0}};
+        for (int i = 0; i < 2000; ++i) {
+            platform.position = Vec2(10 + i, 10);
+            level.objects.append({static_cast<Key>(900 + i), {}, platform, {}});
+        }
+        return level;
+    }
+    void theSessionOfAGameThatWaitsForItsPilotIsThatOfNow() {
+        const Level level = manyBalls();
+        Runner runner(level);
+        runner.waitForPilot(true);
+        runner.wantSession(true);
+        for (int i = 1; i <= 10; ++i) {
+            QVERIFY(comesTrue([&] { return runner.frame()->paused && runner.frame()->session; }));
+            Level edited = level;
+            edited.gravity.x() = i;
+            runner.setLevel(std::make_shared<const Level>(edited));
+            QVERIFY(comesTrue([&] {
+                const std::shared_ptr<const Frame> frame = runner.frame();
+                return frame->paused && frame->session && frame->ofSession == frame->now &&
+                       frame->session->level().gravity.x() == i;
+            }));
+        }
+    }
+    void aSessionThatIsGivenBackWhileTheGameIsPausedIsFreed() {
+        const auto level = std::make_shared<const Level>(manyBalls());
+        Runner runner(level);
+        runner.pause();
+        QVERIFY(comesTrue([&] { return runner.frame()->paused; }));
+        const long users = level.use_count();
+        runner.wantSession(true);
+        QVERIFY(comesTrue([&] { return runner.frame()->session != nullptr; }));
+        QVERIFY(level.use_count() > users);
+        std::shared_ptr<const Frame> last = runner.frame();
+        runner.wantSession(false);
+        QVERIFY(comesTrue([&] { return runner.frame()->session == nullptr; }));
+        last.reset();
+        QVERIFY(comesTrue([&] { return level.use_count() == users; }));
+    }
     void aGameThatNobodyLooksAtWaits() {
         Runner runner(openSpace());
         runner.hold(thrust);
