@@ -5714,6 +5714,10 @@
         <source>the disk does not answer as it should; copy what it holds</source>
         <translation>der Datenträger antwortet nicht, wie er sollte; kopieren Sie, was er enthält</translation>
     </message>
+    <message>
+        <source>no place could be made there</source>
+        <translation>dort ließ sich kein Platz anlegen</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>

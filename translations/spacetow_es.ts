@@ -5714,6 +5714,10 @@
         <source>the disk does not answer as it should; copy what it holds</source>
         <translation>el disco no responde como debería; copie lo que contiene</translation>
     </message>
+    <message>
+        <source>no place could be made there</source>
+        <translation>no se pudo crear un lugar allí</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>

@@ -5714,6 +5714,10 @@
         <source>the disk does not answer as it should; copy what it holds</source>
         <translation>le disque ne répond pas comme il le devrait ; copiez ce qu’il contient</translation>
     </message>
+    <message>
+        <source>no place could be made there</source>
+        <translation>aucun emplacement n’a pu y être créé</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>

@@ -5678,6 +5678,10 @@
         <source>the disk does not answer as it should; copy what it holds</source>
         <translation>磁盘响应异常；请复制其中的内容</translation>
     </message>
+    <message>
+        <source>no place could be made there</source>
+        <translation>无法在那里创建位置</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::ArrayBar</name>

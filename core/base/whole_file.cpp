@@ -2,6 +2,7 @@
 
 #include "core/base/codes.h"
 #include "core/base/replace_file.h"
+#include "core/base/system_reason.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -15,12 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reasonOf(int code) {
-    return std::generic_category().message(code);
-}
-
 Error cannotRead(const fs::path& path, int code) {
-    return Error{BaseCode("cannot-read"), {path.string(), reasonOf(code)}};
+    return Error{BaseCode("cannot-read"), {path.string(), systemReason(code)}};
 }
 
 /// The file that a chain of links leads to, even when it does not exist yet.
@@ -46,10 +43,10 @@ Error writeError(const fs::path& path, const fs::path& file, const disk::WriteFa
     const bool denied = code == EACCES || code == EPERM;
     if (failure.step == Step::Damaged && !failure.copy.empty()) {
         return Error{BaseCode("file-damaged-but-beside"),
-                     {name, reasonOf(code), (file.parent_path() / failure.copy).string()}};
+                     {name, systemReason(code), (file.parent_path() / failure.copy).string()}};
     }
     if (failure.step == Step::Damaged) {
-        return Error{BaseCode("file-damaged"), {name, reasonOf(code)}};
+        return Error{BaseCode("file-damaged"), {name, systemReason(code)}};
     }
     if (failure.step == Step::Changed) {
         return Error{BaseCode("changed-on-disk"), {name}};
@@ -72,7 +69,7 @@ Error writeError(const fs::path& path, const fs::path& file, const disk::WriteFa
     if (failure.step == Step::File && denied) {
         return Error{BaseCode("file-protected"), {name}};
     }
-    return Error{BaseCode("cannot-write"), {name, failure.words.empty() ? reasonOf(code) : failure.words}};
+    return Error{BaseCode("cannot-write"), {name, failure.words.empty() ? systemReason(code) : failure.words}};
 }
 
 bool isSame(const struct stat& a, const struct stat& b) {

@@ -1,6 +1,7 @@
 #include "editor/editing/backups.h"
 
 #include "core/base/codes.h"
+#include "core/base/system_reason.h"
 #include "core/level/file_state.h"
 
 #include <sys/stat.h>
@@ -76,7 +77,7 @@ std::optional<Error> backUp(const fs::path& folder, const fs::path& path) {
         fs::rename(unfinished, backup, error);
     }
     if (error) {
-        return Error{BaseCode("cannot-write"), {backup.string(), error.message()}};
+        return Error{BaseCode("cannot-write"), {backup.string(), systemReason(error.value())}};
     }
     for (std::size_t i = maxBackups - 1; i < backups.size(); ++i) {
         fs::remove(backups[i].file, error);

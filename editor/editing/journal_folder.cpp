@@ -1,5 +1,6 @@
 // The files of the journal, and their locks (POSIX).
 #include "core/base/codes.h"
+#include "core/base/system_reason.h"
 #include "core/level/file_state.h"
 #include "editor/editing/journal.h"
 
@@ -31,7 +32,7 @@ constexpr std::time_t youngSeconds = 60; // a lock may belong to a place that is
 constexpr std::time_t discardedSeconds = 7 * 24 * 3600;
 
 Error cannotJournal(const fs::path& path, int code) {
-    return {BaseCode("cannot-write"), {path.string(), std::generic_category().message(code)}};
+    return {BaseCode("cannot-write"), {path.string(), systemReason(code)}};
 }
 
 /// Unlike any other, in this process and elsewhere.

@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <cmath>
 
 namespace spacetow {
@@ -72,11 +73,17 @@ QString localNumberText(const std::string& spelled) {
         return text;
     }
     const QLocale locale;
+    const bool isWhole = std::ranges::all_of(text, [](QChar c) { return c.isDigit() || c == QLatin1Char('-'); });
+    if (isWhole) { // a double would round what is long
+        bool fits = false;
+        const qlonglong whole = text.toLongLong(&fits);
+        return fits ? locale.toString(whole) : text;
+    }
     if (text.contains(QLatin1Char('e'), Qt::CaseInsensitive)) {
         return locale.toString(number, 'g', QLocale::FloatingPointShortest);
     }
     const qsizetype point = text.indexOf(QLatin1Char('.'));
-    return locale.toString(number, 'f', point < 0 ? 0 : static_cast<int>(text.size() - point - 1));
+    return locale.toString(number, 'f', static_cast<int>(text.size() - point - 1));
 }
 
 QString counted(QString text, int number) {

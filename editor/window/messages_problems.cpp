@@ -318,9 +318,8 @@ constexpr MessageText problems[] = {
                        "The bug capsule is not whole: its last line is missing. Copy it again, from its first "
                        "line to its last.")},
     {"capsule-damaged",
-     QT_TRANSLATE_NOOP("messages",
-                       "The bug capsule has been changed or damaged on its way. Copy it again where it was "
-                       "made.")},
+     QT_TRANSLATE_NOOP("messages", "The bug capsule has been changed or damaged on its way. Copy it again where it was "
+                                   "made.")},
     {"capsule-bad-field",
      QT_TRANSLATE_NOOP("messages", "The bug capsule cannot be understood at “%1”. Ask for a new one.")},
     {"capsule-bad-level",
@@ -361,6 +360,7 @@ constexpr ReasonText reasonTexts[] = {
     {"Operation not permitted", QT_TRANSLATE_NOOP("messages", "the system does not permit it")},
     {"Is a directory", QT_TRANSLATE_NOOP("messages", "it is a folder")},
     {"Not a directory", QT_TRANSLATE_NOOP("messages", "what should be its folder is a file")},
+    {"no place could be made there", QT_TRANSLATE_NOOP("messages", "no place could be made there")},
     {"not a regular file", QT_TRANSLATE_NOOP("messages", "it is not a regular file")},
     {"File name too long", QT_TRANSLATE_NOOP("messages", "its name is too long")},
     {"Input/output error", QT_TRANSLATE_NOOP("messages", "the disk does not answer as it should; copy what it holds")},

@@ -1,5 +1,6 @@
 #include "editor/window/messages.h"
 
+#include "core/base/system_reason.h"
 #include "core/level/fixes.h"
 #include "editor/editing/codes.h"
 #include "editor/editing/tools.h"
@@ -12,6 +13,7 @@
 #include <QRegularExpression>
 #include <QScopeGuard>
 
+#include <cerrno>
 #include <set>
 
 using namespace spacetow;
@@ -178,17 +180,17 @@ class MessagesTest : public QObject {
         QTest::addColumn<QString>("locale");
         QTest::addColumn<QStringList>("told");
         QTest::newRow("C") << "C"
-                           << QStringList{"at most 8.4 MB can", "at most 33.6 MB can", "1000000 updates",
-                                          "0.25 m deep",        "Move 12345 objects",  "Velocity 12345 m/s, 2.5°",
-                                          "12345 times"};
+                           << QStringList{"at most 8.4 MB can", "at most 33.6 MB can",     "1000000 updates",
+                                          "0.25 m deep",        "Move 12345 objects",      "Velocity 12345 m/s, 2.5°",
+                                          "12345 times",        "is 12345678901234567890;"};
         QTest::newRow("English") << "en_US" << QStringList{"at most 8.4 MB can",  "at most 33.6 MB can",
                                                            "1,000,000 updates",   "0.25 m deep",
                                                            "Move 12,345 objects", "Velocity 12,345 m/s, 2.5°",
-                                                           "12,345 times"};
-        QTest::newRow("German") << "de_DE"
-                                << QStringList{"at most 8,4 MB can", "at most 33,6 MB can", "1.000.000 updates",
-                                               "0,25 m deep",        "Move 12.345 objects", "Velocity 12.345 m/s, 2,5°",
-                                               "12.345 times"};
+                                                           "12,345 times",        "is 12345678901234567890;"};
+        QTest::newRow("German") << "de_DE" << QStringList{"at most 8,4 MB can",  "at most 33,6 MB can",
+                                                          "1.000.000 updates",   "0,25 m deep",
+                                                          "Move 12.345 objects", "Velocity 12.345 m/s, 2,5°",
+                                                          "12.345 times",        "is 12345678901234567890;"};
     }
     void numbersAndSizesAreSpelledAsTheUserDoes() {
         QFETCH(QString, locale);
@@ -204,6 +206,7 @@ class MessagesTest : public QObject {
             sentence(Label{"move", 12345}),
             sentence(Hint{"velocity.dragging", {"12345", "2.5"}}),
             sentence(Error{SentenceCode("import-filter"), {"12345", "3, 5 …", ""}}),
+            sentence(Problem{.code = "out-of-range", .arguments = {"iterations", "12345678901234567890", "1", "9"}}),
         };
         for (qsizetype i = 0; i < told.size(); ++i) {
             QVERIFY2(sentences[i].contains(told[i]), qPrintable(sentences[i]));
@@ -215,7 +218,7 @@ class MessagesTest : public QObject {
     }
 
     void theSystemsReasonsAreGivenInTheUsersWords() {
-        const Error gone{SentenceCode("cannot-read"), {"/a.json", "No such file or directory"}};
+        const Error gone{SentenceCode("cannot-read"), {"/a.json", systemReason(ENOENT)}};
         QVERIFY2(sentence(gone).contains("there is no such file"), qPrintable(sentence(gone)));
         const Error odd{SentenceCode("cannot-read"), {"/a.json", "Frobnicated"}};
         QVERIFY(sentence(odd).endsWith(": Frobnicated."));
