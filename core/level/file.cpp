@@ -96,9 +96,11 @@ LevelFile parseLevel(std::string_view text, Checks checks) {
     if (file.level && checks == Checks::All) {
         std::vector<Problem> found = lint(*file.level);
         errorsFirst(found);
+        auto errors = static_cast<std::size_t>(std::ranges::count(file.problems, Severity::Error, &Problem::severity));
         for (Problem& problem : found) {
-            // Lines of problems that are going to be trimmed need not be looked up.
-            problem.line = file.problems.size() <= maxProblems ? tree.lineAt(problem.pointer) : 1;
+            // Lines of problems that are going to be trimmed need not be looked up; errors are the last to go.
+            const std::size_t before = problem.severity == Severity::Error ? errors++ : file.problems.size();
+            problem.line = before <= maxProblems ? tree.lineAt(problem.pointer) : 1;
             file.problems.push_back(std::move(problem));
         }
     }

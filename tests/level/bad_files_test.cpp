@@ -45,6 +45,24 @@ class BadFilesTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void errorsOfObjectsHaveTheirLinesBehindAnyNumberOfWarnings() {
+        std::string text = R"({"schema": 2, "objects": [)";
+        for (int i = 1; i <= 3; ++i) { // polygons that cross themselves, in lines 2 to 4
+            text += (i == 1 ? "\n" : ",\n") + object(i, R"("type": "body", "shapes": [{"type": "polygon", "vertices": )"
+                                                        R"([[0, 0], [1, 1], [1, 0], [0, 1]]}])");
+        }
+        text += "]";
+        for (int i = 0; i < 1100; ++i) {
+            text += ",\n\"what" + std::to_string(i) + "\": 0";
+        }
+        std::vector<int> lines;
+        for (const Problem& problem : parseLevel(text + '}').problems) {
+            if (problem.severity == Severity::Error) {
+                lines.push_back(problem.line);
+            }
+        }
+        QCOMPARE(lines, (std::vector{2, 3, 4}));
+    }
     void anErrorIsToldHoweverManyWarningsComeBeforeItAndHowManyMoreThereAre() {
         std::string text = R"({"schema": 2)";
         for (int i = 0; i < 1100; ++i) {
