@@ -161,6 +161,7 @@ void ObjectField::offerNames() {
 
 void ObjectField::openList() {
     setFocus(Qt::OtherFocusReason);
+    offerNames(); // a window that is not active tells of no focus, and the level may have changed since
     completer()->setCompletionPrefix({});
     completer()->complete();
 }

@@ -266,7 +266,16 @@ void OutlinerPanel::unfoldAgain() {
 
 void OutlinerPanel::renameSelected() {
     const std::vector<Key>& keys = m_document.selection().keys();
-    const QModelIndex index = keys.empty() ? QModelIndex() : m_model.indexOf(keys.front());
+    if (!keys.empty()) {
+        rename(keys.front());
+    }
+}
+
+void OutlinerPanel::rename(Key key) {
+    if (!m_model.indexOf(key).isValid()) {
+        m_filter.clear();
+    }
+    const QModelIndex index = m_model.indexOf(key);
     if (index.isValid()) {
         m_view.setFocus();
         m_view.selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);

@@ -34,6 +34,8 @@ class OutlinerPanel : public QWidget {
     void addButtons(const QList<QAction*>& actions);
     /// Opens the name of the first selected object for editing.
     void renameSelected();
+    /// Opens the name of this object for editing; a filter that hides it is taken away.
+    void rename(Key key);
     /// What could be put into the filter; made for the level as it is.
     void fillFilterMenu(QMenu& menu);
 

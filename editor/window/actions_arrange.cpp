@@ -19,12 +19,7 @@ void makeLayer(MainWindow& window) {
         if (isLayer(object) && before->objects.find(object.key) == nullptr) {
             window.panels().dock(QStringLiteral("outliner")).show();
             window.panels().dock(QStringLiteral("outliner")).raise();
-            OutlinerView& view = window.outliner().view();
-            const QModelIndex row = window.outliner().model().indexOf(object.key);
-            view.setFocus();
-            view.selectionModel()->setCurrentIndex(row, QItemSelectionModel::NoUpdate);
-            view.scrollTo(row);
-            view.edit(row);
+            window.outliner().rename(object.key);
             return;
         }
     }

@@ -102,6 +102,10 @@ QString Files::untitled(int number) const {
     return numbered(m_untitled.isEmpty() ? FileWords::tr("Untitled") : m_untitled, number);
 }
 
+QString Files::nameInFlights() const {
+    return m_path.isEmpty() ? untitled(1) : name();
+}
+
 void Files::setUntitled(const QString& fileName) {
     m_untitled = fileName;
     m_number = 1;

@@ -76,6 +76,8 @@ class Files {
     QString name() const;
     /// What it would be called without a file, with this number.
     QString untitled(int number) const;
+    /// By which a flight in the level finds it again: without the number, which tells it apart only while it is open.
+    QString nameInFlights() const;
     /// By which levels without a file are told apart; it is 1 again with every other level.
     void setNumber(int number);
     /// What the file held when it was last read or written here.

@@ -39,8 +39,9 @@ void FlightFile::save() {
         m_window.messageBar().say(MessageBar::Tone::Info, FlightWords::tr("Another recording is still being saved."));
         return;
     }
-    const QString levelPath = m_window.files().path().isEmpty() ? m_window.files().name() : m_window.files().path();
-    const QString folder = m_window.files().path().isEmpty() ? QDir::homePath() : QFileInfo(levelPath).path();
+    const bool hasFile = !m_window.files().path().isEmpty();
+    const QString levelPath = hasFile ? m_window.files().path() : m_window.files().name();
+    const QString folder = hasFile ? QFileInfo(levelPath).path() : QDir::homePath();
     m_window.liveRun().setPaused(true); // while one looks for a name, the ship would fall
     const QString suggested = QFileInfo(levelPath).completeBaseName() + QStringLiteral(".replay.json");
     QString path = m_window.whereToSaveFlight(QDir(folder).filePath(suggested));
@@ -51,7 +52,7 @@ void FlightFile::save() {
     if (!path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
         path += QStringLiteral(".replay.json");
     }
-    const std::string name = QFileInfo(levelPath).fileName().toStdString();
+    const std::string name = m_window.files().nameInFlights().toStdString();
     m_task.start([this, path, name, ask = runner->askRecording(), kind = m_window.liveRun().kind(),
                   now = m_window.document().current().level](const std::stop_token&) -> BackgroundTask::Then {
         Recording recording = ask();

@@ -136,7 +136,8 @@ MainWindow* FlightReader::windowFor(const Read& read) {
         return std::ranges::find(read.levels, one->document().current().level) != read.levels.end();
     });
     const QString name = QString::fromStdString(read.replay.value().level);
-    const auto named = std::ranges::find_if(open, [&name](MainWindow* one) { return one->files().name() == name; });
+    const auto named =
+        std::ranges::find_if(open, [&name](MainWindow* one) { return one->files().nameInFlights() == name; });
     if (exact != open.end() || named != open.end()) {
         return exact != open.end() ? *exact : *named;
     }

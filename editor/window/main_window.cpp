@@ -355,13 +355,17 @@ QString MainWindow::snapHint() const {
 }
 
 /// Of what runs, where it is now.
-void MainWindow::updateSelection() {
+Aabb MainWindow::boundsOfSelection() {
     const Edit& shown = m_document.shown();
     const std::vector<Key>& keys = shown.selection.keys();
-    const Aabb box =
-        isPlaying() && !keys.empty() ? boundsOf(m_live.posedShown(keys), keys) : boundsOf(*shown.level, keys);
+    return isPlaying() && !keys.empty() ? boundsOf(m_live.posedShown(keys), keys) : boundsOf(*shown.level, keys);
+}
+
+void MainWindow::updateSelection() {
+    const std::vector<Key>& keys = m_document.shown().selection.keys();
+    const Aabb box = boundsOfSelection();
     m_run.setFocus(keys.size() == 1 ? keys.front() : 0);
-    m_status.setSelection(shown.selection.size(), box);
+    m_status.setSelection(m_document.shown().selection.size(), box);
     m_frame.setExtent(box);
 }
 

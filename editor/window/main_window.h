@@ -285,6 +285,7 @@ class MainWindow : public QMainWindow {
     void updateTool();
     QString snapHint() const;
     QString firstSteps() const;
+    Aabb boundsOfSelection();
     void updateSelection();
     void updateMode();
     void updateProblems();

@@ -258,8 +258,7 @@ void MainWindow::openMenuAtSelection() {
 }
 
 QPoint MainWindow::placeOfSelection() {
-    const Edit& shown = m_document.shown();
-    const Aabb box = boundsOf(*shown.level, shown.selection.keys());
+    const Aabb box = boundsOfSelection();
     const Vec2 wanted = box.isEmpty() ? m_canvas.view().center : box.center();
     const Vec2 screen = m_canvas.view().toScreen(wanted);
     const QPoint place(std::clamp(qRound(screen.x()), 0, m_canvas.width()),

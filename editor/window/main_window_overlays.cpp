@@ -81,7 +81,8 @@ void MainWindow::updateLeftOut() {
 }
 
 void MainWindow::updateWays() {
-    if (std::exchange(m_hasWays, m_live.hasWays()) != m_hasWays) {
+    const bool hasWays = m_live.hasWays();
+    if (std::exchange(m_hasWays, hasWays) != hasWays) {
         updateLegend();
     }
 }

@@ -14,8 +14,6 @@
 using namespace spacetow;
 using namespace spacetow::test;
 
-namespace {} // namespace
-
 class LevelcFlightsTest : public QObject {
     Q_OBJECT
 

@@ -183,6 +183,19 @@ class ContextMenuTest : public QObject {
         QVERIFY(textsOf(test.menu).contains("Duplicate") && !textsOf(test.menu).contains("Select Under Pointer"));
     }
 
+    void whileASimulationRunsTheMenuKeyFindsWhatFallsWhereItIs() {
+        TestWindow test;
+        Level level;
+        level.gravity = {0, -10};
+        level.objects.append(
+            yardObject(yardBall, BodyObject{.kind = BodyKind::Dynamic, .shapes = {Circle{{0, 0}, 0.5}}}));
+        test.document().reset(level);
+        test.document().select(Selection({yardBall}));
+        test.trigger(Act::Simulate);
+        const QPoint start = test.at(0, 0);
+        QTRY_VERIFY(test.canvas().mapFromGlobal(test.window->placeOfSelection()).y() > start.y() + 20);
+    }
+
     void theMenuOfTheOutlinerIsAboutItsRows() {
         MenuWindow test;
         test.document().select(Selection({yardBox}));

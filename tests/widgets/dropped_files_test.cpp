@@ -68,6 +68,26 @@ class DroppedFilesTest : public QObject {
         QCOMPARE(test.window(0).messageBar().text(), QString());
     }
 
+    void aFlightInTheSecondCopyOfAnExampleFindsTheExample() {
+        const QString path = QStringLiteral(":/levels/01_first_haul.json");
+        QString flight;
+        TestApplication test;
+        test.start();
+        test.window(0).openFiles({path});
+        TestApplication::edit(test.window(0));
+        test.window(0).openFiles({path});
+        MainWindow& copy = test.window(1);
+        QVERIFY(copy.files().name().contains(QStringLiteral(" 2")));
+        flight = test.file("copy.replay.json");
+        copy.whereToSaveFlight = [&](const QString&) { return flight; };
+        test.trigger(1, Act::Simulate);
+        QTRY_VERIFY(copy.liveRun().updates() > 5);
+        test.trigger(1, Act::SaveFlight);
+        copy.flightFile().finish();
+        QCOMPARE(readReplay(flight.toStdU16String()).value().level, std::string("01_first_haul.json"));
+        test.unsaved = Unsaved::Discard;
+    }
+
     void aSimulationThatIsSavedAndDroppedOpensAsASimulationAndRunsToItsEnd() {
         TestApplication test;
         test.start({spacetow::test::sourceFolder() + "/levels/01_first_haul.json"});

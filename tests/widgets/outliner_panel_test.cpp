@@ -355,6 +355,22 @@ class OutlinerPanelTest : public QObject {
         QCOMPARE(test.document().selection(), Selection({100}));
     }
 
+    void aNewLayerIsNamedThoughTheFilterDoesNotFindIt() {
+        TestWindow test;
+        test.document().reset(crowd());
+        test.window->outliner().filterField().setText(QStringLiteral("kind:wall"));
+        test.document().select(Selection({100}));
+        test.trigger(Act::NewLayer);
+        QWidget* editor = QApplication::focusWidget();
+        QVERIFY(test.window->outliner().view().viewport()->isAncestorOf(editor));
+        QTest::keyClicks(editor, "hills");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QApplication::processEvents();
+        const Object& ball = *test.level().objects.find(100);
+        QVERIFY(ball.visible);
+        QCOMPARE(test.level().objects.find(ball.parent)->name, std::string("hills"));
+    }
+
     void keysOfTheTreeAreNotThoseOfTheCanvas() {
         TestWindow test;
         test.document().reset(crowd());
