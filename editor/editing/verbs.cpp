@@ -14,6 +14,8 @@ namespace spacetow {
 
 namespace {
 
+constexpr double almost = 1e-9; // m, by which rounding moves what is on the grid
+
 Label labelOf(LabelCode code, const Selection& selection) {
     return {code, selection.size()};
 }
@@ -57,7 +59,7 @@ std::optional<Vec2> ownMiddle(const ToolContext& context) {
     const Vec2 step = Vec2::Constant(context.snap.grid ? 0.5 * context.snap.step : 0); // as far as it was rounded
     const Vec2 room = (0.25 * box.size()).cwiseMax(step);
     const bool isMiddle = ((*place - box.center()).cwiseAbs().array() <= room.array()).all();
-    return isMiddle ? place : std::nullopt;
+    return isMiddle && box.grown(almost).contains(*place) ? place : std::nullopt;
 }
 
 } // namespace
@@ -70,8 +72,12 @@ std::optional<Vec2> turningPoint(const ToolContext& context) {
         return own;
     }
     const std::optional<Vec2> middle = middleOf(context.edit);
-    const bool onSteps = context.snap.grid && context.snap.step > 0;
-    return middle && onSteps ? onGrid(context.snap, *middle) : middle;
+    if (!middle || !context.snap.grid || !(context.snap.step > 0)) {
+        return middle;
+    }
+    const Vec2 onStep = onGrid(context.snap, *middle);
+    const Aabb box = boundsOf(*context.edit.level, context.edit.selection.keys());
+    return box.grown(almost).contains(onStep) ? onStep : *middle; // what is smaller than a step may have none in it
 }
 
 std::optional<FinishedEdit> removeSelected(const ToolContext& context) {

@@ -1,6 +1,8 @@
 #include "editor/editing/rectangle_tool.h"
 
 #include "core/geometry/polygon.h"
+#include "core/level/bounds.h"
+#include "editor/editing/drawn_body.h"
 #include "editor/editing/verbs.h"
 #include "tests/support/drive.h"
 #include "tests/support/test_main.h"
@@ -70,6 +72,19 @@ class RectangleToolTest : public QObject {
         drive.toolbox.finish(rotateSelected(drive.toolbox.context(), std::numbers::pi / 4));
         QVERIFY((body().position - place - Vec2(0.013, 0.017)).norm() < 1e-12);
         QVERIFY(std::abs(body().angle - std::numbers::pi / 2) < 1e-12);
+    }
+
+    void whatIsSmallerThanAStepOfTheGridHasItsPlaceInItself() {
+        for (const double step : {1.0, 0.25, 0.1}) {
+            RectangleDrawer drive;
+            drive.toolbox.snap.step = step;
+            const Edit edit = withDrawnPolygon(
+                drive.toolbox.context(), {{0.42, 0.42}, {0.47, 0.42}, {0.47, 0.47}, {0.42, 0.47}}, BodyKind::Static);
+            drive.document.commit({"draw-rectangle", 1}, edit);
+            const Aabb box = boundsOf(drive.level(), drive.newest());
+            QVERIFY(box.contains(std::get<BodyObject>(drive.newest().data).position));
+            QVERIFY(box.contains(*turningPoint(drive.toolbox.context())));
+        }
     }
 
     void twoClicksDrawToo() {
