@@ -18,11 +18,11 @@ constexpr int patientSteps = 100; // after these many the steps grow, so that th
 /// What of a part takes part in the cast, in local coordinates.
 struct Caster {
     const Part& part;
-    const Motion& motion;
+    const Sweep& motion;
     Core core;        // local
     double reach = 0; // m, from the pivot to the farthest point of the core
 
-    Caster(const Part& p, const Motion& m) : part(p), motion(m) { use(coreOf(p, Transform{})); }
+    Caster(const Part& p, const Sweep& m) : part(p), motion(m) { use(coreOf(p, Transform{})); }
 
     void use(const Core& local) {
         core = local;
@@ -194,7 +194,7 @@ std::optional<double> castAgainstEnds(Cast cast, const WallPart& wall) {
 
 } // namespace
 
-Transform Motion::at(double fraction) const {
+Transform Sweep::at(double fraction) const {
     Transform pose = start;
     if (turn != 0) {
         const SinCos angle = sinCos(turn * fraction);
@@ -205,7 +205,7 @@ Transform Motion::at(double fraction) const {
 }
 
 // NOLINTNEXTLINE(readability-function-size): two parts on their ways, and how near
-std::optional<double> timeOfImpact(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
+std::optional<double> timeOfImpact(const Part& a, const Sweep& motionA, const Part& b, const Sweep& motionB,
                                    double targetGap) {
     const Cast cast{{a, motionA}, {b, motionB}, targetGap, false};
     const auto* wallA = std::get_if<WallPart>(&a);
@@ -223,7 +223,7 @@ std::optional<double> timeOfImpact(const Part& a, const Motion& motionA, const P
 }
 
 // NOLINTNEXTLINE(readability-function-size): two parts on their ways, and how near
-std::optional<double> timeOfImpactAtOpenWall(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
+std::optional<double> timeOfImpactAtOpenWall(const Part& a, const Sweep& motionA, const Part& b, const Sweep& motionB,
                                              double targetGap) {
     if (const auto* wall = std::get_if<WallPart>(&a)) {
         return castAgainstEnds({{a, motionA}, {b, motionB}, targetGap, true}, *wall);

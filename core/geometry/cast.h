@@ -10,7 +10,7 @@ namespace spacetow {
 
 /// A pose that changes at constant speed: the point `pivot` of the part moves straight by `translation` while all else
 /// turns round it by `turn`, which may be many turns.
-struct Motion {
+struct Sweep {
     Transform start;
     Vec2 translation{0, 0}; // m
     double turn = 0;        // rad
@@ -25,11 +25,11 @@ struct Motion {
 /// nothing ever gets through. One-way walls are met from the front, by what has its centre in
 /// front of them at the start; their free ends are met from everywhere. Where walls are joined, contacts that slide
 /// across are none. Conservative advancement (Mirtich, 1996) with support planes.
-std::optional<double> timeOfImpact(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
+std::optional<double> timeOfImpact(const Part& a, const Sweep& motionA, const Part& b, const Sweep& motionB,
                                    double targetGap);
 
 /// The same where one of the parts is a wall whose face is open for the other: its free ends only.
-std::optional<double> timeOfImpactAtOpenWall(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB,
+std::optional<double> timeOfImpactAtOpenWall(const Part& a, const Sweep& motionA, const Part& b, const Sweep& motionB,
                                              double targetGap);
 
 } // namespace spacetow

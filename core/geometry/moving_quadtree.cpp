@@ -128,7 +128,7 @@ void MovingQuadtree::query(const Aabb& area, std::vector<std::uint32_t>& out) co
 }
 
 void MovingQuadtree::appendOverlapping(const Entry& entry, Entries with, const Found& found) const {
-    std::vector<Two>& out = found.all;
+    std::vector<BoxPair>& out = found.all;
     std::size_t size = out.size();
     if (size > found.most) {
         return;
@@ -153,7 +153,7 @@ void MovingQuadtree::appendLater(const Level& level, std::uint32_t row, const Fo
     }
 }
 
-void MovingQuadtree::queryAll(std::vector<Two>& out, std::size_t most) const {
+void MovingQuadtree::queryAll(std::vector<BoxPair>& out, std::size_t most) const {
     const Found found{out, most};
     for (std::size_t depth = 0; depth < m_levels.size(); ++depth) {
         const Level& level = m_levels[depth];

@@ -25,12 +25,12 @@ class MovingQuadtree {
     void query(const Aabb& area, std::vector<std::uint32_t>& out) const;
 
     /// Two boxes, by number.
-    struct Two {
+    struct BoxPair {
         std::uint32_t a, b;
     };
     /// Appends all that overlap, borders included, each two once and always in the same order. Cheaper than a query for
     /// every box. Where there are more than `most` it leaves off some time after that.
-    void queryAll(std::vector<Two>& out, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+    void queryAll(std::vector<BoxPair>& out, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
     int depth() const { return m_depth; }
     /// The rectangles of the cells that a box of their level overlaps.
@@ -61,7 +61,7 @@ class MovingQuadtree {
     Entries entriesIn(const Level& level, std::uint32_t row, const Range& range) const;
     /// What is found, and how much of it at most.
     struct Found {
-        std::vector<Two>& all;
+        std::vector<BoxPair>& all;
         std::size_t most;
     };
     void appendOverlapping(const Entry& entry, Entries with, const Found& found) const;

@@ -25,10 +25,10 @@ constexpr double deepest = 1e6;
 /// A core on its way.
 struct Mover {
     Core core; // local
-    const Way& way;
+    const ExactSweep& way;
     double turning; // m that turning moves any point of it on the whole way
 
-    Mover(const Core& c, const Way& w) : core(c), way(w) {
+    Mover(const Core& c, const ExactSweep& w) : core(c), way(w) {
         double reach = 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(core.count); ++i) {
             reach = std::max(reach, core.points[i].norm());
@@ -105,7 +105,7 @@ Core centerOf(const Part& part) {
 }
 
 /// Whether the center of the part comes to be behind the edge.
-bool comesBehind(const WallPart& wall, const Way& wayOfWall, const Part& part, const Way& way) {
+bool comesBehind(const WallPart& wall, const ExactSweep& wayOfWall, const Part& part, const ExactSweep& way) {
     return wall.oneWay && wall.depth > 0 &&
            pass({behind(wall), wayOfWall}, {centerOf(part), way}) == Passing::Overlapping;
 }
@@ -120,7 +120,7 @@ bool overlaps(const Part& a, const Transform& poseA, const Part& b, const Transf
     return wallInvolved && collide(a, poseA, b, poseB, 0).count > 0;
 }
 
-bool overlapsOnWay(const Part& a, const Way& wayA, const Part& b, const Way& wayB) {
+bool overlapsDuring(const Part& a, const ExactSweep& wayA, const Part& b, const ExactSweep& wayB) {
     if (pass({coreOf(a, {}), wayA}, {coreOf(b, {}), wayB}) != Passing::Never) {
         return true;
     }

@@ -12,18 +12,18 @@ namespace spacetow {
 bool overlaps(const Part& a, const Transform& poseA, const Part& b, const Transform& poseB);
 
 /// A motion about the origin of the part, whose end is known to the bit.
-struct Way {
-    Motion motion;
+struct ExactSweep {
+    Sweep motion;
     Transform end;
 
-    explicit Way(const Transform& resting) : motion{.start = resting}, end(resting) {}
-    Way(const Motion& m, const Transform& e) : motion(m), end(e) {}
+    explicit ExactSweep(const Transform& resting) : motion{.start = resting}, end(resting) {}
+    ExactSweep(const Sweep& m, const Transform& e) : motion(m), end(e) {}
     Transform at(double fraction) const { return fraction < 1 ? motion.at(fraction) : end; }
 };
 
 /// Whether parts that do not overlap at the ends of their ways do so in between; also walls that pass through each
 /// other flat. Where one way ends and the next begins with the same bits, no crossing is missed or found twice. May
 /// miss what overlaps by less than 1e-8 m, and a graze of bodies that turn several times. Conservative advancement.
-bool overlapsOnWay(const Part& a, const Way& wayA, const Part& b, const Way& wayB);
+bool overlapsDuring(const Part& a, const ExactSweep& wayA, const Part& b, const ExactSweep& wayB);
 
 } // namespace spacetow

@@ -55,24 +55,24 @@ double lowestOver(const Stretch& over, const Vec2& from, const Vec2& to) {
 /// Takes in one part of a body after the other.
 struct Survey {
     const WallSide& side;
-    const Passer& passer;
+    const PassingBody& passing;
     Stretch over{side};
     double lowest = nothing;         // m above the face, of what is over the wall
     double highest = -nothing;       // of all
     double highestCenter = -nothing; // of the parts over the wall
 
-    Survey(const WallSide& s, const Passer& p) : side(s), passer(p) {
-        for (const Part& part : passer.parts) {
+    Survey(const WallSide& s, const PassingBody& p) : side(s), passing(p) {
+        for (const Part& part : passing.parts) {
             std::visit(*this, part);
         }
     }
     Vec2 seen(const Vec2& local) const {
-        const Vec2 p = passer.pose.toWorld(local);
+        const Vec2 p = passing.pose.toWorld(local);
         return {side.along(p), side.above(p)};
     }
     /// Beyond a hollow joint nothing is in front of the wall that is behind its neighbour.
     void noteCenter(const Vec2& local) {
-        const Vec2 p = passer.pose.toWorld(local);
+        const Vec2 p = passing.pose.toWorld(local);
         const double t = side.along(p);
         if (over.has(t)) {
             const WallEnd* joint = t < 0 ? &side.start : t > side.length ? &side.end : nullptr;
@@ -106,18 +106,18 @@ struct Survey {
 
     Passage passage(Passage before) const {
         if (lowest > clearOfWall) {
-            return before == Passage::Between ? Passage::Left : Passage::None;
+            return before == Passage::Passing ? Passage::Passed : Passage::None;
         }
         const Vec2 center = seen({0, 0});
-        const bool deep = side.isDeeperThanDepth(passer.pose.position);
+        const bool deep = side.isDeeperThanDepth(passing.pose.position);
         // What hooks around an end has a part in front of the wall, and its centre behind.
-        const bool comes = isComing(before) || passer.parts.size() == 1 || highestCenter < -onTheFace;
+        const bool comes = isComing(before) || passing.parts.size() == 1 || highestCenter < -onTheFace;
         if (deep && comes && over.has(center.x())) {
             return Passage::Behind;
         }
-        return isComing(before) ? Passage::Between : Passage::None;
+        return isComing(before) ? Passage::Passing : Passage::None;
     }
-    static bool isComing(Passage before) { return before == Passage::Behind || before == Passage::Between; }
+    static bool isComing(Passage before) { return before == Passage::Behind || before == Passage::Passing; }
 };
 
 bool meet(const Vec2& a, const Vec2& b) {
@@ -135,27 +135,27 @@ Manifold deeper(const Manifold& a, const Manifold& b) {
 
 } // namespace
 
-Passage nextPassage(Passage before, const WallPart& wall, const Passer& passer) {
-    return isNoPassage(before, wall, passer.pose.position) ? Passage::None
-                                                           : Survey(sideOf(wall, false), passer).passage(before);
+Passage nextPassage(Passage before, const WallPart& wall, const PassingBody& passing) {
+    return isNoPassage(before, wall, passing.pose.position) ? Passage::None
+                                                            : Survey(sideOf(wall, false), passing).passage(before);
 }
 
-Passage nextPassage(Passage before, const WallSide& side, const Passer& passer) {
-    return isNoPassage(before, side, passer.pose.position) ? Passage::None : Survey(side, passer).passage(before);
+Passage nextPassage(Passage before, const WallSide& side, const PassingBody& passing) {
+    return isNoPassage(before, side, passing.pose.position) ? Passage::None : Survey(side, passing).passage(before);
 }
 
-bool isOnItsWay(Passage before, const WallPart& wall, const Passer& passer) {
-    if (before == Passage::None || before == Passage::Left) {
+bool isOnItsWay(Passage before, const WallPart& wall, const PassingBody& passing) {
+    if (before == Passage::None || before == Passage::Passed) {
         return false;
     }
     const WallSide side = sideOf(wall, false);
-    const Survey survey(side, passer);
+    const Survey survey(side, passing);
     const Passage now = survey.passage(before);
-    return now == Passage::Between || (now == Passage::Behind && survey.highest > -side.depth);
+    return now == Passage::Passing || (now == Passage::Behind && survey.highest > -side.depth);
 }
 
-bool hasJustLeft(Passage before, const WallPart& wall, const Passer& passer) {
-    return before == Passage::Left || nextPassage(before, wall, passer) == Passage::Left;
+bool hasJustLeft(Passage before, const WallPart& wall, const PassingBody& passing) {
+    return before == Passage::Passed || nextPassage(before, wall, passing) == Passage::Passed;
 }
 
 EdgeJoint jointOf(const WallPart& a, const WallPart& b) {

@@ -13,12 +13,12 @@ namespace spacetow {
 enum class Passage : std::uint8_t {
     None,    // it is beside the wall, in front of it or within its depth, or the wall is none that lets through
     Behind,  // its centre of mass is over the wall and farther behind the face than the depth
-    Between, // it was behind, and is not in front of the wall altogether: the face is open for it
-    Left,    // it was between when it was last looked at, and is no longer
+    Passing, // it was behind, and is not in front of the wall altogether: the face is open for it
+    Passed,  // it was between when it was last looked at, and is no longer
 };
 
 /// A body at a wall.
-struct Passer {
+struct PassingBody {
     std::span<const Part> parts; // all that it has, about its centre of mass
     Transform pose;              // of the body, in the coordinates of the wall
 };
@@ -30,21 +30,21 @@ inline bool letsThrough(const WallPart& wall) {
 
 /// The passage of a body after what it was when it was last looked at. It has to be looked at before it can come from
 /// behind the depth to within it. To be over a wall that another continues straight or hollow is to be over that, too.
-Passage nextPassage(Passage before, const WallPart& wall, const Passer& passer);
+Passage nextPassage(Passage before, const WallPart& wall, const PassingBody& passing);
 
 /// The same for an edge whose free side this is.
-Passage nextPassage(Passage before, const WallSide& side, const Passer& passer);
+Passage nextPassage(Passage before, const WallSide& side, const PassingBody& passing);
 
 /// Whether the face is open or to be looked at again at once.
 inline bool isChanging(Passage passage) {
-    return passage == Passage::Between || passage == Passage::Left;
+    return passage == Passage::Passing || passage == Passage::Passed;
 }
 
 /// Whether the body is on its way through: between, or behind with something that has come to within the depth.
-bool isOnItsWay(Passage before, const WallPart& wall, const Passer& passer);
+bool isOnItsWay(Passage before, const WallPart& wall, const PassingBody& passing);
 
 /// Whether it was on its way when it was last looked at, and is out.
-bool hasJustLeft(Passage before, const WallPart& wall, const Passer& passer);
+bool hasJustLeft(Passage before, const WallPart& wall, const PassingBody& passing);
 
 /// Whether the passage is none, as nearly always: what has its centre of mass in front was never behind.
 inline bool isNoPassage(Passage before, const WallPart& wall, const Vec2& center) {

@@ -208,7 +208,7 @@ ExplainCode codeFor(const CollisionAnswer& answer) {
     case WhyApart::Connected:
         return "apart-connected";
     case WhyApart::Intangible:
-        return answer.felt ? ExplainCode("apart-felt") : "apart-intangible";
+        return answer.sensed ? ExplainCode("apart-felt") : "apart-intangible";
     case WhyApart::Walls:
         return "apart-walls";
     case WhyApart::Passing:

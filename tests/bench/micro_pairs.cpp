@@ -92,7 +92,7 @@ void collidePairs(benchmark::State& state, const Pair& pair, const std::string& 
 }
 
 struct Flight {
-    Motion a, b;
+    Sweep a, b;
 };
 
 /// b comes from a metre away straight at a, or passes it at a distance; turning or not.

@@ -13,15 +13,15 @@ namespace {
 
 constexpr double gap = 0.005;
 
-Motion still(const Transform& pose = {}) {
+Sweep still(const Transform& pose = {}) {
     return {.start = pose, .translation = Vec2(0, 0), .turn = 0};
 }
 
-Motion straight(const Vec2& from, const Vec2& by) {
+Sweep straight(const Vec2& from, const Vec2& by) {
     return {.start = {from, {}}, .translation = by, .turn = 0};
 }
 
-double distanceAt(const Part& a, const Motion& motionA, const Part& b, const Motion& motionB, double fraction) {
+double distanceAt(const Part& a, const Sweep& motionA, const Part& b, const Sweep& motionB, double fraction) {
     return closestPoints(a, motionA.at(fraction), b, motionB.at(fraction)).distance;
 }
 
@@ -61,10 +61,10 @@ class CastTest : public QObject {
 void CastTest::aMotionTurnsRoundItsPivot() {
     for (unsigned seed = 0; seed < 200; ++seed) {
         Random random(seed);
-        const Motion motion{.start = randomPose(random, 3),
-                            .translation = randomPoint(random, 2),
-                            .turn = random.uniform(-20, 20),
-                            .pivot = randomPoint(random, 1)};
+        const Sweep motion{.start = randomPose(random, 3),
+                           .translation = randomPoint(random, 2),
+                           .turn = random.uniform(-20, 20),
+                           .pivot = randomPoint(random, 1)};
         for (const double f : {0.0, 0.3, 1.0}) {
             const Vec2 expected = motion.start.toWorld(motion.pivot) + f * motion.translation;
             QVERIFY2(isNear(motion.at(f).toWorld(motion.pivot), expected, 1e-12), seedText(seed));
@@ -83,13 +83,13 @@ void CastTest::theFirstTimeIsThatOfASampledMotion() {
         if (areWalls(a, b)) {
             continue;
         }
-        const Motion motionA{.start = randomPose(random, 3),
-                             .translation = randomPoint(random, 4),
-                             .turn = random.below(3) == 0 ? 0 : random.uniform(-7, 7),
-                             .pivot = randomPoint(random, 0.3)};
-        const Motion motionB{.start = randomPose(random, 3),
-                             .translation = randomPoint(random, 4),
-                             .turn = random.below(3) == 0 ? 0 : random.uniform(-7, 7)};
+        const Sweep motionA{.start = randomPose(random, 3),
+                            .translation = randomPoint(random, 4),
+                            .turn = random.below(3) == 0 ? 0 : random.uniform(-7, 7),
+                            .pivot = randomPoint(random, 0.3)};
+        const Sweep motionB{.start = randomPose(random, 3),
+                            .translation = randomPoint(random, 4),
+                            .turn = random.below(3) == 0 ? 0 : random.uniform(-7, 7)};
         if (distanceAt(a, motionA, b, motionB, 0) <= 2 * gap) {
             continue;
         }
@@ -124,7 +124,7 @@ void CastTest::straightMotionsAgreeWithTheFormula() {
         const double radius = random.uniform(0.05, 0.5);
         const double height = random.uniform(1, 3);
         const double fall = random.uniform(4, 50);
-        const Motion motion = straight(Vec2(random.uniform(-1, 1), height), Vec2(random.uniform(-1, 1), -fall));
+        const Sweep motion = straight(Vec2(random.uniform(-1, 1), height), Vec2(random.uniform(-1, 1), -fall));
         const double expected = (height - radius - gap) / fall;
         const std::array<Part, 2> grounds{edge(Vec2(-10, 0), Vec2(10, 0), 0), box(10, 1, Vec2(0, -1))};
         for (const Part& ground : grounds) {
@@ -161,9 +161,9 @@ void CastTest::bulletsNeverPassThroughThinThings() {
         if (from.y() < 0.06 && !round) {
             continue;
         }
-        Motion motion{.start = carried(world, {from, {}}),
-                      .translation = world.rotation * Vec2(5 * way),
-                      .turn = random.uniform(-50, 50)};
+        Sweep motion{.start = carried(world, {from, {}}),
+                     .translation = world.rotation * Vec2(5 * way),
+                     .turn = random.uniform(-50, 50)};
         const auto hit = timeOfImpact(bullet, motion, target, still(world), gap);
         QVERIFY2(hit.has_value(), seedText(seed));
         const Vec2 at = world.toLocal(motion.at(*hit).position);
@@ -180,7 +180,7 @@ void CastTest::aSpinningPlankMeetsABall() {
             // The ball is where one half of the plank passes after turning by the angle, or less the other way round.
             const Vec2 at = Rot::fromAngle(angle).right() * 1.5;
             const Part ball = Circle{at, 0.05};
-            const Motion motion{.start = {}, .translation = Vec2(0, 0), .turn = turn};
+            const Sweep motion{.start = {}, .translation = Vec2(0, 0), .turn = turn};
             const auto hit = timeOfImpact(plank, motion, ball, still(), gap);
             // Both ends sweep: the angle until one of them arrives, less what ball, half thickness and gap take away.
             const double pi = std::numbers::pi;
@@ -201,10 +201,10 @@ void CastTest::aSpinningPlankStopsBullets() {
     const Part bullet = Circle{Vec2(0, 0), 0.05};
     for (unsigned seed = 0; seed < 1000; ++seed) {
         Random random(seed);
-        const Motion spin{.start = {Vec2(0, 0), Rot::fromAngle(random.uniform(-0.3, 0.3))},
-                          .translation = Vec2(0, 0),
-                          .turn = random.uniform(-0.1, 0.1)};
-        const Motion shot = straight(Vec2(random.uniform(-1, 1), 2.5), Vec2(0, -5));
+        const Sweep spin{.start = {Vec2(0, 0), Rot::fromAngle(random.uniform(-0.3, 0.3))},
+                         .translation = Vec2(0, 0),
+                         .turn = random.uniform(-0.1, 0.1)};
+        const Sweep shot = straight(Vec2(random.uniform(-1, 1), 2.5), Vec2(0, -5));
         const auto hit = timeOfImpact(bullet, shot, plank, spin, gap);
         QVERIFY2(hit.has_value(), seedText(seed));
         QVERIFY2(distanceAt(bullet, shot, plank, spin, *hit) > 0, seedText(seed));
@@ -241,7 +241,7 @@ void CastTest::edgesAreMetFromTheFrontOnly() {
     QFETCH(bool, meets);
     for (const Part& body : {Part(Circle{Vec2(0, 0), 0.1}), box(0.1, 0.1)}) {
         for (const double turn : {0.0, 0.001}) {
-            Motion motion = straight(from, by);
+            Sweep motion = straight(from, by);
             motion.turn = turn;
             QCOMPARE(timeOfImpact(body, motion, wall, still(), gap).has_value(), meets);
             QCOMPARE(timeOfImpact(wall, still(), body, motion, gap).has_value(), meets);
@@ -287,7 +287,7 @@ void CastTest::slidingOverJointsIsNoImpact() {
     joinWalls(pointers);
     for (const Part& body : {Part(Circle{Vec2(0, 0), 0.2}), box(0.2, 0.2)}) {
         for (const double apart : {-0.003, 0.001, 0.004}) {
-            const Motion motion = straight(Vec2(2.33, 0.2 + apart), Vec2(5, 0));
+            const Sweep motion = straight(Vec2(2.33, 0.2 + apart), Vec2(5, 0));
             for (std::size_t i = 10; i < 40; ++i) {
                 QVERIFY(!timeOfImpact(body, motion, walls[i], still(), gap));
             }
@@ -299,7 +299,7 @@ void CastTest::aRisingWallAfterAJointIsAnImpact() {
     Part floor = edge(Vec2(-5, 0), Vec2(0, 0));
     Part slope = edge(Vec2(0, 0), Vec2(5, 2));
     joinWalls(std::array{&std::get<WallPart>(floor), &std::get<WallPart>(slope)});
-    const Motion motion = straight(Vec2(-3, 0.2), Vec2(5, 0));
+    const Sweep motion = straight(Vec2(-3, 0.2), Vec2(5, 0));
     const auto hit = timeOfImpact(Circle{Vec2(0, 0), 0.2}, motion, slope, still(), gap);
     QVERIFY(hit);
     const Vec2 normal = Vec2(-2, 5).normalized();

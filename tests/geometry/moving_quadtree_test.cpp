@@ -86,7 +86,7 @@ void MovingQuadtreeTest::queriesEqualBruteForceEachBoxOnce() {
 /// From a hundredth to a hundred times the usual one, and as thin as they are long.
 void MovingQuadtreeTest::allPairsEqualBruteForceEachOnce() {
     MovingQuadtree tree;
-    std::vector<MovingQuadtree::Two> pairs;
+    std::vector<MovingQuadtree::BoxPair> pairs;
     for (unsigned seed = 0; seed < 5000; ++seed) {
         Random random(seed);
         std::vector<Aabb> boxes = randomBoxes(random, random.below(60), random.below(2) == 0);

@@ -91,7 +91,7 @@ class WhyApartTest : public QObject {
                         QVERIFY2((answer.why == WhyApart::Touch) == (touches && solid), seedText(seed));
                         QVERIFY2(whyNotColliding(world, bodies[j], bodies[i]).why == answer.why, seedText(seed));
                         if (answer.why == WhyApart::Intangible) {
-                            QVERIFY2(!touches || answer.felt, seedText(seed));
+                            QVERIFY2(!touches || answer.sensed, seedText(seed));
                         } else if (answer.why != WhyApart::Touch) {
                             QVERIFY2(!touches, seedText(seed));
                         }
@@ -200,9 +200,9 @@ class WhyApartTest : public QObject {
         ghost.tangible = false;
         Two sensed(fixed, ghost);
         QCOMPARE(sensed.answer().why, WhyApart::Intangible);
-        QVERIFY(!sensed.answer().felt);
+        QVERIFY(!sensed.answer().sensed);
         sensed.world.update();
-        QVERIFY(sensed.answer().felt);
+        QVERIFY(sensed.answer().sensed);
         QCOMPARE(sensed.answer().body, sensed.b);
         QCOMPARE(whyNotColliding(sensed.world, sensed.a, sensed.a).why, WhyApart::SameBody);
     }

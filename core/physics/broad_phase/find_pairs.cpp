@@ -71,7 +71,7 @@ void add(const PairStage& stage, const MovingProxy& a, const MovingProxy& b) {
 }
 
 /// Whether the box of another stays clear of a long part.
-bool staysClear(const Bodies& bodies, const MovingProxy& of, const Aabb& box) {
+bool isInFrontOfSlender(const Bodies& bodies, const MovingProxy& of, const Aabb& box) {
     return of.slender && isInFrontOfFace(box, std::get<ConvexPart>((*bodies.records[of.body].parts)[of.part]),
                                          bodies.motions[of.body].rotation, bodies.steps[of.body].fat);
 }
@@ -83,12 +83,12 @@ bool isCrowded(StepFlags& flags, const PairSearch& search) {
     return many;
 }
 
-void consider(const PairStage& stage, std::uint32_t index, std::uint32_t other) {
+void addUnlessSeparated(const PairStage& stage, std::uint32_t index, std::uint32_t other) {
     const MovingProxy& a = stage.broadPhase.proxies[index];
     const MovingProxy& b = stage.broadPhase.proxies[other];
     if (a.body != b.body && !isCrowded(stage.flags, stage.search) &&
-        !staysClear(stage.bodies, a, stage.broadPhase.boxes[other]) &&
-        !staysClear(stage.bodies, b, stage.broadPhase.boxes[index])) {
+        !isInFrontOfSlender(stage.bodies, a, stage.broadPhase.boxes[other]) &&
+        !isInFrontOfSlender(stage.bodies, b, stage.broadPhase.boxes[index])) {
         add(stage, a, b);
     }
 }
@@ -107,12 +107,12 @@ void findMovingOf(const PairStage& stage, std::uint32_t index) {
     stage.broadPhase.tree.query(box, stage.search.found);
     for (const std::uint32_t other : stage.search.found) {
         if (!stage.broadPhase.proxies[other].isStaleInTree && isFoundBy(stage.broadPhase, index, other)) {
-            consider(stage, index, other);
+            addUnlessSeparated(stage, index, other);
         }
     }
     for (const std::uint32_t other : stage.broadPhase.staleProxies) {
         if (stage.broadPhase.boxes[other].overlaps(box) && isFoundBy(stage.broadPhase, index, other)) {
-            consider(stage, index, other);
+            addUnlessSeparated(stage, index, other);
         }
     }
 }
@@ -123,7 +123,7 @@ void findAllMoving(const PairStage& stage) {
     stage.broadPhase.tree.queryAll(stage.search.overlapping, stage.search.mostFound);
     for (const auto& [a, b] : stage.search.overlapping) {
         if (stage.broadPhase.proxies[a].movedProxy || stage.broadPhase.proxies[b].movedProxy) {
-            consider(stage, a, b);
+            addUnlessSeparated(stage, a, b);
         }
     }
 }

@@ -75,7 +75,7 @@ std::vector<Slot> changedBodies(const BroadPhase& broadPhase) {
     return slots;
 }
 
-bool isThereStatic(const BodyRecord& record) {
+bool isActiveStatic(const BodyRecord& record) {
     return record.used && record.kind == BodyKind::Static && record.active;
 }
 
@@ -105,7 +105,7 @@ std::vector<StaticGeometry::Collider> partsOfBodies(const Bodies& bodies, const 
     std::vector<StaticGeometry::Collider> colliders;
     for (const Slot body : slots) {
         const BodyRecord& record = bodies.records[body];
-        for (std::uint32_t i = 0; isThereStatic(record) && i < record.parts->size(); ++i) {
+        for (std::uint32_t i = 0; isActiveStatic(record) && i < record.parts->size(); ++i) {
             colliders.push_back(staticColliderOf(bodies, body, i));
         }
     }
@@ -134,7 +134,7 @@ StaticGeometry joinedGeometry(const Bodies& bodies, std::vector<PartOf> parts) {
 std::size_t partsIn(const Bodies& bodies, const std::vector<Slot>& slots) {
     std::size_t count = 0;
     for (const Slot body : slots) {
-        count += isThereStatic(bodies.records[body]) ? bodies.records[body].parts->size() : 0;
+        count += isActiveStatic(bodies.records[body]) ? bodies.records[body].parts->size() : 0;
     }
     return count;
 }
@@ -168,7 +168,7 @@ StaticGeometry geometryOf(const Bodies& bodies, const BroadPhase& broadPhase, co
     return joinedGeometry(bodies, std::move(parts));
 }
 
-void noteWhereTheyAre(Bodies& bodies, const std::vector<Slot>& slots, const Patch& patch) {
+void updateBounds(Bodies& bodies, const std::vector<Slot>& slots, const Patch& patch) {
     for (const Slot body : slots) {
         if (bodies.records[body].kind == BodyKind::Static) {
             bodies.records[body].bounds = Aabb{};
@@ -208,7 +208,7 @@ bool patchStatics(Bodies& bodies, BroadPhase& broadPhase) {
     changes->gone = patch.former;
     changes->gone.insert(changes->gone.end(), patch.joined.begin(), patch.joined.end());
     std::sort(changes->gone.begin(), changes->gone.end());
-    noteWhereTheyAre(bodies, changes->bodies, patch);
+    updateBounds(bodies, changes->bodies, patch);
     broadPhase.staticChanges = std::move(changes);
     return true;
 }

@@ -16,7 +16,7 @@ bool isDeepWall(const Part& part) {
 }
 
 /// With what is behind hollow joints, where the face goes on: what comes from there has to be seen in time.
-Aabb boxToFind(const StaticGeometry::Collider& collider) {
+Aabb searchBounds(const StaticGeometry::Collider& collider) {
     Aabb box = collider.bounds;
     const WallSide& side = collider.side;
     const auto* wall = std::get_if<WallPart>(&collider.shape);
@@ -73,7 +73,7 @@ void buildStaticTrees(StaticGeometry& geometry) {
             backs.push_back({static_cast<std::uint32_t>(boxes.size()), backOf(collider.side), box});
             boxes.push_back(box);
         } else {
-            boxes.push_back(boxToFind(collider));
+            boxes.push_back(searchBounds(collider));
         }
     }
     geometry.tree = StaticQuadtree(std::move(boxes));

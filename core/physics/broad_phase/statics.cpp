@@ -11,7 +11,7 @@ namespace spacetow {
 namespace {
 
 /// Where the shapes of static bodies lie now.
-void renewSleepingPairs(const Bodies& bodies, const BroadPhase& broadPhase, PairTable& asleep) {
+void refreshSleepingPairs(const Bodies& bodies, const BroadPhase& broadPhase, PairTable& asleep) {
     for (Pair& pair : asleep.pairs) {
         if (pair.staticB) {
             pair.collider = staticIndex(bodies, broadPhase, pair.bodyB, pair.partB);
@@ -20,7 +20,7 @@ void renewSleepingPairs(const Bodies& bodies, const BroadPhase& broadPhase, Pair
     }
 }
 
-void makeAllAnew(Bodies& bodies, BroadPhase& broadPhase) {
+void rebuildStatics(Bodies& bodies, BroadPhase& broadPhase) {
     auto geometry = std::make_shared<StaticGeometry>();
     std::size_t count = 0;
     for (const BodyRecord& record : bodies.records) {
@@ -67,11 +67,11 @@ void refreshStatics(Bodies& bodies, BroadPhase& broadPhase, PairTable& asleep, S
         return;
     }
     if (!broadPhase.statics || !patchStatics(bodies, broadPhase)) {
-        makeAllAnew(bodies, broadPhase);
+        rebuildStatics(bodies, broadPhase);
     }
     broadPhase.changedStatics.clear();
     flags.staticsChanged = false;
-    renewSleepingPairs(bodies, broadPhase, asleep);
+    refreshSleepingPairs(bodies, broadPhase, asleep);
     flags.pairsStale = true;
 }
 

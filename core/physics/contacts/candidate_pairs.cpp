@@ -34,13 +34,13 @@ void listByBounds(const Bodies& bodies, const Contacts& contacts, NarrowPhase& n
     narrow.candidates.resize(size);
 }
 
-/// Whether the discs around the bodies are all that there is to go by.
+/// Whether the circles around the bodies are all that there is to go by.
 bool isUnknown(const Pair& pair) {
     return !pair.staticB && pair.contact == Pair::none && pair.kind != PairKind::Sensor;
 }
 
 /// Half of the open pairs end here, one as likely as the next: no branch could be foretold.
-void boundByDiscs(const Bodies& bodies, Contacts& contacts, NarrowPhase& narrow) {
+void boundByCircles(const Bodies& bodies, Contacts& contacts, NarrowPhase& narrow) {
     constexpr std::size_t ahead = 16;
     std::size_t left = 0;
     for (std::size_t k = 0; k < narrow.candidates.size(); ++k) {
@@ -49,10 +49,10 @@ void boundByDiscs(const Bodies& bodies, Contacts& contacts, NarrowPhase& narrow)
         }
         const std::uint32_t i = narrow.candidates[k];
         PairBound& bound = contacts.table.bounds[i];
-        const Discs discs = discsOf(bodies, bound);
+        const BoundingCircles circles = boundingCirclesOf(bodies, bound);
         bool apart = isUnknown(contacts.table.pairs[i]);
-        apart &= discs.areApart(); // without a branch
-        const double until = bodies.motionOf(bound) + discs.gap();
+        apart &= circles.areApart(); // without a branch
+        const double until = bodies.motionOf(bound) + circles.separation();
         bound.separationBound = apart ? until : bound.separationBound;
         contacts.table.flags[i].touching &= !apart;
         narrow.candidates[left] = i;
@@ -65,7 +65,7 @@ void boundByDiscs(const Bodies& bodies, Contacts& contacts, NarrowPhase& narrow)
 
 void listCandidates(const Bodies& bodies, Contacts& contacts, NarrowPhase& narrow) {
     listByBounds(bodies, contacts, narrow);
-    boundByDiscs(bodies, contacts, narrow);
+    boundByCircles(bodies, contacts, narrow);
 }
 
 } // namespace spacetow

@@ -59,10 +59,10 @@ void noteMergeCandidate(const Bodies& bodies, Constraints& constraints, const Ge
     }
 }
 
-std::uint32_t keptIn(const CircleContact& c) {
+std::uint32_t poolIndexOf(const CircleContact& c) {
     return c.contact;
 }
-std::uint32_t keptIn(const GeneralContact& c) {
+std::uint32_t poolIndexOf(const GeneralContact& c) {
     return c.points[0].contact;
 }
 
@@ -71,7 +71,7 @@ void saveAll(Contacts& contacts, const Constraints& constraints, const std::vect
     constexpr std::size_t ahead = 8;
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (i + ahead < list.size()) {
-            prefetch(contacts.pool[keptIn(list[i + ahead])].points);
+            prefetch(contacts.pool[poolIndexOf(list[i + ahead])].points);
         }
         saveImpulses(contacts, constraints, list[i]);
     }
@@ -112,7 +112,7 @@ void remapPairs(const ContactStage& stage, std::uint32_t begin, std::uint32_t en
 
 } // namespace
 
-void addCircleConstraint(const ContactStage& stage, std::uint32_t pair, const CircleTouch& touch,
+void addCircleConstraint(const ContactStage& stage, std::uint32_t pair, const CircleManifold& touch,
                          const CircleTarget& target) {
     Contact& kept = stage.contacts.pool[stage.contacts.table.pairs[pair].contact];
     const bool listed = stage.contacts.table.flags[pair].inSolver;

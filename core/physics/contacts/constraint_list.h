@@ -9,7 +9,7 @@
 namespace spacetow {
 
 /// The geometry of a circle contact in one iteration. World coordinates.
-struct CircleTouch {
+struct CircleManifold {
     Vec2 normal;             // unit, from a to b
     double separation;       // m, negative when the surfaces overlap
     double radiusA, radiusB; // m, from the centre of mass to the surface along the normal; 0 for static bodies
@@ -24,7 +24,7 @@ struct CircleTarget {
 };
 
 /// Opens a lane for a circle contact, or updates the lane if the contact already has one.
-void addCircleConstraint(const ContactStage& stage, std::uint32_t pair, const CircleTouch& touch,
+void addCircleConstraint(const ContactStage& stage, std::uint32_t pair, const CircleManifold& touch,
                          const CircleTarget& target);
 
 /// Opens a lane for a general contact. `perSecond` is iterations per second, here and below.

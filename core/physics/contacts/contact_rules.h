@@ -26,28 +26,28 @@ inline bool areParallelNormals(const Vec2& a, const Vec2& b) {
 /// See contact_formulas.h.
 inline double speculativeMargin(const PlannedMotion& a, const PlannedMotion& b) {
     const Vec2 apart = a.deltaPosition - b.deltaPosition;
-    const double way = std::abs(apart.x()) + std::abs(apart.y()); // no less than the length, and cheaper
-    return formulas::speculativeMargin(way + a.turned + b.turned, a.innerRadius + b.innerRadius);
+    const double motion = std::abs(apart.x()) + std::abs(apart.y()); // no less than the length, and cheaper
+    return formulas::speculativeMargin(motion + a.turnMotion + b.turnMotion, a.innerRadius + b.innerRadius);
 }
 
 /// The same against a static body.
 inline double speculativeMargin(const PlannedMotion& a) {
-    const double way = std::abs(a.deltaPosition.x()) + std::abs(a.deltaPosition.y());
-    return formulas::speculativeMargin(way + a.turned, a.innerRadius);
+    const double motion = std::abs(a.deltaPosition.x()) + std::abs(a.deltaPosition.y());
+    return formulas::speculativeMargin(motion + a.turnMotion, a.innerRadius);
 }
 
 /// The bounding circles of the bodies of a pair, about their centres of mass.
-struct Discs {
+struct BoundingCircles {
     double radii;   // m, of both together
     double reach;   // m: further apart they do not meet in this iteration
     double squared; // m², of the distance of their centres
 
     bool areApart() const { return squared > reach * reach; }
-    double gap() const { return std::sqrt(squared) - radii; } // m
+    double separation() const { return std::sqrt(squared) - radii; } // m
 };
 
 /// Of two bodies that move.
-inline Discs discsOf(const Bodies& bodies, const PairBound& bound) {
+inline BoundingCircles boundingCirclesOf(const Bodies& bodies, const PairBound& bound) {
     const PlannedMotion& a = bodies.plannedMotions[bound.moverA];
     const PlannedMotion& b = bodies.plannedMotions[bound.moverB];
     const double radii = bodies.extents[bound.moverA].outerRadius + bodies.extents[bound.moverB].outerRadius;
@@ -67,10 +67,10 @@ struct Approach {
     double after;  // with this iteration's forces
 };
 
-enum class Meeting : std::uint8_t { Rests, Bounces, WillBounce };
+enum class Bounce : std::uint8_t { None, Now, AtImpact };
 
 struct Target {
-    Meeting meeting = Meeting::Rests;
+    Bounce bounce = Bounce::None;
     double velocity = 0; // m/s: the normal velocity is to be at least this
 };
 
@@ -80,13 +80,13 @@ inline Target targetOf(const Approach& approach, double separation, double resti
     const double closing = formulas::targetVelocity(separation, perSecond);
     if (separation > linearSlop) {
         const bool meets = std::max(approach.before, approach.after) > (separation - linearSlop) * perSecond;
-        return {meets && approach.after > bounceThreshold ? Meeting::WillBounce : Meeting::Rests, closing};
+        return {meets && approach.after > bounceThreshold ? Bounce::AtImpact : Bounce::None, closing};
     }
     const double rebound = restitution * approach.before - (approach.after - approach.before);
     if (approach.before > bounceThreshold && rebound > 0) {
-        return {Meeting::Bounces, rebound};
+        return {Bounce::Now, rebound};
     }
-    return {Meeting::Rests, closing};
+    return {Bounce::None, closing};
 }
 
 } // namespace spacetow

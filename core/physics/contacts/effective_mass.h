@@ -56,7 +56,7 @@ inline void setLevers(const Bodies& bodies, const Constraint& c, ConstraintPoint
 }
 
 /// What the points have to do with each other, from their levers. Friction acts half way between them.
-inline void couple(const Bodies& bodies, Constraint& c) {
+inline void setCouplingAndFriction(const Bodies& bodies, Constraint& c) {
     const ConstraintPoint& p = c.points[0];
     const ConstraintPoint& q = c.points[c.count == 2 ? 1 : 0];
     c.coupling = couplingOf(bodies.motions[c.a], bodies.motions[c.b], {p.leverA, p.leverB}, {q.leverA, q.leverB});

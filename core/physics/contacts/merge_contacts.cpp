@@ -60,11 +60,11 @@ bool isFlat(const Constraint& c, const Constraint& d) {
     });
 }
 
-void prepareAgain(const Bodies& bodies, Constraint& c) {
+void refreshLevers(const Bodies& bodies, Constraint& c) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
         setLevers(bodies, c, c.points[i]);
     }
-    couple(bodies, c);
+    setCouplingAndFriction(bodies, c);
 }
 
 ContactPoint& keptPoint(Contacts& contacts, const ConstraintPoint& p) {
@@ -76,7 +76,7 @@ double toleranceOf(const Bodies& bodies, const Contacts& contacts, const Constra
 }
 
 /// The pair is not updated while the merged contact has a lane.
-void shut(Contacts& contacts, Constraints& constraints, std::uint32_t pair) {
+void excludePair(Contacts& contacts, Constraints& constraints, std::uint32_t pair) {
     constraints.mergedPairs.push_back(pair);
     contacts.table.bounds[pair].exclude();
 }
@@ -85,9 +85,9 @@ void shut(Contacts& contacts, Constraints& constraints, std::uint32_t pair) {
 void noteMerge(const ContactStage& stage, Constraint& c, const Constraint& d) {
     c.tolerance = std::min(toleranceOf(stage.bodies, stage.contacts, c), toleranceOf(stage.bodies, stage.contacts, d));
     if (!c.merged) {
-        shut(stage.contacts, stage.constraints, c.points[0].pair);
+        excludePair(stage.contacts, stage.constraints, c.points[0].pair);
     }
-    shut(stage.contacts, stage.constraints, d.points[0].pair);
+    excludePair(stage.contacts, stage.constraints, d.points[0].pair);
     c.merged = true;
 }
 
@@ -144,7 +144,7 @@ void mergeContacts(const ContactStage& stage) {
             for (std::size_t i = first; i < end && !all[end].unmergeable; ++i) {
                 if (all[i].count > 0 && samePlane(stage.bodies, all[i], all[end]) && isFlat(all[i], all[end])) {
                     mergeInto(stage, all[i], all[end]);
-                    prepareAgain(stage.bodies, all[i]);
+                    refreshLevers(stage.bodies, all[i]);
                     break;
                 }
             }

@@ -51,7 +51,7 @@ void sweepCircles(const ContactStage& stage, std::uint32_t index, std::uint32_t 
     stage.bodies.steps[pair.bodyA].bouncing = stage.bodies.steps[pair.bodyB].bouncing = true;
 }
 
-void addCircleContact(const ContactStage& stage, std::uint32_t index, const CircleTouch& touch, double perSecond) {
+void addCircleContact(const ContactStage& stage, std::uint32_t index, const CircleManifold& touch, double perSecond) {
     Pair& pair = stage.contacts.table.pairs[index];
     const Contact& kept = contactOf(stage.bodies, stage.contacts, pair);
     const double closing = formulas::closingLimit(touch.separation, perSecond);
@@ -59,12 +59,12 @@ void addCircleContact(const ContactStage& stage, std::uint32_t index, const Circ
     if (kept.restitution > 0) {
         const Target target =
             targetOf(approach(stage.bodies, pair, touch.normal), touch.separation, kept.restitution, perSecond);
-        if (target.meeting == Meeting::WillBounce) {
+        if (target.bounce == Bounce::AtImpact) {
             sweepCircles(stage, index, touch.feature);
             return;
         }
         const double limit = closingLimit(touch.separation, target.velocity, kept.restitution, perSecond);
-        aim = {target.velocity, limit, target.meeting == Meeting::Bounces};
+        aim = {target.velocity, limit, target.bounce == Bounce::Now};
     }
     addCircleConstraint(stage, index, touch, aim);
 }
@@ -160,10 +160,10 @@ SPACETOW_PREFETCHES void prefetchShapes(const Bodies& bodies, const Contacts& co
 }
 
 /// The way that the body has gone in this iteration, about its centre of mass.
-Way wayOf(const Bodies& bodies, Slot slot) {
+ExactSweep sweepOf(const Bodies& bodies, Slot slot) {
     const Transform end = bodies.pose(slot);
     if (bodies.records[slot].asleep) {
-        return Way(end);
+        return ExactSweep(end);
     }
     const BodyStep& s = bodies.steps[slot];
     return {{.start = bodies.plannedMotions[slot].pose(), .translation = s.deltaPosition, .turn = s.deltaAngle}, end};
@@ -171,10 +171,10 @@ Way wayOf(const Bodies& bodies, Slot slot) {
 
 /// Whether the sensor and the other meet at the end of the iteration, or did on the way.
 void updateSensor(const Bodies& bodies, const Pair& pair, PairFlags& flags) {
-    const Way a = wayOf(bodies, pair.bodyA);
-    const Way b = pair.staticB ? Way(Transform{}) : wayOf(bodies, pair.bodyB);
+    const ExactSweep a = sweepOf(bodies, pair.bodyA);
+    const ExactSweep b = pair.staticB ? ExactSweep(Transform{}) : sweepOf(bodies, pair.bodyB);
     flags.touching = overlaps(*pair.shapeA, a.end, *pair.shapeB, b.end);
-    flags.passed = !flags.touching && !flags.reported && overlapsOnWay(*pair.shapeA, a, *pair.shapeB, b);
+    flags.passed = !flags.touching && !flags.reported && overlapsDuring(*pair.shapeA, a, *pair.shapeB, b);
 }
 
 /// After more changes the constraints are rebuilt in the order of their pairs: bodies that are near each other are so

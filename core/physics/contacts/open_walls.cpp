@@ -18,7 +18,7 @@ namespace {
 constexpr double deepInWall = 2 * linearSlop;
 
 /// The one-way wall of a pair, and the body that meets it.
-struct Door {
+struct OneWayPair {
     const WallPart* wall;
     const Part* part;
     Slot body;
@@ -26,7 +26,7 @@ struct Door {
     Transform partPose; // likewise; parts of static bodies are in world coordinates
 };
 
-std::optional<Door> doorOf(const Bodies& bodies, const Pair& pair) {
+std::optional<OneWayPair> oneWayPairOf(const Bodies& bodies, const Pair& pair) {
     const auto* wallA = std::get_if<WallPart>(pair.shapeA);
     const auto* wallB = std::get_if<WallPart>(pair.shapeB);
     const WallPart* wall = wallA != nullptr ? wallA : wallB;
@@ -35,19 +35,19 @@ std::optional<Door> doorOf(const Bodies& bodies, const Pair& pair) {
     }
     const Transform a = bodies.plannedMotions[pair.bodyA].pose();
     if (pair.staticB && wallA != nullptr) {
-        return Door{wall, pair.shapeB, pair.bodyB, relative(bodies.pose(pair.bodyB), a), relative({}, a)};
+        return OneWayPair{wall, pair.shapeB, pair.bodyB, relative(bodies.pose(pair.bodyB), a), relative({}, a)};
     }
     if (pair.staticB) {
-        return Door{wall, pair.shapeA, pair.bodyA, a, a};
+        return OneWayPair{wall, pair.shapeA, pair.bodyA, a, a};
     }
     const Transform b = bodies.plannedMotions[pair.bodyB].pose();
     const Transform pose = wallA != nullptr ? relative(b, a) : relative(a, b);
-    return wallA != nullptr ? Door{wall, pair.shapeB, pair.bodyB, pose, pose}
-                            : Door{wall, pair.shapeA, pair.bodyA, pose, pose};
+    return wallA != nullptr ? OneWayPair{wall, pair.shapeB, pair.bodyB, pose, pose}
+                            : OneWayPair{wall, pair.shapeA, pair.bodyA, pose, pose};
 }
 
-Passer passerAt(const Bodies& bodies, const Door& door) {
-    return {*bodies.records[door.body].parts, door.pose};
+PassingBody passingBodyOf(const Bodies& bodies, const OneWayPair& oneWay) {
+    return {*bodies.records[oneWay.body].parts, oneWay.pose};
 }
 
 Vec2 centerOf(const Part& part) {
@@ -56,9 +56,9 @@ Vec2 centerOf(const Part& part) {
 }
 
 /// Whether the part itself is no farther behind the wall than the depth, so that the face would stop it.
-bool isHeldBack(const Door& door) {
-    const WallSide face = faceOf(*door.wall, false);
-    return face.above(door.partPose.toWorld(centerOf(*door.part))) >= -face.depth - onTheFace;
+bool isHeldBack(const OneWayPair& oneWay) {
+    const WallSide face = faceOf(*oneWay.wall, false);
+    return face.above(oneWay.partPose.toWorld(centerOf(*oneWay.part))) >= -face.depth - onTheFace;
 }
 
 /// The pairs of a body with walls in the same coordinates as that of the pair: of its own body, or static.
@@ -89,20 +89,20 @@ class Chain {
     /// Of another part through the same wall: pairs of parts come and go.
     Passage passageOfBody(const WallPart& wall) const {
         Passage found = Passage::None;
-        any([&](const Door& door, Passage before) {
-            const bool comes = before == Passage::Behind || before == Passage::Between;
-            found = comes && isSame(*door.wall, wall) ? before : found;
+        any([&](const OneWayPair& oneWay, Passage before) {
+            const bool comes = before == Passage::Behind || before == Passage::Passing;
+            found = comes && isSame(*oneWay.wall, wall) ? before : found;
             return found != Passage::None;
         });
         return found;
     }
     bool isPassed(const WallPart& wall) const {
-        return any([&](const Door& door, Passage before) {
-            if (before == Passage::None || !isSame(*door.wall, wall)) {
+        return any([&](const OneWayPair& oneWay, Passage before) {
+            if (before == Passage::None || !isSame(*oneWay.wall, wall)) {
                 return false;
             }
-            const Passer passer = passerAt(m_bodies, door);
-            return isOnItsWay(before, wall, passer) || (m_orJustLeft && hasJustLeft(before, wall, passer));
+            const PassingBody passing = passingBodyOf(m_bodies, oneWay);
+            return isOnItsWay(before, wall, passing) || (m_orJustLeft && hasJustLeft(before, wall, passing));
         });
     }
     /// Of others than the pair itself; through hollow joints, too, or not: there what passes one wall may meet the
@@ -122,11 +122,11 @@ class Chain {
             if (isPassed(*reached[i])) {
                 return true;
             }
-            any([&](const Door& door, Passage) {
-                const EdgeJoint joint = jointOf(*door.wall, *reached[i]);
+            any([&](const OneWayPair& oneWay, Passage) {
+                const EdgeJoint joint = jointOf(*oneWay.wall, *reached[i]);
                 if ((joint == EdgeJoint::Other || (joint == EdgeJoint::Hollow && throughHollow)) &&
-                    !hasReached(*door.wall)) {
-                    reached.push_back(door.wall);
+                    !hasReached(*oneWay.wall)) {
+                    reached.push_back(oneWay.wall);
                 }
                 return false;
             });
@@ -146,8 +146,8 @@ class Chain {
             if (&pair == &m_pair || pair.kind == PairKind::Sensor || pair.staticB != m_pair.staticB) {
                 continue;
             }
-            const std::optional<Door> door = doorOf(m_bodies, pair);
-            if (door && door->body == m_body && test(*door, m_table.flags[i].passage)) {
+            const std::optional<OneWayPair> oneWay = oneWayPairOf(m_bodies, pair);
+            if (oneWay && oneWay->body == m_body && test(*oneWay, m_table.flags[i].passage)) {
                 return true;
             }
         }
@@ -181,29 +181,30 @@ bool isParting(const Bodies& bodies, const Pair& pair, const Manifold& manifold)
 /// Whoever is out of this wall may still be in one that is joined to it.
 void stayOpen(const Bodies& bodies, PairTable& table, std::uint32_t index, const WallPart& wall) {
     Passage& passage = table.flags[index].passage;
-    if (passage == Passage::Left && Chain(bodies, table, index, Chain::Count::OnTheWay).isPassedAnywhere(wall, true)) {
-        passage = Passage::Between;
+    if (passage == Passage::Passed &&
+        Chain(bodies, table, index, Chain::Count::OnTheWay).isPassedAnywhere(wall, true)) {
+        passage = Passage::Passing;
     }
 }
 
 } // namespace
 
 bool isOpenFor(const Bodies& bodies, PairTable& table, std::uint32_t index) {
-    const std::optional<Door> door = doorOf(bodies, table.pairs[index]);
+    const std::optional<OneWayPair> oneWay = oneWayPairOf(bodies, table.pairs[index]);
     Passage& passage = table.flags[index].passage;
-    if (!door || isNoPassage(passage, *door->wall, door->pose.position)) {
+    if (!oneWay || isNoPassage(passage, *oneWay->wall, oneWay->pose.position)) {
         passage = Passage::None;
         return false;
     }
-    const Passer passer = passerAt(bodies, *door);
-    if (passage == Passage::None && passer.parts.size() > 1) {
-        passage = Chain(bodies, table, index, Chain::Count::OnTheWay).passageOfBody(*door->wall);
+    const PassingBody passing = passingBodyOf(bodies, *oneWay);
+    if (passage == Passage::None && passing.parts.size() > 1) {
+        passage = Chain(bodies, table, index, Chain::Count::OnTheWay).passageOfBody(*oneWay->wall);
     }
-    passage = nextPassage(passage, *door->wall, passer);
-    stayOpen(bodies, table, index, *door->wall);
+    passage = nextPassage(passage, *oneWay->wall, passing);
+    stayOpen(bodies, table, index, *oneWay->wall);
     // What is behind altogether meets free ends alone as it is, but for the corners of joints.
-    const bool isJoined = door->wall->joinedAtA || door->wall->joinedAtB;
-    return passage == Passage::Between || (passage == Passage::Behind && (isJoined || isHeldBack(*door)));
+    const bool isJoined = oneWay->wall->joinedAtA || oneWay->wall->joinedAtB;
+    return passage == Passage::Passing || (passage == Passage::Behind && (isJoined || isHeldBack(*oneWay)));
 }
 
 bool isOpenForCircle(const Bodies& bodies, PairTable& table, std::uint32_t index, const WallSide& side) {
@@ -213,15 +214,15 @@ bool isOpenForCircle(const Bodies& bodies, PairTable& table, std::uint32_t index
         passage = Passage::None;
         return false;
     }
-    const Passer passer{*bodies.records[pair.bodyA].parts, bodies.plannedMotions[pair.bodyA].pose()};
-    passage = nextPassage(passage, side, passer);
+    const PassingBody passing{*bodies.records[pair.bodyA].parts, bodies.plannedMotions[pair.bodyA].pose()};
+    passage = nextPassage(passage, side, passing);
     stayOpen(bodies, table, index, std::get<WallPart>(*pair.shapeB));
-    return passage == Passage::Between || (passage == Passage::Behind && passer.parts.size() > 1);
+    return passage == Passage::Passing || (passage == Passage::Behind && passing.parts.size() > 1);
 }
 
 bool opensAtContact(const Bodies& bodies, PairTable& table, std::uint32_t index, const Manifold& manifold) {
-    const std::optional<Door> door = doorOf(bodies, table.pairs[index]);
-    if (!door) {
+    const std::optional<OneWayPair> oneWay = oneWayPairOf(bodies, table.pairs[index]);
+    if (!oneWay) {
         return false;
     }
     double lowest = manifold.points[0].separation;
@@ -229,16 +230,16 @@ bool opensAtContact(const Bodies& bodies, PairTable& table, std::uint32_t index,
         lowest = std::min(lowest, manifold.points[1].separation);
     }
     const bool comesOut = lowest < -deepInWall || isParting(bodies, table.pairs[index], manifold);
-    const bool opens = Chain(bodies, table, index, Chain::Count::OrJustLeft).isPassedAnywhere(*door->wall, comesOut);
+    const bool opens = Chain(bodies, table, index, Chain::Count::OrJustLeft).isPassedAnywhere(*oneWay->wall, comesOut);
     if (opens) {
-        table.flags[index].passage = Passage::Between;
+        table.flags[index].passage = Passage::Passing;
     }
     return opens;
 }
 
 bool isPassedByBody(const Bodies& bodies, const PairTable& table, std::uint32_t index) {
-    const std::optional<Door> door = doorOf(bodies, table.pairs[index]);
-    return door && Chain(bodies, table, index, Chain::Count::OnTheWay).isPassed(*door->wall);
+    const std::optional<OneWayPair> oneWay = oneWayPairOf(bodies, table.pairs[index]);
+    return oneWay && Chain(bodies, table, index, Chain::Count::OnTheWay).isPassed(*oneWay->wall);
 }
 
 } // namespace spacetow

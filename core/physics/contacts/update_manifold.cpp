@@ -147,14 +147,14 @@ bool setTarget(const ContactStage& stage, const Constraint& c, ConstraintPoint& 
     p.target = formulas::targetVelocity(p.separation, perSecond);
     if (c.restitution > 0) {
         const Target target = targetOf(approach(stage.bodies, c, p), p.separation, c.restitution, perSecond);
-        if (target.meeting == Meeting::WillBounce) {
+        if (target.bounce == Bounce::AtImpact) {
             stage.contacts.table.pairs[p.pair].sweep = true;
             stage.flags.anySweep = true;
             stage.bodies.steps[c.a].bouncing = stage.bodies.steps[c.b].bouncing = true;
             return false;
         }
         p.target = target.velocity;
-        p.bounces = target.meeting == Meeting::Bounces;
+        p.bounces = target.bounce == Bounce::Now;
     }
     return true;
 }
@@ -192,7 +192,7 @@ bool prepareConstraint(const ContactStage& stage, std::uint32_t index, double pe
         stage.narrow.constraints.pop_back();
         return false;
     }
-    couple(stage.bodies, c);
+    setCouplingAndFriction(stage.bodies, c);
     return true;
 }
 
@@ -234,10 +234,10 @@ void updateManifold(const ContactStage& stage, std::uint32_t index, double perSe
     const bool unknown = pair.contact == Pair::none || stage.contacts.pool[pair.contact].count == 0;
     if (unknown && !pair.staticB) {
         PairBound& bound = stage.contacts.table.bounds[index];
-        const Discs discs = discsOf(stage.bodies, bound);
-        if (discs.areApart()) {
+        const BoundingCircles circles = boundingCirclesOf(stage.bodies, bound);
+        if (circles.areApart()) {
             freeContact(stage.contacts, stage.narrow, pair);
-            bound.separationBound = stage.bodies.motionOf(bound) + discs.gap();
+            bound.separationBound = stage.bodies.motionOf(bound) + circles.separation();
             return;
         }
     }

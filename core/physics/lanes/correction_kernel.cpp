@@ -16,17 +16,17 @@ SPACETOW_INLINE Wide positionCorrection(Wide separation, Wide velocity, Wide mas
 
 SPACETOW_INLINE void correct(BatchBodies& bodies, const CircleBatch& c, const CircleAnchors&,
                              const CorrectionRules& rules) {
-    const Wide way = positionCorrection(c.separation, c.velocity, c.normalMass, rules);
-    bodies.push(c, way * c.normalX, way * c.normalY);
+    const Wide correction = positionCorrection(c.separation, c.velocity, c.normalMass, rules);
+    bodies.push(c, correction * c.normalX, correction * c.normalY);
 }
 
 SPACETOW_INLINE void correct(BatchBodies& bodies, const ConstraintBatch& c, const ContactAnchors& s,
                              const CorrectionRules& rules) {
-    const Wide way1 = s.acts1 ? positionCorrection(c.separation1, c.velocity1, c.mass1, rules) : Wide{};
-    const Wide way2 = s.acts2 ? positionCorrection(c.separation2, c.velocity2, c.mass2, rules) : Wide{};
-    const Wide way = way1 + way2;
-    bodies.apply(c, {way * c.normalX, way * c.normalY, way1 * c.leverA1 + way2 * c.leverA2,
-                     way1 * c.leverB1 + way2 * c.leverB2});
+    const Wide correction1 = s.acts1 ? positionCorrection(c.separation1, c.velocity1, c.mass1, rules) : Wide{};
+    const Wide correction2 = s.acts2 ? positionCorrection(c.separation2, c.velocity2, c.mass2, rules) : Wide{};
+    const Wide correction = correction1 + correction2;
+    bodies.apply(c, {correction * c.normalX, correction * c.normalY, correction1 * c.leverA1 + correction2 * c.leverA2,
+                     correction1 * c.leverB1 + correction2 * c.leverB2});
 }
 
 template <class Batch>
@@ -48,8 +48,8 @@ SPACETOW_INLINE bool correctAll(BodyVelocity* corrections, Batches<Batch>& batch
 }
 
 SPACETOW_INLINE bool correctBoth(ContactBatches& batches, BodyVelocity* corrections, const CorrectionRules& rules) {
-    const bool round = correctAll(corrections, batches.circles, rules);
-    return correctAll(corrections, batches.general, rules) || round;
+    const bool circles = correctAll(corrections, batches.circles, rules);
+    return correctAll(corrections, batches.general, rules) || circles;
 }
 
 #if defined(__x86_64__)

@@ -12,12 +12,12 @@ using namespace lanes;
 using namespace formulas;
 
 /// What stays the same from the first lane to the last.
-struct Call {
+struct RefreshInputs {
     BodyViews bodies;
     double perSecond; // iterations
 };
 
-SPACETOW_INLINE Wide root(Wide x) {
+SPACETOW_INLINE Wide squareRoot(Wide x) {
     return Wide{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]), __builtin_sqrt(x[2]), __builtin_sqrt(x[3])};
 }
 
@@ -41,32 +41,32 @@ struct LeverPair {
 };
 
 /// Which contacts are out of reach.
-SPACETOW_INLINE Mask refresh(CircleBatch& c, const CircleAnchors& anchors, const Call& call) {
-    const WideVec4 a = gather(call.bodies.poses, anchors.a);
-    const WideVec4 b = gather(call.bodies.poses, anchors.b);
+SPACETOW_INLINE Mask refresh(CircleBatch& c, const CircleAnchors& anchors, const RefreshInputs& inputs) {
+    const WideVec4 a = gather(inputs.bodies.poses, anchors.a);
+    const WideVec4 b = gather(inputs.bodies.poses, anchors.b);
     const Wide apartX = b.x - a.x;
     const Wide apartY = b.y - a.y;
     const Wide squared = apartX * apartX + apartY * apartY;
-    const WideVec4 wayA = gather(call.bodies.plannedMotions, anchors.a);
-    const WideVec4 wayB = gather(call.bodies.plannedMotions, anchors.b);
-    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y);
-    const Wide margin = speculativeMargin(way, wayA.w + wayB.w);
+    const WideVec4 motionA = gather(inputs.bodies.plannedMotions, anchors.a);
+    const WideVec4 motionB = gather(inputs.bodies.plannedMotions, anchors.b);
+    const Wide motion = magnitude(motionA.x - motionB.x) + magnitude(motionA.y - motionB.y);
+    const Wide margin = speculativeMargin(motion, motionA.w + motionB.w);
     const Wide reach = anchors.radiusA + anchors.radiusB + margin;
-    const Wide distance = root(squared);
-    const Mask apart = distance > Wide{};
+    const Wide distance = squareRoot(squared);
+    const Mask hasNormal = distance > Wide{};
     const Wide separation = distance - anchors.radiusA - anchors.radiusB;
     const Wide leverA = anchors.radiusA + 0.5 * separation;
     const Wide leverB = -anchors.radiusB - 0.5 * separation;
     const Mask wideUpdate = anchors.wideUpdate;
-    c.normalX = wideUpdate ? (apart ? apartX / distance : Wide{}) : c.normalX;
-    c.normalY = wideUpdate ? (apart ? apartY / distance : Wide{} + 1) : c.normalY;
+    c.normalX = wideUpdate ? (hasNormal ? apartX / distance : Wide{}) : c.normalX;
+    c.normalY = wideUpdate ? (hasNormal ? apartY / distance : Wide{} + 1) : c.normalY;
     c.separation = wideUpdate ? separation : c.separation;
     c.leverA = wideUpdate ? leverA : c.leverA;
     c.leverB = wideUpdate ? leverB : c.leverB;
     const Wide inverse = inverseMass(c, LeverPair{leverA, leverB});
     c.tangentMass = wideUpdate ? 1 / inverse : c.tangentMass;
-    c.target = wideUpdate ? targetVelocity(separation, call.perSecond) : c.target;
-    c.closingLimit = wideUpdate ? closingLimit(separation, call.perSecond) : c.closingLimit;
+    c.target = wideUpdate ? targetVelocity(separation, inputs.perSecond) : c.target;
+    c.closingLimit = wideUpdate ? closingLimit(separation, inputs.perSecond) : c.closingLimit;
     return wideUpdate & (squared > reach * reach);
 }
 
@@ -79,23 +79,24 @@ SPACETOW_INLINE Wide worldY(const WideVec4& pose, Wide x, Wide y) {
 }
 
 /// Whether the parts have moved against each other so far that their manifold may lack something.
-SPACETOW_INLINE Mask outdated(const ContactAnchors& s, const WideVec4& a, const WideVec4& b, const Call& call) {
+SPACETOW_INLINE Mask outdated(const ContactAnchors& s, const WideVec4& a, const WideVec4& b,
+                              const RefreshInputs& inputs) {
     const Wide apartX = a.x - b.x;
     const Wide apartY = a.y - b.y;
     const Wide movedX = b.z * apartX + b.w * apartY - s.relativeX;
     const Wide movedY = b.z * apartY - b.w * apartX - s.relativeY;
     const Wide turnedC = b.z * a.z + b.w * a.w - s.cosine;
     const Wide turnedS = b.z * a.w - b.w * a.z - s.sine;
-    const Wide left =
-        s.tolerance - root(movedX * movedX + movedY * movedY) - root(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
-    const WideVec4 wayA = gather(call.bodies.plannedMotions, s.a);
-    WideVec4 wayB = gather(call.bodies.plannedMotions, s.b);
-    wayB.x = s.staticB ? Wide{} : wayB.x;
-    wayB.y = s.staticB ? Wide{} : wayB.y;
-    wayB.z = s.staticB ? Wide{} : wayB.z;
-    wayB.w = s.staticB ? Wide{} : wayB.w;
-    const Wide way = magnitude(wayA.x - wayB.x) + magnitude(wayA.y - wayB.y) + wayA.z + wayB.z;
-    return left < speculativeMargin(way, wayA.w + wayB.w);
+    const Wide left = s.tolerance - squareRoot(movedX * movedX + movedY * movedY) -
+                      squareRoot(turnedC * turnedC + turnedS * turnedS) * s.radiusA;
+    const WideVec4 motionA = gather(inputs.bodies.plannedMotions, s.a);
+    WideVec4 motionB = gather(inputs.bodies.plannedMotions, s.b);
+    motionB.x = s.staticB ? Wide{} : motionB.x;
+    motionB.y = s.staticB ? Wide{} : motionB.y;
+    motionB.z = s.staticB ? Wide{} : motionB.z;
+    motionB.w = s.staticB ? Wide{} : motionB.w;
+    const Wide motion = magnitude(motionA.x - motionB.x) + magnitude(motionA.y - motionB.y) + motionA.z + motionB.z;
+    return left < speculativeMargin(motion, motionA.w + motionB.w);
 }
 
 /// From the centres of mass to a contact point.
@@ -136,9 +137,9 @@ SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ContactAnchors& s, const
     return (acts1 ^ s.acts1) | (acts2 ^ s.acts2) | (singular ^ s.singular);
 }
 
-SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ContactAnchors& s, const Call& call) {
-    const WideVec4 a = gather(call.bodies.poses, s.a);
-    WideVec4 b = gather(call.bodies.poses, s.b);
+SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ContactAnchors& s, const RefreshInputs& inputs) {
+    const WideVec4 a = gather(inputs.bodies.poses, s.a);
+    WideVec4 b = gather(inputs.bodies.poses, s.b);
     b.x = s.staticB ? Wide{} : b.x;
     b.y = s.staticB ? Wide{} : b.y;
     b.z = s.staticB ? Wide{} + 1 : b.z;
@@ -161,33 +162,33 @@ SPACETOW_INLINE Mask refresh(ConstraintBatch& c, const ContactAnchors& s, const 
     const Wide never = Wide{} + noTarget;
     c.separation1 = s.first ? separation1 : far;
     c.separation2 = s.second ? separation2 : far;
-    c.target1 = s.acts1 ? targetVelocity(separation1, call.perSecond) : never;
-    c.target2 = s.acts2 ? targetVelocity(separation2, call.perSecond) : never;
-    c.closingLimit1 = s.first ? closingLimit(separation1, call.perSecond) : never;
-    c.closingLimit2 = s.second ? closingLimit(separation2, call.perSecond) : never;
+    c.target1 = s.acts1 ? targetVelocity(separation1, inputs.perSecond) : never;
+    c.target2 = s.acts2 ? targetVelocity(separation2, inputs.perSecond) : never;
+    c.closingLimit1 = s.first ? closingLimit(separation1, inputs.perSecond) : never;
+    c.closingLimit2 = s.second ? closingLimit(separation2, inputs.perSecond) : never;
     const Arms arms1(a, b, onA1X + 0.5 * apart1X, onA1Y + 0.5 * apart1Y);
     const Arms arms2(a, b, onA2X + 0.5 * apart2X, onA2Y + 0.5 * apart2Y);
     setFriction(c, arms1, arms2, s.leastInverseMass);
-    return setBlock(c, s, arms1, arms2) | outdated(s, a, b, call);
+    return setBlock(c, s, arms1, arms2) | outdated(s, a, b, inputs);
 }
 
 template <class Batch>
-SPACETOW_INLINE void refreshAll(const Call& call, Batches<Batch>& batches) {
+SPACETOW_INLINE void refreshAll(const RefreshInputs& inputs, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
     for (std::size_t i = 0; i < count; ++i) {
         BatchFlags& flags = batches.flags(i);
-        flags.outdated = bits(refresh(batches.begin()[i], batches.anchors(i), call)) & flags.occupied;
+        flags.outdated = bits(refresh(batches.begin()[i], batches.anchors(i), inputs)) & flags.occupied;
     }
 }
 
-SPACETOW_INLINE void refreshBoth(ContactBatches& batches, const Call& call) {
-    refreshAll(call, batches.circles);
-    refreshAll(call, batches.general);
+SPACETOW_INLINE void refreshBoth(ContactBatches& batches, const RefreshInputs& inputs) {
+    refreshAll(inputs, batches.circles);
+    refreshAll(inputs, batches.general);
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) void refreshWide(ContactBatches& batches, const Call& call) {
-    refreshBoth(batches, call);
+__attribute__((target("avx2"))) void refreshWide(ContactBatches& batches, const RefreshInputs& inputs) {
+    refreshBoth(batches, inputs);
 }
 #endif
 

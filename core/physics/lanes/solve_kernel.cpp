@@ -48,21 +48,21 @@ SPACETOW_INLINE Levers tangentLeversOf(const CircleBatch& c) {
 SPACETOW_INLINE Levers tangentLeversOf(const ConstraintBatch& c) {
     return {c.tangentLeverA, c.tangentLeverB};
 }
-SPACETOW_INLINE Wide normalOf(const CircleBatch& c) {
+SPACETOW_INLINE Wide normalImpulseOf(const CircleBatch& c) {
     return c.normalImpulse;
 }
-SPACETOW_INLINE Wide normalOf(const ConstraintBatch& c) {
+SPACETOW_INLINE Wide normalImpulseOf(const ConstraintBatch& c) {
     return c.impulse1 + c.impulse2;
 }
 template <class Batch>
 SPACETOW_INLINE void solveFriction(BatchBodies& bodies, Batch& c) {
     const Levers levers = tangentLeversOf(c);
-    applyFriction(bodies, c, levers, friction(bodies, c, levers, c.friction * normalOf(c)));
+    applyFriction(bodies, c, levers, friction(bodies, c, levers, c.friction * normalImpulseOf(c)));
 }
 template <class Batch>
 SPACETOW_INLINE void solveFriction(BatchBodies& bodies, Batch& c, Mask which) {
     const Levers levers = tangentLeversOf(c);
-    const Wide impulse = friction(bodies, c, levers, c.friction * normalOf(c));
+    const Wide impulse = friction(bodies, c, levers, c.friction * normalImpulseOf(c));
     applyFriction(bodies, c, levers, which ? impulse : c.tangentImpulse);
 }
 
@@ -114,10 +114,10 @@ SPACETOW_INLINE void solveNormals(BatchBodies& bodies, ConstraintBatch& c, doubl
 /// limit its friction before, and gets friction afterwards.
 template <class Batch>
 SPACETOW_INLINE void solveOnce(BatchBodies& bodies, Batch& c, double relaxation) {
-    const Wide before = normalOf(c);
+    const Wide before = normalImpulseOf(c);
     solveFriction(bodies, c);
     solveNormals(bodies, c, relaxation);
-    const Mask hit = (before == Wide{}) & (normalOf(c) > Wide{});
+    const Mask hit = (before == Wide{}) & (normalImpulseOf(c) > Wide{});
     if (any(hit)) {
         solveFriction(bodies, c, hit);
     }
@@ -140,7 +140,7 @@ SPACETOW_INLINE Mask overlapping(const ConstraintBatch& c) {
 enum class Task { WarmStart, Solve, Overrelax, Measure };
 
 template <class Batch>
-SPACETOW_INLINE void warmAll(BodyVelocity* velocities, Batches<Batch>& batches) {
+SPACETOW_INLINE void warmStartAll(BodyVelocity* velocities, Batches<Batch>& batches) {
     const std::size_t count = batches.size();
     for (std::size_t i = 0; i < count; ++i) {
         const Batch& batch = batches.begin()[i];
@@ -191,11 +191,11 @@ SPACETOW_INLINE bool measureAll(const BodyVelocity* velocities, Batches<Batch>& 
     return closes != 0;
 }
 
-SPACETOW_INLINE bool carryOut(ContactBatches& batches, BodyVelocity* velocities, Task task) {
+SPACETOW_INLINE bool runTask(ContactBatches& batches, BodyVelocity* velocities, Task task) {
     switch (task) {
     case Task::WarmStart:
-        warmAll(velocities, batches.circles);
-        warmAll(velocities, batches.general);
+        warmStartAll(velocities, batches.circles);
+        warmStartAll(velocities, batches.general);
         break;
     case Task::Solve:
         solveAll(velocities, batches.circles, 1);
@@ -206,26 +206,26 @@ SPACETOW_INLINE bool carryOut(ContactBatches& batches, BodyVelocity* velocities,
         solveAll(velocities, batches.general, overrelaxation);
         break;
     case Task::Measure: {
-        const bool roundCloses = measureAll(velocities, batches.circles);
-        return measureAll(velocities, batches.general) || roundCloses;
+        const bool circlesClose = measureAll(velocities, batches.circles);
+        return measureAll(velocities, batches.general) || circlesClose;
     }
     }
     return false;
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) bool carryOutWide(ContactBatches& batches, BodyVelocity* velocities, Task task) {
-    return carryOut(batches, velocities, task);
+__attribute__((target("avx2"))) bool runTaskWide(ContactBatches& batches, BodyVelocity* velocities, Task task) {
+    return runTask(batches, velocities, task);
 }
 #endif
 
-bool start(ContactBatches& batches, std::vector<BodyVelocity>& velocities, Task task, [[maybe_unused]] bool wide) {
+bool dispatch(ContactBatches& batches, std::vector<BodyVelocity>& velocities, Task task, [[maybe_unused]] bool wide) {
 #if defined(__x86_64__)
     if (wide) {
-        return carryOutWide(batches, velocities.data(), task);
+        return runTaskWide(batches, velocities.data(), task);
     }
 #endif
-    return carryOut(batches, velocities.data(), task);
+    return runTask(batches, velocities.data(), task);
 }
 
 } // namespace
@@ -240,19 +240,19 @@ bool hasWideRegisters() {
 }
 
 void warmStart(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide) {
-    start(batches, velocities, Task::WarmStart, wide);
+    dispatch(batches, velocities, Task::WarmStart, wide);
 }
 
 void solvePass(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide) {
-    start(batches, velocities, Task::Solve, wide);
+    dispatch(batches, velocities, Task::Solve, wide);
 }
 
 void overrelaxPass(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide) {
-    start(batches, velocities, Task::Overrelax, wide);
+    dispatch(batches, velocities, Task::Overrelax, wide);
 }
 
 bool measureVelocities(ContactBatches& batches, std::vector<BodyVelocity>& velocities, bool wide) {
-    return start(batches, velocities, Task::Measure, wide);
+    return dispatch(batches, velocities, Task::Measure, wide);
 }
 
 } // namespace spacetow

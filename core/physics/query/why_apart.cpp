@@ -18,7 +18,7 @@ struct Touching {
     bool any = false;
     bool solid = false;
     const Pair* passing = nullptr; // with a one-way wall that the other body passes, or has come up to, from behind
-    bool isBetween = false;        // the face of that wall is open
+    bool isFaceOpen = false;       // the face of that wall is open
 };
 
 /// Marks of the last update, in a table whose pairs are sorted by their bodies.
@@ -30,10 +30,10 @@ void lookUp(const PairTable& table, Slot a, Slot b, Touching& touching) {
          i < table.size() && table.pairs[i].bodies() == bodies; ++i) {
         touching.any |= table.flags[i].touching || table.flags[i].passed;
         const Passage passage = table.flags[i].passage;
-        const bool comes = passage == Passage::Behind || passage == Passage::Between;
-        if (comes && !touching.isBetween) {
+        const bool comes = passage == Passage::Behind || passage == Passage::Passing;
+        if (comes && !touching.isFaceOpen) {
             touching.passing = &table.pairs[i];
-            touching.isBetween = passage == Passage::Between;
+            touching.isFaceOpen = passage == Passage::Passing;
         }
     }
 }
@@ -216,14 +216,14 @@ CollisionAnswer whyNotColliding(const World& world, BodyId a, BodyId b) {
     if (!ra.tangible || !rb.tangible) {
         answer.why = WhyApart::Intangible;
         answer.body = ra.tangible ? b : a;
-        answer.felt = touching.any;
+        answer.sensed = touching.any;
         return answer;
     }
     if (hasOnlyWalls(ra) && hasOnlyWalls(rb)) {
         answer.why = WhyApart::Walls;
         return answer;
     }
-    if (touching.isBetween) {
+    if (touching.isFaceOpen) {
         return answerOfPassing(data.bodies, *touching.passing, a, b);
     }
     answer = Distance(data, a, b).answer();

@@ -28,7 +28,7 @@ struct CollisionAnswer {
     BodyId body;            // the one that the reason is about
     TagMask missing;        // Mask: the tags of the other body; empty when it has none
     bool bothMasks = false; // Mask: the other's mask does not admit `body` either
-    bool felt = false;      // Intangible: they overlap, and events report it
+    bool sensed = false;    // Intangible: they overlap, and events report it
     std::vector<ConnectorId> connectors;
     Vec2 from{0, 0}, to{0, 0}; // world
     double distance = 0;       // m

@@ -101,10 +101,10 @@ void forgetTouchedTags(Bodies& bodies, const Sleep& sleep) {
     for (const Slot slot : bodies.moving) {
         bodies.touchedTags[slot] = TagMask{};
     }
-    for (const Slot slot : bodies.tagged) {
+    for (const Slot slot : bodies.taggedAtRest) {
         bodies.touchedTags[slot] = tagsOfSleepers(sleep, slot);
     }
-    bodies.tagged.clear();
+    bodies.taggedAtRest.clear();
 }
 
 /// Calls `visit(body, tags)` for both bodies of the pairs of the table that touch.
@@ -152,14 +152,14 @@ void joinTagReports(Events& events, std::size_t first) {
 
 void collectTouchedTags(Bodies& bodies, const Contacts& contacts, const Sleep& sleep) {
     forgetTouchedTags(bodies, sleep);
-    if (bodies.tagged.capacity() < 2 * contacts.table.size()) {
-        bodies.tagged.reserve(2 * contacts.table.capacity());
+    if (bodies.taggedAtRest.capacity() < 2 * contacts.table.size()) {
+        bodies.taggedAtRest.reserve(2 * contacts.table.capacity());
     }
     forTouching(bodies, contacts.table, [&](Slot slot, TagMask tags) {
         bodies.touchedTags[slot] = bodies.touchedTags[slot] | tags;
         const BodyRecord& record = bodies.records[slot];
         if (record.kind == BodyKind::Static || record.asleep) {
-            bodies.tagged.push_back(slot);
+            bodies.taggedAtRest.push_back(slot);
         }
     });
 }
@@ -168,7 +168,7 @@ void relistTouchedTags(Bodies& bodies, Sleep& sleep) {
     std::vector<TouchedTags>& all = sleep.touchedTags;
     const auto note = [&] {
         for (const TouchedTags& touched : all) {
-            bodies.tagged.push_back(touched.body);
+            bodies.taggedAtRest.push_back(touched.body);
         }
     };
     note();
@@ -186,7 +186,7 @@ void relistTouchedTags(Bodies& bodies, Sleep& sleep) {
     }
     all.resize(count);
     note();
-    bodies.tagged.insert(bodies.tagged.end(), bodies.nonStatic.begin(), bodies.nonStatic.end());
+    bodies.taggedAtRest.insert(bodies.taggedAtRest.end(), bodies.nonStatic.begin(), bodies.nonStatic.end());
 }
 
 void endTouches(const TouchStage& stage, NarrowPhase& narrow, Slot slot, int iteration) {

@@ -14,14 +14,14 @@ inline double kickTime(double h, Kick kick) {
     return kick == Kick::Between ? h : 0.5 * h;
 }
 
-/// The same for anticipated (implicit) forces: these act over the whole sub-step that follows, and not in the last
+/// The same for implicit forces: these act over the whole sub-step that follows, and not in the last
 /// kick.
-inline double kickTime(double h, Kick kick, bool anticipated) {
-    return anticipated ? (kick == Kick::Last ? 0 : h) : kickTime(h, kick);
+inline double kickTime(double h, Kick kick, bool implicit) {
+    return implicit ? (kick == Kick::Last ? 0 : h) : kickTime(h, kick);
 }
 
 /// Flags bodies that have a connector too stiff for explicit integration with sub-steps of `h` seconds.
-void findAnticipated(const Bodies& bodies, const Forces& forces, Substeps& substeps, double h);
+void findImplicit(const Bodies& bodies, const Forces& forces, Substeps& substeps, double h);
 
 /// Applies the impulses of one kick, for sub-steps of `h` seconds, at the trial poses; changes velocities only. Damping
 /// is implicit, and so is the spring where it is too stiff for the sub-step: the result stays finite and gains no

@@ -13,7 +13,7 @@ void noteKinematicEdge(ContactGraph& graph, Slot body, Slot pushed) {
     }
 }
 
-/// Of whoever may be united with others; all others are their own roots ever since renewSlots().
+/// Of whoever may be united with others; all others are their own roots ever since resetSlots().
 void beginRoots(const Bodies& bodies, const Contacts& contacts, ContactGraph& graph, const Sleep& sleep) {
     std::vector<Slot>& roots = graph.roots;
     for (const Slot slot : bodies.moving) {
@@ -71,7 +71,7 @@ void forgetKinematicEdges(const ContactGraph& graph, SolverScratch& solver) {
 }
 
 /// What it weighs, and nothing of what was there before.
-void renewSlot(Bodies& bodies, Constraints& constraints, ContactGraph& graph, Slot slot) {
+void resetSlot(Bodies& bodies, Constraints& constraints, ContactGraph& graph, Slot slot) {
     const BodyMotion& m = bodies.motions[slot];
     refreshInertia(m, graph, slot);
     bodies.movable[slot] = m.isMovable() ? 1 : 0;
@@ -136,14 +136,14 @@ void markPushedByKinematic(const Bodies& bodies, ContactGraph& graph, SolverScra
     graph.pushedByKinematicStale = any;
 }
 
-void renewSlots(const SolverStage& stage, std::span<const Slot> slots) {
+void resetSlots(const SolverStage& stage, std::span<const Slot> slots) {
     const std::size_t count = stage.bodies.motions.size();
     stage.graph.roots.resize(count);
     stage.graph.inertias.resize(count);
     stage.bodies.movable.resize(count);
     stage.constraints.mergeableContacts.resize(count);
     for (const Slot slot : slots) {
-        renewSlot(stage.bodies, stage.constraints, stage.graph, slot);
+        resetSlot(stage.bodies, stage.constraints, stage.graph, slot);
     }
     stage.flags.contactGraphStale = true;
 }

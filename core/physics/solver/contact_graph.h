@@ -31,7 +31,7 @@ void addEdge(std::vector<Slot>& parents, const EdgeEnd& a, const EdgeEnd& b, con
 }
 
 /// Resets the per-slot data of bodies that are new or have changed: inertia, mobility, and the results of iterations.
-void renewSlots(const SolverStage& stage, std::span<const Slot> slots);
+void resetSlots(const SolverStage& stage, std::span<const Slot> slots);
 
 /// The body, whose slot is known to the graph, has another mass.
 void refreshInertia(const BodyMotion& m, ContactGraph& graph, Slot slot);

@@ -160,8 +160,8 @@ void forUnmet(const Bodies& bodies, const Contacts& contacts, const SolverScratc
     }
 }
 
-double freeShare(const Pair& pair, const Motion& way) {
-    return timeOfImpact(*pair.shapeA, way, *pair.shapeB, Motion{}, stopGap).value_or(1);
+double freeShare(const Pair& pair, const Sweep& way) {
+    return timeOfImpact(*pair.shapeA, way, *pair.shapeB, Sweep{}, stopGap).value_or(1);
 }
 
 /// What is between two that do not give way.
@@ -196,9 +196,9 @@ void stopWedged(const CrushStage& stage, const std::vector<Slot>& kept) {
     });
     forUnmet(stage.bodies, stage.contacts, stage.solver, [&](const Pair& pair) {
         BodyStep& s = stage.bodies.steps[pair.bodyA];
-        const Motion way{.start = stage.bodies.pose(pair.bodyA),
-                         .translation = s.fraction * s.deltaPosition + s.correction,
-                         .turn = s.fraction * s.deltaAngle + s.angleCorrection};
+        const Sweep way{.start = stage.bodies.pose(pair.bodyA),
+                        .translation = s.fraction * s.deltaPosition + s.correction,
+                        .turn = s.fraction * s.deltaAngle + s.angleCorrection};
         if (std::find(kept.begin(), kept.end(), pair.bodyA) != kept.end() && freeShare(pair, way) < 1) {
             halt(s);
         }

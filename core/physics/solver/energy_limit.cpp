@@ -19,7 +19,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double deepOverlap = 8 * linearSlop;
 constexpr int extraRounds = 2;
 constexpr int extraPasses = 2;
-constexpr int softerBounces = 8; // each time half as fast
+constexpr int mostHalvings = 8; // each time half as fast
 // What may be gained, of the energy that the impulses of an iteration move: beyond rounding, below notice.
 constexpr double tolerance = 1e-9;
 
@@ -103,7 +103,7 @@ Gain measureComponents(const SolverStage& stage) {
     return worst;
 }
 
-using Question = bool (*)(const EnergyBalance&);
+using Predicate = bool (*)(const EnergyBalance&);
 
 bool gainsMuch(const EnergyBalance& e) {
     return gainOf(e) == Gain::Much;
@@ -113,7 +113,7 @@ bool costsTooMuch(const EnergyBalance& e) {
 }
 
 /// More passes over these components alone.
-void solveComponentsWhere(const SolverStage& stage, Question which) {
+void solveComponentsWhere(const SolverStage& stage, Predicate which) {
     clearUnconverged(stage.bodies, stage.graph, stage.sleep, stage.solver);
     for (const Slot root : stage.graph.componentRoots) {
         stage.solver.unconverged[root] = which(stage.solver.balances[root]) ? 1 : 0;
@@ -121,14 +121,14 @@ void solveComponentsWhere(const SolverStage& stage, Question which) {
     solveUnconverged(stage, extraPasses);
 }
 
-void soften(CircleBatch& batch, std::uint32_t lane, bool& any) {
+void halveTargets(CircleBatch& batch, std::uint32_t lane, bool& any) {
     if (batch.target[lane] > 0) {
         batch.target[lane] *= 0.5;
         any = true;
     }
 }
 
-void soften(ConstraintBatch& batch, std::uint32_t lane, bool& any) {
+void halveTargets(ConstraintBatch& batch, std::uint32_t lane, bool& any) {
     for (Wide* target : {&batch.target1, &batch.target2}) {
         if ((*target)[lane] > 0) {
             (*target)[lane] *= 0.5;
@@ -138,21 +138,21 @@ void soften(ConstraintBatch& batch, std::uint32_t lane, bool& any) {
 }
 
 template <class Batch>
-bool soften(const ContactGraph& graph, SolverScratch& solver, Batches<Batch>& batches) {
+bool halveTargets(const ContactGraph& graph, SolverScratch& solver, Batches<Batch>& batches) {
     bool any = false;
     forLanes(batches, &BatchFlags::occupied, [&](Lane at) {
         Batch& batch = batches[at.batch];
         if (gainsMuch(solver.balances[rootAt(graph, batch, at.lane)])) {
-            soften(batch, at.lane, any);
+            halveTargets(batch, at.lane, any);
         }
     });
     return any;
 }
 
 /// Restitution and friction together may add energy: what gains it bounces half as fast. Whether anything does.
-bool softenBounces(Constraints& constraints, const ContactGraph& graph, SolverScratch& solver) {
-    const bool round = soften(graph, solver, constraints.batches.circles);
-    return soften(graph, solver, constraints.batches.general) || round;
+bool lowerRestitution(Constraints& constraints, const ContactGraph& graph, SolverScratch& solver) {
+    const bool circles = halveTargets(graph, solver, constraints.batches.circles);
+    return halveTargets(graph, solver, constraints.batches.general) || circles;
 }
 
 /// The greatest share of the impulses with which the energy does not rise.
@@ -194,7 +194,7 @@ void allowDeep(const ContactGraph& graph, SolverScratch& solver, const Batches<B
 }
 
 /// What the corrections cost: the work against the forces that act on the bodies.
-void measureCorrections(const SolverStage& stage, double dt) {
+void gatherCorrections(const SolverStage& stage, double dt) {
     for (const Slot slot : stage.bodies.moving) {
         const BodyVelocity& push = stage.solver.corrections[slot];
         if (push.x == 0 && push.y == 0 && push.angular == 0) {
@@ -222,7 +222,7 @@ bool limitEnergyGain(const SolverStage& stage) {
         changed = true;
     }
     for (int round = 0;
-         round < softerBounces && gain == Gain::Much && softenBounces(stage.constraints, stage.graph, stage.solver);
+         round < mostHalvings && gain == Gain::Much && lowerRestitution(stage.constraints, stage.graph, stage.solver);
          ++round) {
         solveComponentsWhere(stage, gainsMuch);
         gain = measureComponents(stage);
@@ -237,7 +237,7 @@ bool limitEnergyGain(const SolverStage& stage) {
 }
 
 void applyCorrections(const SolverStage& stage, double dt) {
-    measureCorrections(stage, dt);
+    gatherCorrections(stage, dt);
     const std::vector<EnergyBalance>& balances = stage.solver.balances;
     if (std::none_of(stage.graph.componentRoots.begin(), stage.graph.componentRoots.end(),
                      [&](Slot root) { return costsTooMuch(balances[root]); })) {

@@ -24,31 +24,31 @@ FreeMotion freeMotion(double damping, double h) {
     return {decay, gain, (h - gain) / damping};
 }
 
-struct Change {
+struct Displacement {
     Vec2 deltaPosition;
     double deltaAngle;
 };
 
 /// Inlined, as its result would else go through memory in parts and be read as a whole, which stalls.
-[[gnu::always_inline]] inline Change integrated(BodyMotion& m, const BodyStep& s) {
-    Change change{s.linear.gain * m.velocity + s.linear.lag * s.acceleration,
-                  s.angular.gain * m.angularVelocity + s.angular.lag * s.angularAcceleration};
+[[gnu::always_inline]] inline Displacement integrated(BodyMotion& m, const BodyStep& s) {
+    Displacement moved{s.linear.gain * m.velocity + s.linear.lag * s.acceleration,
+                       s.angular.gain * m.angularVelocity + s.angular.lag * s.angularAcceleration};
     m.velocity = s.linear.decay * m.velocity + s.linear.gain * s.acceleration;
     m.angularVelocity = s.angular.decay * m.angularVelocity + s.angular.gain * s.angularAcceleration;
-    return change;
+    return moved;
 }
 
 /// Likewise between two kicks, which have the acceleration in them.
-[[gnu::always_inline]] inline Change coasted(BodyMotion& m, const BodyStep& s) {
-    Change change{s.linear.gain * m.velocity, s.angular.gain * m.angularVelocity};
+[[gnu::always_inline]] inline Displacement drifted(BodyMotion& m, const BodyStep& s) {
+    Displacement moved{s.linear.gain * m.velocity, s.angular.gain * m.angularVelocity};
     m.velocity = s.linear.decay * m.velocity;
     m.angularVelocity = s.angular.decay * m.angularVelocity;
-    return change;
+    return moved;
 }
 
 /// What is stopped on its way has not gained all the energy of that way. A fall from rest arrives with the speed of the
 /// height; what contacts have pushed as well is slowed down by as much energy.
-void shorten(BodyMotion& m, const BodyStep& s, double dt) {
+void removeUnusedAcceleration(BodyMotion& m, const BodyStep& s, double dt) {
     const double lost = s.acceleratedFraction - s.fraction;
     if (!s.pushed) {
         m.velocity -= lost * dt * s.acceleration;
@@ -73,12 +73,12 @@ void accelerate(Bodies& bodies, Slot slot, double time) {
     bodies.motions[slot].angularVelocity += time * bodies.steps[slot].angularAcceleration;
 }
 
-bool anySubstepped(const Forces& forces) {
+bool anyConnector(const Forces& forces) {
     return forces.connectors.size() != forces.freeConnectors.size();
 }
 
 void integrateInSubsteps(const ForceStage& stage, const IterationStep& step) {
-    if (!anySubstepped(stage.forces)) {
+    if (!anyConnector(stage.forces)) {
         return;
     }
     Bodies& bodies = stage.bodies;
@@ -91,9 +91,9 @@ void integrateInSubsteps(const ForceStage& stage, const IterationStep& step) {
     for (const Slot slot : stage.forces.substepped) {
         substeps.trial[slot] = bodies.pose(slot);
     }
-    findAnticipated(bodies, stage.forces, substeps, step.substep);
+    findImplicit(bodies, stage.forces, substeps, step.substep);
     const auto timeOf = [&](Kick kick, Slot slot) {
-        return kickTime(step.substep, kick, substeps.anticipated[slot] != 0);
+        return kickTime(step.substep, kick, substeps.implicit[slot] != 0);
     };
     for (const Slot slot : bodies.moving) {
         if (bodies.records[slot].substepped) {
@@ -107,11 +107,11 @@ void integrateInSubsteps(const ForceStage& stage, const IterationStep& step) {
             if (!bodies.records[slot].substepped) {
                 continue;
             }
-            const Change change = coasted(bodies.motions[slot], bodies.steps[slot]);
-            bodies.steps[slot].deltaPosition += change.deltaPosition;
-            bodies.steps[slot].deltaAngle += change.deltaAngle;
-            substeps.trial[slot].position += change.deltaPosition;
-            substeps.trial[slot].rotation = turned(substeps.trial[slot].rotation, change.deltaAngle);
+            const Displacement moved = drifted(bodies.motions[slot], bodies.steps[slot]);
+            bodies.steps[slot].deltaPosition += moved.deltaPosition;
+            bodies.steps[slot].deltaAngle += moved.deltaAngle;
+            substeps.trial[slot].position += moved.deltaPosition;
+            substeps.trial[slot].rotation = turned(substeps.trial[slot].rotation, moved.deltaAngle);
             accelerate(bodies, slot, timeOf(next, slot));
         }
     }
@@ -153,7 +153,7 @@ void prepareSteps(Bodies& bodies, const IterationStep& step) {
 
 void integrateVelocities(const ForceStage& stage, const IterationStep& step) {
     Bodies& bodies = stage.bodies;
-    const bool substeps = anySubstepped(stage.forces); // else there is no need to look at the records
+    const bool substeps = anyConnector(stage.forces); // else there is no need to look at the records
     for (const Slot slot : bodies.moving) {
         BodyMotion& m = bodies.motions[slot];
         BodyStep& s = bodies.steps[slot];
@@ -167,9 +167,9 @@ void integrateVelocities(const ForceStage& stage, const IterationStep& step) {
         s.angleCorrection = 0;
         s.pushed = s.bounced = s.bouncing = s.deflected = false;
         if (!substeps || !bodies.records[slot].substepped) {
-            const Change change = integrated(m, s);
-            s.deltaPosition = change.deltaPosition;
-            s.deltaAngle = change.deltaAngle;
+            const Displacement moved = integrated(m, s);
+            s.deltaPosition = moved.deltaPosition;
+            s.deltaAngle = moved.deltaAngle;
         }
     }
     integrateInSubsteps(stage, step);
@@ -187,7 +187,7 @@ void advance(Bodies& bodies, double dt) {
         BodyMotion& m = bodies.motions[slot];
         BodyStep& s = bodies.steps[slot];
         if (s.fraction < s.acceleratedFraction) {
-            shorten(m, s, dt);
+            removeUnusedAcceleration(m, s, dt);
         }
         s.deltaPosition = s.fraction * s.deltaPosition + s.correction;
         s.deltaAngle = s.fraction * s.deltaAngle + s.angleCorrection;

@@ -27,12 +27,12 @@ bool isFast(const Bodies& bodies, Slot slot) {
     return isFast(bodies.steps[slot]);
 }
 
-Motion plannedMotion(const Bodies& bodies, Slot slot, double fraction) {
+Sweep plannedSweep(const Bodies& bodies, Slot slot, double fraction) {
     const BodyStep& s = bodies.steps[slot];
     return {.start = bodies.pose(slot), .translation = fraction * s.deltaPosition, .turn = fraction * s.deltaAngle};
 }
 
-bool shorten(BodyStep& s, double fraction, Slot platform) {
+bool shortenMotion(BodyStep& s, double fraction, Slot platform) {
     if (fraction >= s.fraction) {
         return false;
     }
@@ -89,8 +89,8 @@ std::optional<double> timeOfImpactOf(const Bodies& bodies, const Contacts& conta
     const bool bothYield =
         pair.staticB || (bodies.motions[pair.bodyA].isMovable() && bodies.motions[pair.bodyB].isMovable());
     const double both = std::min(fractionA, fractionB);
-    const Motion a = plannedMotion(bodies, pair.bodyA, bothYield ? fractionA : both);
-    const Motion b = pair.staticB ? Motion{} : plannedMotion(bodies, pair.bodyB, bothYield ? fractionB : both);
+    const Sweep a = plannedSweep(bodies, pair.bodyA, bothYield ? fractionA : both);
+    const Sweep b = pair.staticB ? Sweep{} : plannedSweep(bodies, pair.bodyB, bothYield ? fractionB : both);
     if (!pair.staticB) { // what falls side by side is fast, but not towards each other
         const double reach = bodies.steps[pair.bodyA].outerRadius + bodies.steps[pair.bodyB].outerRadius + gap +
                              std::sqrt((a.translation - b.translation).squaredNorm());
@@ -99,7 +99,7 @@ std::optional<double> timeOfImpactOf(const Bodies& bodies, const Contacts& conta
         }
     }
     const auto atOpenWall = [&] { return timeOfImpactAtOpenWall(*pair.shapeA, a, *pair.shapeB, b, gap); };
-    if (contacts.table.flags[index].passage == Passage::Between) {
+    if (contacts.table.flags[index].passage == Passage::Passing) {
         return atOpenWall();
     }
     const std::optional<double> hit = timeOfImpact(*pair.shapeA, a, *pair.shapeB, b, gap);
@@ -126,11 +126,11 @@ struct Fractions {
 /// True when the motion of either body was cut short.
 bool stop(const ToiStage& stage, const Pair& pair, const Stoppable& which, const Fractions& left) {
     bool changed = false;
-    if (which.a && shorten(stage.bodies.steps[pair.bodyA], left.a, which.platformOfA)) {
+    if (which.a && shortenMotion(stage.bodies.steps[pair.bodyA], left.a, which.platformOfA)) {
         stage.toi.shortenedAt[pair.bodyA] = stage.toi.visits;
         changed = true;
     }
-    if (which.b && shorten(stage.bodies.steps[pair.bodyB], left.b, which.platformOfB)) {
+    if (which.b && shortenMotion(stage.bodies.steps[pair.bodyB], left.b, which.platformOfB)) {
         stage.toi.shortenedAt[pair.bodyB] = stage.toi.visits;
         changed = true;
     }
@@ -182,9 +182,9 @@ bool limitTurn(const ToiStage& stage, const Pair& pair) {
 
 /// How deep the parts are in each other when they have gone this share of what is left of their ways, m.
 double depthAt(const Bodies& bodies, const Pair& pair, double share) {
-    const Transform a = plannedMotion(bodies, pair.bodyA, share * bodies.steps[pair.bodyA].fraction).at(1);
+    const Transform a = plannedSweep(bodies, pair.bodyA, share * bodies.steps[pair.bodyA].fraction).at(1);
     const Transform b =
-        pair.staticB ? Transform{} : plannedMotion(bodies, pair.bodyB, share * bodies.steps[pair.bodyB].fraction).at(1);
+        pair.staticB ? Transform{} : plannedSweep(bodies, pair.bodyB, share * bodies.steps[pair.bodyB].fraction).at(1);
     const Manifold manifold = collide(*pair.shapeA, a, *pair.shapeB, b, 0);
     double depth = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {

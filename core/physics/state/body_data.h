@@ -86,12 +86,12 @@ struct alignas(64) PlannedMotion {
     Vec2 center{0, 0};
     Rot rotation;
     Vec2 deltaPosition{0, 0};
-    double turned = 0; // see BodyStep::maxTurnMotion
+    double turnMotion = 0; // see BodyStep::maxTurnMotion
     double innerRadius = 0;
 
     PlannedMotion() = default;
     PlannedMotion(const BodyMotion& m, const BodyStep& s)
-        : center(m.center), rotation(m.rotation), deltaPosition(s.deltaPosition), turned(s.maxTurnMotion()),
+        : center(m.center), rotation(m.rotation), deltaPosition(s.deltaPosition), turnMotion(s.maxTurnMotion()),
           innerRadius(s.innerRadius) {}
     Transform pose() const { return {center, rotation}; }
 };

@@ -19,9 +19,9 @@ struct StageTimes;
 
 /// Of find_pairs.
 struct PairSearch {
-    std::vector<Slot> movedBodies;                // whose pairs are found anew
-    std::vector<std::uint32_t> found;             // by one query
-    std::vector<MovingQuadtree::Two> overlapping; // proxies whose boxes do
+    std::vector<Slot> movedBodies;                    // whose pairs are found anew
+    std::vector<std::uint32_t> found;                 // by one query
+    std::vector<MovingQuadtree::BoxPair> overlapping; // proxies whose boxes do
     std::vector<FoundPair> foundPairs, sortedPairs;
     std::vector<std::uint32_t> pairEnds; // by slot, of the sorted pairs
     std::size_t mostFound = 0;           // pairs at a time
@@ -98,8 +98,8 @@ struct ToiSearch {
 
 /// Of sub-steps.
 struct Substeps {
-    std::vector<Transform> trial;          // poses, by slot
-    std::vector<std::uint8_t> anticipated; // by slot: whether a connector is too stiff for the sub-steps
+    std::vector<Transform> trial;       // poses, by slot
+    std::vector<std::uint8_t> implicit; // by slot: whether a connector is too stiff for the sub-steps
 };
 
 /// Of sleep.
@@ -122,7 +122,7 @@ struct Scratch {
     Scratch() = default;
     ~Scratch() = default;
     /// A copy begins without, and so does what a copy is assigned to.
-    Scratch(const Scratch&) {} // NOLINT(bugprone-copy-constructor-init)
+    Scratch(const Scratch&) {}           // NOLINT(bugprone-copy-constructor-init)
     Scratch& operator=(const Scratch&) { // NOLINT(bugprone-unhandled-self-assignment): nothing is lost but room
         *this = Scratch{};
         return *this;

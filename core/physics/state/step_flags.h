@@ -12,7 +12,7 @@ struct StepFlags {
     bool connectionsStale = false;
     // All pairs are to be found anew, as their bodies, filters or statics have changed: cleared by changePairs.
     bool pairsStale = true;
-    // There are more pairs than are kept: set by collectPairs, cleared by prepareStructure, which sets `pairsStale`.
+    // There are more pairs than are kept: set by collectPairs, cleared by refreshBodyLists, which sets `pairsStale`.
     bool crowded = false;
     // The pairs, or who moves, have changed: set by changePairs and listSensors, cleared by findComponents.
     bool contactGraphStale = true;

@@ -31,10 +31,10 @@ struct Bodies {
     std::uint64_t nextSerial = 0;
     std::vector<Slot> moving;           // active and awake, kinematic bodies first
     std::vector<Slot> reporters;        // of touched tags
-    std::vector<Slot> tagged;           // who has any touched tags and does not move
+    std::vector<Slot> taggedAtRest;     // who has any touched tags and does not move
     std::vector<PendingChange> pending; // deferred changes
     std::vector<Slot> changedBodies;    // so that lists and pairs are to be made anew
-    std::vector<Slot> renewed;          // whose entries in what is kept by slot are to begin anew
+    std::vector<Slot> slotsToReset;     // whose entries in what is kept by slot are to begin anew
     std::vector<Slot> nonStatic;        // by slot, but for changed bodies
     std::vector<Slot> addedNonStatic;   // of changed bodies; between updates all others are in the list
 

@@ -50,7 +50,7 @@ void listBodies(Bodies& bodies) {
 
 } // namespace
 
-void prepareStructure(WorldData& data) {
+void refreshBodyLists(WorldData& data) {
     Bodies& bodies = data.bodies;
     refreshStatics(bodies, data.broadPhase, data.sleep.table, data.flags);
     data.flags.pairsStale |= std::exchange(data.flags.crowded, false);
@@ -79,7 +79,7 @@ void prepareStructure(WorldData& data) {
         bodies.mayNeedToi[slot] = 0;
         bodies.touchedTags[slot] = TagMask{};
     }
-    bodies.renewed.insert(bodies.renewed.end(), bodies.changedBodies.begin(), bodies.changedBodies.end());
+    bodies.slotsToReset.insert(bodies.slotsToReset.end(), bodies.changedBodies.begin(), bodies.changedBodies.end());
     bodies.changedBodies.clear();
     bodies.addedNonStatic.clear();
     data.flags.pairsStale = true;

@@ -6,6 +6,6 @@
 namespace spacetow {
 
 /// Lists the moving bodies. If static bodies have changed, also brings their tree up to date.
-void prepareStructure(WorldData& data);
+void refreshBodyLists(WorldData& data);
 
 } // namespace spacetow

@@ -63,8 +63,8 @@ void refreshPairs(const Stages& stages, const IterationStep& step) {
         releaseConstraints(data.contacts, data.constraints, data.flags);
     }
     if (data.flags.pairsStale) {
-        renewSlots(stages.solver, data.bodies.renewed);
-        data.bodies.renewed.clear();
+        resetSlots(stages.solver, data.bodies.slotsToReset);
+        data.bodies.slotsToReset.clear();
         resetManifolds(data.contacts);
     }
     if (findPairs(stages.pairs, step)) {
@@ -212,14 +212,14 @@ void updateWorld(WorldData& data, const UpdateParameters& parameters) {
         refreshConnections(data.bodies, data.forces, data.flags);
     }
     IterationStep step = iterationStep(parameters);
-    prepareStructure(data);
+    refreshBodyLists(data);
     prepareMotion(data.bodies, step, parameters.gravity);
     ended(data, StepStage::Changes);
     for (step.index = 0; step.index < parameters.iterations; ++step.index) {
         iterate(stages, step);
         step.remaining -= step.dt;
         if (applyPending(data, step.index)) {
-            prepareStructure(data);
+            refreshBodyLists(data);
             prepareSteps(data.bodies, step);
             ended(data, StepStage::Changes);
         }

@@ -16,7 +16,7 @@ namespace spacetow {
 namespace {
 
 /// What contacts, and those who lie on the body, feel of it.
-auto weightAndSurface(const BodyRecord& r) {
+auto massAndSurface(const BodyRecord& r) {
     return std::tuple(r.mass, r.inertia, r.restitution, r.friction);
 }
 
@@ -44,16 +44,17 @@ Result<bool> World::setMaterial(BodyId body, const BodyMaterial& material) {
         next.mass = total->mass;
         next.inertia = total->inertia;
     }
-    const bool felt = weightAndSurface(next) != weightAndSurface(record);
-    if (!felt && dampings(next) == dampings(record)) {
+    const bool affectsContacts = massAndSurface(next) != massAndSurface(record);
+    if (!affectsContacts && dampings(next) == dampings(record)) {
         return false;
     }
     requestWake(data.bodies, data.sleep, slot);
     next.stillTime = record.stillTime;
     record = std::move(next);
     refreshInverseMass(data.bodies, slot);
-    const bool bears = felt && refreshMaterials(data, data.sleep.table, slot); // then the solver is to see the change
-    if (felt && !bears && slot < data.contactGraph.inertias.size()) {          // else the next update weighs it
+    const bool bears =
+        affectsContacts && refreshMaterials(data, data.sleep.table, slot);       // then the solver is to see the change
+    if (affectsContacts && !bears && slot < data.contactGraph.inertias.size()) { // else the next update weighs it
         refreshInertia(data.bodies.motions[slot], data.contactGraph, slot);
     }
     return true;
