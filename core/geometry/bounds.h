@@ -7,15 +7,15 @@
 
 namespace spacetow {
 
-// m: how far behind an edge without a back its box reaches. A static one is solid beyond it too, see wall_back.h.
+// m: the AABB of an edge of infinite depth reaches this far behind the edge. A static edge is solid beyond it as well,
+// see wall_back.h.
 constexpr double noBackReach = 10;
 
-/// Exact boxes. That of an edge covers the band of its depth.
+/// Exact AABBs. The AABB of an edge covers its depth.
 Aabb boundsOf(const Shape& shape, const Transform& pose);
 Aabb boundsOf(const Part& part, const Transform& pose);
 
-/// The box of an edge with each half extent enlarged by 0.1 m and then by a tenth (report, page 7), which makes it
-/// harder to slip past its ends.
+/// The AABB of an edge with each half extent enlarged by 0.1 m and then by a tenth.
 Aabb enlargedEdgeBounds(const Aabb& bounds);
 
 } // namespace spacetow

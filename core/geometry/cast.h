@@ -8,8 +8,8 @@
 
 namespace spacetow {
 
-/// A pose that changes at constant speed: the point `pivot` of the part moves straight by `translation` while all else
-/// turns round it by `turn`, which may be many turns.
+/// A motion at constant velocity: the point `pivot` of the part moves along a line by `translation`, and the part turns
+/// about it by `turn`, which may be more than a full turn.
 struct Sweep {
     Transform start;
     Vec2 translation{0, 0}; // m
@@ -19,16 +19,15 @@ struct Sweep {
     Transform at(double fraction) const;
 };
 
-/// The first fraction at which the parts have come within `targetGap` metres (> 0) of each other and still approach;
-/// 0 when they are that near from the start. Nothing when they never are, or only while at rest or moving apart.
-/// The gap left may be a quarter smaller than asked for, and an approach that comes no nearer than that may be missed:
-/// nothing ever gets through. One-way walls are met from the front, by what has its centre in
-/// front of them at the start; their free ends are met from everywhere. Where walls are joined, contacts that slide
-/// across are none. Conservative advancement (Mirtich, 1996) with support planes.
+/// The first fraction at which the distance of the parts is `targetGap` metres (> 0) and decreasing; 0 if they are that
+/// near from the start. None if that never happens. The distance at that time may be a quarter smaller than
+/// `targetGap`, and an approach that comes no nearer may be missed; no part ever passes through another one. One-way
+/// walls stop parts whose centre is in front of the wall at the start; free ends of walls stop all parts. A part that
+/// slides across the joint of two walls is not stopped. Conservative advancement (Mirtich, 1996) with support planes.
 std::optional<double> timeOfImpact(const Part& a, const Sweep& motionA, const Part& b, const Sweep& motionB,
                                    double targetGap);
 
-/// The same where one of the parts is a wall whose face is open for the other: its free ends only.
+/// The same if one of the parts is a wall that is open for the other: only the free ends of the wall stop it.
 std::optional<double> timeOfImpactAtOpenWall(const Part& a, const Sweep& motionA, const Part& b, const Sweep& motionB,
                                              double targetGap);
 

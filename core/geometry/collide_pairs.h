@@ -8,7 +8,7 @@ namespace spacetow {
 
 /// Both in the same coordinates; the normal points from the wall to the circle.
 Manifold wallAgainstCircle(const WallPart& wall, const Circle& circle, double margin);
-/// Both in the same coordinates; the normal points from the polygon to the circle. A radius of 0 is a point.
+/// Both in the same coordinates; the normal points from the polygon to the circle. The radius may be 0.
 Manifold convexAgainstCircle(const ConvexPart& convex, const Circle& circle, double margin);
 /// Both in the same coordinates; the normal points from the wall to the polygon.
 Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, double margin);
@@ -28,36 +28,36 @@ inline bool isOuterFace(const ConvexPart& part, int i) {
     return (part.outerFaces >> i & 1) != 0;
 }
 
-/// Whether some faces of the part are inside the polygon that it was cut from.
+/// Whether some faces of the part lie inside the polygon that it was cut from.
 inline bool isCut(const ConvexPart& part) {
     return part.outerFaces != (1u << part.count) - 1;
 }
 
-/// The margin for both ends of a side, the nearer of which is so far from what it faces. Parts of a concave polygon are
-/// thin, and the margin is no longer than that: what lands on one end turns about it, and gets down on the other from
-/// farther away before anything sweeps it.
+/// The margin for the two ends of a side; `nearest` is the separation of the nearer end, m. Doubled for parts of a
+/// concave polygon once one end is within the margin: the speculative margin of thin parts is small, so a part that
+/// lands on one end would turn about it and hit with the other end before the time of impact sweeps it.
 inline double marginOfEnds(const ConvexPart& part, double nearest, double margin) {
     return isCut(part) && nearest <= margin ? 2 * margin : margin;
 }
 
-/// Whether `u` lies between the normals of two faces that meet at a corner that sticks out.
+/// Whether the direction `u` lies between the normals of two faces that meet at a convex corner.
 inline bool liesBetween(const Vec2& before, const Vec2& after, const Vec2& u) {
     constexpr double slack = 1e-9;
     return cross(before, after) > slack && cross(before, u) >= -slack && cross(u, after) >= -slack;
 }
 
-/// Whether something may touch the corner with the unit normal `u` (outward): it has to lie between the normals of
-/// the two faces of the outline that meet there, which need not be faces of this part. Of the parts that share a
-/// corner the one whose outer face starts there answers.
+/// Whether the corner may have a contact with the outward unit normal `u`: it has to lie between the normals of the two
+/// faces of the outline that meet at the corner (its Gauss arc), which need not be faces of this part. If several parts
+/// share the corner, only the one whose outer face starts there has the contact.
 inline bool cornerAllows(const ConvexPart& part, int i, const Vec2& u) {
     if (!isCut(part)) {
-        return true; // all neighbours are its own: what is nearest to the corner lies between their normals
+        return true; // both faces are its own: the direction to the nearest point lies between their normals
     }
     return isOuterFace(part, i) && liesBetween(part.normalsBeyond[static_cast<std::size_t>(i)], normalOf(part, i), u);
 }
 
-/// The same for a face that meets the corner: here the part whose outer face ends there answers too, so that it does
-/// not matter in which order what lies on that face comes down. Both contacts are in one plane.
+/// The same for a contact with a face: the part whose outer face ends at the corner has it too, so that the order of
+/// parts does not matter. Both contacts lie in one plane.
 inline bool cornerBears(const ConvexPart& part, int i, const Vec2& u) {
     const int before = i > 0 ? i - 1 : part.count - 1;
     return cornerAllows(part, i, u) ||
@@ -79,7 +79,7 @@ inline int deepestCorner(const ConvexPart& part, const Vec2& u) {
     return deepest;
 }
 
-/// The face that looks most nearly along −u.
+/// The face whose normal is nearest to −u: the incident face.
 inline int facing(const ConvexPart& part, const Vec2& u) {
     int best = 0;
     double least = u.dot(part.normals[0]);
@@ -93,7 +93,7 @@ inline int facing(const ConvexPart& part, const Vec2& u) {
     return best;
 }
 
-/// Names of contact points: kind of contact in the high bits, then what meets.
+/// The feature of a contact point: kind of contact, then the two features that touch.
 inline std::uint32_t featureId(unsigned kind, int first, int second) {
     return kind << 16 | static_cast<unsigned>(first) << 8 | static_cast<unsigned>(second);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Prepares shapes for collision: a circle stays itself, an edge or a line becomes a wall, a polygon becomes convex
-// parts. Then finds what continues what, so that nothing is caught where two walls or two parts meet.
+// Prepares shapes for collision: an edge or a line becomes a wall part, a polygon becomes convex parts. Joins walls
+// that continue each other and parts that share faces, so that no body is caught at a joint (ghost collisions).
 
 #include "core/geometry/part.h"
 
@@ -12,15 +12,16 @@ namespace spacetow {
 /// The parts of a shape, in its own coordinates. None for a polygon that encloses nothing.
 std::vector<Part> partsOf(const Shape& shape);
 
-/// Finds the walls that continue one another: all in the same coordinates, ends no further apart than the tolerance of
-/// near_points.h, edge to edge in the direction a → b and line to line in either; then, of what is left, edge to line,
-/// on the side that is solid on both. Where more than two meet, the straightest pairs are joined. Resets earlier
-/// joints. O(n log n); a point where a crowd of walls end joins none.
+/// Joins walls whose ends are within the tolerance of near_points.h: edge to edge in the direction a → b, and line to
+/// line in either; then the remaining ends edge to line, on the side that is solid on both. If more than two walls meet
+/// at a point, the straightest pairs are joined; more than `jointCrowd` are not joined at all. All walls are in the
+/// same coordinates. Resets earlier joints. O(n log n).
 void joinWalls(std::span<WallPart* const> walls);
 
-/// Finds faces that parts share from one corner on, within the same tolerance: all in the same coordinates. They become
-/// inner faces, as if the parts had been cut from one polygon, so that a row of boxes is as smooth as one long box; the
-/// longer one of two gets a corner where the other ends. What is beyond the corners of parts is found, too. O(n log n).
+/// Joins parts with faces that lie on each other from a common corner on, within the same tolerance. The common stretch
+/// becomes an inner face of both parts, as if they had been cut from one polygon: a row of boxes is as smooth as one
+/// long box. The longer face gets a corner where the shorter one ends. Also sets ConvexPart::normalsBeyond. All parts
+/// are in the same coordinates. O(n log n).
 void joinConvexParts(std::span<ConvexPart* const> parts);
 
 } // namespace spacetow

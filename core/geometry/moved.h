@@ -1,12 +1,12 @@
 #pragma once
-// Parts in other coordinates.
+// Transforms parts to other coordinates.
 
 #include "core/geometry/part.h"
 #include "core/math/transform.h"
 
 namespace spacetow {
 
-/// Maps what is local to `inner` to what is local to `outer`.
+/// The pose of `inner` in the local coordinates of `outer`.
 inline Transform relative(const Transform& inner, const Transform& outer) {
     return {outer.toLocal(inner.position), outer.rotation.inverse() * inner.rotation};
 }
@@ -33,7 +33,7 @@ inline ConvexPart moved(const ConvexPart& part, const Transform& pose) {
         result.corners[i] = pose.toWorld(part.corners[i]);
         result.normals[i] = pose.rotation * part.normals[i];
     }
-    if (part.outerFaces != (1u << part.count) - 1) { // read for parts with cuts only
+    if (part.outerFaces != (1u << part.count) - 1) { // only parts with cuts need the rest
         result.whole = pose.toWorld(part.whole);
         for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
             result.normalsBeyond[i] = pose.rotation * part.normalsBeyond[i];

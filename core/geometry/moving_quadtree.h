@@ -1,8 +1,8 @@
 #pragma once
-// A regular, loose quadtree for boxes that move: depth ⌈log₄ n⌉, the bounds halved again and again. Being regular it
-// needs no nodes: a coordinate tells its cell. A box is held once, in the cell of its lower corner at the deepest level
-// whose cells are no smaller than it, and may stick out of that. Cells of a row lie one behind the other in memory.
-// T. Ulrich, "Loose Octrees", Game Programming Gems (2000).
+// A regular loose quadtree for moving boxes, of depth ⌈log₄ n⌉. All levels are regular grids, so there are no nodes:
+// the cell of a point is computed from its coordinates. A box is stored once, in the cell of its lower corner, at the
+// deepest level whose cells are no smaller than the box; it may overlap neighbouring cells. The cells of a row are
+// contiguous in memory. T. Ulrich, "Loose Octrees", Game Programming Gems (2000).
 
 #include "core/math/aabb.h"
 
@@ -17,8 +17,8 @@ namespace spacetow {
 
 class MovingQuadtree {
   public:
-    /// Holds these boxes, numbered in their order, and nothing else. O(n). Keeps its memory: no allocation when it was
-    /// as large before.
+    /// Replaces the contents by these boxes, numbered in their order. O(n). Allocates only if it has never been as
+    /// large.
     void fill(std::span<const Aabb> boxes);
 
     /// Appends the numbers of the boxes that overlap `area`, borders included, each once and always in the same order.
@@ -28,12 +28,12 @@ class MovingQuadtree {
     struct BoxPair {
         std::uint32_t a, b;
     };
-    /// Appends all that overlap, borders included, each two once and always in the same order. Cheaper than a query for
-    /// every box. Where there are more than `most` it leaves off some time after that.
+    /// Appends all pairs of boxes that overlap, borders included, each once and always in the same order. Costs less
+    /// than a query for every box. Stops some time after `most` pairs.
     void queryAll(std::vector<BoxPair>& out, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
     int depth() const { return m_depth; }
-    /// The rectangles of the cells that a box of their level overlaps.
+    /// The cells that a box of their level overlaps.
     std::vector<Aabb> cells() const;
 
   private:
@@ -59,7 +59,7 @@ class MovingQuadtree {
     std::uint32_t cellAlong(const Level& level, int axis, double coordinate) const;
     Range rangeFor(const Level& level, const Aabb& area) const;
     Entries entriesIn(const Level& level, std::uint32_t row, const Range& range) const;
-    /// What is found, and how much of it at most.
+    /// The result of queryAll(), and its limit.
     struct Found {
         std::vector<BoxPair>& all;
         std::size_t most;

@@ -1,5 +1,5 @@
 #pragma once
-// Whether two parts meet at all, for sensors: bodies that are felt without exerting a force.
+// Overlap tests for sensors.
 
 #include "core/geometry/cast.h"
 #include "core/geometry/part.h"
@@ -7,11 +7,11 @@
 
 namespace spacetow {
 
-/// Whether a sensor feels the other: the parts meet anywhere, walls from either side and with one another included, or
-/// collide() would let them touch at a margin of 0.
+/// Whether a sensor detects the other part: the parts overlap, where a wall is a segment, or collide() with a margin of
+/// 0 finds a contact. Two walls may overlap.
 bool overlaps(const Part& a, const Transform& poseA, const Part& b, const Transform& poseB);
 
-/// A motion about the origin of the part, whose end is known to the bit.
+/// A sweep about the origin of the part whose final pose is given, so that the next sweep begins with the same bits.
 struct ExactSweep {
     Sweep motion;
     Transform end;
@@ -21,9 +21,10 @@ struct ExactSweep {
     Transform at(double fraction) const { return fraction < 1 ? motion.at(fraction) : end; }
 };
 
-/// Whether parts that do not overlap at the ends of their ways do so in between; also walls that pass through each
-/// other flat. Where one way ends and the next begins with the same bits, no crossing is missed or found twice. May
-/// miss what overlaps by less than 1e-8 m, and a graze of bodies that turn several times. Conservative advancement.
+/// Whether parts that overlap at neither end of their sweeps overlap in between, including two walls that pass through
+/// each other while parallel. If a sweep begins with the bits of the end of the last one, no crossing is missed or
+/// found twice. May miss an overlap of less than 1e-8 m, and a short overlap of bodies that turn several times.
+/// Conservative advancement.
 bool overlapsDuring(const Part& a, const ExactSweep& wayA, const Part& b, const ExactSweep& wayB);
 
 } // namespace spacetow

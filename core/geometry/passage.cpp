@@ -15,7 +15,7 @@ namespace {
 constexpr double clearOfWall = 0.0005;
 
 /// The stretch over which something counts as being at the wall, m from its start: with what continues it in the same
-/// plane or ahead of it, as there is one door for both.
+/// plane or ahead of it, which opens and closes with it.
 struct Stretch {
     double from, to;
 

@@ -1,7 +1,7 @@
 #pragma once
-// What is solid behind walls without a back, as a bounding volume hierarchy. Boxes around such regions would cover half
-// of the level and each other; a node has instead the box of its walls and the directions in which their regions go on
-// from there. Reading material: L. Shirman, S. Abi-Ezzi, "The Cone of Normals Technique" (1993).
+// A bounding volume hierarchy over the solid regions behind edges of infinite depth. AABBs of such regions would cover
+// half of the level and overlap each other. A node has instead the AABB of its edges and an arc of the directions in
+// which their regions extend. Compare L. Shirman, S. Abi-Ezzi, "The Cone of Normals Technique" (1993).
 
 #include "core/geometry/wall_back.h"
 
@@ -13,23 +13,23 @@ namespace spacetow {
 class WallBackTree {
   public:
     struct Item {
-        std::uint32_t number; // what a query answers with
+        std::uint32_t number; // the result of a query
         WallBack region;
-        Aabb wall; // of the segment behind which it lies
+        Aabb wall; // AABB of the edge itself
     };
 
     WallBackTree() = default;
-    /// The same items give the same tree. O(n log n).
+    /// Equal items give equal trees. O(n log n).
     explicit WallBackTree(std::vector<Item> items);
 
-    /// Appends the numbers of the items whose regions meet the box while their walls' boxes do not, each once and
-    /// always in the same order. Which they are depends on the items alone.
+    /// Appends the numbers of the items whose region overlaps the box but whose wall does not, each once and always in
+    /// the same order. The result depends on the items alone, not on the tree.
     void query(const Aabb& box, std::vector<std::uint32_t>& out) const;
 
     const std::vector<Item>& items() const { return m_items; }
 
   private:
-    /// Directions anticlockwise from one on, in quarter turns.
+    /// An arc of directions, anticlockwise, in quarter turns.
     struct Arc {
         double begin = 0, length = 0;
 

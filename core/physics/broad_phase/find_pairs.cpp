@@ -13,26 +13,37 @@ namespace spacetow {
 
 namespace {
 
-/// Extended by the motion of the body, and by a margin in every direction.
+// The fat AABB has room for motion that the velocity does not predict: a share of the size of the body, a length, and a
+// share of the predicted motion. 1 to 4 cm are as fast for bodies of decimetres: smaller ones are searched more often,
+// larger ones have more pairs.
+constexpr double fatShareOfRadius = 0.05;
+constexpr double fatMargin = 0.02; // m
+constexpr double fatShareOfMotion = 0.1;
+// Likewise for the angle: a multiple of the predicted turn, and a turn, rad.
+constexpr double fatTurnFactor = 1.5;
+constexpr double fatTurn = 0.05;
+
+/// The fat AABB for `seconds` of motion at the present velocity and acceleration.
 FatAabb fatAabbAround(const BodyMotion& m, const BodyStep& s, double seconds) {
     const double speed = std::sqrt(m.velocity.squaredNorm());
-    const double pull = std::sqrt(s.acceleration.squaredNorm());
-    const double way = speed * seconds;
-    const double pad = 0.05 * s.outerRadius + 0.02 + 0.1 * way + 0.5 * pull * seconds * seconds;
+    const double acceleration = std::sqrt(s.acceleration.squaredNorm());
+    const double pad = fatShareOfRadius * s.outerRadius + fatMargin + fatShareOfMotion * (speed * seconds) +
+                       0.5 * acceleration * seconds * seconds;
     FatAabb fat;
     fat.centers = {m.center, m.center};
     fat.centers.include(m.center + seconds * m.velocity);
     fat.centers.include(m.center + s.correction);
     fat.centers = fat.centers.grown(pad);
-    const double turn = 1.5 * std::abs(m.angularVelocity) * seconds + 0.05;
-    const bool anyTurn = s.isCircle || turn >= 1; // the box of its disc holds at every angle
+    const double turn = fatTurnFactor * std::abs(m.angularVelocity) * seconds + fatTurn;
+    const bool anyTurn = s.isCircle || turn >= 1; // rad: the AABB of the circle around the body is hardly larger
     fat.angleLeft = anyTurn ? std::numeric_limits<double>::infinity() : turn;
     return fat;
 }
 
+/// The fat AABB of one part.
 Aabb fatBox(const BodyStep& s, const BodyMotion& m, const Part& part) {
     Aabb box = boundsOf(part, Transform{m.center, m.rotation});
-    // The farthest point of the part sweeps an arc; great turns cover the disc around the centre of mass.
+    // A turn moves no point by more than the arc of the outermost one.
     if (!isRound(part)) {
         if (std::isinf(s.fat.angleLeft)) {
             const Vec2 r(s.outerRadius, s.outerRadius);
@@ -54,7 +65,7 @@ void listProxiesOf(const Bodies& bodies, BroadPhase& broadPhase, Slot slot) {
     }
 }
 
-/// Visits the indices of a body's parts among the proxies, without reading its record.
+/// Visits the indices of the proxies of a body, without reading its record.
 template <class Visit>
 void forProxiesOf(const BroadPhase& broadPhase, Slot slot, const Visit& visit) {
     for (std::uint32_t i = broadPhase.firstProxies[slot];
@@ -70,13 +81,13 @@ void add(const PairStage& stage, const MovingProxy& a, const MovingProxy& b) {
     stage.search.foundPairs.emplace_back(first.body, second.body, first.part, second.part);
 }
 
-/// Whether the box of another stays clear of a long part.
+/// Whether the proxy is a slender part, and the fat AABB of another proxy lies in front of one of its faces.
 bool isInFrontOfSlender(const Bodies& bodies, const MovingProxy& of, const Aabb& box) {
     return of.slender && isInFrontOfFace(box, std::get<ConvexPart>((*bodies.records[of.body].parts)[of.part]),
                                          bodies.motions[of.body].rotation, bodies.steps[of.body].fat);
 }
 
-/// Whether no more are to be found.
+/// Whether the limit on pairs is reached; then sets `crowded`.
 bool isCrowded(StepFlags& flags, const PairSearch& search) {
     const bool many = search.foundPairs.size() >= search.mostFound;
     flags.crowded |= many;
@@ -93,7 +104,7 @@ void addUnlessSeparated(const PairStage& stage, std::uint32_t index, std::uint32
     }
 }
 
-/// Of two moved proxies the later one finds the other.
+/// Whether the query of proxy `index` adds the pair: if both proxies are moved, only the later one does.
 bool isFoundBy(const BroadPhase& broadPhase, std::uint32_t index, std::uint32_t other) {
     return other < index || !broadPhase.proxies[other].movedProxy;
 }
@@ -117,7 +128,7 @@ void findMovingOf(const PairStage& stage, std::uint32_t index) {
     }
 }
 
-/// The tree has all where they are.
+/// Needs a tree without stale proxies.
 void findAllMoving(const PairStage& stage) {
     stage.search.overlapping.clear();
     stage.broadPhase.tree.queryAll(stage.search.overlapping, stage.search.mostFound);
@@ -143,7 +154,9 @@ void markMovedProxies(BroadPhase& broadPhase, const PairSearch& search, bool mov
     }
 }
 
-/// Proxies whose boxes are no longer what the tree has are searched one by one while they are few.
+/// Marks the moved proxies as stale in the tree, and fills the tree anew when it has many stale proxies. Each query
+/// compares its box with all stale proxies; that costs less than filling the tree while the comparisons are at most
+/// `staleFactor` a proxy, and the stale proxies at most one in `staleFactor`.
 void refreshTree(BroadPhase& broadPhase, const StepFlags& flags, const PairSearch& search) {
     const std::size_t count = broadPhase.boxes.size();
     for (const Slot slot : search.movedBodies) {
@@ -154,8 +167,9 @@ void refreshTree(BroadPhase& broadPhase, const StepFlags& flags, const PairSearc
             }
         });
     }
-    if (!flags.pairsStale && broadPhase.staleProxies.size() * search.movedBodies.size() <= 8 * count &&
-        8 * broadPhase.staleProxies.size() <= count) {
+    constexpr std::size_t staleFactor = 8;
+    if (!flags.pairsStale && broadPhase.staleProxies.size() * search.movedBodies.size() <= staleFactor * count &&
+        staleFactor * broadPhase.staleProxies.size() <= count) {
         return;
     }
     broadPhase.tree.fill(broadPhase.boxes);
@@ -165,7 +179,9 @@ void refreshTree(BroadPhase& broadPhase, const StepFlags& flags, const PairSearc
     broadPhase.staleProxies.clear();
 }
 
+/// Insertion sort; falls back to std::sort if the pairs are not nearly sorted.
 void sortNearlySorted(std::span<FoundPair> pairs) {
+    constexpr std::size_t movesPerPair = 16;
     std::size_t moves = 0;
     for (std::size_t i = 1; i < pairs.size(); ++i) {
         const FoundPair pair = pairs[i];
@@ -175,14 +191,15 @@ void sortNearlySorted(std::span<FoundPair> pairs) {
             ++moves;
         }
         pairs[k] = pair;
-        if (moves > 16 * pairs.size()) { // not nearly
+        if (moves > movesPerPair * pairs.size()) {
             std::sort(pairs.begin(), pairs.end());
             return;
         }
     }
 }
 
-/// By their first bodies in linear time, then the few of each body, which come nearly sorted.
+/// Counting sort by body a, then by insertion the few pairs of each body, which the search finds nearly sorted. Few
+/// pairs are sorted by comparison: counting costs a pass over all bodies.
 void sortFound(const Bodies& bodies, PairSearch& search) {
     if (4 * search.foundPairs.size() < bodies.records.size()) {
         std::sort(search.foundPairs.begin(), search.foundPairs.end());

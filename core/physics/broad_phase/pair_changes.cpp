@@ -8,6 +8,7 @@ namespace spacetow {
 
 namespace {
 
+/// Whether a connector joins the bodies and keeps them from colliding.
 bool connectedApart(const Forces& forces, Slot a, Slot b) {
     return !forces.notColliding.empty() &&
            std::binary_search(forces.notColliding.begin(), forces.notColliding.end(), SlotPair(std::minmax(a, b)));
@@ -57,7 +58,7 @@ Pair makePair(const Bodies& bodies, const BroadPhase& broadPhase, const FoundPai
     return pair;
 }
 
-/// Whether the speculative margin may cover but a part of an iteration.
+/// See PairFlags::limitsFraction: the bodies may turn while they touch, or one is immovable and may be fast.
 bool limitsFraction(const Bodies& bodies, const Pair& pair) {
     const bool kinematic =
         !pair.staticB && !(bodies.motions[pair.bodyA].isMovable() && bodies.motions[pair.bodyB].isMovable());
@@ -71,7 +72,7 @@ void noteDropped(const Contacts& contacts, PairChanges& changes, std::size_t ind
     }
 }
 
-/// All pairs have been found: they make a new table. What is known of their contacts remains.
+/// Makes a new table from all found pairs. Pairs that were in the old table keep their contacts and flags.
 void fillNewTable(const PairStage& stage) {
     const PairTable& old = stage.contacts.table;
     PairTable& renewed = stage.changes.newTable;
@@ -95,18 +96,19 @@ void fillNewTable(const PairStage& stage) {
         if (renewed.pairs.back().kind == old.pairs[i].kind) {
             renewed.pairs.back().contact = old.pairs[i].contact;
         } else {
-            stage.changes.dropped.push_back(static_cast<std::uint32_t>(i)); // but its touch goes on
+            stage.changes.dropped.push_back(
+                static_cast<std::uint32_t>(i)); // frees the contact; the touch has not ended
         }
         renewed.flags.back() = old.flags[i++];
         renewed.flags.back().limitsFraction = covered;
-        renewed.flags.back().passed = false; // it may have become solid since
+        renewed.flags.back().passed = false; // a sensor pair may have become a solid one
     }
     for (; i < old.size(); ++i) {
         noteDropped(stage.contacts, stage.changes, i);
     }
 }
 
-/// The pairs of moved proxies.
+/// Fills `movedPairs` with the indices of the pairs of moved proxies.
 void listMovedPairs(const Contacts& contacts, const PairSearch& search, PairChanges& changes) {
     for (const Slot slot : search.movedBodies) {
         changes.isMovedProxy[slot] = 1;
@@ -127,14 +129,15 @@ void listMovedPairs(const Contacts& contacts, const PairSearch& search, PairChan
     }
 }
 
-/// What is to change in the table: `dropped` by index, and new pairs with the indices before which they belong.
+/// Fills `dropped`, `newPairs` and `newPlaces`. A merge of two sorted lists: the pairs of moved proxies in the table,
+/// and the found pairs.
 void diffPairs(const PairStage& stage) {
     const std::vector<Pair>& pairs = stage.contacts.table.pairs;
     stage.changes.dropped.clear();
     stage.changes.newPairs.clear();
     stage.changes.newPlaces.clear();
     std::size_t i = 0;
-    std::size_t first = 0; // no new pair belongs before that
+    std::size_t first = 0; // no new pair belongs before this index
     for (const FoundPair& found : stage.search.foundPairs) {
         for (; i < stage.changes.movedPairs.size() && FoundPair(pairs[stage.changes.movedPairs[i]]) < found;
              first = stage.changes.movedPairs[i++] + 1) {
@@ -158,8 +161,7 @@ void diffPairs(const PairStage& stage) {
     }
 }
 
-/// Between what is dropped and what is new the table stays as it is. The places of new pairs become those in the table
-/// as it will be.
+/// Fills `runs` with the pairs between dropped and new ones. `newPlaces` become indices in the next table.
 void listRuns(const Contacts& contacts, PairChanges& changes) {
     std::vector<std::uint32_t>& places = changes.newPlaces;
     const auto size = static_cast<std::uint32_t>(contacts.table.size());
@@ -182,8 +184,8 @@ void listRuns(const Contacts& contacts, PairChanges& changes) {
     }
 }
 
-/// Moves each run once, those that go down from the first one on, those that go up from the last: none comes to lie
-/// where another one still is.
+/// Moves each run once: first the runs that move down, in ascending order, then those that move up, in descending
+/// order. So no run overwrites another one that has yet to move.
 template <typename T>
 void rearrange(std::vector<T>& list, const std::vector<Run>& runs, std::size_t newSize) {
     list.resize(std::max(list.size(), newSize));

@@ -1,5 +1,5 @@
-// A few static bodies have changed. Their parts, and those that are or were joined to them, are made anew and shadow
-// what the geometry of all has of them.
+// Patches the static geometry when few bodies have changed: StaticChanges gets their parts, and the parts that are or
+// were joined to them. These replace the outdated colliders of the full geometry.
 
 #include "core/physics/broad_phase/static_parts.h"
 
@@ -9,21 +9,22 @@ namespace spacetow {
 
 namespace {
 
-// Parts may be joined where corners are no further apart, m; a little more than any joint needs.
+// Corners further apart than this are not joined, m. Larger than jointTolerance, so that rounding cannot matter.
 constexpr double jointReach = 1e-3;
 
-using Indices = std::vector<std::uint32_t>; // of colliders of all, sorted
+using Indices = std::vector<std::uint32_t>; // of colliders of the full geometry, sorted
 
 /// A part of a static body.
 struct PartOf {
     Slot body = 0;
     std::uint32_t part = 0;
-    bool shadows = false; // else it is here for the joints only that others have with it
+    bool replaces = false; // false: needed for the joints of other parts only
 
     bool operator<(const PartOf& o) const { return body != o.body ? body < o.body : part < o.part; }
 };
 
-/// So many parts may have changed; making all anew, which costs some µs a part, is then long paid for.
+/// The limit on changed parts. A patch is rebuilt with each change, the full geometry costs some µs a part: with a
+/// limit of a sixty-fourth, rebuilding the full geometry is a small part of the whole cost.
 std::size_t mostChanged(const StaticGeometry& all) {
     return std::max<std::size_t>(all.colliders.size() / 64, 64);
 }
@@ -49,7 +50,7 @@ void forCorners(const Part& part, const Visit& visit) {
     }
 }
 
-/// What of all may be joined to this part.
+/// Appends the colliders that have a corner near a corner of the part.
 void findJoined(const StaticGeometry& all, const Part& part, Indices& out) {
     Indices near;
     forCorners(part, [&](const Vec2& p) {
@@ -79,7 +80,7 @@ bool isActiveStatic(const BodyRecord& record) {
     return record.used && record.kind == BodyKind::Static && record.active;
 }
 
-/// What all has of these bodies.
+/// The colliders of these bodies in the full geometry.
 Indices collidersOf(const StaticGeometry& all, const std::vector<Slot>& slots) {
     Indices indices;
     for (const Slot body : slots) {
@@ -93,14 +94,14 @@ Indices collidersOf(const StaticGeometry& all, const std::vector<Slot>& slots) {
     return indices;
 }
 
-/// Those of `found` that are in none of the others.
+/// `found` without the elements of the other two.
 Indices without(Indices found, const Indices& some, const Indices& others) {
     sortUnique(found);
     std::erase_if(found, [&](std::uint32_t i) { return has(some, i) || has(others, i); });
     return found;
 }
 
-/// The parts of these bodies as they are now, with their places in the world.
+/// The parts of these bodies as they are now, in world coordinates.
 std::vector<StaticGeometry::Collider> partsOfBodies(const Bodies& bodies, const std::vector<Slot>& slots) {
     std::vector<StaticGeometry::Collider> colliders;
     for (const Slot body : slots) {
@@ -112,7 +113,8 @@ std::vector<StaticGeometry::Collider> partsOfBodies(const Bodies& bodies, const 
     return colliders;
 }
 
-/// All that is needed for joints that are those of all made anew: what changes, and what that is joined to.
+/// The colliders of `parts` with their joints. `parts` contains every part that is joined to a replaced one, so that
+/// the joints equal those of a rebuilt full geometry; parts that replace nothing are left out of the result.
 StaticGeometry joinedGeometry(const Bodies& bodies, std::vector<PartOf> parts) {
     std::sort(parts.begin(), parts.end());
     StaticGeometry geometry;
@@ -122,7 +124,7 @@ StaticGeometry joinedGeometry(const Bodies& bodies, std::vector<PartOf> parts) {
     joinStatics(geometry);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i].shadows) {
+        if (parts[i].replaces) {
             geometry.colliders[kept++] = geometry.colliders[i];
         }
     }
@@ -139,16 +141,16 @@ std::size_t partsIn(const Bodies& bodies, const std::vector<Slot>& slots) {
     return count;
 }
 
-/// A patch as it comes about.
+/// The extent of a patch.
 struct Patch {
-    std::vector<StaticGeometry::Collider> own; // parts of the bodies that have changed, as they are now
-    Indices former;                            // as they were
-    Indices joined;                            // to either, and changed thereby
+    std::vector<StaticGeometry::Collider> own; // parts of the changed bodies as they are now
+    Indices former;                            // colliders of the changed bodies in the full geometry
+    Indices joined;                            // other colliders that may be joined to one of these
 
     std::size_t size() const { return own.size() + former.size() + joined.size(); }
 };
 
-/// With what else is joined to what changes, which has a say in that.
+/// The geometry of a patch. The parts joined to `joined` are needed for the choice of joints: see joinWalls().
 StaticGeometry geometryOf(const Bodies& bodies, const BroadPhase& broadPhase, const Patch& patch) {
     const StaticGeometry& all = *broadPhase.statics;
     std::vector<PartOf> parts;

@@ -14,15 +14,17 @@ bool isSlender(const Part& part) {
         return false;
     }
     const std::span corners(convex->corners.data(), static_cast<std::size_t>(convex->count));
-    double longest = 0; // squared
+    constexpr double slenderness =
+        8;              // of the squared length to the area; a box of 4 : 1 has 4.25, one of 8 : 1 has 8.1
+    double longest = 0; // squared, m²
     for (const Vec2& corner : corners) {
         longest = std::max(longest, (corner - corners.front()).squaredNorm());
     }
-    return longest > 8 * signedArea(corners);
+    return longest > slenderness * signedArea(corners);
 }
 
 bool isInFrontOfFace(const Aabb& box, const ConvexPart& part, const Rot& rotation, const FatAabb& fat) {
-    const Aabb from{box.min - fat.centers.max, box.max - fat.centers.min}; // the centre of mass
+    const Aabb from{box.min - fat.centers.max, box.max - fat.centers.min}; // `box` relative to the centre of mass
     const Vec2 center = from.center();
     const Vec2 half = 0.5 * from.size();
     for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
@@ -31,7 +33,8 @@ bool isInFrontOfFace(const Aabb& box, const ConvexPart& part, const Rot& rotatio
         const double length = std::abs(normal.y()) * half.x() + std::abs(normal.x()) * half.y();
         const double height = normal.dot(center);
         const double aside = std::abs(cross(normal, center)) + length;
-        // As the face sees it, what is aside comes nearer when it turns, and what is above hardly.
+        // When the part turns, the box comes nearer to the face by turn · aside in first order, height matters in
+        // second.
         const double turn = fat.angleLeft;
         const double nearer = turn * aside + 0.5 * turn * turn * (std::abs(height) + width);
         if (height - width - part.normals[i].dot(part.corners[i]) - nearer > linearSlop) {

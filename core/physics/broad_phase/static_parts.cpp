@@ -8,14 +8,14 @@ namespace spacetow {
 
 namespace {
 
-/// Whether most of its box would be what is behind it.
+/// Whether the depth is greater than the length: most of the AABB would be behind the wall.
 bool isDeepWall(const Part& part) {
     const auto* wall = std::get_if<WallPart>(&part);
     return wall != nullptr && wall->oneWay && wall->depth > 0 &&
            wall->depth * wall->depth > (wall->b - wall->a).squaredNorm();
 }
 
-/// With what is behind hollow joints, where the face goes on: what comes from there has to be seen in time.
+/// The bounds of a collider extended behind hollow joints, as the face of an edge also covers the gap behind the joint.
 Aabb searchBounds(const StaticGeometry::Collider& collider) {
     Aabb box = collider.bounds;
     const WallSide& side = collider.side;

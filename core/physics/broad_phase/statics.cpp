@@ -10,7 +10,7 @@ namespace spacetow {
 
 namespace {
 
-/// Where the shapes of static bodies lie now.
+/// Sleeping pairs get the new colliders of static bodies.
 void refreshSleepingPairs(const Bodies& bodies, const BroadPhase& broadPhase, PairTable& asleep) {
     for (Pair& pair : asleep.pairs) {
         if (pair.staticB) {
@@ -46,7 +46,7 @@ void rebuildStatics(Bodies& bodies, BroadPhase& broadPhase) {
     broadPhase.staticChanges = nullptr;
 }
 
-/// Behind walls without a back, and far behind others.
+/// Appends the deep edges whose solid region behind the segment overlaps the box.
 void findBehind(const StaticGeometry& geometry, const Aabb& box, std::vector<std::uint32_t>& out) {
     const std::size_t first = out.size();
     geometry.backs.query(box, out);
@@ -104,7 +104,7 @@ void findStatics(const BroadPhase& broadPhase, const Aabb& box, std::vector<std:
     std::erase_if(out, [&](std::uint32_t i) { return std::binary_search(gone.begin(), gone.end(), i); });
     const std::size_t first = out.size();
     find(broadPhase.staticChanges->geometry);
-    for (std::size_t i = first; i < out.size(); ++i) { // an index of both
+    for (std::size_t i = first; i < out.size(); ++i) { // see BroadPhase::staticCollider
         out[i] += static_cast<std::uint32_t>(broadPhase.statics->colliders.size());
     }
 }

@@ -8,20 +8,21 @@ namespace spacetow {
 
 namespace {
 
+/// Fills `candidates` with the pairs whose separation bound is reached.
 void listByBounds(const Bodies& bodies, const Contacts& contacts, NarrowPhase& narrow) {
     const auto count = static_cast<std::uint32_t>(contacts.table.size());
     if (narrow.candidates.capacity() < count) {
-        narrow.candidates.reserve(contacts.table.capacity()); // resizing would add no more than what is needed now
+        narrow.candidates.reserve(contacts.table.capacity()); // resize() alone would reserve no more than `count`
     }
     narrow.candidates.resize(count);
     std::size_t size = 0;
     const auto isCandidate = [&](std::uint32_t i) { return contacts.mayTouchNow(bodies, i) ? 1U : 0U; };
-    const auto note = [&](std::uint32_t i) { // without a branch that could not be foretold
+    const auto note = [&](std::uint32_t i) { // without a branch, which would be unpredictable
         narrow.candidates[size] = i;
         size += isCandidate(i);
     };
     std::uint32_t i = 0;
-    for (; i + 4 <= count; i += 4) { // where all is at rest, none of four is one
+    for (; i + 4 <= count; i += 4) { // at rest hardly any pair is a candidate: this branch is predictable
         if ((isCandidate(i) | isCandidate(i + 1) | isCandidate(i + 2) | isCandidate(i + 3)) != 0) {
             for (std::uint32_t k = i; k < i + 4; ++k) {
                 note(k);
@@ -34,12 +35,13 @@ void listByBounds(const Bodies& bodies, const Contacts& contacts, NarrowPhase& n
     narrow.candidates.resize(size);
 }
 
-/// Whether the circles around the bodies are all that there is to go by.
+/// Whether bounding circles are tested for the pair.
 bool isUnknown(const Pair& pair) {
     return !pair.staticB && pair.contact == Pair::none && pair.kind != PairKind::Sensor;
 }
 
-/// Half of the open pairs end here, one as likely as the next: no branch could be foretold.
+/// Gives candidates whose bounding circles are apart a separation bound and removes them from the list. About half of
+/// them are, at random, so the loop has no branch.
 void boundByCircles(const Bodies& bodies, Contacts& contacts, NarrowPhase& narrow) {
     constexpr std::size_t ahead = 16;
     std::size_t left = 0;
@@ -51,7 +53,7 @@ void boundByCircles(const Bodies& bodies, Contacts& contacts, NarrowPhase& narro
         PairBound& bound = contacts.table.bounds[i];
         const BoundingCircles circles = boundingCirclesOf(bodies, bound);
         bool apart = isUnknown(contacts.table.pairs[i]);
-        apart &= circles.areApart(); // without a branch
+        apart &= circles.areApart(); // no &&, which is a branch
         const double until = bodies.motionOf(bound) + circles.separation();
         bound.separationBound = apart ? until : bound.separationBound;
         contacts.table.flags[i].touching &= !apart;

@@ -77,7 +77,7 @@ void saveAll(Contacts& contacts, const Constraints& constraints, const std::vect
     }
 }
 
-/// Fills the gap with the last of the list.
+/// Closes the lane and removes the contact from the list. The last contact of the list takes its place.
 template <class Kind, class Batch>
 void closeLane(Contacts& contacts, std::vector<Kind>& list, Batches<Batch>& batches, std::uint32_t place) {
     batches.close(list[place].lane);
@@ -90,6 +90,7 @@ void closeLane(Contacts& contacts, std::vector<Kind>& list, Batches<Batch>& batc
     list.pop_back();
 }
 
+/// Remaps the pairs at the indices `begin` … `end` − 1.
 void remapPairs(const ContactStage& stage, std::uint32_t begin, std::uint32_t end) {
     constexpr std::uint32_t ahead = 8;
     for (std::uint32_t i = begin; i < end; ++i) {
@@ -204,7 +205,7 @@ void findMergeCandidates(const Bodies& bodies, Constraints& constraints) {
     const std::vector<GeneralContact>& all = constraints.generalContacts;
     constraints.mergeCandidates.clear();
     constraints.mergeCandidates.reserve(
-        all.capacity()); // more than ever come, so that a steady update allocates nothing
+        all.capacity()); // more than there are, so that a steady update allocates nothing
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].mergeable || constraints.mergeableContacts[all[i].a] < 2) {
             continue;

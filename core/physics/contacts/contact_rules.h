@@ -9,44 +9,45 @@
 
 namespace spacetow {
 
-// Slower impacts come to rest, m/s.
+// Approach velocity above which restitution acts, m/s.
 constexpr double bounceThreshold = 0.005;
 
-/// Whether a change of velocity is more than what rounding leaves of an impulse that was given and taken back. m/s.
+/// Whether a change of velocity, m/s, is more than the rounding error of impulses that cancel each other. `turnChange`
+/// is the change of angular velocity times the outer radius, m/s.
 inline bool isPush(const Vec2& change, double turnChange) {
-    constexpr double least = 1e-12;
+    constexpr double least = 1e-12; // m/s
     return std::abs(change.x()) + std::abs(change.y()) + std::abs(turnChange) > least;
 }
 
-/// Whether contacts with these unit normals may be in one plane.
+/// Whether contacts with these unit normals may lie in one plane: the angle between them is at most 4.5e-5 rad.
 inline bool areParallelNormals(const Vec2& a, const Vec2& b) {
     return a.dot(b) >= 1 - 1e-9;
 }
 
-/// See contact_formulas.h.
+/// The speculative margin of two bodies, m; see formulas::speculativeMargin.
 inline double speculativeMargin(const PlannedMotion& a, const PlannedMotion& b) {
     const Vec2 apart = a.deltaPosition - b.deltaPosition;
-    const double motion = std::abs(apart.x()) + std::abs(apart.y()); // no less than the length, and cheaper
+    const double motion = std::abs(apart.x()) + std::abs(apart.y()); // the 1-norm: at least the length, and cheaper
     return formulas::speculativeMargin(motion + a.turnMotion + b.turnMotion, a.innerRadius + b.innerRadius);
 }
 
-/// The same against a static body.
+/// The speculative margin of a body against a static one, m.
 inline double speculativeMargin(const PlannedMotion& a) {
     const double motion = std::abs(a.deltaPosition.x()) + std::abs(a.deltaPosition.y());
     return formulas::speculativeMargin(motion + a.turnMotion, a.innerRadius);
 }
 
-/// The bounding circles of the bodies of a pair, about their centres of mass.
+/// The bounding circles of two bodies, about their centres of mass.
 struct BoundingCircles {
-    double radii;   // m, of both together
-    double reach;   // m: further apart they do not meet in this iteration
-    double squared; // m², of the distance of their centres
+    double radii;   // m, the sum of both radii
+    double reach;   // m, `radii` plus the speculative margin
+    double squared; // m², squared distance of the centres
 
     bool areApart() const { return squared > reach * reach; }
     double separation() const { return std::sqrt(squared) - radii; } // m
 };
 
-/// Of two bodies that move.
+/// Neither body of the pair may be static.
 inline BoundingCircles boundingCirclesOf(const Bodies& bodies, const PairBound& bound) {
     const PlannedMotion& a = bodies.plannedMotions[bound.moverA];
     const PlannedMotion& b = bodies.plannedMotions[bound.moverB];
@@ -54,28 +55,31 @@ inline BoundingCircles boundingCirclesOf(const Bodies& bodies, const PairBound& 
     return {radii, radii + speculativeMargin(a, b), (b.center - a.center).squaredNorm()};
 }
 
-/// From which velocity on surfaces close faster than they may, so that their component is solved on, m/s. Where
-/// something bounces each wants what it aims at: a hit on what touches something else would lose energy.
+/// The closing limit of a contact, m/s: with a normal velocity below the limit the contact has not converged. With
+/// restitution the limit is just below the target: an impact on a body that touches others would lose energy else.
 inline double closingLimit(double separation, double target, double restitution, double perSecond) {
     constexpr double tolerance = 0.001; // m/s
     const double closing = formulas::closingLimit(separation, perSecond);
     return restitution > 0 ? std::max(closing, target - tolerance) : closing;
 }
 
+/// The approach velocity of two surfaces along their normal, m/s, positive when they close.
 struct Approach {
-    double before; // m/s along the normal at the beginning of the iteration, positive when closing
-    double after;  // with this iteration's forces
+    double before; // at the beginning of the iteration
+    double after;  // with the forces of the iteration, without impulses of contacts
 };
 
+/// Whether and when restitution acts: not at all, in this iteration, or at the time of impact.
 enum class Bounce : std::uint8_t { None, Now, AtImpact };
 
 struct Target {
     Bounce bounce = Bounce::None;
-    double velocity = 0; // m/s: the normal velocity is to be at least this
+    double velocity = 0; // m/s: the least normal velocity
 };
 
-/// What the normal velocity is to be. Surfaces that touch bounce at once, and fall back under this iteration's forces;
-/// those still apart are to be stopped where they meet. `perSecond` is the number of iterations in a second.
+/// The target of the normal velocity. Surfaces that touch bounce now; the forces of this iteration then act on the
+/// rebound. Surfaces that are apart and meet within the iteration bounce at the time of impact. `perSecond` is
+/// iterations per second.
 inline Target targetOf(const Approach& approach, double separation, double restitution, double perSecond) {
     const double closing = formulas::targetVelocity(separation, perSecond);
     if (separation > linearSlop) {

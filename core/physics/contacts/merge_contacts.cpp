@@ -14,10 +14,10 @@ namespace spacetow {
 
 namespace {
 
-// Points of merged contacts that are no further apart are one, m.
+// Points of merged contacts that are no further apart than this are one point, m.
 constexpr double coincident = 1e-9;
 
-// Points this far above each other are in one plane, m: walls that meet within the tolerance are one surface.
+// Surfaces whose heights differ by less than this are in one plane, m: each may be off by jointTolerance.
 constexpr double onePlane = 2 * jointTolerance;
 
 bool samePlane(const Bodies& bodies, const Constraint& c, const Constraint& d) {
@@ -27,23 +27,23 @@ bool samePlane(const Bodies& bodies, const Constraint& c, const Constraint& d) {
         !areParallelNormals(c.normal, d.normal)) {
         return false;
     }
-    // Points lie half way between the surfaces; half the separation further on is the surface of b.
+    // A point lies half way between the surfaces. The surface of b is half the separation further along the normal.
     const double planeC = c.points[0].armA.dot(c.normal) + 0.5 * c.points[0].separation;
     const double planeD = d.points[0].armA.dot(c.normal) + 0.5 * d.points[0].separation;
     return std::abs(planeC - planeD) < onePlane;
 }
 
-/// How far a point is above the plane, m. What contacts leave of overlaps does not count: all of it is in the plane.
+/// m, above the plane. Overlaps no deeper than position correction leaves count as in the plane.
 double heightOf(const ConstraintPoint& p) {
     constexpr double leftOverlap = 4 * linearSlop;
     return std::max(p.separation, 0.0) + std::min(p.separation + leftOverlap, 0.0);
 }
 
-/// Whether the outermost two points of both stand for all: none between them is deeper than the line through them, but
-/// for the tolerance.
+/// Whether the outermost two of all points can replace the others: no point between them is nearer to the plane than
+/// the line through them, within `onePlane`. See heightOf() about overlaps.
 bool isFlat(const Constraint& c, const Constraint& d) {
     const Vec2 tangent = leftOf(c.normal);
-    std::array<Vec2, 4> points; // along the plane, and above it
+    std::array<Vec2, 4> points; // x: along the plane; y: above it
     std::size_t count = 0;
     for (const Constraint* from : {&c, &d}) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(from->count); ++i) {
@@ -75,13 +75,13 @@ double toleranceOf(const Bodies& bodies, const Contacts& contacts, const Constra
     return c.merged ? c.tolerance : toleranceLeftOf(bodies, contacts, contacts.table.pairs[c.points[0].pair]);
 }
 
-/// The pair is not updated while the merged contact has a lane.
+/// Excludes the pair from updates while the merged contact has a lane.
 void excludePair(Contacts& contacts, Constraints& constraints, std::uint32_t pair) {
     constraints.mergedPairs.push_back(pair);
     contacts.table.bounds[pair].exclude();
 }
 
-/// Both stand for one from now on.
+/// Marks c as the merged contact of the pairs of c and d.
 void noteMerge(const ContactStage& stage, Constraint& c, const Constraint& d) {
     c.tolerance = std::min(toleranceOf(stage.bodies, stage.contacts, c), toleranceOf(stage.bodies, stage.contacts, d));
     if (!c.merged) {
@@ -91,8 +91,8 @@ void noteMerge(const ContactStage& stage, Constraint& c, const Constraint& d) {
     c.merged = true;
 }
 
-/// Keeps the outermost two of the points of both; where two coincide, that of the contact with more points, which will
-/// still be there when the body has turned a little, with the impulses of both.
+/// Replaces the points of c by the outermost two of the points of c and d. Of coincident points the one of the contact
+/// with more points remains, as it persists when the body turns a little; it gets the impulses of both.
 void mergeInto(const ContactStage& stage, Constraint& c, Constraint& d) {
     noteMerge(stage, c, d);
     const Vec2 tangent = leftOf(c.normal);

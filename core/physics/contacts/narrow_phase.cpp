@@ -37,7 +37,7 @@ Approach approach(const Bodies& bodies, const Pair& pair, const Vec2& normal) {
     return {-before.dot(normal), -after.dot(normal)};
 }
 
-/// Parts that are to bounce where they meet have no contact until then.
+/// The circles bounce at their time of impact, and have no constraint until then.
 void sweepCircles(const ContactStage& stage, std::uint32_t index, std::uint32_t feature) {
     Pair& pair = stage.contacts.table.pairs[index];
     if (stage.contacts.table.flags[index].inSolver) {
@@ -88,7 +88,7 @@ void updateCircles(const ContactStage& stage, std::uint32_t index, double perSec
     addCircleContact(stage, index, {normal, distance - radiusA - radiusB, radiusA, radiusB, 0}, perSecond);
 }
 
-/// Of a static edge and a circle; of an open edge only the ends count.
+/// The manifold of a static edge and a circle. If the edge is open for the body, only its free ends collide.
 Manifold edgeManifold(const ContactStage& stage, std::uint32_t index, const Circle& circle, double margin) {
     PairTable& table = stage.contacts.table;
     const Pair& pair = table.pairs[index];
@@ -127,8 +127,7 @@ SPACETOW_PREFETCHES void prefetchWall(const BroadPhase& broadPhase, const Pair& 
     }
 }
 
-/// What is known of contacts lies in the order in which they came about, so the processor has to be told early what
-/// will be looked at: first the pair, then its contact, of general ones with the manifold.
+/// Prefetches a pair, and later its contact: contacts lie in memory in the order of their creation, not of their pairs.
 SPACETOW_PREFETCHES void prefetchAhead(const Contacts& contacts, const std::vector<std::uint32_t>& candidates,
                                        std::size_t at) {
     constexpr std::size_t ahead = 6;
@@ -146,7 +145,7 @@ SPACETOW_PREFETCHES void prefetchAhead(const Contacts& contacts, const std::vect
     }
 }
 
-/// The same for the surfaces of pairs whose manifolds are made anew.
+/// Prefetches the parts and bodies of a pair whose manifold is made anew.
 SPACETOW_PREFETCHES void prefetchShapes(const Bodies& bodies, const Contacts& contacts,
                                         const std::vector<std::uint32_t>& candidates, std::size_t at) {
     constexpr std::size_t ahead = 3;
@@ -159,7 +158,7 @@ SPACETOW_PREFETCHES void prefetchShapes(const Bodies& bodies, const Contacts& co
     }
 }
 
-/// The way that the body has gone in this iteration, about its centre of mass.
+/// The motion of the body in this iteration, from its planned start to its final pose.
 ExactSweep sweepOf(const Bodies& bodies, Slot slot) {
     const Transform end = bodies.pose(slot);
     if (bodies.records[slot].asleep) {
@@ -169,7 +168,7 @@ ExactSweep sweepOf(const Bodies& bodies, Slot slot) {
     return {{.start = bodies.plannedMotions[slot].pose(), .translation = s.deltaPosition, .turn = s.deltaAngle}, end};
 }
 
-/// Whether the sensor and the other meet at the end of the iteration, or did on the way.
+/// Sets `touching` and `passed` of a sensor pair.
 void updateSensor(const Bodies& bodies, const Pair& pair, PairFlags& flags) {
     const ExactSweep a = sweepOf(bodies, pair.bodyA);
     const ExactSweep b = pair.staticB ? ExactSweep(Transform{}) : sweepOf(bodies, pair.bodyB);
@@ -177,8 +176,8 @@ void updateSensor(const Bodies& bodies, const Pair& pair, PairFlags& flags) {
     flags.passed = !flags.touching && !flags.reported && overlapsDuring(*pair.shapeA, a, *pair.shapeB, b);
 }
 
-/// After more changes the constraints are rebuilt in the order of their pairs: bodies that are near each other are so
-/// in memory, too, and piles converge better.
+/// After more changes than this the constraints are rebuilt in the order of their pairs: the memory of neighbouring
+/// bodies is near again, and piles converge better.
 std::size_t mostConstraintChanges(const Constraints& constraints) {
     return (constraints.circleContacts.size() + constraints.generalContacts.size()) / 8;
 }
@@ -227,7 +226,7 @@ void rebuildConstraints(const ContactStage& stage, double perSecond) {
     stage.flags.constraintsRebuilt = true;
 }
 
-/// Contacts that the kernels do not update.
+/// Updates the circle contacts that the kernel does not update.
 void updateScalar(const ContactStage& stage, double perSecond) {
     constexpr std::size_t ahead = 8;
     for (std::size_t i = stage.constraints.circleContacts.size(); stage.flags.anyScalarUpdate && i-- > 0;) {
@@ -274,8 +273,8 @@ bool anyMergedOutdated(const Constraints& constraints) {
         });
 }
 
-/// The contacts that there are, from where the bodies are now; then what may have come or gone. False when there are
-/// too many changes, or contacts may lie in one plane in another way than before.
+/// Updates all constraints, then opens and closes lanes. Returns false if the constraints have to be rebuilt: they are
+/// not valid, too many have changed, or other contacts than before lie in one plane.
 bool updateConstraints(const ContactStage& stage, double perSecond) {
     if (!stage.flags.constraintsValid || stage.flags.mergeStale) {
         return false;

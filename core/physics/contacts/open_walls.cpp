@@ -14,16 +14,16 @@ namespace spacetow {
 
 namespace {
 
-// m: beyond what contacts leave of overlaps, and what comes from the front may have
+// m: deeper than the overlap that contacts leave, so that the body has not come from the front
 constexpr double deepInWall = 2 * linearSlop;
 
-/// The one-way wall of a pair, and the body that meets it.
+/// A pair of a one-way wall and a part of another body.
 struct OneWayPair {
     const WallPart* wall;
     const Part* part;
     Slot body;
     Transform pose;     // of the body, in the coordinates of the wall
-    Transform partPose; // likewise; parts of static bodies are in world coordinates
+    Transform partPose; // of the part; differs from `pose` for static bodies, whose parts are in world coordinates
 };
 
 std::optional<OneWayPair> oneWayPairOf(const Bodies& bodies, const Pair& pair) {
@@ -55,13 +55,13 @@ Vec2 centerOf(const Part& part) {
     return circle != nullptr ? circle->center : std::get<ConvexPart>(part).center;
 }
 
-/// Whether the part itself is no farther behind the wall than the depth, so that the face would stop it.
+/// Whether the centre of the part is within the depth of the wall, so that the face would stop the part.
 bool isHeldBack(const OneWayPair& oneWay) {
     const WallSide face = faceOf(*oneWay.wall, false);
     return face.above(oneWay.partPose.toWorld(centerOf(*oneWay.part))) >= -face.depth - onTheFace;
 }
 
-/// The pairs of a body with walls in the same coordinates as that of the pair: of its own body, or static.
+/// A range of the pair table: the pairs of one body with the walls of one other body, or of all static bodies.
 struct PairRange {
     std::size_t first, last;
 };
@@ -76,17 +76,19 @@ PairRange pairsAlong(const PairTable& table, const Pair& pair) {
             static_cast<std::size_t>(last - table.pairs.begin())};
 }
 
-/// Walks from wall to wall along joints, over those that the body has pairs with.
+/// Searches the one-way walls that a body has pairs with, along their joints. The pair at `index` itself is left out.
 class Chain {
   public:
-    /// In one iteration the one wall may be left and the next one entered.
+    /// `OrJustLeft` also counts walls that the body has left since the last update: it may leave one wall and enter the
+    /// next in the same iteration.
     enum class Count : std::uint8_t { OnTheWay, OrJustLeft };
 
     Chain(const Bodies& bodies, const PairTable& table, std::uint32_t index, Count count)
         : m_bodies(bodies), m_table(table), m_pair(table.pairs[index]), m_range(pairsAlong(table, m_pair)),
           m_body(bodyAt(m_pair)), m_orJustLeft(count == Count::OrJustLeft) {}
 
-    /// Of another part through the same wall: pairs of parts come and go.
+    /// The passage of another part of the body through the same wall; None if there is none. A part that has a new pair
+    /// takes it over.
     Passage passageOfBody(const WallPart& wall) const {
         Passage found = Passage::None;
         any([&](const OneWayPair& oneWay, Passage before) {
@@ -96,6 +98,7 @@ class Chain {
         });
         return found;
     }
+    /// Whether another part of the body is on its way through the wall.
     bool isPassed(const WallPart& wall) const {
         return any([&](const OneWayPair& oneWay, Passage before) {
             if (before == Passage::None || !isSame(*oneWay.wall, wall)) {
@@ -105,8 +108,9 @@ class Chain {
             return isOnItsWay(before, wall, passing) || (m_orJustLeft && hasJustLeft(before, wall, passing));
         });
     }
-    /// Of others than the pair itself; through hollow joints, too, or not: there what passes one wall may meet the
-    /// front of the next.
+    /// Whether the body is on its way through the wall, or through one that a chain of joints connects with it. At a
+    /// hollow joint a body may pass one wall and touch the front of the next: `throughHollow` says whether the chain
+    /// goes on there.
     bool isPassedAnywhere(const WallPart& from, bool throughHollow) const {
         // Room for as many joined walls as a body usually meets: a steady update allocates nothing.
         constexpr std::size_t usualCount = 64;
@@ -162,7 +166,7 @@ class Chain {
     bool m_orJustLeft;
 };
 
-/// Whether the parts move apart at all points of a contact.
+/// Whether the surfaces separate at all points of the manifold.
 bool isParting(const Bodies& bodies, const Pair& pair, const Manifold& manifold) {
     const auto velocityAt = [&](Slot slot, const Vec2& point) {
         const BodyMotion& m = bodies.motions[slot];
@@ -178,7 +182,7 @@ bool isParting(const Bodies& bodies, const Pair& pair, const Manifold& manifold)
     return true;
 }
 
-/// Whoever is out of this wall may still be in one that is joined to it.
+/// A body that has passed this wall is still passing while it passes a joined one.
 void stayOpen(const Bodies& bodies, PairTable& table, std::uint32_t index, const WallPart& wall) {
     Passage& passage = table.flags[index].passage;
     if (passage == Passage::Passed &&
@@ -202,7 +206,7 @@ bool isOpenFor(const Bodies& bodies, PairTable& table, std::uint32_t index) {
     }
     passage = nextPassage(passage, *oneWay->wall, passing);
     stayOpen(bodies, table, index, *oneWay->wall);
-    // What is behind altogether meets free ends alone as it is, but for the corners of joints.
+    // A body wholly behind the wall touches nothing but free ends anyway, and convex joints.
     const bool isJoined = oneWay->wall->joinedAtA || oneWay->wall->joinedAtB;
     return passage == Passage::Passing || (passage == Passage::Behind && (isJoined || isHeldBack(*oneWay)));
 }

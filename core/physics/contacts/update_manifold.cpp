@@ -14,13 +14,14 @@ namespace spacetow {
 
 namespace {
 
-// How far parts may move against each other, as a share of the smaller inner radius, before their manifold is made
-// anew. Until then its points go with them; what ends at an edge ends that much too early or too late.
+// The manifold tolerance between moving bodies, as a share of the smaller inner radius. A larger one saves manifolds; a
+// kept point at the end of a face remains that much too long.
 constexpr double toleranceShare = 0.08;
-// Against walls: on which side of one something is may be a matter of little.
-constexpr double toleranceShareAtWalls = 0.0002;
+// The same against static bodies, as a share of the inner radius: with more a pyramid never comes to rest.
+constexpr double toleranceShareAtStatics = 0.0002;
 
-/// Points of the last iteration hand their impulses to those that bring the same corners and faces together.
+/// Replaces the points of the contact by those of the manifold. A point with the feature of an old point gets its
+/// impulse; without any such point the tangent impulse becomes 0.
 void matchPoints(Contact& contact, const Manifold& manifold) {
     const std::array<ContactPoint, 2> old = contact.points;
     const int oldCount = contact.count;
@@ -39,9 +40,10 @@ void matchPoints(Contact& contact, const Manifold& manifold) {
     contact.tangentImpulse = any ? contact.tangentImpulse : 0;
 }
 
+/// The poses of the parts of a pair at the beginning of the iteration.
 struct Poses {
-    Transform a, b; // b is the identity for static bodies, whose parts are in world coordinates
-    Transform relative;
+    Transform a, b;     // b is the identity for static bodies, whose parts are in world coordinates
+    Transform relative; // of a, relative to b
 };
 
 Poses posesOf(const Bodies& bodies, const Pair& pair) {
@@ -53,7 +55,7 @@ Poses posesOf(const Bodies& bodies, const Pair& pair) {
     return {a, b, relative(a, b)};
 }
 
-/// How much nearer the points of A may still come to B, m, before the manifold may lack something.
+/// See toleranceLeftOf().
 double toleranceLeft(const KeptManifold& kept, const Transform& now, double outerRadius) {
     if (kept.tolerance < 0) {
         return -1;
@@ -63,6 +65,7 @@ double toleranceLeft(const KeptManifold& kept, const Transform& now, double oute
     return kept.tolerance - moved - std::sqrt(turned.squaredNorm()) * outerRadius; // by the chord of the turn
 }
 
+/// Stores the manifold in local coordinates.
 void keep(const Poses& poses, const Manifold& manifold, KeptManifold& kept) {
     kept.relative = poses.relative;
     kept.normalOnA = manifold.normalOf == NormalOf::FirstFace;
@@ -77,7 +80,7 @@ void keep(const Poses& poses, const Manifold& manifold, KeptManifold& kept) {
     }
 }
 
-/// What is on its way through a one-way wall meets but the ends of that.
+/// The manifold of the pair. If its one-way wall is open for the body, only the free ends of the wall collide.
 Manifold manifoldOf(const ContactStage& stage, std::uint32_t index, const Poses& poses, double margin) {
     PairTable& table = stage.contacts.table;
     const Pair& pair = table.pairs[index];
@@ -94,7 +97,7 @@ Manifold manifoldOf(const ContactStage& stage, std::uint32_t index, const Poses&
     return manifold;
 }
 
-/// A new manifold; without a point in it the parts are let go until they may have met.
+/// Makes a new manifold and its tolerance. Without a point the tolerance is the distance of the parts.
 void makeManifold(const ContactStage& stage, std::uint32_t index, const Poses& poses, double margin) {
     const Pair& pair = stage.contacts.table.pairs[index];
     Contact& contact = stage.contacts.pool[pair.contact];
@@ -102,17 +105,17 @@ void makeManifold(const ContactStage& stage, std::uint32_t index, const Poses& p
     const PlannedMotion& a = stage.bodies.plannedMotions[pair.bodyA];
     const PlannedMotion& b = stage.bodies.plannedMotions[pair.bodyB];
     kept.tolerance =
-        margin + (pair.staticB ? toleranceShareAtWalls * a.innerRadius
+        margin + (pair.staticB ? toleranceShareAtStatics * a.innerRadius
                                : std::max(toleranceShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
     const Manifold manifold = manifoldOf(stage, index, poses, kept.tolerance);
     matchPoints(contact, manifold);
     if (manifold.count == 0) {
         kept.relative = poses.relative;
         kept.tolerance =
-            manifold.apart > 0 ? manifold.apart : -1; // what is not a matter of distance may change at once
+            manifold.apart > 0 ? manifold.apart : -1; // 0: that they do not touch has another reason, which may end
     } else {
         keep(poses, manifold, kept);
-        // The normal between two corners turns with every move, and a bounce wants the normal of its moment.
+        // A normal between two corners changes with any motion, and a bounce needs the normal at the moment of impact.
         if (manifold.normalOf == NormalOf::Corners || contact.restitution > 0 ||
             isChanging(stage.contacts.table.flags[index].passage)) {
             kept.tolerance = -1;
@@ -120,7 +123,7 @@ void makeManifold(const ContactStage& stage, std::uint32_t index, const Poses& p
     }
 }
 
-/// A pair without a contact need not be updated until its bodies have used up the tolerance that is left.
+/// A pair without points gets a separation bound: its bodies have to move by `left` metres before it is updated.
 void boundSeparation(const Bodies& bodies, Contacts& contacts, std::uint32_t index, double left) {
     const Pair& pair = contacts.table.pairs[index];
     if (contacts.pool[pair.contact].count == 0) {
@@ -141,7 +144,7 @@ Approach approach(const Bodies& bodies, const Constraint& c, const ConstraintPoi
     return {-before, -after};
 }
 
-/// Sets what the normal velocity at a point is to be; false when it is to be swept instead.
+/// Sets the target of a point. Returns false if the point will bounce at its time of impact instead.
 bool setTarget(const ContactStage& stage, const Constraint& c, ConstraintPoint& p, double perSecond) {
     p.bounces = false;
     p.target = formulas::targetVelocity(p.separation, perSecond);
@@ -159,7 +162,7 @@ bool setTarget(const ContactStage& stage, const Constraint& c, ConstraintPoint& 
     return true;
 }
 
-/// False when there is none, as all of its points will bounce.
+/// Appends a constraint from the kept manifold. Returns false, and appends none, if all points will bounce.
 bool prepareConstraint(const ContactStage& stage, std::uint32_t index, double perSecond) {
     Pair& pair = stage.contacts.table.pairs[index];
     const Transform poseA = stage.bodies.plannedMotions[pair.bodyA].pose();

@@ -8,7 +8,7 @@ namespace {
 
 using namespace lanes;
 
-/// How far the surfaces at a point are to be pushed apart, as an impulse, kg m.
+/// The position correction at a point as a pseudo-impulse, kg m.
 SPACETOW_INLINE Wide positionCorrection(Wide separation, Wide velocity, Wide mass, const CorrectionRules& rules) {
     const Wide excess = -linearSlop - separation - rules.dt * greater(velocity, Wide{});
     return excess > Wide{} ? lesser(rules.share * excess, Wide{} + rules.most) * mass : Wide{};

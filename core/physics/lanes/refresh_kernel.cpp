@@ -11,7 +11,7 @@ namespace {
 using namespace lanes;
 using namespace formulas;
 
-/// What stays the same from the first lane to the last.
+/// The arguments of refreshContacts that all lanes share.
 struct RefreshInputs {
     BodyViews bodies;
     double perSecond; // iterations
@@ -40,7 +40,7 @@ struct LeverPair {
     Wide a, b;
 };
 
-/// Which contacts are out of reach.
+/// Returns the lanes whose surfaces are beyond the speculative margin.
 SPACETOW_INLINE Mask refresh(CircleBatch& c, const CircleAnchors& anchors, const RefreshInputs& inputs) {
     const WideVec4 a = gather(inputs.bodies.poses, anchors.a);
     const WideVec4 b = gather(inputs.bodies.poses, anchors.b);
@@ -70,7 +70,7 @@ SPACETOW_INLINE Mask refresh(CircleBatch& c, const CircleAnchors& anchors, const
     return wideUpdate & (squared > reach * reach);
 }
 
-/// A point that stays with a body, in the world.
+/// World coordinates of a local point.
 SPACETOW_INLINE Wide worldX(const WideVec4& pose, Wide x, Wide y) {
     return pose.x + (pose.z * x - pose.w * y);
 }
@@ -78,7 +78,7 @@ SPACETOW_INLINE Wide worldY(const WideVec4& pose, Wide x, Wide y) {
     return pose.y + (pose.w * x + pose.z * y);
 }
 
-/// Whether the parts have moved against each other so far that their manifold may lack something.
+/// Returns the lanes whose parts have moved relative to each other by more than the manifold tolerance leaves.
 SPACETOW_INLINE Mask outdated(const ContactAnchors& s, const WideVec4& a, const WideVec4& b,
                               const RefreshInputs& inputs) {
     const Wide apartX = a.x - b.x;
@@ -114,7 +114,8 @@ SPACETOW_INLINE void setFriction(ConstraintBatch& c, const Arms& arms1, const Ar
     c.tangentMass = effectiveMass(inverseMass(c, LeverPair{c.tangentLeverA, c.tangentLeverB}), leastInverseMass);
 }
 
-/// Which contacts have points that begin or cease to act.
+/// Sets levers and the 2 × 2 system. Returns the lanes in which a point begins or ceases to act, or the system becomes
+/// singular or regular.
 SPACETOW_INLINE Mask setBlock(ConstraintBatch& c, const ContactAnchors& s, const Arms& arms1, const Arms& arms2) {
     c.leverA1 = arms1.aX * c.normalY - arms1.aY * c.normalX;
     c.leverB1 = arms1.bX * c.normalY - arms1.bY * c.normalX;

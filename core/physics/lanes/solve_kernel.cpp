@@ -23,12 +23,12 @@ SPACETOW_INLINE void applyWarmStart(BatchBodies& bodies, const ConstraintBatch& 
                      c.impulse1 * c.leverB1 + c.impulse2 * c.leverB2 + c.tangentImpulse * c.tangentLeverB});
 }
 
-/// Of the bodies of a batch about a point.
+/// The levers of an impulse on both bodies.
 struct Levers {
     Wide a, b; // m
 };
 
-/// Friction: what it takes to stop the sliding along the tangent (−y, x) of the normal, as far as `limit` reaches.
+/// The accumulated tangent impulse that stops sliding along the tangent (−y, x) of the normal, clamped to ±`limit`.
 template <class Batch>
 SPACETOW_INLINE Wide friction(const BatchBodies& bodies, const Batch& c, const Levers& levers, Wide limit) {
     const Wide sliding = bodies.along(-c.normalY, c.normalX) + bodies.turning(levers.a, levers.b);
@@ -74,13 +74,13 @@ SPACETOW_INLINE void solveNormals(BatchBodies& bodies, CircleBatch& c, double re
     bodies.push(c, change * c.normalX, change * c.normalY);
 }
 
-/// Of a batch at either point.
+/// Normal impulses at the two points.
 struct Impulses {
     Wide first, second; // kg m/s
 };
 
-/// The impulses x ≥ 0 with K x + b ≥ 0 and x·(K x + b) = 0, found by trying which of them act. The order of the
-/// points does not matter, so that mirrored scenes stay mirrored.
+/// Solves the linear complementarity problem x ≥ 0, K x + b ≥ 0, x·(K x + b) = 0 by total enumeration, as Box2D's block
+/// solver does. The order of the points does not matter, so that mirrored scenes stay mirrored.
 SPACETOW_INLINE Impulses complementary(const ConstraintBatch& c, Wide b1, Wide b2) {
     const Wide none{};
     const Wide x1 = (c.coupling * b2 - c.k22 * b1) * c.inverseDeterminant;
@@ -93,7 +93,7 @@ SPACETOW_INLINE Impulses complementary(const ConstraintBatch& c, Wide b1, Wide b
     return {both ? x1 : (first ? only1 : none), both ? x2 : (first ? none : (second ? only2 : none))};
 }
 
-/// Never over-relaxed; see overrelaxPass.
+/// Never over-relaxed: see overrelaxPass.
 SPACETOW_INLINE void solveNormals(BatchBodies& bodies, ConstraintBatch& c, double /*relaxation*/) {
     const Wide closing = bodies.along(c.normalX, c.normalY);
     const Wide b1 =
@@ -110,8 +110,8 @@ SPACETOW_INLINE void solveNormals(BatchBodies& bodies, ConstraintBatch& c, doubl
         c, {change * c.normalX, change * c.normalY, d1 * c.leverA1 + d2 * c.leverA2, d1 * c.leverB1 + d2 * c.leverB2});
 }
 
-/// Friction first, so that the normal velocities come out right. What is hit in this pass has no normal impulse to
-/// limit its friction before, and gets friction afterwards.
+/// Friction comes first, so that the pass ends with correct normal velocities. A contact that gets its first normal
+/// impulse in this pass had no limit for friction before; its friction is solved again afterwards.
 template <class Batch>
 SPACETOW_INLINE void solveOnce(BatchBodies& bodies, Batch& c, double relaxation) {
     const Wide before = normalImpulseOf(c);

@@ -9,10 +9,10 @@ namespace spacetow {
 
 namespace {
 
-// m: of surfaces that are further apart than this the solver has no contact.
+// The margin of a manifold that is made for the reading, m: larger than any speculative margin.
 constexpr double farthest = 1000;
 
-/// From the manifold that the solver keeps, carried along with both bodies.
+/// Reads the kept manifold at the present poses.
 void readKept(const Bodies& bodies, const Contacts& contacts, const Pair& pair, ContactManifold& reading) {
     const Contact& contact = contacts.pool[pair.contact];
     const KeptManifold& kept = contact.manifold;
@@ -26,7 +26,7 @@ void readKept(const Bodies& bodies, const Contacts& contacts, const Pair& pair, 
     }
 }
 
-/// Of circles no manifold is kept: they are cheaply compared anew.
+/// Makes a new manifold: circles keep none, and a kept one may be out of date.
 void readAnew(const Bodies& bodies, const Contacts& contacts, const Pair& pair, ContactManifold& reading) {
     const Contact& contact = contacts.pool[pair.contact];
     const Manifold manifold =

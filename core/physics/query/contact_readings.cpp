@@ -13,7 +13,7 @@ namespace spacetow {
 
 namespace {
 
-/// From the lower slot, or what moves, to the other.
+/// A reading in the order of the pair: a is not static, or has the lower slot.
 struct PairReading {
     Slot a, b;
     ContactReading contact;
@@ -23,7 +23,7 @@ double secondsOf(const WorldData& data) {
     return data.impulses.on && data.impulses.seconds > 0 ? data.impulses.seconds : data.parameters.seconds;
 }
 
-/// Where the parts are nearest to each other, or how they overlap.
+/// Sets point and normal: of the manifold, or of the closest points if the parts are apart.
 void locate(const Bodies& bodies, const Pair& pair, ContactReading& contact) {
     const Transform a = bodies.pose(pair.bodyA);
     const Transform b = bodies.poseOfB(pair);
@@ -41,7 +41,7 @@ void locate(const Bodies& bodies, const Pair& pair, ContactReading& contact) {
     contact.point = closest.distance > 0 ? Vec2(0.5 * (closest.onA + closest.onB)) : bodies.motions[pair.bodyA].center;
 }
 
-/// The impulses that the contact kept, spread over an update: those of its last iteration in each.
+/// Adds the kept impulses, which are those of the last iteration, times the number of iterations.
 void addKept(const WorldData& data, const Pair& pair, ContactReading& contact) {
     if (pair.contact == Pair::none || pair.sweep) {
         return;
@@ -57,7 +57,7 @@ void addKept(const WorldData& data, const Pair& pair, ContactReading& contact) {
     contact.turnB = cross(contact.point - data.bodies.motions[pair.bodyB].center, contact.impulse);
 }
 
-/// All that is touching, by the tables, which have their pairs in order.
+/// Appends a reading for each touching pair of the body in the table.
 void listTouching(const WorldData& data, const PairTable& table, Slot body, std::vector<PairReading>& out) {
     for (std::size_t i = 0; i < table.size(); ++i) {
         const PairFlags& flags = table.flags[i];
@@ -69,7 +69,7 @@ void listTouching(const WorldData& data, const PairTable& table, Slot body, std:
         reading.contact.solid = pair.kind != PairKind::Sensor;
         reading.contact.touching = flags.touching;
         locate(data.bodies, pair, reading.contact);
-        // What has fallen asleep bears what it bore.
+        // The log has no impulses of sleeping pairs, which keep those of their last iteration.
         if (!data.impulses.on || (data.bodies.records[pair.bodyA].asleep && &table == &data.sleep.table)) {
             addKept(data, pair, reading.contact);
         }
@@ -79,7 +79,7 @@ void listTouching(const WorldData& data, const PairTable& table, Slot body, std:
 
 ContactReading readingOf(const LoggedImpulse& logged) {
     ContactReading contact;
-    contact.touching = false; // until one is found that is
+    contact.touching = false; // placeLogged() sets it
     contact.normalImpulse = logged.normal;
     contact.friction = logged.friction;
     contact.impulse = logged.normalOnB + logged.frictionOnB;
@@ -93,7 +93,8 @@ ContactReading readingOf(const LoggedImpulse& logged) {
     return contact;
 }
 
-/// The nearest of the same bodies that nothing is logged for takes the impulse; without one it was but for a moment.
+/// Adds a logged impulse to the nearest touching pair of the same bodies that has none. Without one the bodies touched
+/// during the update only.
 void placeLogged(const LoggedImpulse& logged, std::vector<PairReading>& out) {
     const ContactReading given = readingOf(logged);
     PairReading* nearest = nullptr;

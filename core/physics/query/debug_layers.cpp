@@ -18,8 +18,8 @@ namespace {
 constexpr double earthGravity = 9.81; // m/s²
 constexpr double dotRadius = 3;       // radius of points, in units of the picture
 constexpr double armLength = 5;       // half of the arms of a cross
-constexpr double beside = 6;          // of texts, from what they belong to
-constexpr double roomy = 40;          // what is wider has room for a number
+constexpr double beside = 6;          // distance of a text from its object
+constexpr double roomy = 40;          // least width with room for a number
 
 Color withAlpha(Color color, int alpha) {
     color.alpha = static_cast<std::uint8_t>(std::clamp(alpha, 0, 255));
@@ -36,7 +36,7 @@ bool isSeen(const DebugView& view, const Vec2& world) {
     return !view.area || view.area->contains(world);
 }
 
-/// What is too small to be drawn is left out.
+/// Whether the box is in the area, and large enough to be drawn; else tells the host.
 bool isSeen(const DebugView& view, const Aabb& world, DebugDraw& draw) {
     if (!view.area->overlaps(world)) {
         return false;
@@ -48,8 +48,8 @@ bool isSeen(const DebugView& view, const Aabb& world, DebugDraw& draw) {
     return isLarge;
 }
 
-/// Of forces, in metres, by how many times they are the weight of the lighter body: so that those below a pile do not
-/// cover the picture.
+/// The length of a force arrow, m, from the force in weights of the lighter body. Logarithmic above one weight, so that
+/// the arrows below a pile do not cover the picture.
 double forceLength(double weights) {
     return weights <= 1 ? weights : 1 + std::log10(weights);
 }
@@ -149,7 +149,7 @@ bool keepsApart(const Forces& forces, BodyId a, BodyId b) {
     return std::ranges::binary_search(forces.notColliding, pair);
 }
 
-/// Infinite where neither can be pushed.
+/// The mass of the lighter dynamic body, kg; infinite if neither body is dynamic.
 double lighterMass(const World& world, const ContactManifold& contact) {
     double least = std::numeric_limits<double>::infinity();
     for (const BodyId id : {contact.a, contact.b}) {
@@ -162,7 +162,7 @@ double lighterMass(const World& world, const ContactManifold& contact) {
 void drawContact(const World& world, const ContactManifold& contact, const DebugView& view, DebugDraw& draw) {
     const UpdateParameters& parameters = world.parameters();
     const double lighter = lighterMass(world, contact);
-    const double weights = parameters.iterations / (parameters.seconds * lighter * earthGravity); // of an N s
+    const double weights = parameters.iterations / (parameters.seconds * lighter * earthGravity); // per N s
     for (const ContactManifold::Point& point :
          std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
         const Vec2 at = view.view.toView(point.at);
@@ -295,7 +295,7 @@ void drawTrails(const DebugView& view, DebugDraw& draw) {
             const Vec2& a = trail.points[from];
             const Vec2& b = trail.points[to];
             if (isDot(view, (b - a).norm())) {
-                continue; // until it has gone far enough to be seen
+                continue; // too short to be seen: goes on from the same point
             }
             from = to;
             if (isSeen(view, a) || isSeen(view, b)) {
@@ -329,7 +329,7 @@ void drawName(const World& world, BodyId body, const DebugView& view, DebugDraw&
         return;
     }
     Vec2 at = state.massCenter;
-    if (state.kind == BodyKind::Static) { // whose centre may be anywhere: where it begins
+    if (state.kind == BodyKind::Static) { // a static body has no centre of mass: at its first shape
         const std::vector<Shape>& shapes = world.shapes(body);
         at = shapes.empty() ? at : boundsOf(shapes.front(), state.pose).center();
     }

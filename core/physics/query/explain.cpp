@@ -20,7 +20,7 @@ void addForce(ForceReading& sum, const ForceReading& more) {
     sum.torque += more.torque;
 }
 
-/// What the owner of the world applied is what the last update accelerated by beyond gravity.
+/// The applied force and torque of the last update: the acceleration without gravity, times mass and inertia.
 ForceReading appliedTo(const WorldData& data, Slot slot) {
     const BodyRecord& record = data.bodies.records[slot];
     const bool moved =

@@ -14,7 +14,7 @@ namespace {
 
 using Meetings = std::vector<std::pair<BodyId, BodyId>>;
 
-/// Those that there are, each once.
+/// All filters of active bodies, each once.
 std::vector<Filter> filtersOf(const Bodies& bodies) {
     std::vector<Filter> filters;
     for (const BodyRecord& record : bodies.records) {
@@ -27,7 +27,7 @@ std::vector<Filter> filtersOf(const Bodies& bodies) {
     return filters;
 }
 
-/// Whether there is anybody whom it would not touch.
+/// Whether the filter rejects any of the others.
 bool isPicky(const std::vector<Filter>& filters, const Filter& own) {
     return std::any_of(filters.begin(), filters.end(), [&](const Filter& other) { return !mayTouch(own, other); });
 }
@@ -36,7 +36,7 @@ bool areConnected(const Forces& forces, Slot a, Slot b) {
     return std::binary_search(forces.notColliding.begin(), forces.notColliding.end(), SlotPair(std::minmax(a, b)));
 }
 
-/// Whether nothing but their masks is between them.
+/// Whether the bodies would collide but for their filters.
 bool isMaskedOnly(const Bodies& bodies, const Forces& forces, Slot a, Slot b) {
     const BodyRecord& ra = bodies.records[a];
     const BodyRecord& rb = bodies.records[b];
@@ -45,7 +45,7 @@ bool isMaskedOnly(const Bodies& bodies, const Forces& forces, Slot a, Slot b) {
            !areConnected(forces, a, b);
 }
 
-/// Two parts where they are.
+/// A part and its pose.
 struct Placed {
     const Part& part;
     Transform pose;
@@ -80,7 +80,7 @@ void note(const Bodies& bodies, Slot a, Slot b, Meetings& out) {
     out.emplace_back(bodies.idOf(ordered ? a : b), bodies.idOf(ordered ? b : a));
 }
 
-/// A body that moves, with its box and whether it is picky.
+/// A body that is not static, its AABB, and whether its filter rejects any other.
 struct Standing {
     Slot slot;
     Aabb box;
@@ -105,7 +105,7 @@ std::vector<Standing> movingBodies(const Bodies& bodies, const std::vector<Filte
     return all;
 }
 
-/// By what comes next to the right.
+/// Sweep and prune along x.
 void findMoving(const Bodies& bodies, const Forces& forces, const std::vector<Standing>& all, Meetings& out) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         for (std::size_t k = i + 1; k < all.size() && all[k].box.min.x() <= all[i].box.max.x(); ++k) {

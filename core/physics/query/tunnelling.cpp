@@ -10,9 +10,9 @@ namespace spacetow {
 
 namespace {
 
-constexpr double ahead = 1; // s
+constexpr double ahead = 1; // s, of motion that bodies are swept along
 
-/// The bodies that move, with the boxes that they sweep.
+/// The bodies in motion, with their swept AABBs.
 struct Swept {
     std::vector<BodyState> bodies;
     std::vector<BodyId> ids;

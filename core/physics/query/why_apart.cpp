@@ -17,11 +17,11 @@ namespace {
 struct Touching {
     bool any = false;
     bool solid = false;
-    const Pair* passing = nullptr; // with a one-way wall that the other body passes, or has come up to, from behind
+    const Pair* passing = nullptr; // a pair with a one-way wall that the other body passes, or is behind
     bool isFaceOpen = false;       // the face of that wall is open
 };
 
-/// Marks of the last update, in a table whose pairs are sorted by their bodies.
+/// Reads the flags of the pairs of two bodies in a pair table.
 void lookUp(const PairTable& table, Slot a, Slot b, Touching& touching) {
     const std::uint64_t bodies = std::uint64_t{a} << 32 | b;
     const auto first = std::lower_bound(table.pairs.begin(), table.pairs.end(), bodies,
@@ -64,7 +64,7 @@ std::vector<ConnectorId> connectorsBetween(const Forces& forces, Slot a, Slot b)
     return found;
 }
 
-/// What decides before where they are.
+/// The reasons that do not depend on poses.
 std::optional<CollisionAnswer> answerByRules(const Bodies& bodies, const Forces& forces, BodyId a, BodyId b) {
     const BodyRecord& ra = bodies.records[a.index];
     const BodyRecord& rb = bodies.records[b.index];
@@ -104,7 +104,7 @@ CollisionAnswer answerOfPassing(const Bodies& bodies, const Pair& pair, BodyId a
     return answer;
 }
 
-/// Goes through the pairs of parts of two bodies.
+/// Compares all pairs of parts of two bodies.
 class Distance {
   public:
     Distance(const WorldData& data, BodyId a, BodyId b)
@@ -129,7 +129,7 @@ class Distance {
     }
 
   private:
-    /// Of what closestPoints() sees, which knows no depth of edges.
+    /// The AABB of a part as closestPoints() sees it: without the depth of an edge.
     static Aabb coreBox(const Part& part, const Transform& pose) {
         const Core core = coreOf(part, pose);
         Aabb box;
@@ -227,7 +227,7 @@ CollisionAnswer whyNotColliding(const World& world, BodyId a, BodyId b) {
         return answerOfPassing(data.bodies, *touching.passing, a, b);
     }
     answer = Distance(data, a, b).answer();
-    // What overlaps the wall and has come from behind meets nothing in the next update either.
+    // A body that overlaps the wall and has come from behind will have no contact in the next update either.
     const bool passes = answer.why == WhyApart::NextUpdate && touching.passing != nullptr;
     return passes ? answerOfPassing(data.bodies, *touching.passing, a, b) : answer;
 }

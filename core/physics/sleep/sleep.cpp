@@ -13,11 +13,12 @@ namespace spacetow {
 
 namespace {
 
-// No point of a body may be faster than this for it to fall asleep, m/s, and for so long, s.
+// A body may fall asleep after no point of it has been faster than this, m/s, for this time, s.
 constexpr double sleepSpeed = 0.01;
 constexpr double sleepDelay = 0.5;
 
-/// Kinematic bodies move as they are told, however slowly.
+/// Whether the body is slow enough to sleep. An immovable body has to stand still: however slow it is, its owner wants
+/// it to move.
 bool isStill(const Bodies& bodies, Slot slot) {
     const BodyMotion& m = bodies.motions[slot];
     const double speed =
@@ -34,7 +35,7 @@ bool sleeps(const Bodies& bodies, const Pair& pair) {
     return bodies.records[pair.bodyA].asleep && (pair.staticB || bodies.records[pair.bodyB].asleep);
 }
 
-/// Pairs nobody of which moves on one side, the others on the other.
+/// Merges the two pair tables, which are sorted, and divides them again into sleeping pairs and awake ones.
 void partitionPairs(const SleepStage& stage) {
     Sleep& sleep = stage.sleep;
     stage.newTable.clear();
@@ -50,7 +51,7 @@ void partitionPairs(const SleepStage& stage) {
     std::swap(sleep.table, stage.search.newTable);
 }
 
-/// All lists that depend on who sleeps.
+/// Rebuilds all lists that depend on the set of sleeping bodies.
 void rebuildLists(const SleepStage& stage) {
     releaseConstraints(stage.contacts, stage.constraints, stage.flags);
     Sleep& sleep = stage.sleep;
@@ -77,7 +78,7 @@ void wake(const SleepStage& stage, Slot slot, int iteration) {
     stage.events.wokeUp.push_back({iteration, stage.bodies.idOf(slot)});
 }
 
-/// Everybody whose island is marked.
+/// Wakes the bodies of all marked islands.
 void wakeMarked(const SleepStage& stage, int iteration) {
     const std::vector<std::uint8_t>& marked = stage.search.marked;
     bool any = false;
@@ -106,6 +107,7 @@ void markIsland(const Bodies& bodies, SleepSearch& sleepSearch, Slot slot) {
     }
 }
 
+/// Marks the islands of the bodies near the present place of a static body.
 void markNear(const Bodies& bodies, const Sleep& sleep, SleepSearch& sleepSearch, Slot wall) {
     Aabb box;
     for (const Part& part : *bodies.records[wall].parts) {
@@ -118,7 +120,7 @@ void markNear(const Bodies& bodies, const Sleep& sleep, SleepSearch& sleepSearch
     }
 }
 
-/// The islands of those that are in a pair with a body that cannot be moved and is to wake what is near it.
+/// Marks the islands that have a pair with a requested immovable body, or a connector to any requested body.
 void markPartners(const SleepStage& stage, const std::vector<Slot>& requested) {
     const auto isRequested = [&](Slot slot) {
         return !stage.bodies.motions[slot].isMovable() && std::binary_search(requested.begin(), requested.end(), slot);
@@ -140,7 +142,7 @@ void markPartners(const SleepStage& stage, const std::vector<Slot>& requested) {
     }
 }
 
-/// A body that cannot be moved and is not at rest keeps the other awake.
+/// Joins two bodies to one island. An immovable body that may not sleep keeps the other body awake.
 void join(const Bodies& bodies, SleepSearch& sleepSearch, Slot a, Slot b) {
     const auto end = [&](Slot slot) { return EdgeEnd{slot, bodies.motions[slot].isMovable()}; };
     addEdge(sleepSearch.parents, end(a), end(b), [&](Slot immovable, Slot other) {
@@ -150,7 +152,7 @@ void join(const Bodies& bodies, SleepSearch& sleepSearch, Slot a, Slot b) {
     });
 }
 
-/// Each body that may be united with others by itself, and not marked.
+/// Begins with one set for each body that may be in an island, none of them marked.
 void beginSets(const Bodies& bodies, const Forces& forces, const Contacts& contacts, SleepSearch& sleepSearch) {
     SleepSearch& sleep = sleepSearch;
     sleep.parents.resize(bodies.records.size());
@@ -172,6 +174,7 @@ void beginSets(const Bodies& bodies, const Forces& forces, const Contacts& conta
     }
 }
 
+/// Joins the bodies of each island. Marks bodies that an immovable body keeps awake.
 void findIslands(const Bodies& bodies, const Forces& forces, const Contacts& contacts, SleepSearch& sleepSearch) {
     for (const Pair& pair : contacts.table.pairs) {
         const bool touches = pair.contact != Pair::none && contacts.pool[pair.contact].count > 0;
@@ -292,7 +295,7 @@ void fallAsleep(const SleepStage& stage, double seconds, int iteration) {
     if (!anyReady) {
         return;
     }
-    beginSets(stage.bodies, stage.forces, stage.contacts, stage.search); // and mark who stays awake
+    beginSets(stage.bodies, stage.forces, stage.contacts, stage.search);
     findIslands(stage.bodies, stage.forces, stage.contacts, stage.search);
     std::vector<Slot>& parents = stage.search.parents;
     std::vector<std::uint8_t>& marked = stage.search.marked;

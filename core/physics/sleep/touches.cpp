@@ -18,9 +18,9 @@ TouchEvent touchEvent(const Bodies& bodies, std::uint64_t bodyPair, int iteratio
     return {iteration, bodies.idOf(a), bodies.idOf(b), bodies.records[a].tangible && bodies.records[b].tangible};
 }
 
-/// All pairs of the same two bodies.
+/// The range of the pair table with all pairs of the same two bodies.
 struct Group {
-    std::uint64_t bodies = 0;
+    std::uint64_t bodies = 0; // Pair::bodies()
     std::size_t first = 0, end = 0;
 };
 
@@ -37,7 +37,7 @@ Group groupAround(const Contacts& contacts, std::size_t index) {
     return group;
 }
 
-/// What is passed between two iterations begins and ends in the same one.
+/// Adds the events of two bodies. A touch that `passed` within the iteration begins and ends in it.
 void report(const TouchStage& stage, const Group& group, int iteration) {
     bool now = false;
     bool passed = false;
@@ -57,8 +57,8 @@ void report(const TouchStage& stage, const Group& group, int iteration) {
     }
 }
 
-/// Pairs whose boxes have parted are no longer in the table. Where others of the same bodies are, these may still
-/// touch: one of them takes the place of what was dropped.
+/// Ends the touches of dropped pairs. If other pairs of the same bodies are in the table, the bodies may still touch:
+/// one of these pairs counts as reported instead.
 void reportDropped(const TouchStage& stage, int iteration) {
     std::vector<std::uint64_t>& dropped = stage.changes.droppedTouches;
     std::sort(dropped.begin(), dropped.end());
@@ -88,7 +88,7 @@ void reportChanged(const TouchStage& stage, int iteration) {
     }
 }
 
-/// Of pairs of sleepers.
+/// The tags that a body touches by sleeping pairs.
 TagMask tagsOfSleepers(const Sleep& sleep, Slot slot) {
     const std::vector<TouchedTags>& all = sleep.touchedTags;
     const auto at = std::lower_bound(all.begin(), all.end(), slot,
@@ -96,7 +96,7 @@ TagMask tagsOfSleepers(const Sleep& sleep, Slot slot) {
     return at != all.end() && at->body == slot ? at->tags : TagMask{};
 }
 
-/// But for those of sleepers.
+/// Resets the touched tags to those of sleeping pairs.
 void forgetTouchedTags(Bodies& bodies, const Sleep& sleep) {
     for (const Slot slot : bodies.moving) {
         bodies.touchedTags[slot] = TagMask{};

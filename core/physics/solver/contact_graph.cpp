@@ -13,7 +13,7 @@ void noteKinematicEdge(ContactGraph& graph, Slot body, Slot pushed) {
     }
 }
 
-/// Of whoever may be united with others; all others are their own roots ever since resetSlots().
+/// Resets the roots of all bodies that may be united. Every other body has been its own root since resetSlots().
 void beginRoots(const Bodies& bodies, const Contacts& contacts, ContactGraph& graph, const Sleep& sleep) {
     std::vector<Slot>& roots = graph.roots;
     for (const Slot slot : bodies.moving) {
@@ -30,7 +30,7 @@ void beginRoots(const Bodies& bodies, const Contacts& contacts, ContactGraph& gr
     }
 }
 
-/// All that is asked for is beside the pairs, in fewer bytes.
+/// Adds the edges. Reads bounds and movability only: these take fewer bytes than pairs and bodies.
 void addPairs(const Bodies& bodies, const Contacts& contacts, ContactGraph& graph) {
     auto sensors = contacts.sensors.begin();
     for (std::uint32_t i = 0; i < contacts.table.size(); ++i) {
@@ -47,7 +47,7 @@ void addPairs(const Bodies& bodies, const Contacts& contacts, ContactGraph& grap
     }
 }
 
-/// A sleeper that is near bodies that move may be the root of their component.
+/// Adds the roots that are asleep: a sleeping body near moving ones may be the root of their component.
 void listSleepingRoots(const Bodies& bodies, ContactGraph& graph) {
     const auto awake = static_cast<std::ptrdiff_t>(graph.componentRoots.size());
     for (const Slot slot : bodies.moving) {
@@ -60,7 +60,7 @@ void listSleepingRoots(const Bodies& bodies, ContactGraph& graph) {
     graph.componentRoots.erase(std::unique(first, graph.componentRoots.end()), graph.componentRoots.end());
 }
 
-/// No kinematic body pushes their components any more.
+/// Clears the marks of the components that immovable bodies bounded.
 void forgetKinematicEdges(const ContactGraph& graph, SolverScratch& solver) {
     std::vector<std::uint8_t>& pushedByKinematic = solver.pushedByKinematic;
     for (const ContactGraph::KinematicEdge& edge : graph.kinematicEdges) {
@@ -70,7 +70,7 @@ void forgetKinematicEdges(const ContactGraph& graph, SolverScratch& solver) {
     }
 }
 
-/// What it weighs, and nothing of what was there before.
+/// Resets the data of a slot: inertia, movability, root and merge count.
 void resetSlot(Bodies& bodies, Constraints& constraints, ContactGraph& graph, Slot slot) {
     const BodyMotion& m = bodies.motions[slot];
     refreshInertia(m, graph, slot);
@@ -109,7 +109,7 @@ void findComponents(const SolverStage& stage) {
     for (ContactGraph::KinematicEdge& edge : edges) {
         edge.component = roots[edge.component];
     }
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end()); // leaves little to sort
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end()); // pairs come sorted: this leaves few to sort
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }

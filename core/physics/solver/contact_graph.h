@@ -30,10 +30,10 @@ void addEdge(std::vector<Slot>& parents, const EdgeEnd& a, const EdgeEnd& b, con
     }
 }
 
-/// Resets the per-slot data of bodies that are new or have changed: inertia, mobility, and the results of iterations.
+/// Resets the per-slot data of bodies that are new or have changed: inertia, movability, root and merge count.
 void resetSlots(const SolverStage& stage, std::span<const Slot> slots);
 
-/// The body, whose slot is known to the graph, has another mass.
+/// Updates the inertia of a body in the graph after its mass has changed. Needs resetSlots() for a new slot before.
 void refreshInertia(const BodyMotion& m, ContactGraph& graph, Slot slot);
 
 /// Resizes per-slot data to `size` slots; new slots get the initial value. Slots of bodies that no longer move were
@@ -51,7 +51,7 @@ void findComponents(const SolverStage& stage);
 /// Flags the bodies of components that a moving kinematic body may push: their energy is not limited.
 void markPushedByKinematic(const Bodies& bodies, ContactGraph& graph, SolverScratch& solver);
 
-/// The component of the bodies of a contact.
+/// The root of the component of a contact.
 template <class Batch>
 Slot rootAt(const ContactGraph& graph, const Batch& batch, std::uint32_t lane) {
     const bool yieldsA = batch.massA[lane] > 0 || batch.inertiaA[lane] > 0;

@@ -6,7 +6,7 @@
 
 namespace spacetow {
 
-/// A view, as a span is: members that are not const may be changed through it.
+/// A view that owns nothing, like a span. Crushing changes the members that are not const.
 struct CrushStage {
     Bodies& bodies;
     const BroadPhase& broadPhase;

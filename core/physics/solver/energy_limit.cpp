@@ -15,15 +15,19 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Deeper than this, bodies are pushed apart whatever it costs, m.
+// Overlaps deeper than this are corrected even if the correction adds energy, m.
 constexpr double deepOverlap = 8 * linearSlop;
+// More iterations before restitution is lowered: components that do not converge after four gain from restitution.
 constexpr int extraRounds = 2;
 constexpr int extraPasses = 2;
-constexpr int mostHalvings = 8; // each time half as fast
-// What may be gained, of the energy that the impulses of an iteration move: beyond rounding, below notice.
+// How often restitution is halved at most.
+constexpr int mostHalvings = 8;
+// Relative to the energy that the impulses of an iteration move (a of EnergyBalance): a gain up to `tolerance` is
+// rounding, a gain up to `littleGain` is what comes and goes near rest, for which scaling the impulses will do.
 constexpr double tolerance = 1e-9;
+constexpr double littleGain = 0.01;
 
-/// A velocity as numbers to reckon with all at once.
+/// A velocity as one SIMD vector: x, y, rotation.
 struct WideVelocity {
     Wide value;
     explicit WideVelocity(const BodyVelocity& velocity) { std::memcpy(&value, &velocity, sizeof value); }
@@ -37,9 +41,9 @@ EnergyBalance& balanceOf(const ContactGraph& graph, SolverScratch& solver, Slot 
     return solver.balances[graph.roots[slot]];
 }
 
-/// With a share x of its impulses an iteration changes a body's energy by a·x²/2 + b·x + c: a velocity v after it costs
-/// m·(v²/2 − d·v), where d is what the forces added to the velocity v₀ that it began with; their work on the way v·dt
-/// is in it.
+/// Adds a body to the coefficients of its component. If its impulses are scaled by x, the iteration changes the energy
+/// of the body by a·x²/2 + b·x + c: kinetic energy m·v²/2 of the final velocity v, less the work m·d·v of the forces
+/// along the motion v·dt, where d is the velocity that the forces added to the velocity v₀ at the beginning.
 void measureBody(const SolverStage& stage, Slot slot, EnergyChange& change) {
     const Wide planned = WideVelocity(stage.solver.plannedVelocities[slot]).value;
     const Wide push = WideVelocity(stage.solver.velocities[slot]).value - planned;
@@ -54,7 +58,8 @@ void measureBody(const SolverStage& stage, Slot slot, EnergyChange& change) {
     change.c -= 0.5 * inertia * forced * forced;
 }
 
-/// The sum of a component stays in registers while the bodies are its: through memory each would wait for the last.
+/// Neighbours in `moving` are mostly of one component: its sum stays in registers, else each addition would wait for
+/// the store of the last one.
 void measureBodies(const SolverStage& stage) {
     std::vector<EnergyChange>& changes = stage.solver.changes;
     EnergyChange sum;
@@ -78,13 +83,13 @@ void measureBodies(const SolverStage& stage) {
 
 enum class Gain : std::uint8_t { None, Little, Much };
 
-/// Near rest energy comes and goes in small amounts.
+/// Rates the gain of a component.
 Gain gainOf(const EnergyBalance& e) {
     const double gain = e.gain();
-    return gain <= tolerance * e.a ? Gain::None : gain <= 0.01 * e.a ? Gain::Little : Gain::Much;
+    return gain <= tolerance * e.a ? Gain::None : gain <= littleGain * e.a ? Gain::Little : Gain::Much;
 }
 
-/// Returns the worst of all components.
+/// Computes the balances of all components. Returns the worst gain.
 Gain measureComponents(const SolverStage& stage) {
     for (const Slot root : stage.graph.componentRoots) {
         stage.solver.changes[root] = {};
@@ -112,7 +117,7 @@ bool costsTooMuch(const EnergyBalance& e) {
     return e.corrections > 0 && e.corrections > -e.gain();
 }
 
-/// More passes over these components alone.
+/// Runs more iterations over the components for which the predicate holds.
 void solveComponentsWhere(const SolverStage& stage, Predicate which) {
     clearUnconverged(stage.bodies, stage.graph, stage.sleep, stage.solver);
     for (const Slot root : stage.graph.componentRoots) {
@@ -149,13 +154,14 @@ bool halveTargets(const ContactGraph& graph, SolverScratch& solver, Batches<Batc
     return any;
 }
 
-/// Restitution and friction together may add energy: what gains it bounces half as fast. Whether anything does.
+/// Restitution and friction together may add energy: halves the target velocities in components that gain much. Returns
+/// whether there are any.
 bool lowerRestitution(Constraints& constraints, const ContactGraph& graph, SolverScratch& solver) {
     const bool circles = halveTargets(graph, solver, constraints.batches.circles);
     return halveTargets(graph, solver, constraints.batches.general) || circles;
 }
 
-/// The greatest share of the impulses with which the energy does not rise.
+/// The largest factor of the impulses, 0 … 1, with which the energy does not rise.
 double shareOf(const EnergyBalance& e) {
     return std::clamp((-e.b + std::sqrt(std::max(e.b * e.b - 2 * e.a * e.c, 0.0))) / e.a, 0.0, 1.0);
 }
@@ -182,7 +188,7 @@ bool isDeep(const ConstraintBatch& batch, std::uint32_t lane) {
     return batch.separation1[lane] < -deepOverlap || batch.separation2[lane] < -deepOverlap;
 }
 
-/// Lets the components of deep contacts pay whatever the corrections cost.
+/// Lifts the limit for components with deep overlaps.
 template <class Batch>
 void allowDeep(const ContactGraph& graph, SolverScratch& solver, const Batches<Batch>& batches) {
     forLanes(batches, &BatchFlags::occupied, [&](Lane at) {
@@ -193,7 +199,7 @@ void allowDeep(const ContactGraph& graph, SolverScratch& solver, const Batches<B
     });
 }
 
-/// What the corrections cost: the work against the forces that act on the bodies.
+/// Stores the corrections in the bodies, and adds their work against the forces to the balances.
 void gatherCorrections(const SolverStage& stage, double dt) {
     for (const Slot slot : stage.bodies.moving) {
         const BodyVelocity& push = stage.solver.corrections[slot];

@@ -10,13 +10,13 @@ namespace spacetow {
 
 namespace {
 
-/// Exact for v' = a − damping·v over `h` seconds; the series avoids cancellation for weak damping.
+/// See FreeMotion; `damping` in 1/s, `h` in s. For weak damping the series avoids cancellation.
 FreeMotion freeMotion(double damping, double h) {
-    if (damping == 0) { // as most often
+    if (damping == 0) { // the usual case
         return {1, h, 0.5 * h * h};
     }
     const double x = damping * h;
-    if (x < 1e-4) {
+    if (x < 1e-4) { // the terms left out are below the last bit
         return {1 - x * (1 - x / 2 * (1 - x / 3)), h * (1 - x / 2 * (1 - x / 3)), h * h * (0.5 - x / 6 * (1 - x / 4))};
     }
     const double decay = expExact(-x);
@@ -29,7 +29,8 @@ struct Displacement {
     double deltaAngle;
 };
 
-/// Inlined, as its result would else go through memory in parts and be read as a whole, which stalls.
+/// Applies one integration step to the velocity, and returns the displacement. Inlined: the result would else be stored
+/// in parts and loaded as a whole, which stalls.
 [[gnu::always_inline]] inline Displacement integrated(BodyMotion& m, const BodyStep& s) {
     Displacement moved{s.linear.gain * m.velocity + s.linear.lag * s.acceleration,
                        s.angular.gain * m.angularVelocity + s.angular.lag * s.angularAcceleration};
@@ -38,7 +39,7 @@ struct Displacement {
     return moved;
 }
 
-/// Likewise between two kicks, which have the acceleration in them.
+/// The same between two kicks, which apply the acceleration.
 [[gnu::always_inline]] inline Displacement drifted(BodyMotion& m, const BodyStep& s) {
     Displacement moved{s.linear.gain * m.velocity, s.angular.gain * m.angularVelocity};
     m.velocity = s.linear.decay * m.velocity;
@@ -46,8 +47,8 @@ struct Displacement {
     return moved;
 }
 
-/// What is stopped on its way has not gained all the energy of that way. A fall from rest arrives with the speed of the
-/// height; what contacts have pushed as well is slowed down by as much energy.
+/// A body that was stopped at a time of impact loses the velocity that forces would have added after it. So a fall from
+/// rest arrives with the speed of its height. A body that contacts have pushed is slowed down by the same energy.
 void removeUnusedAcceleration(BodyMotion& m, const BodyStep& s, double dt) {
     const double lost = s.acceleratedFraction - s.fraction;
     if (!s.pushed) {
@@ -65,9 +66,8 @@ void removeUnusedAcceleration(BodyMotion& m, const BodyStep& s, double dt) {
     }
 }
 
-/// The kick of forces that are constant in the iteration. It is as long as that of the connectors and comes first: a
-/// body that hangs at rest is then about to fall by what its connectors have to hold, however stiff or damped these
-/// are.
+/// Applies the acceleration, which is constant in the iteration, for `time` seconds. It acts as long as the kick of the
+/// connectors and before it, so that implicit connectors hold the weight of a body at rest whatever their stiffness.
 void accelerate(Bodies& bodies, Slot slot, double time) {
     bodies.motions[slot].velocity += time * bodies.steps[slot].acceleration;
     bodies.motions[slot].angularVelocity += time * bodies.steps[slot].angularAcceleration;

@@ -13,13 +13,13 @@ namespace spacetow {
 
 namespace {
 
-// What was shortened by one hit may now be hit by something else: rounds of looking again.
+// A body that was stopped by one pair may meet another one: rounds over all candidates.
 constexpr int maxRounds = 4;
-// A swept body stops this far before the surface, m.
+// Distance from the surface at which a swept body stops, m.
 constexpr double gap = 0.5 * linearSlop;
-// Long bodies in contact may turn by this much, however thin they are, rad.
+// Bodies in contact may always turn by this much in an iteration, rad: thin bodies have hardly any margin.
 constexpr double smallTurn = 0.0125;
-// No part of an iteration is shorter than this share of what is left of it.
+// The least fraction of the rest of an iteration that one of its parts makes.
 constexpr double leastFraction = 1e-3;
 
 /// Whether the speculative margin does not cover the motion; see contact_rules.h.
@@ -41,21 +41,22 @@ bool shortenMotion(BodyStep& s, double fraction, Slot platform) {
     return true;
 }
 
-/// Of circles nothing is known but of contacts, so that there is no need to look.
+/// Whether the pair has contact points. A contact of circles always has one: the pool is not read.
 bool hasContact(const Contacts& contacts, const Pair& pair) {
     return pair.contact != Pair::none && (pair.kind != PairKind::General || contacts.pool[pair.contact].count > 0);
 }
 
-/// The motion of one body towards the other that the speculative margin covers, m.
+/// The relative motion that the speculative margin covers, m.
 double speculativeDistance(const BodyStep& a, const BodyStep& b, bool staticB) {
     return std::max(0.5 * (a.innerRadius + (staticB ? 0 : b.innerRadius)), linearSlop);
 }
 
-/// Bodies that touch at one end may meet at the other. How much of their turn is covered, 1 or more when all is.
+/// The fraction of the turn of two bodies in contact that the speculative margin covers, at most 1: bodies that touch
+/// at one end may meet at the other.
 double safeTurnFraction(const Bodies& bodies, const Pair& pair) {
     const BodyStep& a = bodies.steps[pair.bodyA];
     const BodyStep& b = bodies.steps[pair.bodyB];
-    // Each by its own length, too: what is small is not to turn further because the wall that it touches is long.
+    // Also each body by its own size: a small body does not turn further because the other one is long.
     const double least = speculativeDistance(a, b, pair.staticB);
     const auto share = [&](double way, double longest) {
         const double covered = std::max(least, smallTurn * longest);
@@ -69,7 +70,7 @@ double safeTurnFraction(const Bodies& bodies, const Pair& pair) {
     return std::min(both, each);
 }
 
-/// Whether one of them, which nothing can stop, moves towards the other by more than the speculative margin.
+/// Whether one body is immovable and the relative motion exceeds the speculative margin.
 bool isHitByUnstoppable(const Bodies& bodies, const Pair& pair) {
     if (pair.staticB || (bodies.motions[pair.bodyA].isMovable() && bodies.motions[pair.bodyB].isMovable())) {
         return false;
@@ -81,7 +82,8 @@ bool isHitByUnstoppable(const Bodies& bodies, const Pair& pair) {
     return way > speculativeDistance(a, b, false);
 }
 
-/// What is stopped is taken along by what cannot be: until then both move.
+/// The time of impact of the pair, as a fraction of the motions that are left. A stopped body moves on with an
+/// immovable one, so both are swept for the lesser of their fractions.
 std::optional<double> timeOfImpactOf(const Bodies& bodies, const Contacts& contacts, std::uint32_t index) {
     const Pair& pair = contacts.table.pairs[index];
     const double fractionA = bodies.steps[pair.bodyA].fraction;
@@ -91,7 +93,7 @@ std::optional<double> timeOfImpactOf(const Bodies& bodies, const Contacts& conta
     const double both = std::min(fractionA, fractionB);
     const Sweep a = plannedSweep(bodies, pair.bodyA, bothYield ? fractionA : both);
     const Sweep b = pair.staticB ? Sweep{} : plannedSweep(bodies, pair.bodyB, bothYield ? fractionB : both);
-    if (!pair.staticB) { // what falls side by side is fast, but not towards each other
+    if (!pair.staticB) { // bodies that fall side by side are fast, but do not approach each other
         const double reach = bodies.steps[pair.bodyA].outerRadius + bodies.steps[pair.bodyB].outerRadius + gap +
                              std::sqrt((a.translation - b.translation).squaredNorm());
         if ((a.start.position - b.start.position).squaredNorm() > reach * reach) {
@@ -106,7 +108,7 @@ std::optional<double> timeOfImpactOf(const Bodies& bodies, const Contacts& conta
     return hit && isPassedByBody(bodies, contacts.table, index) ? atOpenWall() : hit;
 }
 
-/// Who may be stopped of a pair, and by whom what is stopped is then taken along.
+/// Which bodies of a pair may be stopped, and the platforms with which they then move on.
 struct Stoppable {
     bool a, b;
     Slot platformOfA, platformOfB;
@@ -118,12 +120,12 @@ Stoppable stoppable(const Bodies& bodies, const Pair& pair) {
     return {a, b, b || pair.staticB ? noSlot : pair.bodyB, a ? noSlot : pair.bodyA};
 }
 
-/// Of the motions of a pair.
+/// Fractions of the motions of two bodies.
 struct Fractions {
     double a, b;
 };
 
-/// True when the motion of either body was cut short.
+/// Shortens the motions. Returns whether either has changed.
 bool stop(const ToiStage& stage, const Pair& pair, const Stoppable& which, const Fractions& left) {
     bool changed = false;
     if (which.a && shortenMotion(stage.bodies.steps[pair.bodyA], left.a, which.platformOfA)) {
@@ -137,14 +139,14 @@ bool stop(const ToiStage& stage, const Pair& pair, const Stoppable& which, const
     return changed;
 }
 
-/// Whether in this iteration the parts come nearer each other by as much as this, m.
+/// Whether the parts may come nearer to each other by `distance` metres in this iteration.
 bool mayClose(const BodyStep& a, const BodyStep& b, double distance) {
     return std::sqrt((a.deltaPosition - b.deltaPosition).squaredNorm()) + a.maxTurnMotion() +
                std::abs(b.deltaAngle) * (b.outerRadius + distance) >=
            distance;
 }
 
-/// Whether contacts have sent one of them where it may meet the other.
+/// Whether contacts have deflected one of the bodies so that it may meet the other.
 bool isDeflected(const Bodies& bodies, const Contacts& contacts, std::uint32_t index) {
     const Pair& pair = contacts.table.pairs[index];
     const BodyStep& a = bodies.steps[pair.bodyA];
@@ -153,9 +155,9 @@ bool isDeflected(const Bodies& bodies, const Contacts& contacts, std::uint32_t i
            mayClose(a, b, separationBoundOf(bodies, contacts, pair));
 }
 
-/// Whether other contacts have sent one of them so far that it may meet the other at points that their manifold lacks:
-/// the speculative margin in which these were looked for is that of the motion without contacts. A circle has one
-/// point.
+/// Whether contacts have deflected one of the bodies so far that the pair, which has a contact, may meet at points that
+/// its manifold lacks: the manifold was made with the speculative margin of the motion without contacts. A circle has
+/// one point only.
 bool isDeflectedPastManifold(const Bodies& bodies, const Contacts& contacts, const Pair& pair) {
     const BodyStep& a = bodies.steps[pair.bodyA];
     const BodyStep& b = bodies.steps[pair.bodyB];
@@ -164,7 +166,7 @@ bool isDeflectedPastManifold(const Bodies& bodies, const Contacts& contacts, con
            mayClose(a, b, std::max(toleranceLeftOf(bodies, contacts, pair), 0.0));
 }
 
-/// Who is to be stopped where the parts of the pair meet.
+/// Which bodies of a pair without a contact the time of impact stops.
 Stoppable sweptOf(const Bodies& bodies, const Contacts& contacts, std::uint32_t index) {
     const Pair& pair = contacts.table.pairs[index];
     Stoppable which = stoppable(bodies, pair);
@@ -174,13 +176,13 @@ Stoppable sweptOf(const Bodies& bodies, const Contacts& contacts, std::uint32_t 
     return which;
 }
 
-/// True when the motion of either body was cut short.
+/// Limits the turn of bodies in contact. Returns whether a motion was shortened.
 bool limitTurn(const ToiStage& stage, const Pair& pair) {
     const double covered = safeTurnFraction(stage.bodies, pair);
     return covered < 1 && stop(stage, pair, stoppable(stage.bodies, pair), {covered, covered});
 }
 
-/// How deep the parts are in each other when they have gone this share of what is left of their ways, m.
+/// The penetration of the parts, m, after this share of the motions that are left.
 double depthAt(const Bodies& bodies, const Pair& pair, double share) {
     const Transform a = plannedSweep(bodies, pair.bodyA, share * bodies.steps[pair.bodyA].fraction).at(1);
     const Transform b =
@@ -193,13 +195,14 @@ double depthAt(const Bodies& bodies, const Pair& pair, double share) {
     return depth;
 }
 
-/// Where one corner touches another may be about to bounce, or a hit elsewhere may turn it in: the solver does not know
-/// of it, and a sweep sees the first alone. Looks where it goes in. True when the motion of either body was cut short.
+/// Stops a pair that touches from the beginning where its penetration begins to grow. The solver has no constraint for
+/// a corner that will bounce or that an impact elsewhere turns in, and a sweep finds the first touch only. Returns
+/// whether a motion was shortened.
 bool stopDeepening(const ToiStage& stage, const Pair& pair) {
     constexpr int visits = 16;
     const double covered = safeTurnFraction(stage.bodies, pair);
     const double most = depthAt(stage.bodies, pair, 0) + linearSlop;
-    int visit = 1; // who goes nowhere would look the same for ever
+    int visit = 1; // at least one: a pair that is stopped at once would never move again
     while (visit < visits && depthAt(stage.bodies, pair, covered * (visit + 1) / visits) <= most) {
         ++visit;
     }
@@ -210,14 +213,14 @@ bool stopDeepening(const ToiStage& stage, const Pair& pair) {
                 {stage.bodies.steps[pair.bodyA].fraction * share, stage.bodies.steps[pair.bodyB].fraction * share});
 }
 
-/// True when the motion of either body was cut short.
+/// Stops a pair at its time of impact. Returns whether a motion was shortened.
 bool sweepPair(const ToiStage& stage, std::uint32_t index, const Stoppable& which) {
     const Pair& pair = stage.contacts.table.pairs[index];
     const std::optional<double> hit = timeOfImpactOf(stage.bodies, stage.contacts, index);
     if (hit && *hit <= 0 && hasContact(stage.contacts, pair) && pair.kind == PairKind::General) {
         return stopDeepening(stage, pair);
     }
-    // What is near from the start and yet no contact is a corner that another part or wall answers for.
+    // Parts that are near from the start without a contact meet at a corner that belongs to another part or wall.
     if (!hit || *hit <= 0 || *hit >= 1) {
         return false;
     }
@@ -225,7 +228,7 @@ bool sweepPair(const ToiStage& stage, std::uint32_t index, const Stoppable& whic
                 {stage.bodies.steps[pair.bodyA].fraction * *hit, stage.bodies.steps[pair.bodyB].fraction * *hit});
 }
 
-/// Whether the bodies come near each other at any fraction of their motions.
+/// Whether the bounds of the swept bodies overlap.
 bool sweptBoundsOverlap(const Bodies& bodies, const BroadPhase& broadPhase, const Pair& pair) {
     const BodyStep& a = bodies.steps[pair.bodyA];
     const Vec2& centerA = bodies.motions[pair.bodyA].center;
@@ -238,7 +241,7 @@ bool sweptBoundsOverlap(const Bodies& bodies, const BroadPhase& broadPhase, cons
     }
     const BodyStep& b = bodies.steps[pair.bodyB];
     const double wayA =
-        std::abs(a.deltaPosition.x()) + std::abs(a.deltaPosition.y()); // no less than the length, and cheaper
+        std::abs(a.deltaPosition.x()) + std::abs(a.deltaPosition.y()); // the 1-norm: at least the length, and cheaper
     const double wayB = std::abs(b.deltaPosition.x()) + std::abs(b.deltaPosition.y());
     const double both =
         std::abs(a.deltaPosition.x() - b.deltaPosition.x()) + std::abs(a.deltaPosition.y() - b.deltaPosition.y());
@@ -246,7 +249,8 @@ bool sweptBoundsOverlap(const Bodies& bodies, const BroadPhase& broadPhase, cons
     return !((bodies.motions[pair.bodyB].center - centerA).squaredNorm() > reach * reach);
 }
 
-/// Whether the pair is far apart or has a contact that holds, while nothing is fast or bounces.
+/// Whether the pair needs no time of impact in an iteration in which no body is fast and no pair bounces: it is beyond
+/// its separation bound, or has a contact whose manifold suffices.
 bool cannotHit(const Bodies& bodies, const Contacts& contacts, std::uint32_t index) {
     if (isDeflectedPastManifold(bodies, contacts, contacts.table.pairs[index])) {
         return false;
@@ -257,7 +261,8 @@ bool cannotHit(const Bodies& bodies, const Contacts& contacts, std::uint32_t ind
     return contacts.table.flags[index].inSolver || (yield && !contacts.mayTouchNow(bodies, index));
 }
 
-/// The pairs whose bodies may have to be stopped, with all that does not change while they are.
+/// Lists the pairs whose bodies may have to be stopped, with their properties that do not change while bodies are
+/// stopped.
 void listToiCandidates(const ToiStage& stage) {
     stage.toi.candidates.clear();
     const bool onlyDeflected = !stage.flags.anyFast && !stage.flags.anySweep;
@@ -271,7 +276,7 @@ void listToiCandidates(const ToiStage& stage) {
         if (pair.kind == PairKind::Sensor) {
             continue;
         }
-        // The solver keeps those that have a contact from closing their gap.
+        // The solver keeps a pair with a contact from closing its gap.
         if (!pair.sweep && hasContact(stage.contacts, pair)) {
             const bool deepens = isDeflectedPastManifold(stage.bodies, stage.contacts, pair);
             if (deepens || (stage.flags.anyFast && pair.kind == PairKind::General)) {
@@ -286,12 +291,12 @@ void listToiCandidates(const ToiStage& stage) {
     }
 }
 
-/// True when a motion was cut short.
+/// Returns whether a motion was shortened.
 bool visit(const ToiStage& stage, ToiCandidate& candidate) {
     const std::uint32_t changed =
         std::max(stage.toi.shortenedAt[candidate.bodyA], stage.toi.shortenedAt[candidate.bodyB]);
     if (changed < candidate.visitedAt) {
-        return false; // and would find the same
+        return false; // nothing has changed since its last visit
     }
     candidate.visitedAt = ++stage.toi.visits;
     const Pair& pair = stage.contacts.table.pairs[candidate.pair];

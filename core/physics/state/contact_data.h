@@ -1,5 +1,5 @@
 #pragma once
-// Pairs of parts, what is kept of their contacts, and contacts as the solver gets them. SI units, radians.
+// Pairs of parts, their persistent contacts, and the constraints of the solver. SI units, radians.
 
 #include "core/geometry/part.h"
 #include "core/geometry/passage.h"
@@ -19,10 +19,10 @@ struct ContactPoint {
     double normalImpulse = 0; // N s, of the last iteration
 };
 
-/// By what the parts of a pair are, how their contact is found: circles here stand about their centres of mass.
+/// Selects the collision function of a pair. `Circle` is a circle about the centre of mass of its body.
 enum class PairKind : std::uint8_t { Sensor, CircleCircle, CircleEdge, CircleStatic, General };
 
-/// Two parts that may meet during this update. `bodyA` moves; it has the lower slot when both do.
+/// Two parts whose fat AABBs overlap. `bodyA` is not static; if neither body is static, `bodyA` has the lower slot.
 struct Pair {
     static constexpr std::uint32_t none = 0xffffffffu;
 
@@ -32,67 +32,68 @@ struct Pair {
     const Part* shapeB = nullptr; // likewise, or in world coordinates for a static body
     PairKind kind = PairKind::General;
     bool staticB = false;
-    bool unmergeable = false;     // no other part of the same body, nor another static body, can share a plane with it
-    bool sweep = false;           // the parts are to be stopped where they meet, to bounce from there
-    std::uint32_t collider = 0;   // of a static part, see WorldData
-    std::uint32_t contact = none; // index of what is known of their contact
+    bool unmergeable = false;     // its contact can lie in one plane with no other contact
+    bool sweep = false;           // the time of impact stops the parts where they meet; they bounce from there
+    std::uint32_t collider = 0;   // of a static part: its index, see BroadPhase::staticCollider
+    std::uint32_t contact = none; // index in Contacts::pool
 
     std::uint64_t bodies() const { return std::uint64_t{bodyA} << 32 | bodyB; }
     std::uint64_t parts() const { return std::uint64_t{partA} << 32 | partB; }
     bool operator<(const Pair& o) const { return bodies() != o.bodies() ? bodies() < o.bodies() : parts() < o.parts(); }
 };
 
-/// Tells without reading the pair that it cannot be in contact yet: not before the motion bounds of its bodies add up
-/// to the separation bound.
+/// Until the motion bounds of the two bodies add up to the separation bound, the parts of the pair cannot touch. The
+/// test reads neither the pair nor its parts.
 struct PairBound {
     Mover moverA = Mover::Static, moverB = Mover::Static;
     double separationBound = 0; // m
 
-    // While the contact of the pair has a lane, alone or merged with others, the pair itself is not updated.
+    // The bound of a pair whose contact, alone or merged with others, has a lane: the narrow phase skips the pair.
     static constexpr double never = std::numeric_limits<double>::infinity();
     void exclude() { separationBound = never; }
-    /// The pair is to be updated: nothing is known of its separation.
+    /// The narrow phase updates the pair in every iteration until it sets a bound.
     void reset() { separationBound = 0; }
 };
 
-/// Of a pair that nothing is known of.
+/// The bound of a pair that the narrow phase has not updated yet.
 PairBound unknownBound(const Pair& pair);
 
 struct PairFlags {
-    Passage passage = Passage::None; // through a one-way wall, when the pair was last updated
+    Passage passage =
+        Passage::None; // of one body through the one-way wall of the other, as of the last update of the pair
     bool touching = false;
-    bool passed = false;   // by a sensor within this iteration, without touching it at the end
-    bool reported = false; // as events, at the end of the last iteration
-    bool inSolver = false; // its contact has a lane; until that is closed the pair is excluded from updates
-    bool limitsFraction =
-        false; // the speculative margin may cover but a part of its motion; holds while pairs are not stale
+    bool passed = false;         // of a sensor pair: the parts overlapped within the iteration, but not at its end
+    bool reported = false;       // it touched at the last report of touch events
+    bool inSolver = false;       // the contact has a lane; until the lane is closed, the narrow phase skips the pair
+    bool limitsFraction = false; // the pair may need an iteration in parts, see safeFraction()
 };
 
-/// A manifold that is kept while its parts move little against each other, in their own coordinates.
+/// A manifold in the local coordinates of its bodies. It is kept while the relative pose of its parts stays within the
+/// manifold tolerance.
 struct KeptManifold {
-    double tolerance = -1; // m that the parts may come closer before it is out of date; negative: nothing is known
-    Transform relative;    // of A in the coordinates of B when it was made
+    double tolerance = -1; // manifold tolerance, m: relative motion that outdates it; negative: it is out of date
+    Transform relative;    // pose of a relative to b when the manifold was made
     bool normalOnA = false;
-    Vec2 normal{0, 1}; // in the coordinates of A or B
+    Vec2 normal{0, 1}; // unit, from a to b, in local coordinates: of a if `normalOnA`, else of b
     struct Point {
-        Vec2 onA{0, 0}, onB{0, 0}; // in the coordinates of A and B
+        Vec2 onA{0, 0}, onB{0, 0}; // anchors, in local coordinates of a and of b
     };
     std::array<Point, 2> points;
 };
 
-/// What a pair's contact is from one update to the next: its points, their impulses while the solver does not have it,
-/// and its manifold.
+/// The persistent contact of a pair: manifold, mixed material and impulses. While the contact has a lane, its impulses
+/// are in the lane.
 struct Contact {
     std::int32_t count = 0;            // of points
-    std::uint32_t constraintIndex = 0; // index among the contacts that the solver has, while it has it
+    std::uint32_t constraintIndex = 0; // while it has a lane: index in Constraints::circleContacts or generalContacts
     double friction = 0;
     double restitution = 0;
     double tangentImpulse = 0; // N s, of the last iteration
     std::array<ContactPoint, 2> points;
-    KeptManifold manifold; // of general pairs; the others are compared anew in each iteration
+    KeptManifold manifold; // of general pairs only; those of circles are computed in every iteration
 };
 
-/// The pairs and what belongs to each, by the same index; sorted by bodies and parts.
+/// The pair table: parallel arrays, sorted by bodies and parts.
 struct PairTable {
     std::vector<PairBound> bounds;
     std::vector<PairFlags> flags;
@@ -105,34 +106,34 @@ struct PairTable {
     void addFrom(const PairTable& other, std::size_t index);
 };
 
-/// A contact of one point in line with the centres of mass, so that its normal impulse turns nothing. The rest of it is
-/// in a batch.
+/// A circle contact with a lane: one point in line with the centres of mass, so that the normal impulse turns neither
+/// body. Solver data is in the lane.
 struct CircleContact {
     Slot a = 0, b = 0;
     std::uint32_t pair = 0, contact = 0;
     Lane lane;
-    bool scalarUpdate = false; // not by the kernel: b is static, or they bounce
+    bool scalarUpdate = false; // the narrow phase updates it, not the kernel: b is static, or there is restitution
     bool bounces = false;      // in this iteration
 };
 
-/// Any other contact; likewise.
+/// Any other contact with a lane.
 struct GeneralContact {
     struct Point {
-        std::uint32_t pair, contact, index; // where its impulse is kept
-        bool bounces;
+        std::uint32_t pair, contact, index; // pair, contact in the pool, and point of that contact
+        bool bounces;                       // restitution acts in this iteration
     };
     Slot a = 0, b = 0;
     Lane lane;
     std::uint32_t count = 0;        // of points
-    bool singular = false;          // one of its points acts for both
-    bool mergeable = false;         // something else may share a plane with it
-    bool merged = false;            // stands for several pairs, which `mergedPairs` has
-    bool bounces = false;           // at any point in this iteration
-    std::array<bool, 2> touching{}; // the points of a merged one
+    bool singular = false;          // its 2 × 2 system is singular: one point acts for both
+    bool mergeable = false;         // another contact may lie in one plane with it
+    bool merged = false;            // it replaces the contacts of several pairs, see Constraints::mergedPairs
+    bool bounces = false;           // restitution acts at a point in this iteration
+    std::array<bool, 2> touching{}; // by point, of a merged contact
     std::array<Point, 2> points{};
 };
 
-/// The index of the pair that a constraint belongs to.
+/// The index of the pair of a contact with a lane; of a merged one, that of its first point.
 inline std::uint32_t pairOf(const CircleContact& c) {
     return c.pair;
 }
@@ -142,32 +143,32 @@ inline std::uint32_t pairOf(const GeneralContact& c) {
 
 struct ConstraintPoint {
     double leverA, leverB; // cross products of the arms with the normal, m
-    double normalMass;     // 0 when no push along the normal can move anything
-    double separation;
-    double target; // m/s: the normal velocity is to be at least this
-    double normalImpulse;
-    Vec2 armA; // from the centre of mass to the contact point
+    double normalMass;     // kg; 0 if an impulse along the normal moves neither body
+    double separation;     // m, negative when the surfaces overlap
+    double target;         // m/s: the least normal velocity
+    double normalImpulse;  // N s
+    Vec2 armA;             // from the centre of mass to the contact point
     double tangentLeverA, tangentLeverB;
-    std::uint32_t pair, contact, index; // where its impulse is kept
-    bool bounces;
+    std::uint32_t pair, contact, index; // as in GeneralContact::Point
+    bool bounces;                       // likewise
 };
 
-/// A general contact before it gets its lane. Friction acts once for both points, as the velocity along a plane is the
-/// same at all of its points. Made by the thousand, it starts out with a second point that does nothing and nothing
-/// else.
+/// A general contact before it gets its lane. One row of friction serves both points, as all points of a plane have the
+/// same velocity along the plane. The constructor sets as little as it can, as constraints are made by the thousand:
+/// the flags, and a second point that does not act.
 struct Constraint {
     Slot a, b;
     int count = 0;
     bool unmergeable;
-    bool merged; // stands for several
+    bool merged; // it replaces several contacts
     Vec2 normal; // from a to b
     double friction;
     double restitution;
     double tangentLeverA, tangentLeverB;
     double tangentMass;
     double tangentImpulse;
-    double coupling;  // off-diagonal element of the two points' inverse mass matrix
-    double tolerance; // of merged ones: m that the parts may come closer before a manifold is out of date
+    double coupling;  // 1/kg: off-diagonal element of the inverse mass matrix of the two points
+    double tolerance; // m, of merged contacts: the least manifold tolerance left
     std::array<ConstraintPoint, 2> points;
 
     Constraint() {

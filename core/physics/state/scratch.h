@@ -1,6 +1,6 @@
 #pragma once
-// What an update needs while it runs. It is kept, so that a steady update allocates nothing, but means nothing between
-// updates: a copy of a world does without it.
+// Scratch data of the stages of an update. Between updates only its capacity matters, so that a steady update allocates
+// nothing; a copy of a world has none of it.
 
 #include "core/geometry/moving_quadtree.h"
 #include "core/math/transform.h"
@@ -17,49 +17,50 @@ namespace spacetow {
 
 struct StageTimes;
 
-/// Of find_pairs.
+/// Scratch of find_pairs.h.
 struct PairSearch {
-    std::vector<Slot> movedBodies;                    // whose pairs are found anew
-    std::vector<std::uint32_t> found;                 // by one query
-    std::vector<MovingQuadtree::BoxPair> overlapping; // proxies whose boxes do
+    std::vector<Slot> movedBodies;                    // bodies whose proxies are moved proxies
+    std::vector<std::uint32_t> found;                 // the result of one query
+    std::vector<MovingQuadtree::BoxPair> overlapping; // proxies whose fat AABBs overlap
     std::vector<FoundPair> foundPairs, sortedPairs;
-    std::vector<std::uint32_t> pairEnds; // by slot, of the sorted pairs
-    std::size_t mostFound = 0;           // pairs at a time
+    std::vector<std::uint32_t> pairEnds; // by slot of `bodyA`: end of its range in sortedPairs
+    std::size_t mostFound = 0;           // limit on foundPairs
 };
 
-/// Of pair_changes: from the table of pairs to the next one.
+/// Scratch of pair_changes.h: the difference between the pair table and the next one.
 struct PairChanges {
-    PairTable newTable;                    // when all have been found anew
-    MoverArray<std::uint8_t> isMovedProxy; // all 0 but while the table is compared
+    PairTable newTable;                    // the next table, if all pairs are stale
+    MoverArray<std::uint8_t> isMovedProxy; // by body; all 0 but while the table is compared
     std::vector<std::uint32_t> movedPairs; // pairs of moved proxies
-    std::vector<std::uint32_t> dropped;    // of those, which were not found again
+    std::vector<std::uint32_t> dropped;    // indices of pairs that the next table lacks
     std::vector<Pair> newPairs;
-    std::vector<std::uint32_t> newPlaces;      // of new pairs: the index before which they belong
-    std::vector<Run> runs;                     // of the table that remain
-    std::vector<std::uint64_t> droppedTouches; // body pairs whose boxes parted while they touched; until reported
+    std::vector<std::uint32_t> newPlaces;      // by new pair: the index before which it belongs
+    std::vector<Run> runs;                     // runs of pairs that remain
+    std::vector<std::uint64_t> droppedTouches; // Pair::bodies() of dropped pairs that touched; until reported
 };
 
-/// Of the narrow phase.
+/// Scratch of narrow_phase.h.
 struct NarrowPhase {
-    std::vector<std::uint32_t> candidates;            // indices of pairs to be updated
+    std::vector<std::uint32_t> candidates;            // indices of pairs to update
     std::vector<Constraint> constraints;              // general contacts that have no lane yet
-    std::vector<std::array<double, 3>> wholeImpulses; // by contact, while an iteration is made in parts
+    std::vector<std::array<double, 3>> wholeImpulses; // by contact: tangent and normal impulses before beginPart()
 };
 
-/// What the impulses of an iteration do to the energy of bodies, J: three sums over their motions to the sides, up and
-/// around; see energy_limit.cpp.
+/// The coefficients of EnergyBalance for one component, in the lanes x, y and rotation, J.
 struct EnergyChange {
     Wide a{}, b{}, c{};
 };
 
-/// The change with a share x of the impulses: a·x²/2 + b·x + c. `corrections` is the work of position corrections.
+/// The energy that the impulses of an iteration add to a component, J, if they are scaled by x: a·x²/2 + b·x + c. See
+/// energy_limit.cpp. `corrections` is the work of position correction, J.
 struct EnergyBalance {
     double a = 0, b = 0, c = 0, corrections = 0;
 
     double gain() const { return 0.5 * a + b + c; }
 };
 
-/// Of the solver, for an iteration; by slot, and one entry more for lanes without a contact.
+/// Scratch of the solver in one iteration. Arrays by slot have one more entry where lanes without a contact refer to
+/// it.
 struct SolverScratch {
     /// Of a contact that is solved again.
     struct SameLane {
@@ -79,34 +80,34 @@ struct SolverScratch {
     std::vector<double> fractions;               // of the motion that is left
 };
 
-/// A pair that may have to be stopped where it meets; see time_of_impact.h.
+/// A pair that the time of impact may stop; see time_of_impact.h.
 struct ToiCandidate {
     std::uint32_t pair = 0;
     Slot bodyA = 0, bodyB = 0;
-    std::uint32_t visitedAt = 0; // 0: not yet
-    bool touches = false;        // then only its turns are limited
-    bool deepens = false;        // and maybe where it has no contact point yet
-    bool stopsA = false, stopsB = false;
+    std::uint32_t visitedAt = 0;         // ToiSearch::visits at its last visit; 0: not visited
+    bool touches = false;                // it has a contact: only its turn is limited
+    bool deepens = false;                // it has a contact, and may penetrate where the manifold has no point
+    bool stopsA = false, stopsB = false; // which of the bodies is stopped
 };
 
-/// Of time_of_impact.
+/// Scratch of time_of_impact.h.
 struct ToiSearch {
     std::vector<ToiCandidate> candidates;
-    std::vector<std::uint32_t> shortenedAt; // by slot: the visit of a pair that shortened the motion
-    std::uint32_t visits = 0;               // of candidates
+    std::vector<std::uint32_t> shortenedAt; // by slot: `visits` when the motion was last shortened
+    std::uint32_t visits = 0;               // of candidates so far
 };
 
-/// Of sub-steps.
+/// Scratch of the integration in sub-steps.
 struct Substeps {
-    std::vector<Transform> trial;       // poses, by slot
-    std::vector<std::uint8_t> implicit; // by slot: whether a connector is too stiff for the sub-steps
+    std::vector<Transform> trial;       // by slot: the pose in the current sub-step
+    std::vector<std::uint8_t> implicit; // by slot: a connector is too stiff for explicit sub-steps
 };
 
-/// Of sleep.
+/// Scratch of sleep.h.
 struct SleepSearch {
-    PairTable newTable;
-    std::vector<Slot> parents;        // by slot: islands as trees
-    std::vector<std::uint8_t> marked; // by slot
+    PairTable newTable;               // the next table of sleeping pairs
+    std::vector<Slot> parents;        // by slot: disjoint sets, one for each island
+    std::vector<std::uint8_t> marked; // by root of an island: it wakes, or stays awake
 };
 
 struct Scratch {
@@ -117,11 +118,11 @@ struct Scratch {
     ToiSearch toi;
     Substeps substeps;
     SleepSearch sleep;
-    StageTimes* times = nullptr; // of the running update, if anybody wants them
+    StageTimes* times = nullptr; // of the running update; null if stages are not timed
 
     Scratch() = default;
     ~Scratch() = default;
-    /// A copy begins without, and so does what a copy is assigned to.
+    /// A copy is empty; assignment from another scratch clears this one.
     Scratch(const Scratch&) {}           // NOLINT(bugprone-copy-constructor-init)
     Scratch& operator=(const Scratch&) { // NOLINT(bugprone-unhandled-self-assignment): nothing is lost but room
         *this = Scratch{};

@@ -1,23 +1,28 @@
 #pragma once
-// What the stages of the update tell each other. Whoever sets a flag, and who clears it, is written here and nowhere
-// else.
+// Flags by which the stages of the update communicate. The comments say which function sets and which clears a flag.
 namespace spacetow {
 
 struct StepFlags {
-    // Something is out of date. Between updates these are part of the state of a world.
+    // Data that is out of date. Between updates these flags are part of the state of a world.
 
-    // Static bodies have been added, removed, moved or switched: set by whoever does so, cleared by refreshStatics.
+    // Static bodies have been added, removed, moved, activated or deactivated: set by noteStaticChange, cleared by
+    // refreshStatics.
     bool staticsChanged = true;
-    // Connectors have come or gone: set likewise, cleared by refreshConnections, which sets `pairsStale`.
+    // Connectors have been added or removed, or join other bodies: set by World, cleared by refreshConnections, which
+    // sets `pairsStale`.
     bool connectionsStale = false;
-    // All pairs are to be found anew, as their bodies, filters or statics have changed: cleared by changePairs.
+    // All pairs have to be found again, because bodies, filters, connectors or statics have changed: cleared by
+    // changePairs.
     bool pairsStale = true;
-    // There are more pairs than are kept: set by collectPairs, cleared by refreshBodyLists, which sets `pairsStale`.
+    // There are more pairs than mostPairs allows: set by collectPairs, cleared by refreshBodyLists, which sets
+    // `pairsStale`.
     bool crowded = false;
-    // The pairs, or who moves, have changed: set by changePairs and listSensors, cleared by findComponents.
+    // The pair table or the set of moving bodies has changed: set by changePairs, listSensors and resetSlots, cleared
+    // by findComponents.
     bool contactGraphStale = true;
     // Every lane belongs to the contact of a pair in the table. Set by resetConstraints; cleared by releaseConstraints,
-    // for changes that lanes cannot follow. Only then are `anyScalarUpdate` and `anySingular` true of the constraints.
+    // for changes that lanes cannot follow. While it is set, `anyScalarUpdate` and `anySingular` tell whether any
+    // constraint has that property.
     bool constraintsValid = false;
     bool anyScalarUpdate = false;
     bool anySingular = false;
@@ -25,18 +30,24 @@ struct StepFlags {
     // rebuilds the constraints.
     bool mergeStale = false;
 
-    // Noticed in the iteration; each is written before it is read.
+    // Results within one iteration; each flag is written before it is read.
 
-    // By measureMotion: a motion is not finite; a body has left its fat AABB, or all pairs are stale (until findPairs;
-    // measureCorrections writes this one again); a motion exceeds the speculative margin (solveVelocities may add one).
+    // Set by measureMotion:
+    // - anyFault: a motion is not finite.
+    // - anyMovedProxy: a body has left its fat AABB, or all pairs are stale. Cleared by findPairs; measureCorrections
+    //   sets it again.
+    // - anyFast: a motion exceeds the speculative margin. solveVelocities may set it later.
     bool anyFault = false;
     bool anyMovedProxy = false;
     bool anyFast = false;
-    // By findContacts: a pair will bounce, and is to be swept; a contact bounces; the constraints have been rebuilt.
+    // Set by findContacts:
+    // - anySweep: a pair will bounce at its time of impact.
+    // - anyBounce: restitution acts at a contact.
+    // - constraintsRebuilt: the constraints have been rebuilt.
     bool anySweep = false;
     bool anyBounce = false;
     bool constraintsRebuilt = false;
-    // By solveVelocities: contacts have sent a body elsewhere than it was going.
+    // Set by solveVelocities: contacts have changed the motion of a body by more than a small deflection.
     bool anyDeflected = false;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
-// The state of a world, by whose it is; a stage of the update takes those that it touches. Body slots are used again
-// after a removal; slot order is the same for equal histories, so it may decide the order of work. SI units, radians.
+// The state of a world in parts. Each stage of the update takes the parts that it touches. A body slot is used again
+// after a removal. Worlds with equal histories have equal slots, so the order of slots may decide the order of work. SI
+// units, radians.
 
 #include "core/geometry/moving_quadtree.h"
 #include "core/math/aabb.h"
@@ -29,21 +30,22 @@ struct Bodies {
 
     std::vector<Slot> freeSlots;
     std::uint64_t nextSerial = 0;
-    std::vector<Slot> moving;           // active and awake, kinematic bodies first
-    std::vector<Slot> reporters;        // of touched tags
-    std::vector<Slot> taggedAtRest;     // who has any touched tags and does not move
-    std::vector<PendingChange> pending; // deferred changes
-    std::vector<Slot> changedBodies;    // so that lists and pairs are to be made anew
-    std::vector<Slot> slotsToReset;     // whose entries in what is kept by slot are to begin anew
-    std::vector<Slot> nonStatic;        // by slot, but for changed bodies
-    std::vector<Slot> addedNonStatic;   // of changed bodies; between updates all others are in the list
+    std::vector<Slot> moving;           // bodies that are active, awake and not static; kinematic ones first
+    std::vector<Slot> reporters;        // bodies with BodyDef::reportsTouches
+    std::vector<Slot> taggedAtRest;     // bodies with touched tags that are static or asleep
+    std::vector<PendingChange> pending; // deferred changes, in the order of the calls
+    std::vector<Slot> changedBodies;    // bodies for which lists and pairs have to be rebuilt
+    std::vector<Slot> slotsToReset;     // slots that resetSlots() has to reset
+    std::vector<Slot> nonStatic;        // sorted; without bodies in changedBodies
+    std::vector<Slot> addedNonStatic;   // bodies in changedBodies that are not static, until the next update
 
-    // What is asked for pairs. The motion bounds are those at the end of the iteration, m.
+    // What loops over pairs read of a body.
+    // m, motion bounds at the end of the iteration
     MoverArray<double> motionBounds;
     MoverArray<PlannedMotion> plannedMotions;
     MoverArray<BodyExtent> extents;
-    MoverArray<std::uint8_t> mayNeedToi; // whether the body may need a time of impact
-    MoverArray<std::uint8_t> movable;    // whether anything can move or turn it
+    MoverArray<std::uint8_t> mayNeedToi; // 1: the body is fast, will bounce, or was deflected
+    MoverArray<std::uint8_t> movable;    // 1: contacts can move or turn the body, see BodyMotion::isMovable
 
     bool contains(BodyId body) const {
         return body.index < records.size() && records[body.index].used &&
@@ -51,13 +53,13 @@ struct Bodies {
     }
     BodyId idOf(Slot slot) const { return {slot, records[slot].generation}; }
     Transform pose(Slot slot) const { return {motions[slot].center, motions[slot].rotation}; }
-    /// Of the second part of a pair; static parts are in world coordinates.
+    /// The pose of the second part of a pair: the identity for static parts, which are in world coordinates.
     Transform poseOfB(const Pair& pair) const { return pair.staticB ? Transform{} : pose(pair.bodyB); }
-    /// The motion bounds of both bodies before the iteration, m.
+    /// The sum of the motion bounds of both bodies at the beginning of the iteration, m.
     double motionOf(const PairBound& bound) const {
         return extents[bound.moverA].motionBound + extents[bound.moverB].motionBound;
     }
-    /// To be called when the motion of the body has been planned, or it no longer moves.
+    /// To be called when the planned motion of the body has changed.
     void notePlannedMotion(Slot slot) {
         plannedMotions[slot] = {motions[slot], steps[slot]};
         extents[slot] = {steps[slot].motionBound, steps[slot].outerRadius};
@@ -67,35 +69,35 @@ struct Bodies {
 struct Forces {
     std::vector<ConnectorRecord> connectors;
     std::vector<std::uint32_t> freeConnectors;
-    std::vector<SlotPair> notColliding; // sorted
-    std::vector<Slot> substepped;       // see BodyRecord
+    std::vector<SlotPair> notColliding; // bodies that do not collide because a connector joins them; sorted
+    std::vector<Slot> substepped;       // bodies with BodyRecord::substepped
 };
 
 struct BroadPhase {
-    std::shared_ptr<const StaticGeometry> statics;      // of all static bodies
-    std::shared_ptr<const StaticChanges> staticChanges; // since that was made, if any
-    std::vector<Slot> changedStatics;                   // in neither as they are now
+    std::shared_ptr<const StaticGeometry> statics;      // all static bodies when it was built
+    std::shared_ptr<const StaticChanges> staticChanges; // the changes since; null if there are none
+    std::vector<Slot> changedStatics;                   // bodies that refreshStatics() has yet to enter
     MovingQuadtree tree;
-    std::vector<MovingProxy> proxies;        // of the bodies that move and the sleepers
-    std::vector<Aabb> boxes;                 // of proxies, which they cannot leave unnoticed
-    std::vector<std::uint32_t> firstProxies; // by slot
-    std::vector<std::uint32_t> staleProxies; // that are not where the tree has them
+    std::vector<MovingProxy> proxies;        // the parts of moving and of sleeping bodies
+    std::vector<Aabb> boxes;                 // by proxy: its fat AABB
+    std::vector<std::uint32_t> firstProxies; // by slot: index of the first proxy of the body
+    std::vector<std::uint32_t> staleProxies; // indices of proxies whose fat AABB in `tree` is out of date
 
-    /// By its index in `statics`, or after those in `staticChanges`.
+    /// The collider of an index: first come those of `statics`, then those of `staticChanges`.
     const StaticGeometry::Collider& staticCollider(std::uint32_t index) const {
         const std::size_t first = statics->colliders.size();
         return index < first ? statics->colliders[index] : staticChanges->geometry.colliders[index - first];
     }
 };
 
-/// Pairs, and what is kept of their contacts.
+/// The pair table and the contact pool.
 struct Contacts {
     PairTable table;
-    std::vector<std::uint32_t> sensors; // indices of the pairs of sensors
-    std::vector<Contact> pool;          // of the pairs that have come near each other
+    std::vector<std::uint32_t> sensors; // indices of sensor pairs
+    std::vector<Contact> pool;          // persistent contacts of pairs that have come near each other
     std::vector<std::uint32_t> freeInPool;
 
-    /// Whether the parts of the pair may meet in this iteration.
+    /// Whether the parts of the pair may touch in this iteration.
     bool mayTouchNow(const Bodies& bodies, std::uint32_t pair) const {
         const PairBound& bound = table.bounds[pair];
         return bodies.motionBounds[bound.moverA] + bodies.motionBounds[bound.moverB] + linearSlop >=
@@ -108,10 +110,10 @@ struct Constraints {
     std::vector<CircleContact> circleContacts;
     std::vector<GeneralContact> generalContacts;
     ContactBatches batches;
-    std::vector<std::uint16_t> mergeableContacts; // by slot: general contacts with what others may share a plane with
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> mergeCandidates; // contacts that may come to lie in one plane
-    std::vector<std::uint32_t> mergedPairs;                               // pairs that merged contacts stand for
-    std::size_t constraintChanges = 0;                                    // since all were rebuilt
+    std::vector<std::uint16_t> mergeableContacts; // by slot: count of mergeable general contacts as body a
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> mergeCandidates; // in the pool, see findMergeCandidates()
+    std::vector<std::uint32_t> mergedPairs;                               // pairs whose contacts have been merged
+    std::size_t constraintChanges = 0;                                    // lanes opened and closed since the rebuild
 };
 
 } // namespace spacetow

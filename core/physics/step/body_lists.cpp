@@ -10,14 +10,14 @@ namespace spacetow {
 
 namespace {
 
-// Up to so many are put into the lists one by one.
+// Up to this many changed bodies are inserted one by one; more are listed by a pass over all bodies.
 constexpr std::size_t fewBodies = 64;
 
 bool isNonStatic(const BodyRecord& record) {
     return record.used && record.kind != BodyKind::Static;
 }
 
-/// In a sorted list, or not.
+/// Inserts the slot in a sorted list, or erases it.
 void put(std::vector<Slot>& list, Slot slot, bool in) {
     const auto at = std::lower_bound(list.begin(), list.end(), slot);
     const bool listed = at != list.end() && *at == slot;

@@ -5,7 +5,8 @@
 
 namespace spacetow {
 
-/// Lists the moving bodies. If static bodies have changed, also brings their tree up to date.
+/// Updates the lists of bodies if bodies have changed, and the static geometry if static bodies have changed. Resizes
+/// the arrays by slot.
 void refreshBodyLists(WorldData& data);
 
 } // namespace spacetow

@@ -47,12 +47,12 @@ void ended(const WorldData& data, StepStage stage) {
 
 IterationStep iterationStep(const UpdateParameters& p) {
     const double dt = p.seconds / p.iterations;
-    // A few passes over coarse iterations; fine ones converge from one iteration to the next.
+    // Coarse iterations need up to 4 passes; fine ones converge from one iteration to the next.
     const int passes = std::clamp(8 / p.iterations, 2, 4);
     return {dt, dt / p.substeps, p.substeps, p.seconds, 0, passes};
 }
 
-// Into so many parts an iteration may be divided.
+// The most parts of one iteration.
 constexpr int maxParts = 64;
 
 /// The pairs of bodies that have left their fat AABBs, and what depends on pairs.

@@ -12,12 +12,12 @@ namespace spacetow {
 
 namespace {
 
-// Beyond this doubles no longer resolve a millimetre, m.
+// Largest coordinate, m: at 1e9 m the resolution of a double is 1e-7 m, well below the slop.
 constexpr double farthest = 1e9;
 
 using Checks = std::initializer_list<std::pair<const char*, bool>>;
 
-/// The error names the first field that does not hold.
+/// Returns an error that names the first field whose check is false; none if all are true.
 std::optional<Error> firstWrong(PhysicsCode code, Checks checks) {
     const auto* wrong = std::find_if(checks.begin(), checks.end(), [](const auto& check) { return !check.second; });
     return wrong == checks.end() ? std::nullopt : std::optional(Error{code, {wrong->first}});
@@ -76,7 +76,7 @@ double outerRadius(const Part& part) {
     return radius;
 }
 
-/// Forces are divided by it, and impulses multiplied with its inverse.
+/// Whether x and 1/x are finite: forces are divided by masses, impulses multiplied by inverse masses.
 bool hasInverse(double x) {
     return std::isfinite(x) && std::isfinite(1 / x);
 }

@@ -205,9 +205,9 @@ Aabb World::bounds(BodyId body) const {
     const BodyRecord& record = m_data->bodies.records[body.index];
     Aabb box = record.bounds;
     if (record.kind == BodyKind::Static && !box.isEmpty()) {
-        return box; // holds until it is put elsewhere, however many parts there are
+        return box; // valid until the body is moved; spares a pass over its parts
     }
-    // What is pushed out of an overlap may leave it in the last iteration.
+    // Position correction may move the body out of its fat AABB in the last iteration.
     for (const Part& part : *record.parts) {
         box.include(boundsOf(part, m_data->bodies.pose(body.index)));
     }

@@ -49,7 +49,7 @@ std::optional<Error> check(const World& world, const ConnectorDef& d) {
     return {};
 }
 
-/// All of the record that its definition says.
+/// Sets the members of the record that ConnectorDef defines.
 void define(const Bodies& bodies, const ConnectorDef& def, ConnectorRecord& c) {
     c.a = def.a.index;
     c.b = def.b.index;
@@ -66,7 +66,7 @@ void define(const Bodies& bodies, const ConnectorDef& def, ConnectorRecord& c) {
     c.truncation = def.truncation;
 }
 
-/// Functions cannot be compared.
+/// Whether the records are equal. Connectors with a custom function never are: functions cannot be compared.
 bool isSame(const ConnectorRecord& c, const ConnectorRecord& d) {
     const auto values = [](const ConnectorRecord& r) {
         return std::tuple(r.a, r.b, r.length, r.stiffness, r.damping, r.slack, r.bodiesCollide, r.truncation.rule,
@@ -76,7 +76,8 @@ bool isSame(const ConnectorRecord& c, const ConnectorRecord& d) {
            c.truncation.rule != TruncationRule::Custom;
 }
 
-/// Nothing changes for others near a static body to which something is connected.
+/// Requests the wake of the bodies of a connector. A static body would wake all bodies near it, which the connector
+/// does not concern.
 void requestWakeOfEnds(Bodies& bodies, Sleep& sleep, const ConnectorRecord& c) {
     for (const Slot slot : {c.a, c.b}) {
         if (bodies.records[slot].kind != BodyKind::Static) {

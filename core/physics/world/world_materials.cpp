@@ -15,7 +15,7 @@ namespace spacetow {
 
 namespace {
 
-/// What contacts, and those who lie on the body, feel of it.
+/// The properties that contacts depend on.
 auto massAndSurface(const BodyRecord& r) {
     return std::tuple(r.mass, r.inertia, r.restitution, r.friction);
 }

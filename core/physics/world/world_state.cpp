@@ -42,7 +42,7 @@ void addConnectorState(StateHash& hash, const ConnectorRecord& c) {
              static_cast<std::uint64_t>(c.truncation.rule) << 3);
 }
 
-/// Of the pairs that count: what they touch with, and what is known of their manifold.
+/// Hashes a pair if it touches or has a contact: bodies, parts, impulses and kept manifold.
 void addPairState(StateHash& hash, const WorldData& data, const PairTable& table, std::size_t index) {
     const Pair& pair = table.pairs[index];
     if (table.flags[index].reported) {
