@@ -54,6 +54,14 @@ Aabb boundsOf(const Part& part, const Transform& pose) {
     return std::visit(BoundsMaker{pose}, part);
 }
 
+Aabb boundsOf(std::span<const Part> parts, const Transform& pose) {
+    Aabb box;
+    for (const Part& part : parts) {
+        box.include(boundsOf(part, pose));
+    }
+    return box;
+}
+
 Aabb enlargedEdgeBounds(const Aabb& bounds) {
     const Vec2 half = 1.1 * (0.5 * bounds.size() + Vec2(0.1, 0.1));
     return {bounds.center() - half, bounds.center() + half};

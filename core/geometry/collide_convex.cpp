@@ -1,8 +1,8 @@
-#include "core/geometry/bearing.h"
 #include "core/geometry/clip.h"
 #include "core/geometry/collide_pairs.h"
 #include "core/geometry/intersect.h"
 #include "core/geometry/near_points.h"
+#include "core/geometry/supporting_corners.h"
 
 namespace spacetow {
 
@@ -46,8 +46,8 @@ Axis bestAxis(const ConvexPart& reference, const ConvexPart& other, double margi
                 return axis;
             }
         }
-        if (cut && separation > axis.allowed && isOuterFace(reference, i) && isBeside(reference, i, other) &&
-            levelBears(other, deepestCorner(other, normal), reference, i)) {
+        if (cut && separation > axis.allowed && isOuterFace(reference, i) && mayBeReferenceFace(reference, i, other) &&
+            levelSupports(other, deepestCorner(other, normal), reference, i)) {
             axis.allowed = separation;
             axis.allowedFace = i;
         }
@@ -72,8 +72,7 @@ struct Reference {
 
 /// How far beyond a corner the plane of a face bears, m: where a face of another part continues it, no gap is left.
 double reachBeyond(const ConvexPart& part, int face, int corner) {
-    const bool joined =
-        isCut(part) && isOuterFace(part, corner) != isOuterFace(part, corner > 0 ? corner - 1 : part.count - 1);
+    const bool joined = isCut(part) && isOuterFace(part, corner) != isOuterFace(part, cornerBefore(part, corner));
     const Vec2& beyond = part.normalsBeyond[static_cast<std::size_t>(corner)];
     const bool straight = joined && normalOf(part, face).dot(beyond) > 0 &&
                           std::fabs(cross(normalOf(part, face), beyond)) <= parallelTurn;
@@ -199,11 +198,11 @@ bool isOverFace(const ConvexPart& reference, int face, const ConvexPart& other) 
 Manifold nearestManifold(const ConvexPart& a, const ConvexPart& b, const NearestFeatures& nearest, double margin) {
     Manifold manifold;
     if (nearest.faceA >= 0) {
-        const bool allowed = isOuterFace(a, nearest.faceA) && levelBears(b, nearest.cornerB, a, nearest.faceA);
+        const bool allowed = isOuterFace(a, nearest.faceA) && levelSupports(b, nearest.cornerB, a, nearest.faceA);
         return allowed ? faceManifold({a, nearest.faceA, false}, b, margin) : manifold;
     }
     if (nearest.faceB >= 0) {
-        const bool allowed = isOuterFace(b, nearest.faceB) && levelBears(a, nearest.cornerA, b, nearest.faceB);
+        const bool allowed = isOuterFace(b, nearest.faceB) && levelSupports(a, nearest.cornerA, b, nearest.faceB);
         return allowed ? faceManifold({b, nearest.faceB, true}, a, margin) : manifold;
     }
     const Vec2& onA = cornerOf(a, nearest.cornerA);
@@ -226,7 +225,7 @@ struct Reach {
 /// Whether the outline turns inwards at a corner where an outer face of the part meets a cut, and so goes on with a
 /// face of another part. -1 where it does not, else that outer face.
 int faceAtNotch(const ConvexPart& part, int corner) {
-    const int before = corner > 0 ? corner - 1 : part.count - 1;
+    const int before = cornerBefore(part, corner);
     if (isOuterFace(part, corner) == isOuterFace(part, before)) {
         return -1;
     }
@@ -249,7 +248,7 @@ Manifold notchManifold(const ConvexPart& reference, int corner, const ConvexPart
     const Vec2 from = cornerOf(other, deepest) - cornerOf(reference, corner);
     const double separation = normal.dot(from);
     if (!(from.squaredNorm() <= reach.margin * reach.margin) || separation < -2 * reach.distance - farAway ||
-        !cornerBears(other, deepest, -normal)) {
+        !cornerSupports(other, deepest, -normal)) {
         return manifold;
     }
     manifold.normal = reach.swapped ? Vec2(-normal) : normal;

@@ -15,24 +15,6 @@ Manifold wallAgainstConvex(const WallPart& wall, const ConvexPart& convex, doubl
 /// Both in the same coordinates; the normal points from a to b.
 Manifold convexAgainstConvex(const ConvexPart& a, const ConvexPart& b, double margin);
 
-inline const Vec2& cornerOf(const ConvexPart& part, int i) {
-    return part.corners[static_cast<std::size_t>(i)];
-}
-inline const Vec2& normalOf(const ConvexPart& part, int i) {
-    return part.normals[static_cast<std::size_t>(i)];
-}
-inline int cornerAfter(const ConvexPart& part, int i) {
-    return i + 1 < part.count ? i + 1 : 0;
-}
-inline bool isOuterFace(const ConvexPart& part, int i) {
-    return (part.outerFaces >> i & 1) != 0;
-}
-
-/// Whether some faces of the part lie inside the polygon that it was cut from.
-inline bool isCut(const ConvexPart& part) {
-    return part.outerFaces != (1u << part.count) - 1;
-}
-
 /// The margin for the two ends of a side; `nearest` is the separation of the nearer end, m. Doubled for parts of a
 /// concave polygon once one end is within the margin: the speculative margin of thin parts is small, so a part that
 /// lands on one end would turn about it and hit with the other end before the time of impact sweeps it.
@@ -58,8 +40,8 @@ inline bool cornerAllows(const ConvexPart& part, int i, const Vec2& u) {
 
 /// The same for a contact with a face: the part whose outer face ends at the corner has it too, so that the order of
 /// parts does not matter. Both contacts lie in one plane.
-inline bool cornerBears(const ConvexPart& part, int i, const Vec2& u) {
-    const int before = i > 0 ? i - 1 : part.count - 1;
+inline bool cornerSupports(const ConvexPart& part, int i, const Vec2& u) {
+    const int before = cornerBefore(part, i);
     return cornerAllows(part, i, u) ||
            (!isOuterFace(part, i) && isOuterFace(part, before) &&
             liesBetween(normalOf(part, before), part.normalsBeyond[static_cast<std::size_t>(i)], u));

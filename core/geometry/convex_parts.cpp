@@ -69,4 +69,18 @@ std::vector<Part> partsOf(const Shape& shape) {
     return std::visit(PartMaker{}, shape);
 }
 
+void joinParts(std::span<Part* const> parts) {
+    std::vector<WallPart*> walls;
+    std::vector<ConvexPart*> convexParts;
+    for (Part* part : parts) {
+        if (auto* wall = std::get_if<WallPart>(part)) {
+            walls.push_back(wall);
+        } else if (auto* convex = std::get_if<ConvexPart>(part)) {
+            convexParts.push_back(convex);
+        }
+    }
+    joinWalls(walls);
+    joinConvexParts(convexParts);
+}
+
 } // namespace spacetow

@@ -12,6 +12,9 @@ namespace spacetow {
 /// The parts of a shape, in its own coordinates. None for a polygon that encloses nothing.
 std::vector<Part> partsOf(const Shape& shape);
 
+/// Joins the walls among the parts to each other, and the convex parts to each other, see below.
+void joinParts(std::span<Part* const> parts);
+
 /// Joins walls whose ends are within the tolerance of near_points.h: edge to edge in the direction a → b, and line to
 /// line in either; then the remaining ends edge to line, on the side that is solid on both. If more than two walls meet
 /// at a point, the straightest pairs are joined; more than `jointCrowd` are not joined at all. All walls are in the

@@ -33,7 +33,7 @@ inline ConvexPart moved(const ConvexPart& part, const Transform& pose) {
         result.corners[i] = pose.toWorld(part.corners[i]);
         result.normals[i] = pose.rotation * part.normals[i];
     }
-    if (part.outerFaces != (1u << part.count) - 1) { // only parts with cuts need the rest
+    if (isCut(part)) {
         result.whole = pose.toWorld(part.whole);
         for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
             result.normalsBeyond[i] = pose.rotation * part.normalsBeyond[i];

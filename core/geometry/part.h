@@ -38,11 +38,32 @@ struct ConvexPart {
     std::array<Vec2, maxCorners> normals; // unit, outward
     std::uint8_t outerFaces = 0;          // bit i: face i lies on the polygon's outline
     /// Unit normal of the face of the outline beyond corner i: if an outer face of this part starts at the corner, of
-    /// the face that ends there, else of the one that starts there. Set for parts with cuts only.
+    /// the face that ends there, else of the one that starts there. Valid for parts with cuts only.
     std::array<Vec2, maxCorners> normalsBeyond;
     Vec2 center{0, 0}; // centroid of this part
-    Vec2 whole{0, 0};  // centroid of the polygon that it was cut from; set for parts with cuts only
+    Vec2 whole{0, 0};  // centroid of the polygon that it was cut from; valid for parts with cuts only
 };
+
+inline const Vec2& cornerOf(const ConvexPart& part, int i) {
+    return part.corners[static_cast<std::size_t>(i)];
+}
+inline const Vec2& normalOf(const ConvexPart& part, int i) {
+    return part.normals[static_cast<std::size_t>(i)];
+}
+inline int cornerAfter(const ConvexPart& part, int i) {
+    return i + 1 < part.count ? i + 1 : 0;
+}
+inline int cornerBefore(const ConvexPart& part, int i) {
+    return i > 0 ? i - 1 : part.count - 1;
+}
+inline bool isOuterFace(const ConvexPart& part, int i) {
+    return (part.outerFaces >> i & 1) != 0;
+}
+
+/// Whether some faces of the part lie inside the polygon that it was cut from.
+inline bool isCut(const ConvexPart& part) {
+    return part.outerFaces != (1u << part.count) - 1;
+}
 
 using Part = std::variant<Circle, WallPart, ConvexPart>;
 

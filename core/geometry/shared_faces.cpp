@@ -27,20 +27,13 @@ struct Split {
     bool operator<(const Split& o) const { return std::tie(part, face, at) < std::tie(o.part, o.face, o.at); }
 };
 
-int nextOf(const ConvexPart& part, int i) {
-    return i + 1 < part.count ? i + 1 : 0;
-}
-bool isOuter(const ConvexPart& part, int face) {
-    return (part.outerFaces >> face & 1) != 0;
-}
-
 std::vector<Flank> outerFlanks(ConvexParts parts) {
     std::vector<Flank> flanks;
     for (std::size_t p = 0; p < parts.size(); ++p) {
         const ConvexPart& part = *parts[p];
         for (int i = 0; i < part.count; ++i) {
-            if (isOuter(part, i)) {
-                const auto next = static_cast<std::size_t>(nextOf(part, i));
+            if (isOuterFace(part, i)) {
+                const auto next = static_cast<std::size_t>(cornerAfter(part, i));
                 flanks.push_back({p, i, part.corners[static_cast<std::size_t>(i)], part.corners[next]});
             }
         }
@@ -98,7 +91,7 @@ std::vector<Split> splitsOf(const std::vector<Flank>& flanks) {
 void insertCorner(ConvexPart& part, int face, double at) {
     const auto i = static_cast<std::size_t>(face);
     const Vec2& from = part.corners[i];
-    const Vec2& to = part.corners[static_cast<std::size_t>(nextOf(part, face))];
+    const Vec2& to = part.corners[static_cast<std::size_t>(cornerAfter(part, face))];
     const Vec2 corner = from + at * (to - from).normalized();
     for (auto k = static_cast<std::size_t>(part.count); k > i + 1; --k) {
         part.corners[k] = part.corners[k - 1];
@@ -136,14 +129,14 @@ void hideSharedFaces(ConvexParts parts) {
     const std::vector<Flank> flanks = outerFlanks(parts);
     const NearPoints starts(pointsOf(flanks, true));
     for (const Flank& s : flanks) {
-        if (!isOuter(*parts[s.part], s.face)) {
+        if (!isOuterFace(*parts[s.part], s.face)) {
             continue;
         }
         std::uint32_t shared = static_cast<std::uint32_t>(flanks.size());
         const bool few = starts.visit(s.to, [&](std::uint32_t index) {
             const Flank& t = flanks[index];
             const double within = meetingDistance(s.length(), t.length());
-            if (t.part != s.part && isOuter(*parts[t.part], t.face) && meet(s.to, t.from, within) &&
+            if (t.part != s.part && isOuterFace(*parts[t.part], t.face) && meet(s.to, t.from, within) &&
                 meet(s.from, t.to, within)) {
                 shared = std::min(shared, index);
             }
@@ -191,10 +184,10 @@ void joinConvexParts(std::span<ConvexPart* const> parts) {
             const int before = i > 0 ? i - 1 : part->count - 1;
             const Vec2& own = part->normals[k];
             const Vec2& ownBefore = part->normals[static_cast<std::size_t>(before)];
-            if (isOuter(*part, i)) {
+            if (isOuterFace(*part, i)) {
                 part->normalsBeyond[k] =
-                    isOuter(*part, before) ? ownBefore : arrivals.straightest(part->corners[k], own);
-            } else if (isOuter(*part, before)) {
+                    isOuterFace(*part, before) ? ownBefore : arrivals.straightest(part->corners[k], own);
+            } else if (isOuterFace(*part, before)) {
                 part->normalsBeyond[k] = departures.straightest(part->corners[k], ownBefore);
             }
         }

@@ -26,8 +26,6 @@ class WallBackTree {
     /// the same order. The result depends on the items alone, not on the tree.
     void query(const Aabb& box, std::vector<std::uint32_t>& out) const;
 
-    const std::vector<Item>& items() const { return m_items; }
-
   private:
     /// An arc of directions, anticlockwise, in quarter turns.
     struct Arc {

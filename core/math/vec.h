@@ -21,6 +21,10 @@ inline Vec2 cross(double w, const Vec2& r) {
 inline Vec2 leftOf(const Vec2& v) {
     return {-v.y(), v.x()};
 }
+/// |x| + |y|: an upper bound of the length without a square root.
+inline double oneNorm(const Vec2& v) {
+    return std::abs(v.x()) + std::abs(v.y());
+}
 inline bool isFinite(const Vec2& v) {
     return std::isfinite(v.x()) && std::isfinite(v.y());
 }

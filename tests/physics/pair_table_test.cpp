@@ -62,17 +62,17 @@ bool partsMeet(const WorldData& data, Slot a, std::uint32_t partA, Slot b, std::
 
 /// Whether all parts that meet are in the table of pairs.
 bool holdsAllThatMeet(const WorldData& data) {
-    const std::vector<Pair>& pairs = data.contacts.table.pairs;
+    const auto isListed = [&](const PairKey& key) {
+        const std::vector<Pair>& pairs = data.contacts.table.pairs;
+        const auto isBefore = [](const Pair& pair, const PairKey& other) { return pair.key() < other; };
+        const auto found = std::lower_bound(pairs.begin(), pairs.end(), key, isBefore);
+        return found != pairs.end() && !(key < found->key());
+    };
     for (const Slot a : data.bodies.moving) {
         for (const Slot b : data.bodies.moving) {
             for (std::uint32_t i = 0; a < b && i < data.bodies.records[a].parts->size(); ++i) {
                 for (std::uint32_t k = 0; k < data.bodies.records[b].parts->size(); ++k) {
-                    Pair pair;
-                    pair.bodyA = a;
-                    pair.bodyB = b;
-                    pair.partA = i;
-                    pair.partB = k;
-                    if (partsMeet(data, a, i, b, k) && !std::binary_search(pairs.begin(), pairs.end(), pair)) {
+                    if (partsMeet(data, a, i, b, k) && !isListed({a, b, i, k})) {
                         return false;
                     }
                 }
@@ -84,7 +84,7 @@ bool holdsAllThatMeet(const WorldData& data) {
 
 bool isSortedAndUnique(const std::vector<Pair>& pairs) {
     for (std::size_t i = 1; i < pairs.size(); ++i) {
-        if (!(pairs[i - 1] < pairs[i])) {
+        if (!(pairs[i - 1].key() < pairs[i].key())) {
             return false;
         }
     }

@@ -78,7 +78,7 @@ void add(const PairStage& stage, const MovingProxy& a, const MovingProxy& b) {
     const bool ordered = a.body < b.body;
     const MovingProxy& first = ordered ? a : b;
     const MovingProxy& second = ordered ? b : a;
-    stage.search.foundPairs.emplace_back(first.body, second.body, first.part, second.part);
+    stage.search.foundPairs.push_back({first.body, second.body, first.part, second.part});
 }
 
 /// Whether the proxy is a slender part, and the fat AABB of another proxy lies in front of one of its faces.
@@ -144,7 +144,7 @@ void findStaticsOf(const BroadPhase& broadPhase, PairSearch& search, std::uint32
     const MovingProxy& collider = broadPhase.proxies[index];
     for (const std::uint32_t other : search.found) {
         const StaticGeometry::Collider& wall = broadPhase.staticCollider(other);
-        search.foundPairs.emplace_back(collider.body, wall.body, collider.part, wall.part);
+        search.foundPairs.push_back({collider.body, wall.body, collider.part, wall.part});
     }
 }
 
@@ -180,11 +180,11 @@ void refreshTree(BroadPhase& broadPhase, const StepFlags& flags, const PairSearc
 }
 
 /// Insertion sort; falls back to std::sort if the pairs are not nearly sorted.
-void sortNearlySorted(std::span<FoundPair> pairs) {
+void sortNearlySorted(std::span<PairKey> pairs) {
     constexpr std::size_t movesPerPair = 16;
     std::size_t moves = 0;
     for (std::size_t i = 1; i < pairs.size(); ++i) {
-        const FoundPair pair = pairs[i];
+        const PairKey pair = pairs[i];
         std::size_t k = i;
         for (; k > 0 && pair < pairs[k - 1]; --k) {
             pairs[k] = pairs[k - 1];
@@ -207,14 +207,14 @@ void sortFound(const Bodies& bodies, PairSearch& search) {
     }
     std::vector<std::uint32_t>& ends = search.pairEnds;
     ends.assign(bodies.records.size() + 1, 0);
-    for (const FoundPair& pair : search.foundPairs) {
+    for (const PairKey& pair : search.foundPairs) {
         ++ends[pair.bodyA + 1];
     }
     for (std::size_t i = 1; i < ends.size(); ++i) {
         ends[i] += ends[i - 1];
     }
     search.sortedPairs.resize(search.foundPairs.size());
-    for (const FoundPair& pair : search.foundPairs) {
+    for (const PairKey& pair : search.foundPairs) {
         search.sortedPairs[ends[pair.bodyA]++] = pair;
     }
     for (std::size_t i = 0, first = 0; i + 1 < ends.size(); first = ends[i++]) {
@@ -266,7 +266,9 @@ void enlargeAabbs(Bodies& bodies, BroadPhase& broadPhase, const PairSearch& sear
 }
 
 std::size_t mostPairs(const BroadPhase& broadPhase) {
-    return (std::size_t{1} << 18) + 64 * broadPhase.proxies.size();
+    constexpr std::size_t base = std::size_t{1} << 18; // about 50 MB of pairs, in small worlds
+    constexpr std::size_t perProxy = 64;               // a disc in a dense heap has about 6
+    return base + perProxy * broadPhase.proxies.size();
 }
 
 void collectPairs(const PairStage& stage) {

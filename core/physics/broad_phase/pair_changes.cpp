@@ -1,5 +1,6 @@
 #include "core/physics/broad_phase/pair_changes.h"
 
+#include "core/physics/broad_phase/collision_rules.h"
 #include "core/physics/broad_phase/statics.h"
 
 #include <algorithm>
@@ -8,23 +9,9 @@ namespace spacetow {
 
 namespace {
 
-/// Whether a connector joins the bodies and keeps them from colliding.
-bool connectedApart(const Forces& forces, Slot a, Slot b) {
-    return !forces.notColliding.empty() &&
-           std::binary_search(forces.notColliding.begin(), forces.notColliding.end(), SlotPair(std::minmax(a, b)));
-}
-
-bool shouldCollide(const Bodies& bodies, const Forces& forces, Slot a, Slot b) {
-    const BodyRecord& ra = bodies.records[a];
-    const BodyRecord& rb = bodies.records[b];
-    const bool oneMoves = ra.kind == BodyKind::Dynamic || rb.kind == BodyKind::Dynamic;
-    const bool oneIsSensor = !ra.tangible || !rb.tangible;
-    return a != b && (oneMoves || oneIsSensor) && mayTouch(ra.filter, rb.filter) && !connectedApart(forces, a, b);
-}
-
 PairKind kindOf(const Bodies& bodies, const Pair& pair) {
-    const bool tangible = bodies.records[pair.bodyA].tangible && bodies.records[pair.bodyB].tangible;
-    if (!tangible || (!bodies.motions[pair.bodyA].isMovable() && !bodies.motions[pair.bodyB].isMovable())) {
+    if (!areTangible(bodies, pair.bodyA, pair.bodyB) ||
+        (!bodies.motions[pair.bodyA].isMovable() && !bodies.motions[pair.bodyB].isMovable())) {
         return PairKind::Sensor;
     }
     if (isRound(*pair.shapeA)) {
@@ -37,7 +24,7 @@ PairKind kindOf(const Bodies& bodies, const Pair& pair) {
     return PairKind::General;
 }
 
-Pair makePair(const Bodies& bodies, const BroadPhase& broadPhase, const FoundPair& found) {
+Pair makePair(const Bodies& bodies, const BroadPhase& broadPhase, const PairKey& found) {
     const BodyRecord& ra = bodies.records[found.bodyA];
     const BodyRecord& rb = bodies.records[found.bodyB];
     Pair pair;
@@ -68,7 +55,7 @@ bool limitsFraction(const Bodies& bodies, const Pair& pair) {
 void noteDropped(const Contacts& contacts, PairChanges& changes, std::size_t index) {
     changes.dropped.push_back(static_cast<std::uint32_t>(index));
     if (contacts.table.flags[index].reported) {
-        changes.droppedTouches.push_back(contacts.table.pairs[index].bodies());
+        changes.droppedTouches.push_back(contacts.table.pairs[index].key().bodies());
     }
 }
 
@@ -80,17 +67,17 @@ void fillNewTable(const PairStage& stage) {
     stage.changes.dropped.clear();
     stage.changes.runs.clear();
     std::size_t i = 0;
-    for (const FoundPair& found : stage.search.foundPairs) {
-        if (!shouldCollide(stage.bodies, stage.forces, found.bodyA, found.bodyB)) {
+    for (const PairKey& found : stage.search.foundPairs) {
+        if (!mayCollide(stage.bodies, stage.forces, found.bodyA, found.bodyB)) {
             continue;
         }
-        for (; i < old.size() && FoundPair(old.pairs[i]) < found; ++i) {
+        for (; i < old.size() && old.pairs[i].key() < found; ++i) {
             noteDropped(stage.contacts, stage.changes, i);
         }
         renewed.add(makePair(stage.bodies, stage.broadPhase, found));
         const bool covered = limitsFraction(stage.bodies, renewed.pairs.back());
         renewed.flags.back().limitsFraction = covered;
-        if (i == old.size() || found < FoundPair(old.pairs[i])) {
+        if (i == old.size() || found < old.pairs[i].key()) {
             continue;
         }
         if (renewed.pairs.back().kind == old.pairs[i].kind) {
@@ -114,7 +101,8 @@ void listMovedPairs(const Contacts& contacts, const PairSearch& search, PairChan
         changes.isMovedProxy[slot] = 1;
     }
     if (changes.movedPairs.capacity() < contacts.table.size()) {
-        changes.movedPairs.reserve(contacts.table.capacity()); // resizing would add no more than what is needed now
+        changes.movedPairs.reserve(
+            contacts.table.capacity()); // resize() alone would reserve no more than is needed now
     }
     changes.movedPairs.resize(contacts.table.size());
     std::size_t count = 0;
@@ -138,19 +126,19 @@ void diffPairs(const PairStage& stage) {
     stage.changes.newPlaces.clear();
     std::size_t i = 0;
     std::size_t first = 0; // no new pair belongs before this index
-    for (const FoundPair& found : stage.search.foundPairs) {
-        for (; i < stage.changes.movedPairs.size() && FoundPair(pairs[stage.changes.movedPairs[i]]) < found;
+    for (const PairKey& found : stage.search.foundPairs) {
+        for (; i < stage.changes.movedPairs.size() && pairs[stage.changes.movedPairs[i]].key() < found;
              first = stage.changes.movedPairs[i++] + 1) {
             noteDropped(stage.contacts, stage.changes, stage.changes.movedPairs[i]);
         }
         const std::size_t end = i < stage.changes.movedPairs.size() ? stage.changes.movedPairs[i] : pairs.size();
-        if (end < pairs.size() && !(found < FoundPair(pairs[end]))) {
+        if (end < pairs.size() && !(found < pairs[end].key())) {
             first = stage.changes.movedPairs[i++] + 1;
-        } else if (shouldCollide(stage.bodies, stage.forces, found.bodyA, found.bodyB)) {
+        } else if (mayCollide(stage.bodies, stage.forces, found.bodyA, found.bodyB)) {
             const auto begin = pairs.begin();
             const auto place =
                 std::lower_bound(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end),
-                                 found, [](const Pair& a, const FoundPair& b) { return FoundPair(a) < b; });
+                                 found, [](const Pair& a, const PairKey& b) { return a.key() < b; });
             first = static_cast<std::size_t>(place - begin);
             stage.changes.newPlaces.push_back(static_cast<std::uint32_t>(first));
             stage.changes.newPairs.push_back(makePair(stage.bodies, stage.broadPhase, found));

@@ -1,6 +1,7 @@
 // Patches the static geometry when few bodies have changed: StaticChanges gets their parts, and the parts that are or
 // were joined to them. These replace the outdated colliders of the full geometry.
 
+#include "core/base/sort_unique.h"
 #include "core/physics/broad_phase/static_parts.h"
 
 #include <algorithm>
@@ -26,16 +27,13 @@ struct PartOf {
 /// The limit on changed parts. A patch is rebuilt with each change, the full geometry costs some µs a part: with a
 /// limit of a sixty-fourth, rebuilding the full geometry is a small part of the whole cost.
 std::size_t mostChanged(const StaticGeometry& all) {
-    return std::max<std::size_t>(all.colliders.size() / 64, 64);
+    constexpr std::size_t share = 64;
+    constexpr std::size_t least = 64;
+    return std::max(all.colliders.size() / share, least);
 }
 
 bool has(const Indices& indices, std::uint32_t index) {
     return std::binary_search(indices.begin(), indices.end(), index);
-}
-
-void sortUnique(Indices& indices) {
-    std::sort(indices.begin(), indices.end());
-    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
 }
 
 template <class Visit>
@@ -74,10 +72,6 @@ std::vector<Slot> changedBodies(const BroadPhase& broadPhase) {
     }
     sortUnique(slots);
     return slots;
-}
-
-bool isActiveStatic(const BodyRecord& record) {
-    return record.used && record.kind == BodyKind::Static && record.active;
 }
 
 /// The colliders of these bodies in the full geometry.

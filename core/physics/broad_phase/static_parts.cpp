@@ -37,6 +37,10 @@ Aabb segmentBox(const WallPart& wall) {
 
 } // namespace
 
+bool isActiveStatic(const BodyRecord& record) {
+    return record.used && record.kind == BodyKind::Static && record.active;
+}
+
 StaticGeometry::Collider staticColliderOf(const Bodies& bodies, Slot body, std::uint32_t part) {
     const Transform pose = bodies.pose(body);
     const Part inWorld =
@@ -45,17 +49,12 @@ StaticGeometry::Collider staticColliderOf(const Bodies& bodies, Slot body, std::
 }
 
 void joinStatics(StaticGeometry& geometry) {
-    std::vector<WallPart*> walls;
-    std::vector<ConvexPart*> convexParts;
+    std::vector<Part*> parts;
+    parts.reserve(geometry.colliders.size());
     for (StaticGeometry::Collider& collider : geometry.colliders) {
-        if (auto* wall = std::get_if<WallPart>(&collider.shape)) {
-            walls.push_back(wall);
-        } else if (auto* convex = std::get_if<ConvexPart>(&collider.shape)) {
-            convexParts.push_back(convex);
-        }
+        parts.push_back(&collider.shape);
     }
-    joinWalls(walls);
-    joinConvexParts(convexParts);
+    joinParts(parts);
     for (StaticGeometry::Collider& collider : geometry.colliders) {
         if (const auto* wall = std::get_if<WallPart>(&collider.shape); wall != nullptr && wall->oneWay) {
             collider.side = sideOf(*wall, false);

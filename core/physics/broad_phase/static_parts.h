@@ -7,6 +7,9 @@
 
 namespace spacetow {
 
+/// Whether the static geometry has the parts of the body.
+bool isActiveStatic(const BodyRecord& record);
+
 /// A part of a static body in world coordinates. Joints to other bodies are not set; joinStatics sets them.
 StaticGeometry::Collider staticColliderOf(const Bodies& bodies, Slot body, std::uint32_t part);
 

@@ -24,7 +24,7 @@ void rebuildStatics(Bodies& bodies, BroadPhase& broadPhase) {
     auto geometry = std::make_shared<StaticGeometry>();
     std::size_t count = 0;
     for (const BodyRecord& record : bodies.records) {
-        count += record.used && record.kind == BodyKind::Static ? record.parts->size() : 0;
+        count += isActiveStatic(record) ? record.parts->size() : 0;
     }
     geometry->colliders.reserve(count);
     for (Slot slot = 0; slot < bodies.records.size(); ++slot) {
@@ -32,7 +32,7 @@ void rebuildStatics(Bodies& bodies, BroadPhase& broadPhase) {
         if (record.kind == BodyKind::Static) {
             record.bounds = Aabb{};
         }
-        if (record.used && record.kind == BodyKind::Static && record.active) {
+        if (isActiveStatic(record)) {
             record.firstStatic = static_cast<std::uint32_t>(geometry->colliders.size());
             for (std::uint32_t i = 0; i < record.parts->size(); ++i) {
                 geometry->colliders.push_back(staticColliderOf(bodies, slot, i));

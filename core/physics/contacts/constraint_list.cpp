@@ -53,8 +53,7 @@ CircleContact& openCircleLane(const ContactStage& stage, std::uint32_t index) {
 
 void noteMergeCandidate(const Bodies& bodies, Constraints& constraints, const GeneralContact& c,
                         const GeneralContact& d) {
-    const auto isStatic = [&](Slot slot) { return bodies.records[slot].kind == BodyKind::Static; };
-    if (c.mergeable && d.mergeable && (c.b == d.b || (isStatic(c.b) && isStatic(d.b)))) {
+    if (c.mergeable && d.mergeable && mayShareSurface(bodies, c.b, d.b)) {
         constraints.mergeCandidates.emplace_back(c.points[0].contact, d.points[0].contact);
     }
 }

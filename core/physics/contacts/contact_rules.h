@@ -1,6 +1,7 @@
 #pragma once
 // The rules of all contacts: speculative margin, target velocity and closing limit.
 
+#include "core/physics/contacts/effective_mass.h"
 #include "core/physics/lanes/contact_formulas.h"
 #include "core/physics/state/world_data.h"
 
@@ -16,7 +17,7 @@ constexpr double bounceThreshold = 0.005;
 /// is the change of angular velocity times the outer radius, m/s.
 inline bool isPush(const Vec2& change, double turnChange) {
     constexpr double least = 1e-12; // m/s
-    return std::abs(change.x()) + std::abs(change.y()) + std::abs(turnChange) > least;
+    return oneNorm(change) + std::abs(turnChange) > least;
 }
 
 /// Whether contacts with these unit normals may lie in one plane: the angle between them is at most 4.5e-5 rad.
@@ -24,17 +25,21 @@ inline bool areParallelNormals(const Vec2& a, const Vec2& b) {
     return a.dot(b) >= 1 - 1e-9;
 }
 
+/// Whether contacts of one body with these two bodies may lie in one plane.
+inline bool mayShareSurface(const Bodies& bodies, Slot one, Slot other) {
+    const auto isStatic = [&](Slot slot) { return bodies.records[slot].kind == BodyKind::Static; };
+    return one == other || (isStatic(one) && isStatic(other));
+}
+
 /// The speculative margin of two bodies, m; see formulas::speculativeMargin.
 inline double speculativeMargin(const PlannedMotion& a, const PlannedMotion& b) {
-    const Vec2 apart = a.deltaPosition - b.deltaPosition;
-    const double motion = std::abs(apart.x()) + std::abs(apart.y()); // the 1-norm: at least the length, and cheaper
+    const double motion = oneNorm(a.deltaPosition - b.deltaPosition);
     return formulas::speculativeMargin(motion + a.turnMotion + b.turnMotion, a.innerRadius + b.innerRadius);
 }
 
 /// The speculative margin of a body against a static one, m.
 inline double speculativeMargin(const PlannedMotion& a) {
-    const double motion = std::abs(a.deltaPosition.x()) + std::abs(a.deltaPosition.y());
-    return formulas::speculativeMargin(motion + a.turnMotion, a.innerRadius);
+    return formulas::speculativeMargin(oneNorm(a.deltaPosition) + a.turnMotion, a.innerRadius);
 }
 
 /// The bounding circles of two bodies, about their centres of mass.
@@ -68,6 +73,19 @@ struct Approach {
     double before; // at the beginning of the iteration
     double after;  // with the forces of the iteration, without impulses of contacts
 };
+
+/// The approach velocity of two bodies along the unit normal from a to b, at a point with these levers.
+inline Approach approachOf(const Bodies& bodies, Slot slotA, Slot slotB, const Vec2& normal, const Levers& levers) {
+    const BodyStep& startA = bodies.steps[slotA];
+    const BodyStep& startB = bodies.steps[slotB];
+    const BodyMotion& a = bodies.motions[slotA];
+    const BodyMotion& b = bodies.motions[slotB];
+    const double before = (startB.startVelocity - startA.startVelocity).dot(normal) +
+                          startB.startAngularVelocity * levers.b - startA.startAngularVelocity * levers.a;
+    const double after =
+        (b.velocity - a.velocity).dot(normal) + b.angularVelocity * levers.b - a.angularVelocity * levers.a;
+    return {-before, -after};
+}
 
 /// Whether and when restitution acts: not at all, in this iteration, or at the time of impact.
 enum class Bounce : std::uint8_t { None, Now, AtImpact };

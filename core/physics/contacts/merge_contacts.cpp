@@ -21,9 +21,7 @@ constexpr double coincident = 1e-9;
 constexpr double onePlane = 2 * jointTolerance;
 
 bool samePlane(const Bodies& bodies, const Constraint& c, const Constraint& d) {
-    const bool sameBodies =
-        c.b == d.b || (bodies.records[c.b].kind == BodyKind::Static && bodies.records[d.b].kind == BodyKind::Static);
-    if (!sameBodies || c.friction != d.friction || c.restitution != d.restitution ||
+    if (!mayShareSurface(bodies, c.b, d.b) || c.friction != d.friction || c.restitution != d.restitution ||
         !areParallelNormals(c.normal, d.normal)) {
         return false;
     }

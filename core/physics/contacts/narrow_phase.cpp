@@ -31,12 +31,6 @@ void separate(const ContactStage& stage, std::uint32_t index, double separation)
     bound.separationBound = stage.bodies.motionOf(bound) + separation;
 }
 
-Approach approach(const Bodies& bodies, const Pair& pair, const Vec2& normal) {
-    const Vec2 before = bodies.steps[pair.bodyB].startVelocity - bodies.steps[pair.bodyA].startVelocity;
-    const Vec2 after = bodies.motions[pair.bodyB].velocity - bodies.motions[pair.bodyA].velocity;
-    return {-before.dot(normal), -after.dot(normal)};
-}
-
 /// The circles bounce at their time of impact, and have no constraint until then.
 void sweepCircles(const ContactStage& stage, std::uint32_t index, std::uint32_t feature) {
     Pair& pair = stage.contacts.table.pairs[index];
@@ -57,8 +51,8 @@ void addCircleContact(const ContactStage& stage, std::uint32_t index, const Circ
     const double closing = formulas::closingLimit(touch.separation, perSecond);
     CircleTarget aim{formulas::targetVelocity(touch.separation, perSecond), closing, false};
     if (kept.restitution > 0) {
-        const Target target =
-            targetOf(approach(stage.bodies, pair, touch.normal), touch.separation, kept.restitution, perSecond);
+        const Approach approach = approachOf(stage.bodies, pair.bodyA, pair.bodyB, touch.normal, {0, 0});
+        const Target target = targetOf(approach, touch.separation, kept.restitution, perSecond);
         if (target.bounce == Bounce::AtImpact) {
             sweepCircles(stage, index, touch.feature);
             return;

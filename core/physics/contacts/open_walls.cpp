@@ -63,17 +63,13 @@ bool isHeldBack(const OneWayPair& oneWay) {
 
 /// A range of the pair table: the pairs of one body with the walls of one other body, or of all static bodies.
 struct PairRange {
-    std::size_t first, last;
+    std::size_t first, end;
 };
 
 PairRange pairsAlong(const PairTable& table, const Pair& pair) {
-    const auto isBefore = [](const Pair& p, std::uint64_t key) { return p.bodies() < key; };
-    const std::uint64_t from = pair.staticB ? std::uint64_t{pair.bodyA} << 32 : pair.bodies();
-    const std::uint64_t to = pair.staticB ? (std::uint64_t{pair.bodyA} + 1) << 32 : pair.bodies() + 1;
-    const auto first = std::lower_bound(table.pairs.begin(), table.pairs.end(), from, isBefore);
-    const auto last = std::lower_bound(first, table.pairs.end(), to, isBefore);
-    return {static_cast<std::size_t>(first - table.pairs.begin()),
-            static_cast<std::size_t>(last - table.pairs.begin())};
+    const std::uint64_t from = pair.staticB ? std::uint64_t{pair.bodyA} << 32 : pair.key().bodies();
+    const std::uint64_t to = pair.staticB ? (std::uint64_t{pair.bodyA} + 1) << 32 : pair.key().bodies() + 1;
+    return {table.firstFrom(from), table.firstFrom(to)};
 }
 
 /// Searches the one-way walls that a body has pairs with, along their joints. The pair at `index` itself is left out.
@@ -145,7 +141,7 @@ class Chain {
     static bool isSame(const WallPart& a, const WallPart& b) { return a.a == b.a && a.b == b.b; }
     template <class Test>
     bool any(const Test& test) const {
-        for (std::size_t i = m_range.first; i < m_range.last; ++i) {
+        for (std::size_t i = m_range.first; i < m_range.end; ++i) {
             const Pair& pair = m_table.pairs[i];
             if (&pair == &m_pair || pair.kind == PairKind::Sensor || pair.staticB != m_pair.staticB) {
                 continue;

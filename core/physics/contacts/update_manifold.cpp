@@ -42,17 +42,17 @@ void matchPoints(Contact& contact, const Manifold& manifold) {
 
 /// The poses of the parts of a pair at the beginning of the iteration.
 struct Poses {
-    Transform a, b;     // b is the identity for static bodies, whose parts are in world coordinates
-    Transform relative; // of a, relative to b
+    Transform a, b; // b is the identity for static bodies, whose parts are in world coordinates
 };
 
 Poses posesOf(const Bodies& bodies, const Pair& pair) {
-    const Transform a = bodies.plannedMotions[pair.bodyA].pose();
-    if (pair.staticB) {
-        return {a, {}, a};
-    }
-    const Transform b = bodies.plannedMotions[pair.bodyB].pose();
-    return {a, b, relative(a, b)};
+    return {bodies.plannedMotions[pair.bodyA].pose(),
+            pair.staticB ? Transform{} : bodies.plannedMotions[pair.bodyB].pose()};
+}
+
+/// The pose of the first part relative to the second.
+Transform relativePose(const Poses& poses, const Pair& pair) {
+    return pair.staticB ? poses.a : relative(poses.a, poses.b);
 }
 
 /// See toleranceLeftOf().
@@ -67,7 +67,6 @@ double toleranceLeft(const KeptManifold& kept, const Transform& now, double oute
 
 /// Stores the manifold in local coordinates.
 void keep(const Poses& poses, const Manifold& manifold, KeptManifold& kept) {
-    kept.relative = poses.relative;
     kept.normalOnA = manifold.normalOf == NormalOf::FirstFace;
     const Transform& owner = kept.normalOnA ? poses.a : poses.b;
     kept.normal = owner.rotation.inverse() * manifold.normal;
@@ -109,8 +108,8 @@ void makeManifold(const ContactStage& stage, std::uint32_t index, const Poses& p
                                : std::max(toleranceShare * std::min(a.innerRadius, b.innerRadius), linearSlop));
     const Manifold manifold = manifoldOf(stage, index, poses, kept.tolerance);
     matchPoints(contact, manifold);
+    kept.relative = relativePose(poses, pair);
     if (manifold.count == 0) {
-        kept.relative = poses.relative;
         kept.tolerance =
             manifold.apart > 0 ? manifold.apart : -1; // 0: that they do not touch has another reason, which may end
     } else {
@@ -132,24 +131,13 @@ void boundSeparation(const Bodies& bodies, Contacts& contacts, std::uint32_t ind
     }
 }
 
-Approach approach(const Bodies& bodies, const Constraint& c, const ConstraintPoint& p) {
-    const BodyStep& sa = bodies.steps[c.a];
-    const BodyStep& sb = bodies.steps[c.b];
-    const BodyMotion& ma = bodies.motions[c.a];
-    const BodyMotion& mb = bodies.motions[c.b];
-    const double before = (sb.startVelocity - sa.startVelocity).dot(c.normal) + sb.startAngularVelocity * p.leverB -
-                          sa.startAngularVelocity * p.leverA;
-    const double after =
-        (mb.velocity - ma.velocity).dot(c.normal) + mb.angularVelocity * p.leverB - ma.angularVelocity * p.leverA;
-    return {-before, -after};
-}
-
 /// Sets the target of a point. Returns false if the point will bounce at its time of impact instead.
 bool setTarget(const ContactStage& stage, const Constraint& c, ConstraintPoint& p, double perSecond) {
     p.bounces = false;
     p.target = formulas::targetVelocity(p.separation, perSecond);
     if (c.restitution > 0) {
-        const Target target = targetOf(approach(stage.bodies, c, p), p.separation, c.restitution, perSecond);
+        const Approach approach = approachOf(stage.bodies, c.a, c.b, c.normal, {p.leverA, p.leverB});
+        const Target target = targetOf(approach, p.separation, c.restitution, perSecond);
         if (target.bounce == Bounce::AtImpact) {
             stage.contacts.table.pairs[p.pair].sweep = true;
             stage.flags.anySweep = true;
@@ -165,8 +153,7 @@ bool setTarget(const ContactStage& stage, const Constraint& c, ConstraintPoint& 
 /// Appends a constraint from the kept manifold. Returns false, and appends none, if all points will bounce.
 bool prepareConstraint(const ContactStage& stage, std::uint32_t index, double perSecond) {
     Pair& pair = stage.contacts.table.pairs[index];
-    const Transform poseA = stage.bodies.plannedMotions[pair.bodyA].pose();
-    const Transform poseB = pair.staticB ? Transform{} : stage.bodies.plannedMotions[pair.bodyB].pose();
+    const Poses poses = posesOf(stage.bodies, pair);
     const Contact& contact = stage.contacts.pool[pair.contact];
     const KeptManifold& kept = contact.manifold;
     Constraint& c = stage.narrow.constraints.emplace_back();
@@ -176,14 +163,14 @@ bool prepareConstraint(const ContactStage& stage, std::uint32_t index, double pe
     c.friction = contact.friction;
     c.restitution = contact.restitution;
     c.tangentImpulse = contact.tangentImpulse;
-    c.normal = (kept.normalOnA ? poseA : poseB).rotation * kept.normal;
+    c.normal = (kept.normalOnA ? poses.a : poses.b).rotation * kept.normal;
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(contact.count); ++i) {
         const KeptManifold::Point& from = kept.points[i];
-        const Vec2 onA = poseA.toWorld(from.onA);
-        const Vec2 onB = poseB.toWorld(from.onB);
+        const Vec2 onA = poses.a.toWorld(from.onA);
+        const Vec2 onB = poses.b.toWorld(from.onB);
         ConstraintPoint& p = c.points[static_cast<std::size_t>(c.count)];
         p.separation = (onB - onA).dot(c.normal);
-        p.armA = 0.5 * (onA + onB) - poseA.position;
+        p.armA = 0.5 * (onA + onB) - poses.a.position;
         setLevers(stage.bodies, c, p);
         p.normalImpulse = contact.points[i].normalImpulse;
         p.pair = index;
@@ -204,13 +191,13 @@ double marginOf(const Bodies& bodies, const Pair& pair) {
     return pair.staticB ? speculativeMargin(a) : speculativeMargin(a, bodies.plannedMotions[pair.bodyB]);
 }
 
-/// Makes the manifold anew unless the one that is kept still holds.
+/// Makes a new manifold unless the kept one is still valid.
 void updateKeptManifold(const ContactStage& stage, std::uint32_t index) {
     const Pair& pair = stage.contacts.table.pairs[index];
     const KeptManifold& kept = stage.contacts.pool[pair.contact].manifold;
     const double margin = marginOf(stage.bodies, pair);
     const Poses poses = posesOf(stage.bodies, pair);
-    double left = toleranceLeft(kept, poses.relative, stage.bodies.extents[pair.bodyA].outerRadius);
+    double left = toleranceLeft(kept, relativePose(poses, pair), stage.bodies.extents[pair.bodyA].outerRadius);
     if (left < margin) {
         makeManifold(stage, index, poses, margin);
         left = kept.tolerance;
@@ -222,7 +209,7 @@ void updateKeptManifold(const ContactStage& stage, std::uint32_t index) {
 
 double toleranceLeftOf(const Bodies& bodies, const Contacts& contacts, const Pair& pair) {
     const KeptManifold& kept = contacts.pool[pair.contact].manifold;
-    return toleranceLeft(kept, posesOf(bodies, pair).relative, bodies.extents[pair.bodyA].outerRadius);
+    return toleranceLeft(kept, relativePose(posesOf(bodies, pair), pair), bodies.extents[pair.bodyA].outerRadius);
 }
 
 double separationBoundOf(const Bodies& bodies, const Contacts& contacts, const Pair& pair) {
@@ -234,8 +221,8 @@ double separationBoundOf(const Bodies& bodies, const Contacts& contacts, const P
 
 void updateManifold(const ContactStage& stage, std::uint32_t index, double perSecond) {
     Pair& pair = stage.contacts.table.pairs[index];
-    const bool unknown = pair.contact == Pair::none || stage.contacts.pool[pair.contact].count == 0;
-    if (unknown && !pair.staticB) {
+    // listCandidates() has tested the circles of pairs without a contact.
+    if (pair.contact != Pair::none && stage.contacts.pool[pair.contact].count == 0 && !pair.staticB) {
         PairBound& bound = stage.contacts.table.bounds[index];
         const BoundingCircles circles = boundingCirclesOf(stage.bodies, bound);
         if (circles.areApart()) {

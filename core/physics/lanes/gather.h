@@ -49,7 +49,7 @@ SPACETOW_INLINE void scatter(BodyVelocity* velocities, const std::array<Slot, 4>
     std::memcpy(static_cast<void*>(&velocities[slots[3]]), &rows.w, sizeof(Wide));
 }
 
-/// A linear impulse (x, y) on b, its opposite on a, and the angular impulses on both.
+/// A linear impulse (x, y) on b, its opposite on a, and the angular impulses on b (`twistB`) and, negative, on a.
 struct Impulse {
     Wide x, y, twistA, twistB;
 };
@@ -77,8 +77,8 @@ struct BatchBodies {
 
 SPACETOW_INLINE LaneBits bits(Mask mask) {
 #if defined(__x86_64__)
-    using Two = double __attribute__((vector_size(16))); // what every such processor has an instruction for
-    std::array<Two, 2> halves;
+    using Half = double __attribute__((vector_size(16))); // SSE2, which every x86-64 processor has
+    std::array<Half, 2> halves;
     std::memcpy(halves.data(), &mask, sizeof mask);
     const int low = __builtin_ia32_movmskpd(halves[0]);
     const int high = __builtin_ia32_movmskpd(halves[1]);

@@ -20,7 +20,8 @@ void addForce(ForceReading& sum, const ForceReading& more) {
     sum.torque += more.torque;
 }
 
-/// The applied force and torque of the last update: the acceleration without gravity, times mass and inertia.
+/// The force and torque that were applied to a dynamic body in the last update: its acceleration without gravity, times
+/// mass and inertia.
 ForceReading appliedTo(const WorldData& data, Slot slot) {
     const BodyRecord& record = data.bodies.records[slot];
     const bool moved =
@@ -31,8 +32,7 @@ ForceReading appliedTo(const WorldData& data, Slot slot) {
         return {};
     }
     const BodyStep& s = data.bodies.steps[slot];
-    const Vec2 falls = record.kind == BodyKind::Dynamic ? data.parameters.gravity : Vec2(0, 0);
-    return {record.mass * (s.acceleration - falls), record.inertia * s.angularAcceleration};
+    return {record.mass * (s.acceleration - data.parameters.gravity), record.inertia * s.angularAcceleration};
 }
 
 struct Stretch {

@@ -3,6 +3,7 @@
 #include "core/geometry/bounds.h"
 #include "core/geometry/collide.h"
 #include "core/geometry/overlaps.h"
+#include "core/physics/broad_phase/collision_rules.h"
 #include "core/physics/broad_phase/statics.h"
 #include "core/physics/state/world_data.h"
 
@@ -32,17 +33,10 @@ bool isPicky(const std::vector<Filter>& filters, const Filter& own) {
     return std::any_of(filters.begin(), filters.end(), [&](const Filter& other) { return !mayTouch(own, other); });
 }
 
-bool areConnected(const Forces& forces, Slot a, Slot b) {
-    return std::binary_search(forces.notColliding.begin(), forces.notColliding.end(), SlotPair(std::minmax(a, b)));
-}
-
 /// Whether the bodies would collide but for their filters.
 bool isMaskedOnly(const Bodies& bodies, const Forces& forces, Slot a, Slot b) {
-    const BodyRecord& ra = bodies.records[a];
-    const BodyRecord& rb = bodies.records[b];
-    const bool moves = ra.kind == BodyKind::Dynamic || rb.kind == BodyKind::Dynamic;
-    return a != b && (moves || !ra.tangible || !rb.tangible) && !mayTouch(ra.filter, rb.filter) &&
-           !areConnected(forces, a, b);
+    return !mayTouch(bodies.records[a].filter, bodies.records[b].filter) &&
+           mayCollideButForFilters(bodies, forces, a, b);
 }
 
 /// A part and its pose.
@@ -56,12 +50,8 @@ bool meets(const Placed& a, const Placed& b, bool solid) {
                  : overlaps(a.part, a.pose, b.part, b.pose);
 }
 
-bool isSolid(const Bodies& bodies, Slot a, Slot b) {
-    return bodies.records[a].tangible && bodies.records[b].tangible;
-}
-
 bool bodiesMeet(const Bodies& bodies, Slot a, Slot b) {
-    const bool solid = isSolid(bodies, a, b);
+    const bool solid = areTangible(bodies, a, b);
     for (const Part& partA : *bodies.records[a].parts) {
         const Placed one{partA, bodies.pose(a)};
         const Aabb box = boundsOf(partA, one.pose).grown(linearSlop);
@@ -92,12 +82,8 @@ std::vector<Standing> movingBodies(const Bodies& bodies, const std::vector<Filte
     for (Slot slot = 0; slot < bodies.records.size(); ++slot) {
         const BodyRecord& record = bodies.records[slot];
         if (record.used && record.active && record.kind != BodyKind::Static) {
-            Standing one{slot, {}, isPicky(filters, record.filter)};
-            for (const Part& part : *record.parts) {
-                one.box.include(boundsOf(part, bodies.pose(slot)));
-            }
-            one.box = one.box.grown(linearSlop);
-            all.push_back(one);
+            const Aabb box = boundsOf(*record.parts, bodies.pose(slot)).grown(linearSlop);
+            all.push_back({slot, box, isPicky(filters, record.filter)});
         }
     }
     std::sort(all.begin(), all.end(),
@@ -129,7 +115,7 @@ void findStaticsOf(const WorldData& data, const Standing& body, Meetings& out) {
             std::find(met.begin(), met.end(), wall.body) != met.end()) {
             continue;
         }
-        const bool solid = isSolid(data.bodies, body.slot, wall.body);
+        const bool solid = areTangible(data.bodies, body.slot, wall.body);
         for (const Part& part : *data.bodies.records[body.slot].parts) {
             if (meets({part, data.bodies.pose(body.slot)}, {wall.shape, {}}, solid)) {
                 met.push_back(wall.body);

@@ -1,5 +1,6 @@
 #include "core/physics/query/queries.h"
 
+#include "core/base/contract.h"
 #include "core/physics/state/world_data.h"
 
 #include <type_traits>
@@ -39,6 +40,7 @@ std::vector<QuadtreeCell> occupiedCells(const World& world, const std::optional<
 }
 
 std::optional<std::uint32_t> islandOf(const World& world, BodyId body) {
+    EXPECTS(world.contains(body));
     const WorldData& data = world.data();
     const BodyRecord& record = data.bodies.records[body.index];
     if (record.asleep) {

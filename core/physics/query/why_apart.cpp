@@ -4,6 +4,7 @@
 #include "core/geometry/bounds.h"
 #include "core/geometry/closest.h"
 #include "core/geometry/collide.h"
+#include "core/physics/broad_phase/collision_rules.h"
 #include "core/physics/state/world_data.h"
 
 #include <algorithm>
@@ -23,11 +24,8 @@ struct Touching {
 
 /// Reads the flags of the pairs of two bodies in a pair table.
 void lookUp(const PairTable& table, Slot a, Slot b, Touching& touching) {
-    const std::uint64_t bodies = std::uint64_t{a} << 32 | b;
-    const auto first = std::lower_bound(table.pairs.begin(), table.pairs.end(), bodies,
-                                        [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });
-    for (auto i = static_cast<std::size_t>(first - table.pairs.begin());
-         i < table.size() && table.pairs[i].bodies() == bodies; ++i) {
+    const std::uint64_t bodies = PairKey{a, b}.bodies();
+    for (std::size_t i = table.firstFrom(bodies); i < table.size() && table.pairs[i].key().bodies() == bodies; ++i) {
         touching.any |= table.flags[i].touching || table.flags[i].passed;
         const Passage passage = table.flags[i].passage;
         const bool comes = passage == Passage::Behind || passage == Passage::Passing;
@@ -44,7 +42,7 @@ Touching touchingOf(const WorldData& data, Slot a, Slot b) {
         lookUp(*table, a, b, touching);
         lookUp(*table, b, a, touching);
     }
-    touching.solid = touching.any && data.bodies.records[a].tangible && data.bodies.records[b].tangible;
+    touching.solid = touching.any && areTangible(data.bodies, a, b);
     return touching;
 }
 
@@ -68,12 +66,11 @@ std::vector<ConnectorId> connectorsBetween(const Forces& forces, Slot a, Slot b)
 std::optional<CollisionAnswer> answerByRules(const Bodies& bodies, const Forces& forces, BodyId a, BodyId b) {
     const BodyRecord& ra = bodies.records[a.index];
     const BodyRecord& rb = bodies.records[b.index];
-    const bool sensed = !ra.tangible || !rb.tangible;
     CollisionAnswer answer;
     if (!ra.active || !rb.active) {
         answer.why = WhyApart::Inactive;
         answer.body = ra.active ? b : a;
-    } else if (ra.kind != BodyKind::Dynamic && rb.kind != BodyKind::Dynamic && !sensed) {
+    } else if (!haveCollidingKinds(bodies, a.index, b.index)) {
         answer.why = WhyApart::Unmovable;
     } else if (!mayTouch(ra.filter, rb.filter)) {
         const bool first = !ra.filter.touches.intersects(rb.filter.tags);

@@ -1,5 +1,6 @@
 #include "core/physics/sleep/sleep.h"
 
+#include "core/base/sort_unique.h"
 #include "core/geometry/bounds.h"
 #include "core/physics/broad_phase/pairs.h"
 #include "core/physics/contacts/constraint_list.h"
@@ -41,8 +42,9 @@ void partitionPairs(const SleepStage& stage) {
     stage.newTable.clear();
     stage.search.newTable.clear();
     for (std::size_t i = 0, j = 0; i < stage.contacts.table.size() || j < sleep.table.size();) {
-        const bool first = j == sleep.table.size() ||
-                           (i < stage.contacts.table.size() && stage.contacts.table.pairs[i] < sleep.table.pairs[j]);
+        const bool first =
+            j == sleep.table.size() ||
+            (i < stage.contacts.table.size() && stage.contacts.table.pairs[i].key() < sleep.table.pairs[j].key());
         const PairTable& from = first ? stage.contacts.table : sleep.table;
         const std::size_t index = first ? i++ : j++;
         (sleeps(stage.bodies, from.pairs[index]) ? stage.search.newTable : stage.newTable).addFrom(from, index);
@@ -109,10 +111,7 @@ void markIsland(const Bodies& bodies, SleepSearch& sleepSearch, Slot slot) {
 
 /// Marks the islands of the bodies near the present place of a static body.
 void markNear(const Bodies& bodies, const Sleep& sleep, SleepSearch& sleepSearch, Slot wall) {
-    Aabb box;
-    for (const Part& part : *bodies.records[wall].parts) {
-        box.include(boundsOf(part, bodies.pose(wall)));
-    }
+    const Aabb box = boundsOf(*bodies.records[wall].parts, bodies.pose(wall));
     for (const Slot slot : sleep.sleepers) {
         if (bodies.records[slot].bounds.overlaps(box)) {
             markIsland(bodies, sleepSearch, slot);
@@ -226,8 +225,7 @@ void wakeRequested(const SleepStage& stage, int iteration) {
     if (requested.empty()) {
         return;
     }
-    std::sort(requested.begin(), requested.end());
-    requested.erase(std::unique(requested.begin(), requested.end()), requested.end());
+    sortUnique(requested);
     clearMarks(stage.bodies, stage.sleep, stage.search);
     for (const Slot slot : requested) {
         markIsland(stage.bodies, stage.search, slot);

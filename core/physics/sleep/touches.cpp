@@ -1,6 +1,7 @@
 #include "core/physics/sleep/touches.h"
 
-#include "core/physics/contacts/constraint_list.h"
+#include "core/base/sort_unique.h"
+#include "core/physics/broad_phase/collision_rules.h"
 #include "core/physics/contacts/contact_pool.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ TouchEvent touchEvent(const Bodies& bodies, std::uint64_t bodyPair, int iteratio
     if (bodies.records[b].serial < bodies.records[a].serial) {
         std::swap(a, b);
     }
-    return {iteration, bodies.idOf(a), bodies.idOf(b), bodies.records[a].tangible && bodies.records[b].tangible};
+    return {iteration, bodies.idOf(a), bodies.idOf(b), areTangible(bodies, a, b)};
 }
 
 /// The range of the pair table with all pairs of the same two bodies.
@@ -26,12 +27,12 @@ struct Group {
 
 Group groupAround(const Contacts& contacts, std::size_t index) {
     const std::vector<Pair>& pairs = contacts.table.pairs;
-    const std::uint64_t bodies = pairs[index].bodies();
+    const std::uint64_t bodies = pairs[index].key().bodies();
     Group group{bodies, index, index + 1};
-    while (group.first > 0 && pairs[group.first - 1].bodies() == bodies) {
+    while (group.first > 0 && pairs[group.first - 1].key().bodies() == bodies) {
         --group.first;
     }
-    while (group.end < pairs.size() && pairs[group.end].bodies() == bodies) {
+    while (group.end < pairs.size() && pairs[group.end].key().bodies() == bodies) {
         ++group.end;
     }
     return group;
@@ -61,15 +62,12 @@ void report(const TouchStage& stage, const Group& group, int iteration) {
 /// one of these pairs counts as reported instead.
 void reportDropped(const TouchStage& stage, int iteration) {
     std::vector<std::uint64_t>& dropped = stage.changes.droppedTouches;
-    std::sort(dropped.begin(), dropped.end());
-    dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
+    sortUnique(dropped);
     for (const std::uint64_t bodyPair : dropped) {
-        const auto found =
-            std::lower_bound(stage.contacts.table.pairs.begin(), stage.contacts.table.pairs.end(), bodyPair,
-                             [](const Pair& pair, std::uint64_t key) { return pair.bodies() < key; });
-        if (found != stage.contacts.table.pairs.end() && found->bodies() == bodyPair) {
-            stage.contacts.table.flags[static_cast<std::size_t>(found - stage.contacts.table.pairs.begin())].reported =
-                true;
+        PairTable& table = stage.contacts.table;
+        const std::size_t found = table.firstFrom(bodyPair);
+        if (found < table.size() && table.pairs[found].key().bodies() == bodyPair) {
+            table.flags[found].reported = true;
         } else {
             stage.events.ended.push_back(touchEvent(stage.bodies, bodyPair, iteration));
         }
@@ -119,6 +117,29 @@ void forTouching(const Bodies& bodies, const PairTable& table, const Visit& visi
     }
 }
 
+Slot bodySlot(const TagsTouchedEvent& report) {
+    return report.body.index;
+}
+Slot bodySlot(const TouchedTags& touched) {
+    return touched.body;
+}
+
+/// Sorts the entries from index `first` on by body, and joins those of the same body.
+template <class Entry>
+void joinTags(std::vector<Entry>& entries, std::size_t first) {
+    const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(first);
+    std::stable_sort(begin, entries.end(), [](const Entry& a, const Entry& b) { return bodySlot(a) < bodySlot(b); });
+    std::size_t count = first;
+    for (std::size_t i = first; i < entries.size(); ++i) {
+        if (count > first && bodySlot(entries[count - 1]) == bodySlot(entries[i])) {
+            entries[count - 1].tags = entries[count - 1].tags | entries[i].tags;
+        } else {
+            entries[count++] = entries[i];
+        }
+    }
+    entries.resize(count);
+}
+
 } // namespace
 
 void reportTouches(const TouchStage& stage, int iteration) {
@@ -136,18 +157,7 @@ void reportTouches(const TouchStage& stage, int iteration) {
 }
 
 void joinTagReports(Events& events, std::size_t first) {
-    std::vector<TagsTouchedEvent>& reports = events.tagsTouched;
-    const auto begin = reports.begin() + static_cast<std::ptrdiff_t>(first);
-    std::stable_sort(begin, reports.end(), [](const auto& a, const auto& b) { return a.body.index < b.body.index; });
-    auto last = begin;
-    for (auto next = begin; next != reports.end(); ++next) {
-        if (next->body == last->body) {
-            last->tags = last->tags | next->tags;
-        } else {
-            *++last = *next;
-        }
-    }
-    reports.erase(last == reports.end() ? last : last + 1, reports.end());
+    joinTags(events.tagsTouched, first);
 }
 
 void collectTouchedTags(Bodies& bodies, const Contacts& contacts, const Sleep& sleep) {
@@ -174,17 +184,7 @@ void relistTouchedTags(Bodies& bodies, Sleep& sleep) {
     note();
     all.clear();
     forTouching(bodies, sleep.table, [&](Slot slot, TagMask tags) { all.push_back({slot, tags}); });
-    std::stable_sort(all.begin(), all.end(),
-                     [](const TouchedTags& a, const TouchedTags& b) { return a.body < b.body; });
-    std::size_t count = 0;
-    for (const TouchedTags& touched : all) {
-        if (count > 0 && all[count - 1].body == touched.body) {
-            all[count - 1].tags = all[count - 1].tags | touched.tags;
-        } else {
-            all[count++] = touched;
-        }
-    }
-    all.resize(count);
+    joinTags(all, 0);
     note();
     bodies.taggedAtRest.insert(bodies.taggedAtRest.end(), bodies.nonStatic.begin(), bodies.nonStatic.end());
 }

@@ -1,5 +1,7 @@
 #include "core/physics/solver/contact_graph.h"
 
+#include "core/base/sort_unique.h"
+
 #include <algorithm>
 
 namespace spacetow {
@@ -49,15 +51,13 @@ void addPairs(const Bodies& bodies, const Contacts& contacts, ContactGraph& grap
 
 /// Adds the roots that are asleep: a sleeping body near moving ones may be the root of their component.
 void listSleepingRoots(const Bodies& bodies, ContactGraph& graph) {
-    const auto awake = static_cast<std::ptrdiff_t>(graph.componentRoots.size());
+    const std::size_t awake = graph.componentRoots.size();
     for (const Slot slot : bodies.moving) {
         if (bodies.records[graph.roots[slot]].asleep) {
             graph.componentRoots.push_back(graph.roots[slot]);
         }
     }
-    const auto first = graph.componentRoots.begin() + awake;
-    std::sort(first, graph.componentRoots.end());
-    graph.componentRoots.erase(std::unique(first, graph.componentRoots.end()), graph.componentRoots.end());
+    sortUnique(graph.componentRoots, awake);
 }
 
 /// Clears the marks of the components that immovable bodies bounded.
@@ -110,8 +110,7 @@ void findComponents(const SolverStage& stage) {
         edge.component = roots[edge.component];
     }
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end()); // pairs come sorted: this leaves few to sort
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sortUnique(edges);
 }
 
 void markPushedByKinematic(const Bodies& bodies, ContactGraph& graph, SolverScratch& solver) {

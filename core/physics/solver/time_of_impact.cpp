@@ -77,9 +77,9 @@ bool isHitByUnstoppable(const Bodies& bodies, const Pair& pair) {
     }
     const BodyStep& a = bodies.steps[pair.bodyA];
     const BodyStep& b = bodies.steps[pair.bodyB];
-    const double way =
+    const double motion =
         std::sqrt((a.deltaPosition - b.deltaPosition).squaredNorm()) + a.maxTurnMotion() + b.maxTurnMotion();
-    return way > speculativeDistance(a, b, false);
+    return motion > speculativeDistance(a, b, false);
 }
 
 /// The time of impact of the pair, as a fraction of the motions that are left. A stopped body moves on with an
@@ -240,12 +240,9 @@ bool sweptBoundsOverlap(const Bodies& bodies, const BroadPhase& broadPhase, cons
         return way.grown(reach).overlaps(wall);
     }
     const BodyStep& b = bodies.steps[pair.bodyB];
-    const double wayA =
-        std::abs(a.deltaPosition.x()) + std::abs(a.deltaPosition.y()); // the 1-norm: at least the length, and cheaper
-    const double wayB = std::abs(b.deltaPosition.x()) + std::abs(b.deltaPosition.y());
-    const double both =
-        std::abs(a.deltaPosition.x() - b.deltaPosition.x()) + std::abs(a.deltaPosition.y() - b.deltaPosition.y());
-    const double reach = a.outerRadius + b.outerRadius + 2 * gap + std::max(both, std::max(wayA, wayB));
+    const double motion =
+        std::max({oneNorm(a.deltaPosition - b.deltaPosition), oneNorm(a.deltaPosition), oneNorm(b.deltaPosition)});
+    const double reach = a.outerRadius + b.outerRadius + 2 * gap + motion;
     return !((bodies.motions[pair.bodyB].center - centerA).squaredNorm() > reach * reach);
 }
 

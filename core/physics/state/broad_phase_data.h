@@ -1,7 +1,7 @@
 #pragma once
-// Data of the broad phase: proxies, found pairs, and runs of the pair table.
+// Data of the broad phase: proxies, and runs of the pair table.
 
-#include "core/physics/state/contact_data.h"
+#include "core/physics/lanes/wide.h"
 
 #include <cstdint>
 
@@ -14,21 +14,6 @@ struct MovingProxy {
     bool slender = false;       // a long part: most of its AABB is empty
     bool movedProxy = false;    // the body has left its fat AABB; set only while the broad phase searches
     bool isStaleInTree = false; // the tree still holds an older AABB of the part
-};
-
-/// The key of a pair that the broad phase has found. Ordered like Pair: by bodies, then by parts.
-struct FoundPair {
-    Slot bodyA = 0, bodyB = 0;
-    std::uint32_t partA = 0, partB = 0;
-
-    FoundPair() = default;
-    FoundPair(Slot a, Slot b, std::uint32_t ofA, std::uint32_t ofB) : bodyA(a), bodyB(b), partA(ofA), partB(ofB) {}
-    explicit FoundPair(const Pair& pair) : FoundPair(pair.bodyA, pair.bodyB, pair.partA, pair.partB) {}
-    std::uint64_t bodies() const { return std::uint64_t{bodyA} << 32 | bodyB; }
-    std::uint64_t parts() const { return std::uint64_t{partA} << 32 | partB; }
-    bool operator<(const FoundPair& o) const {
-        return bodies() != o.bodies() ? bodies() < o.bodies() : parts() < o.parts();
-    }
 };
 
 /// A run of consecutive pairs that stay consecutive when the pair table changes.

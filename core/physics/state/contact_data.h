@@ -22,6 +22,18 @@ struct ContactPoint {
 /// Selects the collision function of a pair. `Circle` is a circle about the centre of mass of its body.
 enum class PairKind : std::uint8_t { Sensor, CircleCircle, CircleEdge, CircleStatic, General };
 
+/// The bodies and parts of a pair. Pairs are ordered by bodies, then by parts.
+struct PairKey {
+    Slot bodyA = 0, bodyB = 0;
+    std::uint32_t partA = 0, partB = 0;
+
+    std::uint64_t bodies() const { return std::uint64_t{bodyA} << 32 | bodyB; }
+    std::uint64_t parts() const { return std::uint64_t{partA} << 32 | partB; }
+    bool operator<(const PairKey& o) const {
+        return bodies() != o.bodies() ? bodies() < o.bodies() : parts() < o.parts();
+    }
+};
+
 /// Two parts whose fat AABBs overlap. `bodyA` is not static; if neither body is static, `bodyA` has the lower slot.
 struct Pair {
     static constexpr std::uint32_t none = 0xffffffffu;
@@ -37,9 +49,7 @@ struct Pair {
     std::uint32_t collider = 0;   // of a static part: its index, see BroadPhase::staticCollider
     std::uint32_t contact = none; // index in Contacts::pool
 
-    std::uint64_t bodies() const { return std::uint64_t{bodyA} << 32 | bodyB; }
-    std::uint64_t parts() const { return std::uint64_t{partA} << 32 | partB; }
-    bool operator<(const Pair& o) const { return bodies() != o.bodies() ? bodies() < o.bodies() : parts() < o.parts(); }
+    PairKey key() const { return {bodyA, bodyB, partA, partB}; }
 };
 
 /// Until the motion bounds of the two bodies add up to the separation bound, the parts of the pair cannot touch. The
@@ -104,6 +114,8 @@ struct PairTable {
     void clear();
     void add(const Pair& pair);
     void addFrom(const PairTable& other, std::size_t index);
+    /// The index of the first pair whose PairKey::bodies() is at least `bodies`.
+    std::size_t firstFrom(std::uint64_t bodies) const;
 };
 
 /// A circle contact with a lane: one point in line with the centres of mass, so that the normal impulse turns neither

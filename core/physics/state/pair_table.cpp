@@ -1,5 +1,7 @@
 #include "core/physics/state/contact_data.h"
 
+#include <algorithm>
+
 namespace spacetow {
 
 PairBound unknownBound(const Pair& pair) {
@@ -22,6 +24,11 @@ void PairTable::addFrom(const PairTable& other, std::size_t index) {
     bounds.push_back(other.bounds[index]);
     flags.push_back(other.flags[index]);
     pairs.push_back(other.pairs[index]);
+}
+
+std::size_t PairTable::firstFrom(std::uint64_t bodies) const {
+    const auto isBefore = [](const Pair& pair, std::uint64_t key) { return pair.key().bodies() < key; };
+    return static_cast<std::size_t>(std::lower_bound(pairs.begin(), pairs.end(), bodies, isBefore) - pairs.begin());
 }
 
 } // namespace spacetow

@@ -22,7 +22,7 @@ struct PairSearch {
     std::vector<Slot> movedBodies;                    // bodies whose proxies are moved proxies
     std::vector<std::uint32_t> found;                 // the result of one query
     std::vector<MovingQuadtree::BoxPair> overlapping; // proxies whose fat AABBs overlap
-    std::vector<FoundPair> foundPairs, sortedPairs;
+    std::vector<PairKey> foundPairs, sortedPairs;
     std::vector<std::uint32_t> pairEnds; // by slot of `bodyA`: end of its range in sortedPairs
     std::size_t mostFound = 0;           // limit on foundPairs
 };

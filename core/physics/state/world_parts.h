@@ -71,6 +71,13 @@ struct Forces {
     std::vector<std::uint32_t> freeConnectors;
     std::vector<SlotPair> notColliding; // bodies that do not collide because a connector joins them; sorted
     std::vector<Slot> substepped;       // bodies with BodyRecord::substepped
+
+    /// Frees the record of a removed connector; its id becomes invalid.
+    void release(std::uint32_t index) {
+        connectors[index].used = false;
+        ++connectors[index].generation;
+        freeConnectors.push_back(index);
+    }
 };
 
 struct BroadPhase {

@@ -18,11 +18,9 @@ void endTouchesOf(WorldData& data, Slot slot, int iteration) {
 void removeNow(WorldData& data, Slot slot, int iteration) {
     endTouchesOf(data, slot, iteration);
     for (std::uint32_t i = 0; i < data.forces.connectors.size(); ++i) {
-        ConnectorRecord& c = data.forces.connectors[i];
+        const ConnectorRecord& c = data.forces.connectors[i];
         if (c.used && (c.a == slot || c.b == slot)) {
-            c.used = false;
-            ++c.generation;
-            data.forces.freeConnectors.push_back(i);
+            data.forces.release(i);
         }
     }
     BodyRecord& record = data.bodies.records[slot];

@@ -99,20 +99,14 @@ void setParts(BodyRecord& record, const BodyDef& def) {
             parts->push_back(std::visit([&](const auto& p) -> Part { return moved(p, aboutCenter); }, part));
         }
     }
-    std::vector<WallPart*> walls;
-    std::vector<ConvexPart*> convexParts;
+    std::vector<Part*> all;
     record.innerRadius = parts->empty() ? 0 : std::numeric_limits<double>::infinity();
     for (Part& part : *parts) {
-        if (auto* wall = std::get_if<WallPart>(&part)) {
-            walls.push_back(wall);
-        } else if (auto* convex = std::get_if<ConvexPart>(&part)) {
-            convexParts.push_back(convex);
-        }
+        all.push_back(&part);
         record.innerRadius = std::min(record.innerRadius, innerRadius(part));
         record.outerRadius = std::max(record.outerRadius, outerRadius(part));
     }
-    joinWalls(walls);
-    joinConvexParts(convexParts);
+    joinParts(all);
     record.parts = std::move(parts);
 }
 

@@ -208,9 +208,7 @@ Aabb World::bounds(BodyId body) const {
         return box; // valid until the body is moved; spares a pass over its parts
     }
     // Position correction may move the body out of its fat AABB in the last iteration.
-    for (const Part& part : *record.parts) {
-        box.include(boundsOf(part, m_data->bodies.pose(body.index)));
-    }
+    box.include(boundsOf(*record.parts, m_data->bodies.pose(body.index)));
     return box;
 }
 

@@ -136,11 +136,8 @@ bool World::contains(ConnectorId connector) const {
 
 void World::removeConnector(ConnectorId connector) {
     EXPECTS(contains(connector));
-    ConnectorRecord& c = m_data->forces.connectors[connector.index];
-    requestWakeOfEnds(m_data->bodies, m_data->sleep, c);
-    c.used = false;
-    ++c.generation;
-    m_data->forces.freeConnectors.push_back(connector.index);
+    requestWakeOfEnds(m_data->bodies, m_data->sleep, m_data->forces.connectors[connector.index]);
+    m_data->forces.release(connector.index);
     m_data->flags.connectionsStale = true;
 }
 

@@ -46,14 +46,14 @@ void addConnectorState(StateHash& hash, const ConnectorRecord& c) {
 void addPairState(StateHash& hash, const WorldData& data, const PairTable& table, std::size_t index) {
     const Pair& pair = table.pairs[index];
     if (table.flags[index].reported) {
-        hash.add(pair.bodies());
+        hash.add(pair.key().bodies());
     }
     if (pair.contact == Pair::none) {
         return;
     }
     const Contact& contact = data.contacts.pool[pair.contact];
-    hash.add(pair.bodies());
-    hash.add(pair.parts());
+    hash.add(pair.key().bodies());
+    hash.add(pair.key().parts());
     hash.add(contact.tangentImpulse);
     for (int i = 0; i < contact.count; ++i) {
         const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];

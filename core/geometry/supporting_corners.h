@@ -40,10 +40,10 @@ inline bool liesFlat(const ConvexPart& part, int face, const Vec2& normal) {
 
 /// Whether the corner of `part`, or another corner at the same depth, may touch the face of `reference`. A flat face
 /// has two corners at the same depth, of which one may lie in the middle of a side of the outline.
-bool levelBears(const ConvexPart& part, int corner, const ConvexPart& reference, int face);
+bool levelSupports(const ConvexPart& part, int corner, const ConvexPart& reference, int face);
 
 /// Whether the face may give the contact normal for `other`. A side of the outline may continue as an inner face of
 /// this part; a part that is over the inner face only belongs to the neighbour beyond it.
-bool isBeside(const ConvexPart& reference, int face, const ConvexPart& other);
+bool mayBeReferenceFace(const ConvexPart& reference, int face, const ConvexPart& other);
 
 } // namespace spacetow

@@ -1,4 +1,4 @@
-#include "core/geometry/bearing.h"
+#include "core/geometry/supporting_corners.h"
 
 namespace spacetow {
 
@@ -6,12 +6,12 @@ namespace {
 
 /// Whether the corner may meet the face. One at the end of a face that lies flat on it does so with what of that
 /// belongs to the outline and is over the face.
-bool bears(const ConvexPart& part, int corner, const Vec2& normal, const Span& span) {
-    if (!cornerBears(part, corner, -normal)) {
+bool supports(const ConvexPart& part, int corner, const Vec2& normal, const Span& span) {
+    if (!cornerSupports(part, corner, -normal)) {
         return false;
     }
     bool isFlat = false;
-    for (const int face : {corner, corner > 0 ? corner - 1 : part.count - 1}) {
+    for (const int face : {corner, cornerBefore(part, corner)}) {
         if (liesFlat(part, face, normal)) {
             isFlat = true;
             if (isOuterFace(part, face) &&
@@ -29,7 +29,7 @@ bool continuesInside(const ConvexPart& part, int face, int beside) {
 
 } // namespace
 
-bool levelBears(const ConvexPart& part, int corner, const ConvexPart& reference, int face) {
+bool levelSupports(const ConvexPart& part, int corner, const ConvexPart& reference, int face) {
     if (!isCut(part)) {
         return true;
     }
@@ -37,15 +37,15 @@ bool levelBears(const ConvexPart& part, int corner, const ConvexPart& reference,
     const double depth = normal.dot(cornerOf(part, corner));
     const Span span(reference, face);
     for (int k = 0; k < part.count; ++k) {
-        if (std::fabs(normal.dot(cornerOf(part, k)) - depth) <= sameDepth && bears(part, k, normal, span)) {
+        if (std::fabs(normal.dot(cornerOf(part, k)) - depth) <= sameDepth && supports(part, k, normal, span)) {
             return true;
         }
     }
     return false;
 }
 
-bool isBeside(const ConvexPart& reference, int face, const ConvexPart& other) {
-    const int before = face > 0 ? face - 1 : reference.count - 1;
+bool mayBeReferenceFace(const ConvexPart& reference, int face, const ConvexPart& other) {
+    const int before = cornerBefore(reference, face);
     if (!continuesInside(reference, face, before) && !continuesInside(reference, face, cornerAfter(reference, face))) {
         return true;
     }
