@@ -26,6 +26,7 @@ class TunnellingTest : public QObject {
     void riskIsTheWayOfAnIterationAgainstTheDepth_data();
     void riskIsTheWayOfAnIterationAgainstTheDepth();
     void whoPassesByOrMayNotTouchIsNoRisk();
+    void sensorsAndInactiveBodiesAreNoRisk();
 };
 
 void TunnellingTest::riskIsTheWayOfAnIterationAgainstTheDepth_data() {
@@ -78,6 +79,25 @@ void TunnellingTest::whoPassesByOrMayNotTouchIsNoRisk() {
     ghost.filter.touches = TagMask::all();
     add(world, ghost);
     QCOMPARE(wallRisks(world).size(), std::size_t{1});
+}
+
+void TunnellingTest::sensorsAndInactiveBodiesAreNoRisk() {
+    const auto risksOf = [](bool wallStops, bool wallIsActive, bool ballStops) {
+        World world(withIterations(4, {0, 0}));
+        add(world, {.kind = BodyKind::Static,
+                    .shapes = {Edge{{-2, 0}, {2, 0}, 0.5}},
+                    .tangible = wallStops,
+                    .active = wallIsActive});
+        BodyDef def = ball({0, 1}, 0.1);
+        def.velocity = {0, -5};
+        def.tangible = ballStops;
+        add(world, def);
+        return wallRisks(world).size();
+    };
+    QCOMPARE(risksOf(true, true, true), std::size_t{1});
+    QCOMPARE(risksOf(false, true, true), std::size_t{0});
+    QCOMPARE(risksOf(true, false, true), std::size_t{0});
+    QCOMPARE(risksOf(true, true, false), std::size_t{0});
 }
 
 SPACETOW_TEST(TunnellingTest)

@@ -12,6 +12,11 @@ namespace {
 
 constexpr double ahead = 1; // s, of motion that bodies are swept along
 
+/// Whether the body stops others: sensors do not, nor do inactive bodies.
+bool stops(const BodyState& state) {
+    return state.active && state.tangible;
+}
+
 /// The bodies in motion, with their swept AABBs.
 struct Swept {
     std::vector<BodyState> bodies;
@@ -22,7 +27,7 @@ struct Swept {
     explicit Swept(const World& world) {
         for (const BodyId id : world.bodies()) {
             const BodyState state = world.body(id);
-            if (state.kind == BodyKind::Static || !state.active || state.velocity.squaredNorm() == 0) {
+            if (state.kind == BodyKind::Static || !stops(state) || state.velocity.squaredNorm() == 0) {
                 continue;
             }
             const Aabb box = world.bounds(id);
@@ -53,6 +58,9 @@ std::vector<WallRisk> wallRisks(const World& world, const std::optional<Aabb>& a
             continue;
         }
         const BodyState state = world.body(id);
+        if (!stops(state)) {
+            continue;
+        }
         for (const Shape& shape : world.shapes(id)) {
             const auto* edge = std::get_if<Edge>(&shape);
             if (edge == nullptr || !(edge->depth > 0) || edge->depth == noBack || edge->a == edge->b) {

@@ -7,7 +7,8 @@
 //
 // The approach speed is −n·v, with n the wall's normal and v the velocity of the body. Bodies count if their filter
 // admits the wall and their AABB, swept along the velocity for one second, overlaps the wall's. From a risk of 1 on
-// one iteration can carry a body through the whole band. Lines, and walls of infinite depth, have no risk.
+// one iteration can carry a body through the whole band. Lines, walls of infinite depth, sensors and inactive bodies
+// have no risk.
 
 #include "core/math/aabb.h"
 #include "core/physics/world/world.h"
