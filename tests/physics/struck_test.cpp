@@ -1,6 +1,7 @@
 // What lies at one corner and is struck turns about that: its other corners, which had no contact before, go no deeper
 // than those that have one.
 
+#include "core/physics/def/tolerances.h"
 #include "tests/support/contact_scenes.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "core/physics/query/debug_layers.h"
 
 #include "core/geometry/bounds.h"
+#include "core/physics/broad_phase/collision_rules.h"
 #include "core/physics/query/contact_manifolds.h"
 #include "core/physics/query/queries.h"
 #include "core/physics/query/tunnelling.h"
@@ -125,9 +126,11 @@ void drawCell(const QuadtreeCell& cell, const DebugView& view, DebugDraw& draw) 
     }
 }
 
-bool mayMeet(const BodyState& a, const BodyState& b) {
-    return a.tangible && b.tangible && a.active && b.active && mayTouch(a.filter, b.filter) &&
-           !(a.kind == BodyKind::Static && b.kind == BodyKind::Static);
+/// Whether the bodies have contacts when they touch.
+bool haveContacts(const WorldData& data, BodyId a, BodyId b) {
+    const bool active = data.bodies.records[a.index].active && data.bodies.records[b.index].active;
+    return active && areTangible(data.bodies, a.index, b.index) &&
+           mayCollide(data.bodies, data.forces, a.index, b.index);
 }
 
 struct DrawnForce {
@@ -142,11 +145,6 @@ void drawForce(const DrawnForce& force, const DebugView& view, DebugDraw& draw) 
         const Vec2 tip = force.from + length * force.along;
         draw.arrow(view.view.toView(force.from), view.view.toView(tip), view.colors.impulse);
     }
-}
-
-bool keepsApart(const Forces& forces, BodyId a, BodyId b) {
-    const SlotPair pair = std::minmax(a.index, b.index);
-    return std::ranges::binary_search(forces.notColliding, pair);
 }
 
 /// The mass of the lighter dynamic body, kg; infinite if neither body is dynamic.
@@ -242,12 +240,10 @@ void drawCollisions(const World& world, const DebugView& view, DebugDraw& draw) 
         if ((isOne && selected.size() == 1) || (view.area && !world.bounds(id).overlaps(*view.area))) {
             continue;
         }
-        const BodyState state = world.body(id);
-        const bool meets = std::ranges::any_of(selected, [&](BodyId other) {
-            return other != id && mayMeet(state, world.body(other)) && !keepsApart(world.data().forces, id, other);
-        });
-        drawOutline({world.shapes(id), state.pose}, {meets ? view.colors.meets : view.colors.passes, false}, view,
-                    draw);
+        const Transform pose = world.body(id).pose;
+        const bool meets =
+            std::ranges::any_of(selected, [&](BodyId other) { return haveContacts(world.data(), id, other); });
+        drawOutline({world.shapes(id), pose}, {meets ? view.colors.meets : view.colors.passes, false}, view, draw);
     }
 }
 
