@@ -1,4 +1,6 @@
-// Overlays and readings go by the rules of the engine: who collides with whom.
+// Overlays and readings go by the rules of the engine: who collides with whom, and with what of a wall.
+#include "core/physics/query/contact_manifolds.h"
+#include "core/physics/query/explain.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/recording_draw.h"
 
@@ -22,6 +24,7 @@ class OverlayRulesTest : public QObject {
 
   private slots:
     void twoKinematicBodiesPassEachOther();
+    void whatPassesAOneWayWallTouchesItsEndsAlone();
 };
 
 void OverlayRulesTest::twoKinematicBodiesPassEachOther() {
@@ -40,6 +43,31 @@ void OverlayRulesTest::twoKinematicBodiesPassEachOther() {
     QVERIFY(calls[0].color == view.colors.passes);
     QVERIFY(calls[1].color == view.colors.passes);
     QVERIFY(calls[2].color == view.colors.meets);
+}
+
+void OverlayRulesTest::whatPassesAOneWayWallTouchesItsEndsAlone() {
+    const Vec2 end(1, 0);
+    World world(withIterations(20, {0, 0}));
+    const BodyId wall = add(world, {.kind = BodyKind::Static, .shapes = {Edge{{-1, 0}, end, 0.5}}});
+    BodyDef def = ball({0.9, -0.8}, 0.3);
+    def.velocity = {0, 2};
+    const BodyId passing = add(world, def);
+    int seen = 0;
+    for (int i = 0; i < 20; ++i) {
+        world.update();
+        const Vec2 towards = (end - world.body(passing).massCenter).normalized();
+        for (const ContactManifold& contact : contactManifolds(world)) {
+            QVERIFY(contact.a == passing && contact.b == wall);
+            QVERIFY(contact.count == 1 && contact.normal.dot(towards) > 0.999);
+            ++seen;
+        }
+        for (const ContactReading& contact : contactsOf(world, passing)) {
+            const Vec2 fromBall = contact.a == passing ? contact.normal : Vec2(-contact.normal);
+            QVERIFY(fromBall.dot(towards) > 0.999);
+            ++seen;
+        }
+    }
+    QVERIFY(seen > 0);
 }
 
 SPACETOW_TEST(OverlayRulesTest)

@@ -1,6 +1,6 @@
 #include "core/physics/query/contact_manifolds.h"
 
-#include "core/geometry/collide.h"
+#include "core/physics/query/present_manifold.h"
 #include "core/physics/state/world_data.h"
 
 #include <algorithm>
@@ -27,10 +27,7 @@ void readKept(const Bodies& bodies, const Contacts& contacts, const Pair& pair, 
 }
 
 /// Makes a new manifold: circles keep none, and a kept one may be out of date.
-void readAnew(const Bodies& bodies, const Contacts& contacts, const Pair& pair, ContactManifold& reading) {
-    const Contact& contact = contacts.pool[pair.contact];
-    const Manifold manifold =
-        collide(*pair.shapeA, bodies.pose(pair.bodyA), *pair.shapeB, bodies.poseOfB(pair), farthest);
+void readAnew(const Contact& contact, const Manifold& manifold, ContactManifold& reading) {
     reading.normal = manifold.normal;
     reading.count = std::min(contact.count, manifold.count);
     for (std::size_t i = 0; i < static_cast<std::size_t>(reading.count); ++i) {
@@ -58,7 +55,7 @@ void readTable(const WorldData& data, const PairTable& table, const std::optiona
         reading.touching = table.flags[i].touching;
         reading.tangentImpulse = contact.tangentImpulse;
         contact.manifold.tolerance >= 0 ? readKept(data.bodies, data.contacts, pair, reading)
-                                        : readAnew(data.bodies, data.contacts, pair, reading);
+                                        : readAnew(contact, presentManifold(data.bodies, table, i, farthest), reading);
         const auto pushes = [](const ContactManifold::Point& point) { return point.normalImpulse > 0; };
         reading.touching = reading.touching || std::ranges::any_of(reading.points, pushes);
         if (reading.count > 0 && isIn(area, reading)) {

@@ -2,8 +2,8 @@
 
 #include "core/base/contract.h"
 #include "core/geometry/closest.h"
-#include "core/geometry/collide.h"
 #include "core/physics/query/explain.h"
+#include "core/physics/query/present_manifold.h"
 #include "core/physics/state/world_data.h"
 
 #include <algorithm>
@@ -24,10 +24,9 @@ double secondsOf(const WorldData& data) {
 }
 
 /// Sets point and normal: of the manifold, or of the closest points if the parts are apart.
-void locate(const Bodies& bodies, const Pair& pair, ContactReading& contact) {
-    const Transform a = bodies.pose(pair.bodyA);
-    const Transform b = bodies.poseOfB(pair);
-    const Manifold manifold = collide(*pair.shapeA, a, *pair.shapeB, b, linearSlop);
+void locate(const Bodies& bodies, const PairTable& table, std::size_t index, ContactReading& contact) {
+    const Pair& pair = table.pairs[index];
+    const Manifold manifold = presentManifold(bodies, table, index, linearSlop);
     if (manifold.count > 0) {
         contact.normal = manifold.normal;
         contact.point = manifold.points[0].point;
@@ -36,7 +35,8 @@ void locate(const Bodies& bodies, const Pair& pair, ContactReading& contact) {
         }
         return;
     }
-    const ClosestPoints closest = closestPoints(*pair.shapeA, a, *pair.shapeB, b);
+    const ClosestPoints closest =
+        closestPoints(*pair.shapeA, bodies.pose(pair.bodyA), *pair.shapeB, bodies.poseOfB(pair));
     contact.normal = closest.normal;
     contact.point = closest.distance > 0 ? Vec2(0.5 * (closest.onA + closest.onB)) : bodies.motions[pair.bodyA].center;
 }
@@ -68,7 +68,7 @@ void listTouching(const WorldData& data, const PairTable& table, Slot body, std:
         PairReading reading{pair.bodyA, pair.bodyB, {}};
         reading.contact.solid = pair.kind != PairKind::Sensor;
         reading.contact.touching = flags.touching;
-        locate(data.bodies, pair, reading.contact);
+        locate(data.bodies, table, i, reading.contact);
         // The log has no impulses of sleeping pairs, which keep those of their last iteration.
         if (!data.impulses.on || (data.bodies.records[pair.bodyA].asleep && &table == &data.sleep.table)) {
             addKept(data, pair, reading.contact);
