@@ -26,9 +26,9 @@ struct CrushStage {
 /// nothing is crushed: skip the functions below.
 bool mayCrush(const CrushStage& stage);
 
-/// Of the bodies that a kinematic body may push, collects those that position correction, or the motion of their
-/// platform, takes out of their fat AABBs.
-void measureCorrections(Bodies& bodies, StepFlags& flags, const SolverScratch& solver, PairSearch& search);
+/// Collects the moved proxies among the bodies that a kinematic body may push: position correction or their platform
+/// moves them out of their fat AABBs.
+void findDisplaced(Bodies& bodies, StepFlags& flags, const SolverScratch& solver, PairSearch& search);
 
 /// Limits the motion of these bodies, position correction included, so that none penetrates an immovable body by more
 /// than the slop. Adds a CrushedEvent for each body that is crushed and was not in the last iteration. Call it directly

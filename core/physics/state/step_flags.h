@@ -34,7 +34,7 @@ struct StepFlags {
 
     // Set by measureMotion:
     // - anyFault: a motion is not finite.
-    // - anyMovedProxy: a body has left its fat AABB, or all pairs are stale. Cleared by findPairs; measureCorrections
+    // - anyMovedProxy: a body has left its fat AABB, or all pairs are stale. Cleared by findPairs; findDisplaced
     //   sets it again.
     // - anyFast: a motion exceeds the speculative margin. solveVelocities may set it later.
     bool anyFault = false;

@@ -38,8 +38,8 @@ struct Stages {
     TouchStage touches{data};
 };
 
-/// What has been done since the stage before belongs to this one.
-void ended(const WorldData& data, StepStage stage) {
+/// Adds the time since the last call to the stage, if stages are timed.
+void recordTime(const WorldData& data, StepStage stage) {
     if (data.scratch.times != nullptr) {
         data.scratch.times->end(stage);
     }
@@ -55,7 +55,7 @@ IterationStep iterationStep(const UpdateParameters& p) {
 // The most parts of one iteration.
 constexpr int maxParts = 64;
 
-/// The pairs of bodies that have left their fat AABBs, and what depends on pairs.
+/// Finds the pairs of moved proxies, and updates the data that depends on pairs.
 void refreshPairs(const Stages& stages, const IterationStep& step) {
     WorldData& data = stages.data;
     data.flags.pairsStale |= data.contacts.table.size() >= mostPairs(data.broadPhase);
@@ -72,13 +72,14 @@ void refreshPairs(const Stages& stages, const IterationStep& step) {
         changePairs(data.bodies, data.contacts, data.flags, data.scratch.changes);
         remapPairs(stages.contacts);
     }
-    ended(data, StepStage::Pairs);
+    recordTime(data, StepStage::Pairs);
 }
 
-/// The motion as if nothing were touched, and the pairs for it. False when something was not finite.
-bool planMotion(const Stages& stages, const IterationStep& step, bool first) {
+/// Integrates without contacts, and finds the pairs for this motion. Returns false if a state was not finite.
+bool predictMotion(const Stages& stages, const IterationStep& step, bool first) {
     WorldData& data = stages.data;
-    const double ahead = first ? step.remaining - step.dt : 0; // fat AABBs for a whole update, if they will do
+    // In the first iteration a fat AABB is enlarged unless it contains the motion of the whole update.
+    const double ahead = first ? step.remaining - step.dt : 0;
     integrateVelocities(stages.forces, step);
     measureMotion(data.bodies, data.flags, data.scratch.search, ahead);
     const bool fault = data.flags.anyFault;
@@ -86,79 +87,79 @@ bool planMotion(const Stages& stages, const IterationStep& step, bool first) {
         isolateFaults(data.bodies, data.events, step.index);
         measureMotion(data.bodies, data.flags, data.scratch.search, ahead);
     }
-    ended(data, StepStage::Motion);
+    recordTime(data, StepStage::Motion);
     if (data.flags.anyMovedProxy) {
         refreshPairs(stages, step);
     }
     return !fault;
 }
 
-void stopWhatMeets(const Stages& stages, const IterationStep& step) {
+void stopAtTimesOfImpact(const Stages& stages, const IterationStep& step) {
     WorldData& data = stages.data;
     measureMotion(data.bodies, data.flags, data.scratch.search, 0);
-    ended(data, StepStage::Impacts);
+    recordTime(data, StepStage::Impacts);
     if (data.flags.anyMovedProxy) {
         refreshPairs(stages, step);
     }
     stopAtImpacts(stages.toi);
     limitPenetrationOfFollowers(data.bodies, data.constraints, data.scratch.solver, step.dt);
-    ended(data, StepStage::Impacts);
+    recordTime(data, StepStage::Impacts);
 }
 
-/// What a kinematic body pushes is kept out of what stands still.
-void limitPushedByKinematic(const Stages& stages, const IterationStep& step) {
+/// Keeps bodies that a kinematic body pushes out of immovable ones.
+void limitPushedBodies(const Stages& stages, const IterationStep& step) {
     WorldData& data = stages.data;
-    measureCorrections(data.bodies, data.flags, data.scratch.solver, data.scratch.search);
+    findDisplaced(data.bodies, data.flags, data.scratch.solver, data.scratch.search);
     if (data.flags.anyMovedProxy) {
         refreshPairs(stages, step);
     }
     keepOutOfStatics(stages.crush, step.index);
 }
 
-void makeMotion(const Stages& stages, const IterationStep& step) {
+void collideAndMove(const Stages& stages, const IterationStep& step) {
     WorldData& data = stages.data;
     findContacts(stages.contacts, step);
     while (wakeTouched(stages.sleep, step)) {
-        planMotion(stages, step, false);
+        predictMotion(stages, step, false);
         findContacts(stages.contacts, step);
     }
-    ended(data, StepStage::Contacts);
+    recordTime(data, StepStage::Contacts);
     findComponents(stages.solver);
     markPushedByKinematic(data.bodies, data.contactGraph, data.scratch.solver);
     solveVelocities(stages.solver, step);
     findPlatforms(data.bodies, data.contacts.table, data.constraints);
-    ended(data, StepStage::Solver);
+    recordTime(data, StepStage::Solver);
     if (data.flags.anyFast || data.flags.anySweep || data.flags.anyDeflected) {
-        stopWhatMeets(stages, step);
+        stopAtTimesOfImpact(stages, step);
     }
     moveWithPlatforms(data.bodies);
-    ended(data, StepStage::Advance);
+    recordTime(data, StepStage::Advance);
     if (mayCrush(stages.crush)) {
-        limitPushedByKinematic(stages, step);
+        limitPushedBodies(stages, step);
     } else {
         data.crushed.clear();
     }
-    ended(data, StepStage::Crush);
+    recordTime(data, StepStage::Crush);
     advance(data.bodies, step.dt);
-    ended(data, StepStage::Advance);
+    recordTime(data, StepStage::Advance);
     findOverlaps(data.bodies, data.contacts);
     reportTouches(stages.touches, step.index);
-    ended(data, StepStage::Touches);
+    recordTime(data, StepStage::Touches);
 }
 
-void setDuration(Bodies& bodies, IterationStep& step, double dt) {
+void setLength(Bodies& bodies, IterationStep& step, double dt) {
     step.dt = dt;
     step.substep = dt / step.substeps;
     prepareSteps(bodies, step);
 }
 
-void makePart(const Stages& stages, const IterationStep& step, double whole) {
+void runPart(const Stages& stages, const IterationStep& step, double whole) {
     beginPart(stages.contacts, step.dt / whole);
-    makeMotion(stages, step);
+    collideAndMove(stages, step);
     endPart(stages.contacts, step.dt / whole);
 }
 
-/// The iteration as planned is too long: it is made in parts.
+/// Divides the iteration into parts; `share` is the fraction of the first one.
 void iterateInParts(const Stages& stages, IterationStep step, double share) {
     WorldData& data = stages.data;
     const double whole = step.dt;
@@ -166,17 +167,17 @@ void iterateInParts(const Stages& stages, IterationStep step, double share) {
     double left = whole;
     for (int parts = maxParts - 1; share < 1; --parts) {
         restoreVelocities(data.bodies);
-        setDuration(data.bodies, step, share * left);
-        planMotion(stages, step, false);
-        makePart(stages, step, whole);
+        setLength(data.bodies, step, share * left);
+        predictMotion(stages, step, false);
+        runPart(stages, step, whole);
         left -= step.dt;
         step.remaining -= step.dt;
-        setDuration(data.bodies, step, left);
-        const bool sound = planMotion(stages, step, false);
+        setLength(data.bodies, step, left);
+        const bool sound = predictMotion(stages, step, false);
         share = sound && data.flags.anyFast && parts > 1 ? safeFraction(data.bodies, data.contacts, 1.0 / parts) : 1;
     }
-    makePart(stages, step, whole);
-    setDuration(data.bodies, step, whole);
+    runPart(stages, step, whole);
+    setLength(data.bodies, step, whole);
     joinTagReports(data.events, reports);
 }
 
@@ -186,12 +187,12 @@ void iterate(const Stages& stages, const IterationStep& step) {
         reportTouches(stages.touches, step.index);
         return;
     }
-    const bool sound = planMotion(stages, step, step.index == 0);
+    const bool sound = predictMotion(stages, step, step.index == 0);
     const double share = sound && data.flags.anyFast ? safeFraction(data.bodies, data.contacts, 1.0 / maxParts) : 1;
     if (share < 1) {
         iterateInParts(stages, step, share);
     } else {
-        makeMotion(stages, step);
+        collideAndMove(stages, step);
     }
 }
 
@@ -214,20 +215,20 @@ void updateWorld(WorldData& data, const UpdateParameters& parameters) {
     IterationStep step = iterationStep(parameters);
     refreshBodyLists(data);
     prepareMotion(data.bodies, step, parameters.gravity);
-    ended(data, StepStage::Changes);
+    recordTime(data, StepStage::Changes);
     for (step.index = 0; step.index < parameters.iterations; ++step.index) {
         iterate(stages, step);
         step.remaining -= step.dt;
         if (applyPending(data, step.index)) {
             refreshBodyLists(data);
             prepareSteps(data.bodies, step);
-            ended(data, StepStage::Changes);
+            recordTime(data, StepStage::Changes);
         }
     }
     saveAllImpulses(data.contacts, data.constraints, data.flags);
     fallAsleep(stages.sleep, parameters.seconds, parameters.iterations - 1);
     collectTouchedTags(data.bodies, data.contacts, data.sleep);
-    ended(data, StepStage::Sleep);
+    recordTime(data, StepStage::Sleep);
 }
 
 } // namespace spacetow
