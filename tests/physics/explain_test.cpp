@@ -206,6 +206,21 @@ class ExplainTest : public QObject {
         }
     }
 
+    void motionAddsUpWhereMomentaCancel() {
+        World world(withIterations(4, {0, 0}));
+        BodyDef def = ball({0, 0}, 0.2);
+        def.mass = 2;
+        def.velocity = {3, 0};
+        add(world, def);
+        world.update();
+        def.position = {5, 0};
+        def.velocity = {-3, 0};
+        add(world, def); // counts before its first update
+        QVERIFY(totals(world).momentum.norm() < 1e-12);
+        QVERIFY(std::abs(totals(world).motion - 12) < 1e-12);
+        QVERIFY(std::abs(totals(world).kinetic - 18) < 1e-12);
+    }
+
     void whatHangsStillIsHeldByItsWeight() {
         SpringScene hanging(2 * 9.81 / 50);
         run(hanging.world, 20);
@@ -262,6 +277,22 @@ class ExplainTest : public QObject {
         QVERIFY((contact.point - Vec2(1, 0)).norm() < 1e-3);
         QVERIFY(std::abs(contact.normalImpulse - 3 * 9.81 * 0.02) < 1e-6);
         QVERIFY(contactsOf(world, floor).size() == 1);
+    }
+
+    void aSensorThatIsPassedWithinAnIterationIsToldAsNoLongerTouched() {
+        World world(withIterations(1, {0, 0}));
+        BodyDef zone = box({0, 0}, 0.1, 1);
+        zone.kind = BodyKind::Static;
+        zone.tangible = false;
+        const BodyId sensor = add(world, zone);
+        BodyDef def = ball({-1, 0}, 0.1);
+        def.velocity = {100, 0};
+        const BodyId id = add(world, def);
+        world.update();
+        const std::vector<ContactReading> contacts = contactsOf(world, id);
+        QCOMPARE(contacts.size(), std::size_t(1));
+        QVERIFY(contacts.front().a == sensor && contacts.front().b == id);
+        QVERIFY(!contacts.front().solid && !contacts.front().touching);
     }
 
     void anImpactWithinAnUpdateIsToldAfterwards() {
@@ -347,11 +378,13 @@ class ExplainTest : public QObject {
         QCOMPARE(count.contacts, 2);
         QVERIFY(count.pairs >= 2 && count.treeCells >= 2);
         QCOMPARE(count.islands, 3); // the pile, the lift, the ball
+        const int pairs = count.pairs;
         world.setSleeping(true);
         run(world, 3);
         count = counters(world);
         QVERIFY(count.asleep >= 2);
         QCOMPARE(count.contacts, 2);
+        QCOMPARE(count.pairs, pairs);
         const ForceReading held = explained(world, low).forces.contacts;
         QVERIFY(std::abs(held.force.y() - 9.81 * world.body(low).mass) < 0.1);
     }

@@ -3,12 +3,19 @@
 #include "core/physics/world/world.h"
 
 #include "core/base/random.h"
+#include "core/physics/broad_phase/pairs.h"
+#include "core/physics/contacts/constraint_list.h"
+#include "core/physics/contacts/narrow_phase.h"
+#include "core/physics/solver/integrate.h"
 #include "core/physics/state/world_data.h"
 #include "tests/support/bodies.h"
 #include "tests/support/test_main.h"
 
+#include <algorithm>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 using namespace spacetow;
 using namespace spacetow::test;
@@ -74,6 +81,65 @@ struct Ride {
         return std::nullopt;
     }
 };
+
+/// Boxes, triangles and half discs that have been thrown together.
+World heapOfPolygons() {
+    World world({.iterations = 4});
+    add(world, lineBody({-3, 0}, {3, 0}));
+    add(world, lineBody({-1.5, 3}, {-1.5, 0}));
+    add(world, lineBody({1.5, 0}, {1.5, 3}));
+    Random random(3);
+    for (int i = 0; i < 24; ++i) {
+        BodyDef def = box({0, 0}, random.uniform(0.1, 0.3), random.uniform(0.1, 0.3));
+        if (i % 3 == 1) {
+            def.shapes = {Polygon{{{-0.3, -0.1}, {0.3, -0.15}, {0.1, 0.3}}}};
+        }
+        if (i % 6 == 5) {
+            def.shapes.emplace_back(Circle{{0.2, 0.1}, 0.15});
+        }
+        def.position = {-1.1 + 0.55 * (i % 5), 0.4 + 0.6 * (i / 5)};
+        def.angle = random.uniform(-3, 3);
+        def.velocity = {random.uniform(-1, 1), random.uniform(-2, 0)};
+        def.angularVelocity = random.uniform(-3, 3);
+        def.friction = 0.2;
+        add(world, def);
+    }
+    return world;
+}
+
+/// The next iteration up to where its contacts are known.
+void findNextContacts(WorldData& data) {
+    const double dt = data.parameters.seconds / data.parameters.iterations;
+    const IterationStep step{dt, dt, 1, dt, 0, 2};
+    integrateVelocities(data, step);
+    measureMotion(data.bodies, data.flags, data.scratch.search, 0);
+    findContacts(data, step);
+}
+
+/// All that the solver has of the contact, with a name for each number.
+std::vector<std::pair<const char*, double>> numbersOf(const WorldData& data, const GeneralContact& contact) {
+    const ConstraintBatch& c = data.constraints.batches.general[contact.lane.batch];
+    const std::uint32_t i = contact.lane.lane;
+    return {{"normal x", c.normalX[i]},
+            {"normal y", c.normalY[i]},
+            {"first separation", c.separation1[i]},
+            {"second separation", c.separation2[i]},
+            {"first target", c.target1[i]},
+            {"second target", c.target2[i]},
+            {"first closing limit", c.closingLimit1[i]},
+            {"second closing limit", c.closingLimit2[i]},
+            {"first lever of a", c.leverA1[i]},
+            {"first lever of b", c.leverB1[i]},
+            {"second lever of a", contact.count == 2 ? c.leverA2[i] : 0},
+            {"second lever of b", contact.count == 2 ? c.leverB2[i] : 0},
+            {"lever of the friction of a", c.tangentLeverA[i]},
+            {"lever of the friction of b", c.tangentLeverB[i]},
+            {"mass for friction", c.tangentMass[i]},
+            {"first mass", c.mass1[i]},
+            {"second mass", c.mass2[i]},
+            {"coupling", c.coupling[i]},
+            {"inverse determinant", c.inverseDeterminant[i]}};
+}
 
 double angularMomentum(const World& world) {
     double sum = 0;
@@ -143,6 +209,43 @@ class KeptContactsTest : public QObject {
             QVERIFY(!fresh || (*fresh - forgetting.carrierFromRider()).norm() < moreThanAnUpdate);
         }
         QVERIFY2(kept > 10, qPrintable(QString::number(kept)));
+    }
+
+    /// Contacts that have a lane are updated four at a time by a kernel, new ones by other code one by one.
+    void whatAKernelUpdatesIsWhatANewContactWouldHave() {
+        World world = heapOfPolygons();
+        int compared = 0;
+        int withTwoPoints = 0;
+        for (int update = 0; update < 240; ++update) {
+            world.update();
+            WorldData kept = world.data();
+            WorldData anew = world.data();
+            releaseConstraints(anew.contacts, anew.constraints, anew.flags);
+            findNextContacts(kept);
+            findNextContacts(anew);
+            if (kept.flags.constraintsRebuilt) {
+                continue;
+            }
+            for (const GeneralContact& c : anew.constraints.generalContacts) {
+                const auto same =
+                    std::find_if(kept.constraints.generalContacts.begin(), kept.constraints.generalContacts.end(),
+                                 [&](const GeneralContact& other) { return other.points[0].pair == c.points[0].pair; });
+                QVERIFY(same != kept.constraints.generalContacts.end() && same->count == c.count);
+                const auto expected = numbersOf(anew, c);
+                const auto updated = numbersOf(kept, *same);
+                for (std::size_t i = 0; i < expected.size(); ++i) {
+                    const auto [name, value] = expected[i];
+                    const double other = updated[i].second;
+                    QVERIFY2(
+                        value == other || std::abs(value - other) <= 1e-8 * (1 + std::abs(value)),
+                        qPrintable(QString("update %1, %2: %3, not %4").arg(update).arg(name).arg(other).arg(value)));
+                }
+                ++compared;
+                withTwoPoints += c.count == 2 ? 1 : 0;
+            }
+        }
+        QVERIFY2(compared > 1000 && withTwoPoints > 300 && compared - withTwoPoints > 100,
+                 qPrintable(QString("%1 contacts, %2 with two points").arg(compared).arg(withTwoPoints)));
     }
 
     /// The points of a kept manifold move with the bodies, and the impulses act where they are.

@@ -65,6 +65,49 @@ class SleepTest : public QObject {
         QVERIFY(std::abs(world.body(creeping).massCenter.x() - 0.004) < 1e-9);
     }
 
+    void aBodyThatOnlyTurnsStaysAwake() {
+        World world = sleepyWorld();
+        world.setParameters({.gravity = {0, 0}});
+        BodyDef def = ball({0, 0}, 0.2);
+        def.angularVelocity = 0.1; // its rim goes 2 cm/s
+        const BodyId id = add(world, def);
+        runUpdates(world, 200);
+        QVERIFY(!world.body(id).asleep);
+    }
+
+    void whoIsDisturbedStaysAwakeForHalfASecondMore() {
+        World world = sleepyWorld();
+        world.setParameters({.gravity = {0, 0}});
+        const BodyId id = add(world, ball({0, 0}, 0.2));
+        for (int i = 0; i < 10; ++i) {
+            runUpdates(world, 20);
+            world.setVelocity(id, {0, 0}, 0);
+            QVERIFY(!world.body(id).asleep);
+        }
+        runUpdates(world, 20);
+        world.setSleeping(false); // what was still while it was forbidden does not count
+        world.update();
+        world.setSleeping(true);
+        runUpdates(world, 20);
+        QVERIFY(!world.body(id).asleep);
+        runUpdates(world, 10);
+        QVERIFY(world.body(id).asleep);
+    }
+
+    void whoIsWokenByItsIslandStaysAwakeForHalfASecond() {
+        World world = sleepyWorld();
+        add(world, edgeBody({-5, 0}, {5, 0}));
+        const BodyId lower = add(world, box({0, 0.2}, 0.2, 0.2));
+        const BodyId upper = add(world, box({0, 0.6}, 0.2, 0.2));
+        QVERIFY(runUntilAsleep(world, 2));
+        world.setVelocity(upper, {0, 0}, 0);
+        for (int i = 0; i < 24; ++i) {
+            world.update();
+            QVERIFY(!world.body(lower).asleep && !world.body(upper).asleep);
+        }
+        QVERIFY(runUntilAsleep(world, 2, 1));
+    }
+
     void aBodyOnAMovingPlatformStaysAwake() {
         World world = sleepyWorld();
         BodyDef def = box({0, 0}, 1, 0.1);

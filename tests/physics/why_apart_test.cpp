@@ -107,6 +107,19 @@ class WhyApartTest : public QObject {
         }
     }
 
+    void sleepersTouchWhatTheySleepOn() {
+        World world(withIterations(4));
+        world.setSleeping(true);
+        const BodyId floor = add(world, edgeBody({-5, 0}, {5, 0}));
+        const BodyId lower = add(world, box({0, 0.2}, 0.2, 0.2));
+        const BodyId upper = add(world, box({0, 0.6}, 0.2, 0.2));
+        run(world, 3);
+        QVERIFY(world.body(lower).asleep && world.body(upper).asleep);
+        QCOMPARE(whyNotColliding(world, floor, lower).why, WhyApart::Touch);
+        QCOMPARE(whyNotColliding(world, lower, upper).why, WhyApart::Touch);
+        QCOMPARE(whyNotColliding(world, floor, upper).why, WhyApart::Distance);
+    }
+
     void aDistanceIsThatBetweenTheSurfaces() {
         Two two(ball({0, 0}, 0.5), box({3, 0}, 1, 1));
         const CollisionAnswer answer = two.answer();

@@ -28,11 +28,12 @@ ForceReading appliedTo(const WorldData& data, Slot slot) {
         std::find(data.bodies.moving.begin(), data.bodies.moving.end(), slot) != data.bodies.moving.end();
     const bool fresh = std::find(data.bodies.changedBodies.begin(), data.bodies.changedBodies.end(), slot) !=
                        data.bodies.changedBodies.end();
-    if (!moved || fresh || record.positionFrozen) {
+    if (!moved || fresh) {
         return {};
     }
     const BodyStep& s = data.bodies.steps[slot];
-    return {record.mass * (s.acceleration - data.parameters.gravity), record.inertia * s.angularAcceleration};
+    const Vec2 gravity = record.positionFrozen ? Vec2(0, 0) : data.parameters.gravity;
+    return {record.mass * (s.acceleration - gravity), record.inertia * s.angularAcceleration};
 }
 
 struct Stretch {
