@@ -158,7 +158,7 @@ class ExplainPanelTest : public QObject {
                 ApartObjects apart{2, 3, (variant & 1) != 0, Key((variant & 2) != 0 ? 4 : 0), {}};
                 apart.answer.why = static_cast<WhyApart>(why);
                 apart.answer.missing = {(variant & 4) != 0 ? 0U : 2U};
-                apart.answer.bothMasks = apart.answer.felt = (variant & 2) != 0;
+                apart.answer.bothMasks = apart.answer.sensed = (variant & 2) != 0;
                 codes.insert(apartCode(level, apart).code);
                 const QString text = sentence(apartCode(level, apart));
                 QVERIFY2(text.endsWith('.') && !text.contains('%'), qPrintable(text));
