@@ -27,9 +27,16 @@ class Code {
 /// A code that, where it is spelled, is one of these tables: those of a layer and of the layers below it.
 template <const auto&... tables>
 class CodeOf : public Code {
+    template <const auto& table>
+    static constexpr bool has = (... || (static_cast<const void*>(&table) == static_cast<const void*>(&tables)));
+
   public:
     constexpr CodeOf() = default;
-    constexpr CodeOf(Code code) : Code(code) {}
+    /// A code that is known to be one of them.
+    constexpr explicit CodeOf(Code code) : Code(code) {}
+    /// What a layer below has, the layers above have as well.
+    template <const auto&... some>
+    requires(has<some>&&...) constexpr CodeOf(CodeOf<some...> code) : Code(code) {}
     consteval CodeOf(const char* text) : Code(registered(text)) {}
 
     /// With further tables.

@@ -181,7 +181,7 @@ class Parser {
         }
         const Result<Quantity> value = functionValue(name, arguments);
         if (!value) {
-            fail(value.error().code, value.error().arguments);
+            fail(BaseCode(value.error().code), value.error().arguments);
             return {};
         }
         return value.value();

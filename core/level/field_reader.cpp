@@ -40,7 +40,7 @@ void FieldReader::report(Severity severity, Error error, JsonView at, const Plac
     std::size_t& count = severity == Severity::Error ? m_state.errors : m_state.others;
     if (count++ < maxProblems) { // whatever warnings there are, the errors among them are told
         m_state.problems.push_back(
-            {severity, error.code, std::move(error.arguments), place.pointer(), at.line(), m_state.object});
+            {severity, LevelCode(error.code), std::move(error.arguments), place.pointer(), at.line(), m_state.object});
     }
 }
 

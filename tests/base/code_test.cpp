@@ -18,6 +18,7 @@ using HighCode = LowCode::And<highCodes>;
 static_assert(!std::is_constructible_v<LowCode, std::string>); // what is only known when the program runs
 static_assert(!std::is_constructible_v<Code, const char*>);    // of which no table is asked
 static_assert(std::is_convertible_v<LowCode, HighCode>);
+static_assert(!std::is_convertible_v<HighCode, LowCode>); // which may not have it
 
 } // namespace
 

@@ -119,7 +119,7 @@ bool costsTooMuch(const EnergyBalance& e) {
 
 /// Runs more iterations over the components for which the predicate holds.
 void solveComponentsWhere(const SolverStage& stage, Predicate which) {
-    clearUnconverged(stage.bodies, stage.graph, stage.sleep, stage.solver);
+    clearUnconverged(stage.bodies, stage.graph, stage.solver);
     for (const Slot root : stage.graph.componentRoots) {
         stage.solver.unconverged[root] = which(stage.solver.balances[root]) ? 1 : 0;
     }

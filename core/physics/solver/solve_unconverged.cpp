@@ -31,7 +31,7 @@ void markClosing(const SolverStage& stage, const Batches<Batch>& batches) {
 /// Marks the components in which contacts close; whether there are any. Not those that a kinematic body may
 /// push: they are not held back either, and in a turning drum something always closes.
 bool markClosing(const SolverStage& stage) {
-    clearUnconverged(stage.bodies, stage.graph, stage.sleep, stage.solver);
+    clearUnconverged(stage.bodies, stage.graph, stage.solver);
     markClosing(stage, stage.constraints.batches.circles);
     markClosing(stage, stage.constraints.batches.general);
     const std::vector<Slot>& roots = stage.graph.componentRoots;
@@ -117,16 +117,11 @@ void relaxPasses(ContactBatches& batches, std::vector<BodyVelocity>& velocities,
 
 } // namespace
 
-void clearUnconverged(const Bodies& bodies, const ContactGraph& graph, const Sleep& sleep, SolverScratch& solver) {
+void clearUnconverged(const Bodies& bodies, const ContactGraph& graph, SolverScratch& solver) {
     std::vector<std::uint8_t>& unconverged = solver.unconverged;
     beginBySlot(unconverged, bodies.motions.size(), std::uint8_t{0});
     for (const Slot root : graph.componentRoots) {
         unconverged[root] = 0;
-    }
-    if (!sleep.sleepers.empty()) { // whose component may have the root of somebody asleep
-        for (const Slot slot : bodies.moving) {
-            unconverged[graph.roots[slot]] = 0;
-        }
     }
 }
 
@@ -166,7 +161,7 @@ void solveReweighed(const SolverStage& stage) {
     }
     std::sort(roots.begin(), roots.end());
     roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-    clearUnconverged(stage.bodies, graph, stage.sleep, stage.solver);
+    clearUnconverged(stage.bodies, graph, stage.solver);
     for (const Slot root : roots) {
         solveAlone(stage, root);
     }

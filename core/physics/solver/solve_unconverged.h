@@ -7,7 +7,7 @@
 namespace spacetow {
 
 /// Clears the flag `unconverged` of all components.
-void clearUnconverged(const Bodies& bodies, const ContactGraph& graph, const Sleep& sleep, SolverScratch& solver);
+void clearUnconverged(const Bodies& bodies, const ContactGraph& graph, SolverScratch& solver);
 
 /// Runs `passes` ≥ 1 more iterations over the components with the flag `unconverged`; all but the last are
 /// over-relaxed.
@@ -22,7 +22,8 @@ bool solveClosingComponents(const SolverStage& stage);
 /// components are solved until they converge, as the warm-start impulses bore the old weight.
 void solveReweighed(const SolverStage& stage);
 
-/// Reserves memory, so that the functions above allocate none.
+/// Reserves memory, so that the functions above allocate none; solveReweighed does, and has nothing to do in most
+/// updates.
 void reserveForUnconverged(const SolverStage& stage);
 
 } // namespace spacetow
