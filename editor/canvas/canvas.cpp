@@ -16,6 +16,7 @@
 #include <QPainter>
 
 #include <cmath>
+#include <utility>
 
 namespace spacetow {
 
@@ -32,8 +33,8 @@ Aabb boundsOfSelected(const Edit& edit) {
 } // namespace
 
 Canvas::Canvas(Document& document, Toolbox& toolbox, QWidget* parent)
-    : QWidget(parent), m_document(document), m_toolbox(toolbox), m_board([this] { update(); }),
-      m_entry(toolbox, *this) {
+    : QWidget(parent), m_document(document), m_toolbox(toolbox), m_board([this] { update(); }), m_entry(toolbox, *this),
+      m_edgeScroll(*this, [this](const QPointF& push) { scrollAtEdge(push); }) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -187,17 +188,6 @@ void Canvas::centerSelection() {
 void Canvas::frameSelection() {
     const Aabb box = boundsOfSelected(m_document.shown());
     setView(m_view.showing(box.isEmpty() ? boundsOf(m_document.level()) : box));
-}
-
-Vec2 Canvas::pointerPosition() const {
-    return m_position ? m_view.toWorld(toVec(*m_position)) : m_view.center;
-}
-
-Pointer Canvas::pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers) const {
-    return {m_view.toWorld(toVec(position)), toVec(position),
-            Modifiers{modifiers.testFlag(Qt::ShiftModifier), modifiers.testFlag(Qt::ControlModifier),
-                      modifiers.testFlag(Qt::AltModifier) || m_belowHeld},
-            m_view.pixel(), m_view.visible()};
 }
 
 void Canvas::showAnew() {
@@ -371,8 +361,18 @@ void Canvas::drawProblems(QPainter& painter, const Frame2D& frame, const Theme& 
     painter.drawPixmap(0, 0, m_marks);
 }
 
-void Canvas::resizeEvent(QResizeEvent*) {
-    if (m_fitted) {
+void Canvas::resizeEvent(QResizeEvent* event) {
+    const int top = mapTo(window(), QPoint(0, 0)).y();
+    const int down = top - std::exchange(m_top, top);
+    const QSize& before = event->oldSize();
+    if (down != 0 && before.isValid() && event->size() == before - QSize(0, down)) {
+        // A bar has come or gone above: what is drawn stays where it is on the screen.
+        Viewport view = m_view;
+        view.center.y() -= 0.5 * down * view.pixel();
+        const bool fitted = m_fitted;
+        setView(view);
+        m_fitted = fitted;
+    } else if (m_fitted) {
         fitLevel();
     } else {
         setView(m_view);

@@ -6,6 +6,7 @@
 #include "core/physics/query/overlay_flags.h"
 #include "editor/canvas/board.h"
 #include "editor/canvas/difference_painter.h"
+#include "editor/canvas/edge_scroll.h"
 #include "editor/canvas/entry_box.h"
 #include "editor/canvas/force_painter.h"
 #include "editor/canvas/live_scene.h"
@@ -100,6 +101,7 @@ class Canvas : public QWidget {
     bool isPanning() const { return m_drag == Drag::Pan || m_spaceHeld; }
     /// Ends a drag without its release: what it moved is back where it was.
     void loseMouse();
+    EdgeScroll& edgeScroll() { return m_edgeScroll; }
     /// As if the key had been pressed on the canvas.
     void toolKey(ToolKey key);
 
@@ -152,6 +154,7 @@ class Canvas : public QWidget {
     };
 
     void tellPlace();
+    void scrollAtEdge(const QPointF& push);
     void moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void modifiersChanged(Qt::KeyboardModifiers modifiers);
     void zoomAt(const Vec2& screen, double factor);
@@ -195,6 +198,7 @@ class Canvas : public QWidget {
     std::function<QString(const SnapAnswer&)> m_snapName;
     QString m_beginning; // words for an empty level
     bool m_grid = true;
+    int m_top = 0;         // px, in the window
     bool m_fitted = false; // since the last fitLevel() nobody has moved the view
 
     LiveScene* m_live = nullptr;
@@ -213,6 +217,7 @@ class Canvas : public QWidget {
     Qt::KeyboardModifiers m_held;      // as the tool was last told
     bool m_inside = false;             // the pointer is here
     EntryBox m_entry;
+    EdgeScroll m_edgeScroll;
     int m_documentListener = 0;
     int m_toolboxListener = 0;
 };

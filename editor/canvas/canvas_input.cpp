@@ -2,7 +2,6 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/key_place.h"
 #include "editor/editing/guide_gestures.h"
-#include "editor/editing/measure.h"
 #include "editor/editing/verbs.h"
 
 #include <QApplication>
@@ -93,31 +92,6 @@ std::optional<Vec2> arrowDirection(int key) {
 
 } // namespace
 
-void Canvas::moveTo(const QPointF& position, Qt::KeyboardModifiers modifiers) {
-    m_position = position;
-    m_held = modifiers;
-    m_inside = true;
-    const Pointer pointer = pointerAt(position, modifiers);
-    if (!isLive() || m_live->showsTool()) {
-        m_toolbox.move(pointer);
-    } else {
-        updateCursor();
-        tellPlace();
-    }
-    Q_EMIT pointerMoved(pointer.world.x(), pointer.world.y());
-}
-
-void Canvas::tellPlace() {
-    if (!m_position || !(m_inside || isDragging())) {
-        return;
-    }
-    const bool isTools = !isLive() || m_live->showsTool();
-    const std::optional<SnapAnswer> snap = isTools ? m_toolbox.snapAnswer() : std::nullopt;
-    const Vec2 place = snap ? snap->mark : pointerPosition();
-    Q_EMIT pointed(place.x(), place.y(),
-                   placeDecimals(m_view.pixel(), snap && m_toolbox.snap.grid ? m_toolbox.snap.fineStep() : 0));
-}
-
 void Canvas::mousePressEvent(QMouseEvent* event) {
     if (m_drag != Drag::None) {
         return;
@@ -131,6 +105,7 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
         m_drag = Drag::PanOrMenu;
     } else if (event->button() == Qt::LeftButton) {
         m_drag = Drag::Tool;
+        m_edgeScroll.follow(rect(), event->position());
         m_toolbox.press(pointerAt(event->position(), event->modifiers()));
     }
     updateCursor();
@@ -139,6 +114,7 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
 void Canvas::loseMouse() {
     m_drag = Drag::None;
     m_spaceHeld = m_belowHeld = false;
+    m_edgeScroll.end();
     m_toolbox.loseMouse();
     updateCursor();
 }
@@ -152,8 +128,8 @@ void Canvas::mouseMoveEvent(QMouseEvent* event) {
         m_drag = Drag::Pan;
         updateCursor();
     }
-    if (m_drag == Drag::Pan) {
-        panBy(moved);
+    if (m_drag == Drag::Pan || (m_drag == Drag::Tool && m_spaceHeld)) {
+        panBy(moved); // what is dragged stays under the pointer
     }
     moveTo(event->position(), event->modifiers());
 }
@@ -164,6 +140,7 @@ void Canvas::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     const Drag drag = std::exchange(m_drag, Drag::None);
+    m_edgeScroll.end();
     if (drag == Drag::Tool) {
         m_toolbox.release(pointer);
     } else if (drag == Drag::PanOrMenu && isLive()) {
@@ -314,14 +291,6 @@ bool Canvas::nudge(int key, Qt::KeyboardModifiers modifiers) {
                                                                     : step / fineSteps;
     m_toolbox.finish(nudgeSelected(m_toolbox.context(), distance * *direction));
     return true;
-}
-
-void Canvas::modifiersChanged(Qt::KeyboardModifiers modifiers) {
-    m_held = modifiers;
-    const bool follows = m_position && (m_inside || isDragging());
-    if (follows && m_drag != Drag::Pan && (!isLive() || m_live->showsTool())) {
-        m_toolbox.move(pointerAt(*m_position, modifiers));
-    }
 }
 
 void Canvas::keyPressEvent(QKeyEvent* event) {

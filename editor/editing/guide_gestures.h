@@ -39,6 +39,7 @@ class MoveGuideGesture : public Gesture {
 
     Edit at(const Pointer& pointer) const override;
     Label label() const override { return {"change-guide"}; }
+    bool scrolls() const override { return false; } // rulers are beyond the edges
     Overlay overlay(const Pointer& pointer) const override;
     Hint hint(const Pointer& pointer) const override;
     std::optional<SnapAnswer> snapAt(const Pointer& pointer) const override;

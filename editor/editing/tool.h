@@ -62,6 +62,8 @@ class Gesture {
     virtual CursorShape cursor(const Pointer&) const { return CursorShape::Cross; }
     /// What releasing here would do to all that is selected, for those that can be repeated.
     virtual std::optional<Affine> map(const Pointer&) const { return {}; }
+    /// False for gestures that end beyond the edges of the view, so that it stays.
+    virtual bool scrolls() const { return true; }
     /// False for gestures that only select: they add no history entry.
     virtual bool edits() const { return true; }
     /// What releasing here would snap to, for those that snap. The toolbox shows it.

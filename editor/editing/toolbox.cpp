@@ -268,6 +268,10 @@ bool Toolbox::isDragging() const {
     return m_state->pressed.has_value();
 }
 
+bool Toolbox::scrolls() const {
+    return m_state->dragging && (!m_state->gesture || m_state->gesture->scrolls());
+}
+
 bool Toolbox::isBusy() const {
     return isDragging() || m_state->tool().isBusy();
 }

@@ -55,6 +55,8 @@ class Toolbox {
 
     /// The button is down: nothing but the pointer, its modifiers and Escape acts until the drag has ended.
     bool isDragging() const;
+    /// What is dragged may be taken beyond the edges of the view, which then goes along.
+    bool scrolls() const;
     bool isBusy() const; // drag or half-drawn shape
     /// The edit that what is half drawn would be, as far as it goes; nothing when nothing is.
     std::optional<Edit> unfinished() const;

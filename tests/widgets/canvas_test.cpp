@@ -105,6 +105,30 @@ class CanvasTest : public QObject {
         QCOMPARE(canvas.view().scale, zoomed);
     }
 
+    void aBarAboveLeavesTheDrawingWhereItIs_data() {
+        QTest::addColumn<bool>("fitted");
+        QTest::newRow("fitted") << true;
+        QTest::newRow("as the view happens to be") << false;
+    }
+    void aBarAboveLeavesTheDrawingWhereItIs() {
+        QFETCH(bool, fitted);
+        TestWindow test;
+        test.document().reset(levelWithABall());
+        test.trigger(Act::SelectAll);
+        fitted ? test.canvas().fitLevel() : test.canvas().zoom(0.7);
+        const auto place = [&] { return test.canvas().mapTo(test.window.get(), test.at(3, 2)); };
+        const QPoint before = place();
+        const int height = test.canvas().height();
+        test.trigger(Act::TypeTransform);
+        QApplication::processEvents();
+        QVERIFY(test.canvas().height() < height);
+        QVERIFY((place() - before).manhattanLength() <= 1); // half a pixel is rounded
+        test.window->transformBar().shut();
+        QApplication::processEvents();
+        QCOMPARE(test.canvas().height(), height);
+        QCOMPARE(place(), before);
+    }
+
     void aStrayObjectFarAwayIsShownWithTheRest_data() {
         QTest::addColumn<double>("far");
         QTest::newRow("10 km") << 1e4;
