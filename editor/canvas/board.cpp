@@ -14,8 +14,9 @@ namespace spacetow {
 
 namespace {
 
-constexpr int affordable = 250; // segments that may be painted while the user waits for the frame; 2 to 5 ms
-constexpr int ahead = 4;        // of the shorter side of the view, the part that is painted beyond it on each side
+constexpr int affordable = 250;       // segments that may be painted while the user waits for the frame; 2 to 5 ms
+constexpr int affordableFirst = 2000; // the same where there is nothing else to show
+constexpr int ahead = 4; // of the shorter side of the view, the part that is painted beyond it on each side
 
 Frame2D withMargin(const Frame2D& frame) {
     const QSize size = frame.deviceSize();
@@ -87,14 +88,14 @@ void Board::prepare(const BoardRequest& request) {
         return; // what is being painted comes first
     }
     const BoardPicture::Plan plan = m_picture.planFor(request);
-    if (m_picture.isEmpty() || (free && plan.work <= affordable)) {
+    if (m_picture.isEmpty() ? plan.work <= affordableFirst : free && plan.work <= affordable) {
         bring(plan);
         if (free && m_picture.isNearBorder(request.frame)) {
             paintBeside(request);
         }
         return;
     }
-    if (m_picture.follow(plan)) {
+    if (!m_picture.isEmpty() && m_picture.follow(plan)) {
         changeStill({});
     }
     if (free) {
@@ -122,6 +123,9 @@ void Board::changeStill(const std::optional<QRegion>& where) {
 }
 
 void Board::drawStill(QPainter& painter) {
+    if (m_picture.isEmpty()) {
+        return;
+    }
     if (!isScaled()) {
         m_picture.drawStill(painter, m_wanted.frame);
         return;

@@ -44,13 +44,19 @@ void saveWith(MainWindow& window) {
 }
 
 void reload(MainWindow& window) {
-    window.enterTyping();
-    window.finishDrawing();
-    window.messageBar().dismiss();
-    if (window.files().reload()) {
-        window.diskChanges().dismiss();
-        window.statusLine().showMessage(MainWindow::tr("Read %1 again").arg(window.files().path()), 4000);
-    }
+    const QString path = window.files().path();
+    window.fileReader().read({path}, [&window, path](const std::vector<FileToOpen>& files) {
+        if (files.empty() || window.files().path() != path) {
+            return; // nobody waits for it any more
+        }
+        window.enterTyping();
+        window.finishDrawing();
+        window.messageBar().dismiss();
+        if (window.files().reload(files.front().read)) {
+            window.diskChanges().dismiss();
+            window.statusLine().showMessage(MainWindow::tr("Read %1 again").arg(path), 4000);
+        }
+    });
 }
 
 constexpr ActionRow fileRows[] = {

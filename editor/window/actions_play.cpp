@@ -38,7 +38,11 @@ constexpr ActionRow playRows[] = {
      .keys = "F8",
      .tip = QT_TRANSLATE_NOOP("Actions", "Go back to the drawing board"),
      .flags = WhilePlaying | OnlyPlaying | WhileStarting | OnMainBar,
-     .run = [](MainWindow& window) { window.stopPlaying(); }},
+     .run =
+         [](MainWindow& window) {
+             window.fileReader().leave();
+             window.stopPlaying();
+         }},
     {.id = Act::Pause,
      .menu = MenuId::Play,
      .text = QT_TRANSLATE_NOOP("Actions", "Pa&use"),

@@ -8,6 +8,7 @@
 #include <QScreen>
 
 #include <algorithm>
+#include <utility>
 
 namespace spacetow {
 
@@ -57,27 +58,49 @@ void Application::start(const QStringList& files) {
 }
 
 void Application::restoreWindows() {
-    QStringList gone;
-    for (const RememberedWindow& remembered : rememberedWindows()) {
-        if (!QFileInfo::exists(remembered.path)) {
-            gone << remembered.path;
-            continue;
+    m_left = rememberedWindows();
+    restoreNext();
+}
+
+void Application::restoreNext() {
+    while (!m_quitting && m_arriving == nullptr && !m_left.empty()) {
+        const RememberedWindow remembered = m_left.front();
+        m_left.erase(m_left.begin());
+        if (QFileInfo::exists(remembered.path)) {
+            restore(remembered);
+        } else {
+            m_gone << remembered.path;
         }
-        const MainWindow* const same = showing(remembered.path);
-        MainWindow& window = add(same != nullptr ? same->openLevel() : nullptr, nullptr);
-        window.restoreGeometry(remembered.geometry);
-        window.restoreState(remembered.arrangement);
-        window.show();
-        if (same == nullptr && !window.open(remembered.path)) {
-            continue; // the window says why
-        }
-        showView(window, remembered.view);
     }
-    if (!gone.isEmpty() && !m_windows.empty()) {
+    if (isRestoring() || m_windows.empty()) {
+        return;
+    }
+    remember();
+    if (!m_gone.isEmpty()) {
         m_windows.front()->messageBar().say(MessageBar::Tone::Info,
                                             MainWindow::tr("Was open at the end of the last run, but is gone: %1")
-                                                .arg(gone.join(QStringLiteral(", "))));
+                                                .arg(std::exchange(m_gone, {}).join(QStringLiteral(", "))));
     }
+}
+
+void Application::restore(const RememberedWindow& remembered) {
+    const MainWindow* const same = showing(remembered.path);
+    MainWindow& window = add(same != nullptr ? same->openLevel() : nullptr, nullptr);
+    window.restoreGeometry(remembered.geometry);
+    window.restoreState(remembered.arrangement);
+    window.show();
+    if (same != nullptr) {
+        showView(window, remembered.view);
+        return;
+    }
+    m_arriving = &window;
+    window.fileReader().read({remembered.path}, [this, &window, remembered](const std::vector<FileToOpen>& files) {
+        m_arriving = nullptr;
+        if (!files.empty() && window.open(files.front())) { // else the window says why
+            showView(window, remembered.view);
+        }
+        restoreNext();
+    });
 }
 
 MainWindow& Application::add(std::shared_ptr<OpenLevel> level, const MainWindow* beside) {
@@ -165,18 +188,18 @@ void Application::startNew(MainWindow& from) {
     window.comeForward();
 }
 
-void Application::openAll(const QStringList& paths, MainWindow& from) {
+void Application::openAll(const std::vector<FileToOpen>& files, MainWindow& from) {
     MessageBar& bar = from.messageBar();
-    if (paths.size() == 1) {
+    if (files.size() == 1) {
         bar.dismiss();
-        open(paths.front(), from); // what is said of it may offer a way out
+        open(files.front(), from); // what is said of it may offer a way out
         return;
     }
     QStringList said;
     MessageBar::Tone worst = MessageBar::Tone::Info;
-    for (const QString& path : paths) {
+    for (const FileToOpen& file : files) {
         bar.dismiss();
-        open(path, from);
+        open(file, from);
         if (!bar.text().isEmpty()) {
             said << bar.text();
             worst = std::max(worst, bar.tone());
@@ -187,23 +210,23 @@ void Application::openAll(const QStringList& paths, MainWindow& from) {
     }
 }
 
-MainWindow* Application::open(const QString& path, MainWindow& from) {
-    if (MainWindow* const there = showing(path)) {
+MainWindow* Application::open(const FileToOpen& file, MainWindow& from) {
+    if (MainWindow* const there = showing(file.path)) {
         there->comeForward();
         return there;
     }
     MainWindow& window = roomFor(from);
-    if (window.open(path)) {
+    if (window.open(file)) {
         window.comeForward();
         return &window;
     }
     if (&window != &from) {
         std::vector<MessageBar::Choice> choices;
         if (!window.messageBar().buttons().empty()) {
-            const QString file = QFileInfo(path).absoluteFilePath();
-            choices = Files::backupChoices(file, [this, file, &from] {
+            const QString path = QFileInfo(file.path).absoluteFilePath();
+            choices = Files::backupChoices(path, [this, path, &from] {
                 MainWindow& room = roomFor(from);
-                room.files().openNewestBackup(file);
+                room.files().openNewestBackup(path);
                 room.comeForward();
             });
         }
@@ -244,19 +267,24 @@ void Application::reopenClosed(MainWindow& from) {
     }
     const Closed last = std::move(m_closed.back());
     m_closed.pop_back();
-    MainWindow* window = nullptr;
+    const auto show = [last](MainWindow& window) {
+        showView(window, last.view);
+        window.actions().refresh();
+    };
     if (last.path.isEmpty()) {
-        window = &roomFor(from);
-        window->files().startNew();
-        window->comeForward();
-        window->document().commit({"reopen"}, {last.level, {}}); // not saved anywhere, and shown as that
-    } else {
-        window = open(last.path, from);
+        MainWindow& window = roomFor(from);
+        window.files().startNew();
+        window.comeForward();
+        window.document().commit({"reopen"}, {last.level, {}}); // not saved anywhere, and shown as that
+        show(window);
+        return;
     }
-    if (window != nullptr) {
-        showView(*window, last.view);
-        window->actions().refresh();
-    }
+    from.fileReader().read({last.path}, [this, show, &from](const std::vector<FileToOpen>& files) {
+        MainWindow* const window = files.empty() ? nullptr : open(files.front(), from);
+        if (window != nullptr) {
+            show(*window);
+        }
+    });
 }
 
 void Application::keepClosed(const MainWindow& window) {
@@ -272,6 +300,7 @@ void Application::keepClosed(const MainWindow& window) {
 }
 
 void Application::closed(MainWindow& window) {
+    window.fileReader().leave();
     keepClosed(window);
     const auto found = std::ranges::find(m_windows, &window, &std::unique_ptr<MainWindow>::get);
     if (found == m_windows.end()) {
@@ -290,7 +319,7 @@ void Application::closed(MainWindow& window) {
 }
 
 void Application::remember() const {
-    if (!m_quitting && !m_windows.empty()) {
+    if (!m_quitting && !isRestoring() && !m_windows.empty()) {
         rememberWindows(windows());
     }
 }
@@ -309,6 +338,7 @@ void Application::setLanguage(const QString& code) {
 
 /// By one that is made anew, with the same level, place and view.
 void Application::replace(MainWindow& old) {
+    old.fileReader().leave();
     const bool welcoming = old.isWelcoming();
     const bool active = old.isActiveWindow();
     MainWindow& window = add(old.openLevel(), nullptr);

@@ -14,6 +14,7 @@ namespace spacetow {
 
 class MainWindow;
 class OpenLevel;
+struct FileToOpen;
 struct Level;
 
 class Application : public QObject {
@@ -36,11 +37,11 @@ class Application : public QObject {
     void startNew(MainWindow& from);
     /// Each where it is open already, else in this window where nothing is lost by it, else in a new one. What cannot
     /// be opened, this window says.
-    void openAll(const QStringList& paths, MainWindow& from);
+    void openAll(const std::vector<FileToOpen>& files, MainWindow& from);
     /// The window that shows this file, the one of its views that was used last; null when none does.
     MainWindow* showing(const QString& path) const;
     /// The same with one file; null when it cannot be opened.
-    MainWindow* open(const QString& path, MainWindow& from);
+    MainWindow* open(const FileToOpen& file, MainWindow& from);
     /// Where work of this file, or of none, may be restored.
     MainWindow& roomToRestore(const QString& path, MainWindow& from);
     void showNext(const MainWindow& from);
@@ -71,14 +72,21 @@ class Application : public QObject {
     MainWindow& roomFor(MainWindow& from);
     void replace(MainWindow& old);
     void restoreWindows();
+    /// Of those that are left, each when the one before is there, as several may be views of one level.
+    void restoreNext();
+    void restore(const RememberedWindow& remembered);
     void closed(MainWindow& window);
     void keepClosed(const MainWindow& window);
     void tellApart(const MainWindow& window);
     void remember() const;
+    bool isRestoring() const { return m_arriving != nullptr || !m_left.empty(); }
 
     std::vector<std::unique_ptr<MainWindow>> m_windows;
     std::vector<Closed> m_closed;
     bool m_quitting = false;
+    std::vector<RememberedWindow> m_left; // to be restored
+    QStringList m_gone;                   // of those that were, there is no file any more
+    MainWindow* m_arriving = nullptr;     // whose level is being read
 };
 
 } // namespace spacetow

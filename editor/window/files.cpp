@@ -149,21 +149,21 @@ QStringList Files::chosen() const {
     return questions.whichToOpen(QFileInfo(suggestion()).path());
 }
 
-bool Files::open(const QString& path) {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    std::optional<LevelFile> file = readable(absolute);
+bool Files::open(const FileToOpen& file) {
+    const FileToOpen absolute(QFileInfo(file.path).absoluteFilePath(), file.read);
+    std::optional<LevelFile> found = readable(absolute);
     const bool modified = m_document.isModified();
-    if (!file || !mayLeave()) {
+    if (!found || !mayLeave()) {
         return false;
     }
     if (modified) {
-        file = readable(absolute); // what was just saved may be this very file
+        found = readable(absolute); // what was just saved may be this very file
     }
-    if (!file) {
+    if (!found) {
         return false;
     }
-    preferences.addRecent(absolute); // before the news of the file goes out
-    adopt(*file, absolute);
+    preferences.addRecent(absolute.path); // before the news of the file goes out
+    adopt(*found, absolute.path);
     return true;
 }
 
@@ -193,20 +193,18 @@ bool Files::openExample(const QString& resource) {
     return true;
 }
 
-std::optional<LevelFile> Files::readable(const QString& path) {
-    // First, so that what is written meanwhile counts as another's change.
-    m_read = fileState(path.toStdString());
-    m_readPath = path;
-    Result<LevelFile> file = readLevel(path.toStdString(), Checks::FileOnly);
-    if (!file) {
-        preferences.removeRecent(path);
-        m_tell(MessageBar::Tone::Error, sentence(file.error()), {});
+std::optional<LevelFile> Files::readable(const FileToOpen& file) {
+    m_readPath = file.path;
+    Result<LevelFile> found = levelOfFile(file, m_read);
+    if (!found) {
+        preferences.removeRecent(file.path);
+        m_tell(MessageBar::Tone::Error, sentence(found.error()), {});
         return {};
     }
-    if (!holdsLevel(file.value(), QFileInfo(path).fileName())) {
+    if (!holdsLevel(found.value(), QFileInfo(file.path).fileName())) {
         return {};
     }
-    return std::move(file).value();
+    return std::move(found).value();
 }
 
 bool Files::holdsLevel(const LevelFile& file, const QString& shownName) {

@@ -6,6 +6,7 @@
 #include "core/level/file_state.h"
 #include "editor/editing/document.h"
 #include "editor/editing/journal.h"
+#include "editor/window/file_to_open.h"
 #include "editor/window/message_bar.h"
 #include "editor/window/preferences.h"
 
@@ -42,7 +43,7 @@ class Files {
     bool startNew();
     /// The same without a question: nothing of the level is wanted any more.
     void startOver();
-    bool open(const QString& path);
+    bool open(const FileToOpen& file);
     bool openExample(const QString& resource);
     /// A level that the user chooses, and what to call it; null when there was none.
     std::shared_ptr<const Level> chooseToCompare(QString& shownName);
@@ -54,7 +55,7 @@ class Files {
     /// The files that the user would like to open.
     QStringList chosen() const;
     /// Takes over what the file holds now, as one edit, so that the view stays and undo takes it back.
-    bool reload();
+    bool reload(std::shared_ptr<const FileRead> read = nullptr);
     /// The same with what has been read already.
     void takeFromDisk(Level level, const FileState& disk);
     /// Saving may replace what the file holds then.
@@ -93,7 +94,7 @@ class Files {
 
   private:
     /// What the file holds; tells why when that is no level.
-    std::optional<LevelFile> readable(const QString& path);
+    std::optional<LevelFile> readable(const FileToOpen& file);
     bool holdsLevel(const LevelFile& file, const QString& shownName);
     /// The file must hold a level. The path is empty for an example.
     void adopt(const LevelFile& file, const QString& path);

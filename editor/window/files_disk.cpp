@@ -84,11 +84,11 @@ bool Files::overwrite() {
     return writeTo(m_path);
 }
 
-bool Files::reload() {
+bool Files::reload(std::shared_ptr<const FileRead> read) {
     if (m_path.isEmpty()) {
         return false;
     }
-    const std::optional<LevelFile> file = readable(m_path);
+    const std::optional<LevelFile> file = readable({m_path, std::move(read)});
     if (!file) {
         return false;
     }

@@ -38,7 +38,7 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
       m_arrays(m_document, m_toolbox), m_transform(m_document, m_toolbox), m_guideBar(m_document),
       m_exchange(m_document, m_toolbox, m_canvas,
                  [this](MessageBar::Tone tone, const QString& text) { m_message.say(tone, text); }),
-      m_bugCapsule(*this), m_flightFile(*this), m_flightReader(*this), m_legend(m_canvas) {
+      m_bugCapsule(*this), m_flightFile(*this), m_flightReader(*this), m_fileReader(m_message), m_legend(m_canvas) {
     setAcceptDrops(true);
     layOut();
     makeMenus();

@@ -25,6 +25,7 @@
 #include "editor/window/difference_panel.h"
 #include "editor/window/exchange.h"
 #include "editor/window/explanations.h"
+#include "editor/window/file_reader.h"
 #include "editor/window/finder.h"
 #include "editor/window/flight_file.h"
 #include "editor/window/flight_reader.h"
@@ -65,9 +66,13 @@ class MainWindow : public QMainWindow {
     ~MainWindow() override;
 
     /// In place of the level that it shows; a file of another program is imported into it.
-    bool open(const QString& path);
-    /// The files that were chosen, each in a window of its own.
+    bool open(const FileToOpen& file);
+    /// The levels that were chosen, each in a window of its own, once they have been read.
     void openFiles(const QStringList& paths);
+    /// The same when they have been.
+    void openAll(const std::vector<FileToOpen>& files);
+    /// A file of another program becomes part of the level, if the user likes it.
+    void importFile(const QString& path);
     /// The same with one file or resource; the window that shows it, or null after saying why there is none.
     MainWindow* openAside(const QString& path);
     /// An empty level, here where nothing is lost by it, else in a window of its own.
@@ -105,8 +110,9 @@ class MainWindow : public QMainWindow {
     void saveFlight() { m_flightFile.save(); }
     FlightFile& flightFile() { return m_flightFile; }
     FlightReader& flightReader() { return m_flightReader; }
-    /// What is to run is being built, or the flight that is to be shown read.
-    bool isGettingReady() const { return m_run.isStarting() || m_flightReader.isReading(); }
+    FileReader& fileReader() { return m_fileReader; }
+    /// What is to run is being built, or the flight or the level that is to be shown read.
+    bool isGettingReady() const { return m_run.isStarting() || m_flightReader.isReading() || m_fileReader.isReading(); }
     /// Where to, after a suggestion; empty: nowhere. Asks with a dialog, unless a test answers.
     std::function<QString(const QString& suggestion)> whereToSaveFlight;
     /// The level as it is edited, but for what was said about this run.
@@ -342,6 +348,7 @@ class MainWindow : public QMainWindow {
     BugCapsule m_bugCapsule;
     FlightFile m_flightFile;
     FlightReader m_flightReader;
+    FileReader m_fileReader;
     std::optional<Panels> m_panels; // once there is a window to add them to
     std::optional<Finder> m_finder; // above all the rest
     OverlayFlags m_overlays;

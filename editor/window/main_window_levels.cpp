@@ -13,27 +13,43 @@
 
 namespace spacetow {
 
-bool MainWindow::open(const QString& path) {
+bool MainWindow::open(const FileToOpen& file) {
     stopPlaying();
     enterTyping();
     finishDrawing();
     m_message.dismiss();
-    if (kindOfFile(path) == FileKind::Foreign) {
-        leaveWelcome();
-        m_exchange.importFile(path);
+    if (kindOfFile(file) == FileKind::Foreign) {
+        importFile(file.path);
         return true;
     }
-    return path.startsWith(QStringLiteral(":/")) ? openShipped(path) : m_files.open(path);
+    return file.path.startsWith(QStringLiteral(":/")) ? openShipped(file.path) : m_files.open(file);
+}
+
+void MainWindow::importFile(const QString& path) {
+    stopPlaying();
+    enterTyping();
+    finishDrawing();
+    m_message.dismiss();
+    leaveWelcome();
+    m_exchange.importFile(path);
 }
 
 void MainWindow::openFiles(const QStringList& paths) {
+    m_fileReader.read(paths, [this](const std::vector<FileToOpen>& files) {
+        if (!files.empty()) {
+            openAll(files);
+        }
+    });
+}
+
+void MainWindow::openAll(const std::vector<FileToOpen>& files) {
     enterTyping();
     finishDrawing();
     m_message.dismiss();
     if (m_application != nullptr) {
-        m_application->openAll(paths, *this);
-    } else if (!paths.isEmpty()) {
-        open(paths.front());
+        m_application->openAll(files, *this);
+    } else if (!files.empty()) {
+        open(files.front());
     }
 }
 

@@ -198,6 +198,7 @@ void MainWindow::listenToRun() {
     };
     connect(&m_run, &LiveRun::startingChanged, this, tellProgress);
     m_flightReader.changed = tellProgress;
+    m_fileReader.changed = tellProgress;
     connect(&m_run, &LiveRun::stopped, this, [this] { m_explanations.setRuns(false); });
     connect(&m_explanations.panel(), &ExplainPanel::objectWanted, this, &MainWindow::showObject);
     connect(&m_explanations.plots(), &PlotPanel::exportWanted, this, &MainWindow::writePlots);

@@ -56,6 +56,10 @@ QString MainWindow::solidHint() const {
 /// What keys and mouse do to what runs.
 QString MainWindow::runHint() const {
     const auto key = [this](Act act) { return m_actions[act].shortcut().toString(QKeySequence::NativeText); };
+    if (m_fileReader.isReading()) {
+        return tr("Reading %1: %2 s so far · %3: leave it")
+            .arg(m_fileReader.subject(), QLocale().toString(m_fileReader.readingFor(), 'f', 1), key(Act::Stop));
+    }
     if (isGettingReady()) {
         const double seconds = m_run.isStarting() ? m_run.startingFor() : m_flightReader.readingFor();
         return tr("Getting ready to run: %1 s so far · %2: leave it")

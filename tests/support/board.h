@@ -36,7 +36,7 @@ inline QImage finishedBy(Board& board, const BoardRequest& request) {
 
 inline QImage fromScratch(const BoardRequest& request) {
     Board board([] {});
-    return shownBy(board, request);
+    return finishedBy(board, request);
 }
 
 } // namespace spacetow::test

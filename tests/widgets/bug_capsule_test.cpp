@@ -3,12 +3,14 @@
 #include "core/level/edits.h"
 #include "core/level/file.h"
 #include "editor/exchange/capsule_text.h"
+#include "editor/window/dropped_files.h"
 #include "tests/support/game_levels.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
 
 #include <QClipboard>
 #include <QDropEvent>
+#include <QFile>
 #include <QMimeData>
 
 using namespace spacetow;
@@ -205,6 +207,20 @@ class BugCapsuleTest : public QObject {
         QVERIFY(enter.isAccepted());
         QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(test.window.get(), &drop);
+        test.window->bugCapsule().finish();
+        QVERIFY(test.window->isPlaying());
+    }
+
+    void aFileThatHoldsOneOpensLikeAnyOther() {
+        ReportedRun run;
+        QTRY_VERIFY(run.shown() > 2);
+        const QByteArray text = run.copied().toUtf8();
+        TestWindow test;
+        QFile file(test.file("report.txt"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(text), text.size());
+        file.close();
+        openDropped({file.fileName()}, *test.window);
         test.window->bugCapsule().finish();
         QVERIFY(test.window->isPlaying());
     }

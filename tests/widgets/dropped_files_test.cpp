@@ -31,9 +31,10 @@ void letFall(MainWindow& window, const QStringList& paths) {
     QApplication::sendEvent(&window, &event);
 }
 
-/// The same, and waits until flights have been read.
+/// The same, and waits until all has been read.
 void drop(MainWindow& window, const QStringList& paths) {
     letFall(window, paths);
+    window.fileReader().finish();
     window.flightReader().finish();
 }
 
