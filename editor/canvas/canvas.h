@@ -69,6 +69,8 @@ class Canvas : public QWidget {
     /// must outlive its being shown.
     void showLive(LiveScene* scene);
     bool isLive() const { return m_live != nullptr; }
+    /// Whether the view shows all of the level, in a window of any size, since nobody has moved it.
+    bool isFitted() const { return m_live == nullptr ? m_fitted : m_kept.fitted; }
     /// See Board.
     PictureLayer groundPicture(bool onRock) const { return m_board.groundPicture(onRock); }
     /// What overlays have left out here and now.

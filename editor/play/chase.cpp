@@ -33,7 +33,24 @@ double framedAxis(double camera, const Framing& f) {
     return std::clamp(wanted, f.kept - room, f.kept + room);
 }
 
-double chasedAxis(double center, double ship, double half, double share) {
+/// Along one axis, m.
+struct Chased {
+    double center, half; // of the view
+    double low, high;    // of the level
+    double ship;
+};
+
+bool isAllInSight(const Chased& c) {
+    const double least = c.center - c.half;
+    const double most = c.center + c.half;
+    return c.low <= c.ship && c.ship <= c.high && least <= c.low && c.high <= most;
+}
+
+double chasedAxis(const Chased& c, double share) {
+    if (isAllInSight(c)) {
+        return c.center;
+    }
+    const auto& [center, half, low, high, ship] = c;
     const double gap = ship - center;
     const double free = freeShare * half;
     const double glided = center + (gap - std::clamp(gap, -free, free)) * share;
@@ -43,12 +60,14 @@ double chasedAxis(double center, double ship, double half, double share) {
 
 } // namespace
 
-Viewport chased(const Viewport& view, const Vec2& ship, double seconds) {
+Viewport chased(const Viewport& view, const Chase& chase, double seconds) {
     const Vec2 half = view.size / (2 * view.scale);
     const double share = 1 - std::exp(-glide * seconds);
     Viewport next = view;
-    next.center = Vec2(chasedAxis(view.center.x(), ship.x(), half.x(), share),
-                       chasedAxis(view.center.y(), ship.y(), half.y(), share));
+    const auto along = [&](int axis) {
+        return Chased{view.center[axis], half[axis], chase.level.min[axis], chase.level.max[axis], chase.ship[axis]};
+    };
+    next.center = Vec2(chasedAxis(along(0), share), chasedAxis(along(1), share));
     return next;
 }
 

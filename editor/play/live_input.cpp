@@ -72,8 +72,8 @@ bool LiveView::take(QEvent& event) {
         }
         break;
     case QEvent::Resize:
-        if (m_classic && m_following) {
-            takeClassicView();
+        if (m_framing != Framing::Free && m_following) {
+            frame();
             m_firstScale = m_canvas.view().scale;
         }
         if (m_menu->isVisible()) {

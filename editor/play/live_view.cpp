@@ -68,7 +68,7 @@ void LiveView::show(const Level& level, bool anew) {
     }
     m_ground.forget(m_canvas.groundPicture(!m_run.isGame())); // in space the board's rock would end at its border
     m_shown = true;
-    m_classic = false;
+    m_framing = m_run.isGame() && m_canvas.isFitted() && !m_bounds.isEmpty() ? Framing::Whole : Framing::Free;
     m_lastUpdate = 0;
     m_sinceLook.start();
     m_sinceCount.start();
@@ -81,8 +81,9 @@ void LiveView::show(const Level& level, bool anew) {
     }
     const std::optional<Vec2> ship = shipIn(m_picture);
     if (anew || (m_run.isGame() && ship && !canFlyBy(m_canvas.view(), *ship))) {
-        takeClassicView();
+        m_framing = Framing::Classic;
     }
+    frame();
     m_firstScale = m_canvas.view().scale;
     m_following = true;
     m_marks.forget();
@@ -141,7 +142,7 @@ void LiveView::refresh() {
     m_lastUpdate = m_picture.update;
     if (const std::optional<Vec2> ship = shipIn(m_picture); ship && m_following && m_run.isGame()) {
         constexpr double longest = 0.25; // s, of what the eye can follow
-        moveView(chased(m_canvas.view(), *ship, std::clamp(std::max(simulated, passed), 0.0, longest)));
+        moveView(chased(m_canvas.view(), {*ship, m_bounds}, std::clamp(std::max(simulated, passed), 0.0, longest)));
     }
     m_canvas.update();
 }
@@ -170,7 +171,7 @@ const Theme& LiveView::theme() const {
 }
 
 void LiveView::shiftView(const Vec2& pixels) {
-    if (!m_classic) {
+    if (m_framing == Framing::Free) {
         moveView(m_canvas.view().panned(pixels));
     }
 }
@@ -186,10 +187,14 @@ void LiveView::countFrame() {
     }
 }
 
-void LiveView::takeClassicView() {
-    m_classic = true;
-    const Vec2 size(std::max(1, m_canvas.width()), std::max(1, m_canvas.height()));
-    moveView(classicView(m_picture, m_bounds, size));
+void LiveView::frame() {
+    Viewport view = m_canvas.view();
+    view.size = Vec2(std::max(1, m_canvas.width()), std::max(1, m_canvas.height()));
+    if (m_framing == Framing::Classic) {
+        moveView(classicView(m_picture, m_bounds, view.size));
+    } else if (m_framing == Framing::Whole) {
+        moveView(view.showing(m_bounds));
+    }
 }
 
 void LiveView::moveView(const Viewport& view) {
@@ -207,7 +212,7 @@ void LiveView::viewMoved() {
     const bool moved = !(view.center == m_lastView.center && view.scale == m_lastView.scale);
     m_lastView = view;
     if (m_shown && moved && !m_moving) {
-        m_classic = false;
+        m_framing = Framing::Free;
         setFollowing(false);
     }
 }

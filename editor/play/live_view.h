@@ -71,6 +71,9 @@ class LiveView : public QObject, public LiveScene {
     void framesCounted(double perSecond);
 
   private:
+    /// What the view shows in a window of any size, until somebody moves it: the classic part of the level, all of it,
+    /// or nothing in particular.
+    enum class Framing { Free, Classic, Whole };
     struct Paper {
         Frame2D frame;
         const Theme* theme = nullptr;
@@ -92,7 +95,7 @@ class LiveView : public QObject, public LiveScene {
     void moveView(const Viewport& view);
     void viewMoved();
     void setFollowing(bool following);
-    void takeClassicView();
+    void frame();
     bool isSteering() const;
     void countFrame();
     const Theme& theme() const;
@@ -131,7 +134,7 @@ class LiveView : public QObject, public LiveScene {
     int m_frames = 0; // painted since
     bool m_shown = false;
     bool m_following = true;
-    bool m_classic = false;  // the view has been the classic one all the time
+    Framing m_framing = Framing::Free;
     bool m_moving = false;   // by this
     quint32 m_rewindKey = 0; // while it is held
 };

@@ -1,4 +1,7 @@
 // What runs is shown in the canvas in which one edits.
+#include "core/level/bounds.h"
+#include "core/level/file.h"
+#include "tests/support/folders.h"
 #include "tests/support/game_view.h"
 #include "tests/support/test_main.h"
 #include "tests/support/window.h"
@@ -40,6 +43,29 @@ class OneCanvasTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void aGameInALevelThatWasInSightAsAWholeShowsAllOfItAndStandsStill() {
+        TestWindow test;
+        const LevelFile file = readLevel(sourceFolder().toStdString() + "/levels/01_first_haul.json").value();
+        test.document().reset(*file.level);
+        test.canvas().fitLevel();
+        test.trigger(Act::Play);
+        QApplication::processEvents();
+        const auto sees = [&] {
+            const Aabb seen = test.canvas().view().visible();
+            return seen.contains(boundsOf(*file.level)) &&
+                   (seen.center() - boundsOf(*file.level).center()).norm() < 0.1;
+        };
+        QVERIFY(sees());
+        const Viewport before = test.canvas().view();
+        QTest::keyPress(&test.canvas(), Qt::Key_W);
+        const auto updates = [&] { return test.window->liveRun().updates(); };
+        QTRY_VERIFY(updates() > 20);
+        QVERIFY(test.window->liveView().isFollowing() && sameView(test.canvas().view(), before));
+        test.window->resize(test.window->size() - QSize(200, 60));
+        QApplication::processEvents();
+        QVERIFY(sees());
+    }
+
     void playingKeepsTheViewAndStoppingBringsItBack() {
         TestWindow test;
         test.document().reset(openSpace());
