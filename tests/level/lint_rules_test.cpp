@@ -1,6 +1,7 @@
 // Rules of lint that look at walls together and at the game as a whole.
 #include "core/level/file.h"
 #include "core/level/fixes.h"
+#include "core/level/groups.h"
 #include "tests/support/cave_levels.h"
 #include "tests/support/cpu_time.h"
 #include "tests/support/full_run.h"
@@ -122,6 +123,15 @@ class LintRulesTest : public QObject {
                 scenery.filter.tags = TagMask::bit(debrisTag);
                 return scenery;
             }()));
+        const std::array wall{Key{4}};
+        row("a hidden wall", "hidden-in-play@4", withVisible(cave, wall, false));
+        row("a hidden group with a wall", "hidden-in-play@50",
+            withVisible(grouped(cave, wall, {50, "", GroupObject{}, {}}), std::array{Key{50}}, false));
+        row("a hidden wall where no ship flies", "", [] {
+            Level level;
+            putObject(level, bodyOf(edgesOf({{0, 0}, {1, 0}})));
+            return withVisible(level, std::array{level.objects[0].key}, false);
+        }());
         row("a bar of walls over a floor of walls", "walls-never-meet@2", [] {
             Level level;
             putObject(level, bodyOf(LineChain{{{-5, 0}, {5, 0}}, false}), "floor");
