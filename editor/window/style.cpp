@@ -40,7 +40,7 @@ constexpr std::array sizes{
     Size{QStyle::PM_MenuPanelWidth, 1},
     Size{QStyle::PM_DefaultFrameWidth, 1},
     Size{QStyle::PM_DockWidgetFrameWidth, 0},
-    Size{QStyle::PM_DockWidgetSeparatorExtent, 5},
+    Size{QStyle::PM_DockWidgetSeparatorExtent, 7},
     Size{QStyle::PM_TabBarTabHSpace, 10}, // at least; five panels in one place are then still named in full
     Size{QStyle::PM_DockWidgetTitleMargin, 6},
     Size{QStyle::PM_DockWidgetTitleBarButtonMargin, 3},

@@ -220,4 +220,18 @@ bool drawBarSeparator(const QStyleOption& option, QPainter& painter) {
     return true;
 }
 
+/// Dots in the middle of the bar between two panels, by which one sees that it can be dragged.
+bool drawDockGrip(const QStyleOption& option, QPainter& painter) {
+    const Brushwork brushwork(painter);
+    const bool isHot = isOn(option, QStyle::State_MouseOver) && isOn(option, QStyle::State_Enabled);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(isHot ? accentLine(option.palette) : option.palette.color(QPalette::PlaceholderText));
+    const QRectF bar(option.rect);
+    const QPointF way = bar.width() > bar.height() ? QPointF(6, 0) : QPointF(0, 6); // px
+    for (int i = -2; i <= 2; ++i) {
+        painter.drawEllipse(bar.center() + i * way, 1.3, 1.3);
+    }
+    return true;
+}
+
 } // namespace spacetow

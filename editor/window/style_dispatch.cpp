@@ -59,7 +59,7 @@ constexpr std::array primitives{
     Primitive{QStyle::PE_FrameTabBarBase, drawNothing},
     Primitive{QStyle::PE_FrameDockWidget, drawNothing},
     Primitive{QStyle::PE_FrameLineEdit, drawNothing}, // its panel has it
-    Primitive{QStyle::PE_IndicatorDockWidgetResizeHandle, drawNothing},
+    Primitive{QStyle::PE_IndicatorDockWidgetResizeHandle, drawDockGrip},
     Primitive{QStyle::PE_FrameFocusRect, drawFocus},
     Primitive{QStyle::PE_IndicatorCheckBox, drawTick},
     Primitive{QStyle::PE_IndicatorItemViewItemCheck, drawTick},

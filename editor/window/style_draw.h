@@ -65,6 +65,7 @@ bool drawTab(const QStyleOptionTab& option, QPainter& painter);
 bool drawHeaderSection(const QStyleOption& option, QPainter& painter);
 bool drawToolBar(const QStyleOptionToolBar& option, QPainter& painter);
 bool drawBarSeparator(const QStyleOption& option, QPainter& painter);
+bool drawDockGrip(const QStyleOption& option, QPainter& painter);
 bool drawStatusBar(const QStyleOption& option, QPainter& painter);
 
 // style_views.cpp: lists, trees, frames, scroll bars, progress
