@@ -198,7 +198,8 @@ Hint NodeTool::hint(const ToolContext& context, const Pointer& pointer) const {
         return {selection.empty() ? "nodes.none" : "nodes.without", {}};
     }
     if (!selection.nodes().empty()) {
-        return {"nodes.selected", {std::to_string(selection.nodes().size())}};
+        const std::size_t count = selection.nodes().size();
+        return count == 1 ? Hint{"nodes.one-selected", {}} : Hint{"nodes.selected", {std::to_string(count)}};
     }
     return {objectUnder(context, pointer) != 0 ? "nodes.object" : "nodes.idle", {}};
 }

@@ -12,12 +12,21 @@ namespace spacetow {
 class NodeTool : public Tool {
   public:
     static constexpr auto hints = std::to_array<std::string_view>({
-        "nodes.none", "nodes.without", "nodes.idle", "nodes.object",
+        "nodes.none",
+        "nodes.without",
+        "nodes.idle",
+        "nodes.object",
         "nodes.selected", // number of nodes
-        "nodes.node", "nodes.segment", "nodes.insert",
+        "nodes.one-selected",
+        "nodes.node",
+        "nodes.segment",
+        "nodes.insert",
         "nodes.moving",          // m to the right, m upwards
         "nodes.moving-together", // m to the right, m upwards
-        "nodes.together", "nodes.crosses", "nodes.scale-handle", "nodes.turn-handle",
+        "nodes.together",
+        "nodes.crosses",
+        "nodes.scale-handle",
+        "nodes.turn-handle",
         "nodes.scaling", // width, height in m
         "nodes.turning", // degrees
         "nodes.band",    // number of nodes

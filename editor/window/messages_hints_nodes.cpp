@@ -22,6 +22,10 @@ constexpr HintText nodesHints[] = {
                        "%1 nodes selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · "
                        "Shift+J: join · Shift+R: turn the part between them round as a chain of its own · "
                        "Escape: select none")},
+    {"nodes.one-selected",
+     QT_TRANSLATE_NOOP("messages",
+                       "1 node selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · "
+                       "Escape: select none")},
     {"nodes.node",
      QT_TRANSLATE_NOOP("messages",
                        "Node · drag: move · Shift or Ctrl + click: add or remove · Shift + drag: rubber band · "
@@ -52,16 +56,16 @@ constexpr HintText nodesHints[] = {
     {"nodes.scaling", QT_TRANSLATE_NOOP("messages", "Scaling to %1 m × %2 m · Shift: about the middle · Ctrl: in "
                                                     "proportion · Alt: snap off/on · Escape: cancel")},
     {"nodes.turning", QT_TRANSLATE_NOOP("messages", "Turning by %1° · Ctrl: in steps of 15° · Escape: cancel")},
-    {"nodes.band", QT_TRANSLATE_NOOP("messages", "%1 nodes selected · release: done · Escape: cancel")},
+    {"nodes.band", QT_TRANSLATE_NOOP("messages", "Nodes selected: %1 · release: done · Escape: cancel")},
     {"nodes.lasso",
-     QT_TRANSLATE_NOOP("messages", "%1 nodes selected · draw around the nodes · release: done · Escape: cancel")},
+     QT_TRANSLATE_NOOP("messages", "Nodes selected: %1 · draw around the nodes · release: done · Escape: cancel")},
     {"knife.idle", QT_TRANSLATE_NOOP("messages", "Knife · drag a line across walls, lines and polygons to cut them · "
                                                  "Shift: 15° · Ctrl: snap off/on")},
     {"knife.selected",
      QT_TRANSLATE_NOOP("messages", "Knife · drag a line across to cut what is selected (%1) · Escape: "
                                    "select nothing, so as to cut everything")},
     {"knife.cutting",
-     QT_TRANSLATE_NOOP("messages", "Cutting at %1 places · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: "
+     QT_TRANSLATE_NOOP("messages", "Cuts: %1 · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: "
                                    "cancel")},
     {"knife.nothing",
      QT_TRANSLATE_NOOP("messages", "Nothing to cut here yet · chains are cut where the line meets them, "

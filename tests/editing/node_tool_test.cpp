@@ -51,6 +51,8 @@ class NodeToolTest : public QObject {
         Edited drive({1});
         drive.click({2, 0});
         QCOMPARE(drive.nodes(), (Nodes{{1, 0, 1}}));
+        drive.move({5, 5});
+        QCOMPARE(drive.hintCode(), std::string("nodes.one-selected"));
         drive.with(shift, {0, 0});
         QCOMPARE(drive.nodes(), (Nodes{{1, 0, 0}, {1, 0, 1}}));
         drive.with(ctrl, {2, 0});
