@@ -25,6 +25,7 @@ QPen penFor(const Theme& theme, OverlayStyle style) {
     case OverlayStyle::Handle:
     case OverlayStyle::TurnHandle:
     case OverlayStyle::Pivot:
+    case OverlayStyle::Origin:
         return stroke(theme.selection, 1.6);
     case OverlayStyle::HotHandle:
         return stroke(theme.hover, 2.2);
@@ -69,6 +70,14 @@ void paintPoint(const Stage& stage, const OverlayPoint& point) {
         stage.painter.drawEllipse(at, 4, 4);
         stage.painter.drawLine(at - QPointF(arm, 0), at + QPointF(arm, 0));
         stage.painter.drawLine(at - QPointF(0, arm), at + QPointF(0, arm));
+    } else if (point.style == OverlayStyle::Origin) {
+        constexpr double arm = 5; // px
+        const QPen pen = stage.painter.pen();
+        for (const QPen& each : {stroke(stage.theme.background, 4), pen}) {
+            stage.painter.setPen(each);
+            stage.painter.drawLine(at - QPointF(arm, 0), at + QPointF(arm, 0));
+            stage.painter.drawLine(at - QPointF(0, arm), at + QPointF(0, arm));
+        }
     } else if (point.style == OverlayStyle::HotHandle) {
         stage.painter.setBrush(stage.theme.background);
         stage.painter.drawEllipse(at, 6.5, 6.5);

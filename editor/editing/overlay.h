@@ -22,6 +22,7 @@ enum class OverlayStyle : std::uint8_t {
     HotHandle,  // the one under the pointer, or the one that closes a shape
     TurnHandle, // something that turns what is selected
     Pivot,      // about which it turns, or what stays where it is
+    Origin,     // of a body's coordinates: what its position says
     Snap,       // where the point will land
     Measure,    // length and angle while drawing
     Velocity,   // where something would be a second later

@@ -45,6 +45,17 @@ Vec2 nearestPlace(const Edit& edit, const Vec2& pointer) {
     return nearest.value_or(pointer);
 }
 
+/// Where the origin of a single body is, unless it is in the middle, where everybody looks for it.
+std::optional<Vec2> originBeside(const Edit& edit, const HandleFrame& frame, double pixel) {
+    constexpr double apart = 3; // px
+    const Object* object =
+        edit.selection.size() == 1 ? edit.level->objects.find(edit.selection.keys().front()) : nullptr;
+    const auto* body = object == nullptr ? nullptr : std::get_if<BodyObject>(&object->data);
+    const bool isBeside =
+        body != nullptr && !frame.box.isEmpty() && (body->position - pointOf(frame, {0, 0})).norm() > apart * pixel;
+    return isBeside ? std::optional(body->position) : std::nullopt;
+}
+
 /// What follows the selected one in the pile under the pointer, from the top again after the bottom.
 const GroupPick& nextInPile(const std::vector<GroupPick>& pile, const Selection& selection) {
     const auto top = std::ranges::find_if(pile, [&](const GroupPick& pick) { return selection.contains(pick.key); });
@@ -184,6 +195,9 @@ Overlay SelectTool::handles(const ToolContext& context, double pixel, const std:
     if (const Key entered = context.edit.selection.entered(); entered != 0) {
         overlay.spotlight = placedBounds(*context.edit.level, std::array{entered}).grown(spotlightPixels * pixel);
     }
+        if (const std::optional<Vec2> origin = originBeside(context.edit, frameOf(context), pixel)) {
+            overlay.points.push_back({OverlayStyle::Origin, *origin});
+        }
     return overlay;
 }
 

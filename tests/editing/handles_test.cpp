@@ -69,6 +69,17 @@ class HandlesTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void theOriginOfASingleBodyIsShownWhereItIsNotItsMiddle() {
+        Handles drive({1}); // its origin is a corner
+        QCOMPARE(drive.shown(OverlayStyle::Origin), 1);
+        drive.document.select(Selection({2}));
+        QCOMPARE(drive.shown(OverlayStyle::Origin), 0);
+        drive.document.select(Selection({3})); // the ship turns about it
+        QCOMPARE(drive.shown(OverlayStyle::Origin), 0);
+        drive.document.select(Selection({1, 2}));
+        QCOMPARE(drive.shown(OverlayStyle::Origin), 0);
+    }
+
     void aSelectionHasEightHandlesAndASecondClickTurnsThem() {
         Handles drive({});
         drive.click({1, 0}); // the wall
