@@ -4,6 +4,7 @@
 // in one place, editor/window/messages.
 
 #include <string_view>
+#include <type_traits>
 
 namespace spacetow {
 
@@ -28,7 +29,9 @@ class Code {
 template <const auto&... tables>
 class CodeOf : public Code {
     template <const auto& table>
-    static constexpr bool has = (... || (static_cast<const void*>(&table) == static_cast<const void*>(&tables)));
+    struct Table; // stands for it: under a sanitizer, addresses are not compared while the compiler runs
+    template <const auto& table>
+    static constexpr bool has = (... || std::is_same_v<Table<table>, Table<tables>>);
 
   public:
     constexpr CodeOf() = default;

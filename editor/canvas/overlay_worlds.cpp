@@ -14,21 +14,46 @@ bool needsUpdate(const OverlayFlags& overlays) {
     return overlays.contacts || overlays.islands || overlays.tension;
 }
 
+constexpr std::size_t mostTrails = 500;
+
+/// Bodies, iterations and substeps of an update.
+double workOfUpdate(const Level& level, std::size_t bodies) {
+    return static_cast<double>(bodies + 1) * (level.iterations + level.substeps);
+}
+
+/// How many updates the trails are long.
+double trailUpdates(const Level& level, std::size_t bodies) {
+    constexpr double seconds = 1;
+    constexpr double affordable = 1e6; // bodies and iterations, in all updates: a second or so
+    return std::min(std::clamp(seconds / level.updateSeconds, 1.0, 100.0),
+                    1 + affordable / workOfUpdate(level, bodies));
+}
+
+std::size_t trailCount(const Level& level) {
+    const auto moves = [](const Object& object) {
+        const auto* body = std::get_if<BodyObject>(&object.data);
+        return body != nullptr ? body->kind != BodyKind::Static
+                               : std::holds_alternative<ShipObject>(object.data) ||
+                                     std::holds_alternative<PayloadObject>(object.data);
+    };
+    std::size_t count = 0;
+    for (const Object& object : level.objects) {
+        count += moves(object) ? 1 : 0;
+    }
+    return std::min(mostTrails, count);
+}
+
 /// The ways of all bodies that move, as nobody steers.
 std::vector<DebugTrail> firstTrails(Session session) {
-    constexpr double seconds = 1;
-    constexpr std::size_t most = 500; // bodies
     std::vector<BodyId> bodies;
     std::vector<DebugTrail> trails;
     for (const BodyId id : session.world().bodies()) {
-        if (session.world().body(id).kind != BodyKind::Static && bodies.size() < most) {
+        if (session.world().body(id).kind != BodyKind::Static && bodies.size() < mostTrails) {
             bodies.push_back(id);
         }
     }
     trails.resize(bodies.size());
-    constexpr double affordable = 1e6; // bodies and iterations, in all updates: a second or so
-    const double each = static_cast<double>(bodies.size() + 1) * session.world().parameters().iterations;
-    const double updates = std::min(std::clamp(seconds / session.updateSeconds(), 1.0, 100.0), 1 + affordable / each);
+    const double updates = trailUpdates(session.level(), bodies.size());
     for (int update = 0; update <= updates; ++update) {
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             if (session.world().contains(bodies[i])) {
@@ -69,6 +94,11 @@ int workOfWorlds(const Level& level, const OverlayFlags& overlays) {
     constexpr int enough = 5000;
     const LevelIndex& index = levelIndex(level);
     int work = needsUpdate(overlays) || overlays.trails ? eachBody * level.objects.size() : 0;
+    if (overlays.trails) {
+        constexpr double each = 50; // bodies and iterations, that take as long as a segment
+        const std::size_t count = trailCount(level);
+        work += static_cast<int>(trailUpdates(level, count) * workOfUpdate(level, count) / each);
+    }
     index.visitObjects(index.bounds(),
                        [&](int place) { work += work < enough ? index.segmentsNear(place, index.bounds()) : 0; });
     return work;

@@ -225,7 +225,7 @@ class BoardTest : public QObject {
         int refined = 0;
         Board board([&refined] { ++refined; });
         BoardRequest request = requestFor(largeLevel(), 1);
-        const QImage before = shownBy(board, request);
+        const QImage before = finishedBy(board, request);
         QCOMPARE(differences(before, fromScratch(request)), 0);
         request.frame.view = request.frame.view.zoomedAt(Vec2(150, 110), 1.3);
         const QImage scaled = shownBy(board, request);
@@ -278,7 +278,7 @@ class BoardTest : public QObject {
         level.objects.append({1, {}, std::move(body), {}});
         BoardRequest request = requestFor(level, 1);
         QVERIFY(isLongToHover(level, 1, request.frame.view.visible()));
-        const QImage before = shownBy(board, request);
+        const QImage before = finishedBy(board, request);
         request.hovered = 1;
         QCOMPARE(differences(shownBy(board, request), before), 0);
         board.finish();

@@ -1,9 +1,11 @@
 // Each overlay as it looks: the colour of its own stands where the formula says.
+#include "core/level/bounds.h"
 #include "core/physics/query/contact_manifolds.h"
 #include "core/physics/query/queries.h"
 #include "editor/canvas/overlay_painter.h"
 #include "editor/canvas/overlay_table.h"
 #include "editor/canvas/painter_draw.h"
+#include "tests/support/board.h"
 #include "tests/support/cpu_time.h"
 #include "tests/support/test_main.h"
 
@@ -98,6 +100,22 @@ class OverlayPicturesTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void trailsOfManyBodiesAreSimulatedBesideTheWindow() {
+        Level level;
+        for (Key key = 1; key <= 60; ++key) {
+            level.objects.append(
+                overlayBody(key, BodyKind::Dynamic, Circle{{0, 0}, 0.2}, Vec2(-15 + 0.5 * double(key), 3)));
+        }
+        Viewport view;
+        view.size = Vec2(300, 200);
+        BoardRequest request = boardRequest(std::make_shared<const Level>(level), view.showing(boundsOf(level)));
+        Board board([] {});
+        const QImage without = finishedBy(board, request);
+        request.overlays.trails = true;
+        QCOMPARE(shownBy(board, request), without); // not yet
+        QVERIFY(finishedBy(board, request) != without);
+    }
+
     void theColourStandsWhereTheFormulaSays_data() {
         QTest::addColumn<QString>("overlay");
         QTest::addColumn<QString>("ink");
