@@ -64,6 +64,7 @@ struct ActionRow {
 
 std::span<const ActionRow> fileActions();
 std::span<const ActionRow> exchangeActions();
+std::span<const ActionRow> leaveActions(); // the last ones of the menu of files
 std::span<const ActionRow> editActions();
 std::span<const ActionRow> viewActions();
 std::span<const ActionRow> snapActions();

@@ -17,9 +17,9 @@ namespace spacetow {
 
 namespace {
 
-constexpr auto topics = {fileActions,  exchangeActions, editActions,   viewActions,    snapActions,    overlayActions,
-                         toolActions,  objectActions,   nodeActions,   arrangeActions, combineActions, levelActions,
-                         panelActions, playActions,     windowActions, helpActions};
+constexpr auto topics = {fileActions,    exchangeActions, leaveActions,  editActions,   viewActions,    snapActions,
+                         overlayActions, toolActions,     objectActions, nodeActions,   arrangeActions, combineActions,
+                         levelActions,   panelActions,    playActions,   windowActions, helpActions};
 
 QString translated(const char* words) {
     return QCoreApplication::translate("Actions", words);

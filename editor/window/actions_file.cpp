@@ -129,6 +129,9 @@ constexpr ActionRow fileRows[] = {
      .tip = QT_TRANSLATE_NOOP("Actions", "Show what was left unsaved when the program ended all of a sudden"),
      .flags = WithoutLevel,
      .run = [](MainWindow& window) { window.offerRecovery(true); }},
+};
+
+constexpr ActionRow leaveRows[] = {
     {.id = Act::Close,
      .menu = MenuId::File,
      .text = QT_TRANSLATE_NOOP("Actions", "&Close"),
@@ -151,6 +154,10 @@ constexpr ActionRow fileRows[] = {
 
 std::span<const ActionRow> fileActions() {
     return fileRows;
+}
+
+std::span<const ActionRow> leaveActions() {
+    return leaveRows;
 }
 
 } // namespace spacetow

@@ -118,10 +118,15 @@ void MainWindow::makeToolBars() {
     QToolBar* const tools = addBar(*this, tr("Tools"), QStringLiteral("tools"), Qt::LeftToolBarArea);
     Filler mainFiller(*main, m_actions);
     Filler toolsFiller(*tools, m_actions);
-    for (const ActionRow& row : actionRows()) {
-        if ((row.flags & OnMainBar) != 0) {
-            mainFiller.add(row);
+    // Where there is no room for all, the last ones go.
+    for (const bool overlays : {false, true}) {
+        for (const ActionRow& row : actionRows()) {
+            if ((row.flags & OnMainBar) != 0 && (row.menu == MenuId::Overlays) == overlays) {
+                mainFiller.add(row);
+            }
         }
+    }
+    for (const ActionRow& row : actionRows()) {
         if ((row.flags & OnToolsBar) != 0 || std::holds_alternative<ToolId>(row.id)) {
             toolsFiller.add(row);
         }

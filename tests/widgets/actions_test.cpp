@@ -146,6 +146,18 @@ class ActionsTest : public QObject {
         QVERIFY((rowOf(Act::Delete).flags & NeedsSelection) != 0);
     }
 
+    void theMenuOfFilesEndsWithQuit() {
+        TestWindow test;
+        QCOMPARE(test.window->menu(MenuId::File).actions().back(), &test.window->actions()[Act::Quit]);
+    }
+
+    void theBarHasPlayBeforeTheOverlays() {
+        TestWindow test;
+        const QList<QAction*> bar = test.window->findChild<QToolBar*>("main")->actions();
+        QVERIFY(bar.indexOf(&test.window->actions()[Act::Step]) <
+                bar.indexOf(&test.window->actions()[Act::OverlayAabb]));
+    }
+
     void undoNamesWhatItTakesBack() {
         TestWindow test;
         QAction& undo = test.window->actions()[Act::Undo];
