@@ -277,10 +277,7 @@ void OutlinerPanel::rename(Key key) {
     }
     const QModelIndex index = m_model.indexOf(key);
     if (index.isValid()) {
-        m_view.setFocus();
-        m_view.selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
-        m_view.scrollTo(index);
-        m_view.edit(index);
+        m_view.rename(index);
     }
 }
 

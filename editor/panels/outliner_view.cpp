@@ -2,6 +2,7 @@
 
 #include "editor/panels/list_keys.h"
 
+#include <QApplication>
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -50,6 +51,23 @@ OutlinerView::OutlinerView(OutlinerModel& model, QWidget* parent) : QTreeView(pa
     }
 }
 
+void OutlinerView::rename(const QModelIndex& index) {
+    m_backTo = QApplication::focusWidget();
+    setFocus();
+    selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+    scrollTo(index);
+    edit(index);
+}
+
+void OutlinerView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+    QTreeView::closeEditor(editor, hint);
+    const bool goesOn = hint == QAbstractItemDelegate::EditNextItem || hint == QAbstractItemDelegate::EditPreviousItem;
+    if (!goesOn && m_backTo != nullptr && hasFocus()) {
+        m_backTo->setFocus();
+    }
+    m_backTo = goesOn ? m_backTo : nullptr;
+}
+
 bool OutlinerView::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = static_cast<const QKeyEvent&>(*event);
@@ -65,7 +83,7 @@ void OutlinerView::keyPressEvent(QKeyEvent* event) {
     const QModelIndex current = currentIndex();
     if (isSelectAll(*event, m_model)) {
         Q_EMIT allFoundWanted();
-    } else if (!current.isValid() || !isOfTree(*event)) {
+    } else if (!current.isValid() || !isOfTree(*event) || state() == EditingState) { // which passes its keys on
         QTreeView::keyPressEvent(event);
     } else if (event->modifiers() == Qt::AltModifier) {
         Q_EMIT stepWanted(event->key() == Qt::Key_Up ? -1 : 1);

@@ -3,6 +3,7 @@
 
 #include "editor/panels/outliner_model.h"
 
+#include <QPointer>
 #include <QTreeView>
 
 namespace spacetow {
@@ -12,6 +13,9 @@ class OutlinerView : public QTreeView {
 
   public:
     explicit OutlinerView(OutlinerModel& model, QWidget* parent = nullptr);
+
+    /// Opens the name for editing; after that the keyboard goes back to where it was.
+    void rename(const QModelIndex& index);
 
   Q_SIGNALS:
     /// A click on the colour, eye or lock of a row, or the space bar for the eye of the current one.
@@ -30,12 +34,14 @@ class OutlinerView : public QTreeView {
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
 
   private:
     /// Whether the press is on one of the switches, and has been dealt with.
     bool isSwitched(const QMouseEvent& event);
 
     OutlinerModel& m_model;
+    QPointer<QWidget> m_backTo; // had the keyboard before a name was edited
 };
 
 } // namespace spacetow

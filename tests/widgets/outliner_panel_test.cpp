@@ -337,6 +337,21 @@ class OutlinerPanelTest : public QObject {
         QVERIFY(test.canvas().hasFocus());
     }
 
+    void renamingLeavesTheViewAndTheKeyboardWhereTheyWere() {
+        TestWindow test;
+        test.document().reset(crowd());
+        test.document().select(Selection({4}));
+        test.canvas().setFocus();
+        const Vec2 center = test.canvas().view().center;
+        test.key(Qt::Key_F2);
+        QTest::keyClicks(QApplication::focusWidget(), "gate");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QApplication::processEvents();
+        QCOMPARE(test.level().objects.find(4)->name, std::string("gate"));
+        QCOMPARE(test.canvas().view().center, center);
+        QVERIFY(test.canvas().hasFocus());
+    }
+
     void aNewLayerIsNamedAtOnce() {
         TestWindow test;
         test.document().reset(crowd());
