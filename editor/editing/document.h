@@ -23,10 +23,12 @@ struct Edit {
     Selection selection;
 };
 
-/// What an edit is called in menus and in the history: a code such as "move", and how many objects it concerns.
+/// What an edit is called in menus and in the history: a code such as "move", how many objects it concerns, and of one
+/// that changes a single field, the id of that, as "angle" (see core/level/field_survey.h).
 struct Label {
     LabelCode code;
     int count = 1;
+    std::string field = {};
 
     bool operator==(const Label&) const = default;
 };

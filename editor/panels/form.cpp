@@ -43,6 +43,16 @@ bool hasWideEditor(RowKind kind) {
 } // namespace
 
 Form::Form(std::span<const FormRow> rows, FormTarget target, QWidget* parent)
+std::string changedField(const FormEdit& edit) {
+    const std::vector<FieldEdit>& fields = edit.fields;
+    if (fields.size() == 1) {
+        return fields.front().id;
+    }
+    const bool isPoint = fields.size() == 2 && fields[0].id.ends_with(".x") && fields[1].id.ends_with(".y");
+    const std::string name = isPoint ? fields[0].id.substr(0, fields[0].id.size() - 2) : std::string();
+    return isPoint && fields[1].id.starts_with(name) ? name : std::string();
+}
+
     : QWidget(parent), m_target(std::move(target)), m_grid(this) {
     m_grid.setContentsMargins(10, 2, 6, 10);
     m_grid.setHorizontalSpacing(6);

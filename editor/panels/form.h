@@ -25,6 +25,9 @@ struct FormEdit {
     bool mayMerge = false; // with the one before, as steps of the arrow keys do
 };
 
+/// The id of the field that the edit is about, of both parts of a point without the axis; empty for several fields.
+std::string changedField(const FormEdit& edit);
+
 /// What a form needs from whoever shows it. The empty ones are not called.
 struct FormTarget {
     /// Makes the edit and answers with an objection, empty for none.

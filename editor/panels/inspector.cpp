@@ -286,7 +286,7 @@ QString Inspector::make(const FormEdit& edit) {
         mergeKey =
             "field " + edit.fields.front().id + ' ' + std::to_string(selection.empty() ? 0 : selection.keys().front());
     }
-    m_document.commit({"change", std::max(1, selection.size())}, std::move(made), mergeKey);
+    m_document.commit({"change", std::max(1, selection.size()), changedField(edit)}, std::move(made), mergeKey);
     refresh();
     return {};
 }

@@ -60,7 +60,8 @@ QString LevelPanel::make(const FormEdit& edit) {
         return {};
     }
     const bool merges = edit.mayMerge && !edit.fields.empty();
-    m_document.commit({"change-level", 1}, std::move(made), merges ? "level field " + edit.fields.front().id : "");
+    m_document.commit({"change-level", 1, changedField(edit)}, std::move(made),
+                      merges ? "level field " + edit.fields.front().id : "");
     refresh();
     return {};
 }

@@ -1,7 +1,9 @@
 #include "editor/window/messages.h"
 
 #include "core/base/codes.h"
+#include "editor/panels/form_rows.h"
 #include "editor/panels/number_text.h"
+#include "editor/window/messages_compare.h"
 #include "editor/window/messages_table.h"
 
 #include <QCoreApplication>
@@ -100,6 +102,18 @@ bool wrapsAnother(const Error& error) {
     return std::ranges::find(codes, SentenceCode(error.code)) != codes.end() && error.arguments.size() >= 2;
 }
 
+/// "Change “Angle” of 3 objects".
+QString fieldSentence(const Label& label) {
+    const bool ofLevel = label.code == LabelCode("change-level");
+    const QString text =
+        ofLevel ? QCoreApplication::translate("messages", "Change “%1” of the level")
+        : label.count == 1
+            ? QCoreApplication::translate("messages", "Change “%1”")
+            : counted(QCoreApplication::translate("messages", "Change “%1” of %n objects", nullptr, label.count),
+                      label.count);
+    return text.arg(fieldName(ofLevel ? levelRows() : objectRows(), label.field));
+}
+
 /// "3 times, in lines 4, 7 …": how often something came up in a file, and where.
 QString placesOf(const std::string& count, const std::string& lines) {
     const int times = QString::fromStdString(count).toInt();
@@ -165,6 +179,9 @@ QString sentence(const Hint& hint) {
 }
 
 QString sentence(const Label& label) {
+    if (!label.field.empty()) {
+        return fieldSentence(label);
+    }
     const LabelText* text = textOf(labelTexts(), label.code.text());
     if (text == nullptr) {
         return spokenCode(label.code.text());

@@ -32,7 +32,8 @@ QString shortLabel(const FormRow& row) {
     return rowText(row.label).section(QLatin1Char(':'), 0, 0);
 }
 
-/// The label of the inspector's row; of the second part of a pair, that of the first with the axis.
+} // namespace
+
 QString fieldName(std::span<const FormRow> rows, const std::string& id) {
     if (const FormRow* row = rowOf(rows, id); row != nullptr && *row->label != '\0') {
         return id.ends_with(".x") ? shortLabel(*row) + QStringLiteral(" x") : shortLabel(*row);
@@ -42,8 +43,11 @@ QString fieldName(std::span<const FormRow> rows, const std::string& id) {
             return shortLabel(*first) + QStringLiteral(" y");
         }
     }
-    return QString::fromStdString(id);
+    const FormRow* point = rowOf(rows, id + ".x");
+    return point != nullptr ? shortLabel(*point) : QString::fromStdString(id);
 }
+
+namespace {
 
 QString tagsText(const TagTable& table, TagMask mask) {
     const bool byExceptions = isSpelledByExceptions(mask);

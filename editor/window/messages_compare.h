@@ -4,9 +4,12 @@
 #include "core/level/compare.h"
 #include "core/level/kept_changes.h"
 #include "core/level/merge.h"
+#include "editor/panels/form_rows.h"
 
 #include <QString>
 
+#include <span>
+#include <string>
 #include <vector>
 
 namespace spacetow {
@@ -22,6 +25,9 @@ std::vector<DifferenceLine> differenceLines(const Level& before, const Level& af
 
 /// One line, without a full stop.
 QString changeText(const Level& before, const Level& after, const LevelChange& change);
+
+/// The label of the inspector's row, without what explains it; of a part of a point with the axis, "Position x".
+QString fieldName(std::span<const FormRow> rows, const std::string& id);
 
 /// `level` is the merged one.
 QString sentence(const MergeConflict& conflict, const Level& level);

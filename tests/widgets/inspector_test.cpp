@@ -28,6 +28,20 @@ class InspectorTest : public QObject {
         QVERIFY(test.number("radius").text().isEmpty());
     }
 
+    void theHistorySaysWhichFieldWasChanged() {
+        InspectorFixture test({circleObject(1, 0, 0.5), circleObject(2, 3, 0.5)}, {1});
+        test.type("angle", "45");
+        QCOMPARE(test.document.undoLabel(), (Label{"change", 1, "angle"}));
+        test.document.select(Selection({1, 2}));
+        test.type("density", "2");
+        QCOMPARE(test.document.undoLabel(), (Label{"change", 2, "density"}));
+        test.document.select({});
+        test.type("gravity.y", "-1");
+        QCOMPARE(test.document.undoLabel(), (Label{"change-level", 1, "gravity.y"}));
+        test.inspector.form().resetButton("gravity.y")->click();
+        QCOMPARE(test.document.undoLabel(), (Label{"change-level", 1, "gravity"}));
+    }
+
     void aNumberOutsideItsRangeChangesNothing_data() {
         QTest::addColumn<QByteArray>("id");
         QTest::addColumn<QString>("text");

@@ -233,6 +233,15 @@ class MessagesTest : public QObject {
         QCOMPARE(sentence(Label{"draw-edge", 1}), QString("Draw one-way walls"));
     }
 
+    void labelsNameTheFieldThatWasChanged() {
+        QCOMPARE(sentence(Label{"change", 1, "angle"}), QString("Change “Angle”"));
+        QCOMPARE(sentence(Label{"change", 3, "position.y"}), QString("Change “Position y” of 3 objects"));
+        QCOMPARE(sentence(Label{"change", 1, "position"}), QString("Change “Position”"));
+        QCOMPARE(sentence(Label{"change", 1, "locked"}), QString("Change “Locked”"));
+        QCOMPARE(sentence(Label{"change-level", 1, "lives"}), QString("Change “Lives” of the level"));
+        QCOMPARE(sentence(Label{"change", 2}), QString("Change 2 objects"));
+    }
+
     void anUnknownCodeIsShownAsItIs() {
         QCOMPARE(sentence(Hint{"no-such-thing", {}}), QString("No such thing"));
         QCOMPARE(sentence(Hint{}), QString());
