@@ -34,7 +34,8 @@ struct FormTarget {
     std::function<QString(const FormEdit&)> edit;
     std::function<QString(const Error&)> words;
     std::function<const Level&()> level; // that is shown
-    std::function<void(int, const TagInfo&)> defineTag;
+    /// With an edit that goes with it in one step, as where one is made for what is selected.
+    std::function<void(int, const TagInfo&, const FormEdit&)> defineTag;
     std::function<void(int)> selectTagged;
 };
 

@@ -174,24 +174,32 @@ void Form::makeColor(FormRowState& row) {
 void Form::makeTags(FormRowState& row) {
     const std::string id = row.spec.id;
     auto grid = std::make_unique<TagGrid>(row.spec.kind == RowKind::Touches);
-    connect(grid.get(), &TagGrid::tagSwitched, this, [this, id](int index, bool on) {
-        if (!m_target.edit) {
-            return;
+    const auto switching = [id](int index, bool on) {
+        return FormEdit{{{id, [index, on](const FieldValue& value) {
+                              const TagMask* mask = std::get_if<TagMask>(&value);
+                              const std::uint32_t bits = mask == nullptr ? 0 : mask->bits;
+                              const std::uint32_t bit = TagMask::bit(index).bits;
+                              return std::optional(FieldValue(TagMask{on ? bits | bit : bits & ~bit}));
+                          }}}};
+    };
+    connect(grid.get(), &TagGrid::tagSwitched, this, [this, switching](int index, bool on) {
+        if (m_target.edit) {
+            m_target.edit(switching(index, on));
         }
-        m_target.edit({{{id, [index, on](const FieldValue& value) {
-                             const TagMask* mask = std::get_if<TagMask>(&value);
-                             const std::uint32_t bits = mask == nullptr ? 0 : mask->bits;
-                             const std::uint32_t bit = TagMask::bit(index).bits;
-                             return std::optional(FieldValue(TagMask{on ? bits | bit : bits & ~bit}));
-                         }}}});
     });
     connect(grid.get(), &TagGrid::everythingSwitched, this,
             [this, id](bool on) { change(id, on ? TagMask::all() : TagMask{}); });
-    connect(grid.get(), &TagGrid::tagDefined, this, [this](int index, const QString& name, const QColor& color) {
+    const auto define = [this](int index, const QString& name, const QColor& color, const FormEdit& edit) {
         if (m_target.defineTag) {
-            m_target.defineTag(index, {name.toStdString(), color.rgb() & 0xffffffU});
+            m_target.defineTag(index, {name.toStdString(), color.rgb() & 0xffffffU}, edit);
         }
-    });
+    };
+    connect(grid.get(), &TagGrid::tagDefined, this,
+            [define](int index, const QString& name, const QColor& color) { define(index, name, color, {}); });
+    connect(grid.get(), &TagGrid::tagMade, this,
+            [define, switching](int index, const QString& name, const QColor& color) {
+                define(index, name, color, switching(index, true));
+            });
     connect(grid.get(), &TagGrid::selectionWanted, this, [this](int index) {
         if (m_target.selectTagged) {
             m_target.selectTagged(index);

@@ -96,7 +96,7 @@ FormTarget Inspector::target() {
     target.edit = [this](const FormEdit& edit) { return make(edit); };
     target.words = m_words;
     target.level = [this]() -> const Level& { return m_document.level(); };
-    target.defineTag = [this](int index, const TagInfo& info) { defineTag(index, info); };
+    target.defineTag = [this](int index, const TagInfo& info, const FormEdit& edit) { defineTag(index, info, edit); };
     target.selectTagged = [this](int tag) {
         m_document.select(Selection(keysTagged(*m_document.current().level, tag)));
     };
@@ -291,10 +291,14 @@ QString Inspector::make(const FormEdit& edit) {
     return {};
 }
 
-void Inspector::defineTag(int index, const TagInfo& info) {
-    const Edit& current = m_document.current();
-    m_document.commit({"change-tag", 1},
-                      {std::make_shared<Level>(withTag(*current.level, index, info)), current.selection});
+void Inspector::defineTag(int index, const TagInfo& info, const FormEdit& edit) {
+    const Edit current = m_document.current();
+    Level level = withTag(*current.level, index, info);
+    const std::vector<ShapeRef> meant = shapes(current.selection);
+    for (const FieldEdit& field : edit.fields) {
+        level = withFieldEdited(std::move(level), {current.selection.keys(), meant}, field).level;
+    }
+    m_document.commit({"change-tag", 1}, {std::make_shared<const Level>(std::move(level)), current.selection});
     refresh();
 }
 

@@ -63,7 +63,7 @@ class Inspector : public QWidget {
     /// The selected object of this number, in any order; null when the level lacks it.
     const Object* selected(const Edit& shown, int index);
     QString make(const FormEdit& edit);
-    void defineTag(int index, const TagInfo& info);
+    void defineTag(int index, const TagInfo& info, const FormEdit& edit);
 
     Document& m_document;
     Words m_words;

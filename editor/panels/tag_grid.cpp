@@ -230,7 +230,14 @@ void TagGrid::endEdit(bool keep) {
     m_name.hide();
     const bool fresh = m_table[index].name.empty();
     if (keep && !name.isEmpty() && name.toStdString() != m_table[index].name) {
-        Q_EMIT tagDefined(index, name, fresh ? freshTagColor(index) : QColor::fromRgb(m_table[index].color));
+        if (fresh) {
+            Q_EMIT tagMade(index, name, freshTagColor(m_table));
+        } else {
+            Q_EMIT tagDefined(index, name, QColor::fromRgb(m_table[index].color));
+        }
+    }
+    if (TagChip* const named = keep ? chip(index) : nullptr) {
+        named->setFocus(); // which went on with the field that is hidden now
     }
 }
 

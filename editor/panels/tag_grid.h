@@ -49,6 +49,8 @@ class TagGrid : public QWidget {
     void everythingSwitched(bool on);
     /// The tag was renamed, recoloured or made.
     void tagDefined(int index, const QString& name, const QColor& color);
+    /// Likewise of one that had no name, and is meant for what is shown.
+    void tagMade(int index, const QString& name, const QColor& color);
     /// All objects with the tag are to be selected.
     void selectionWanted(int index);
 

@@ -115,7 +115,7 @@ void TagMatrixPanel::endRename(bool keep) {
     m_view.setFocus();
     TagInfo info = tags[tag];
     if (keep && !name.isEmpty() && name.toStdString() != info.name) {
-        info.color = info.name.empty() ? freshTagColor(tag).rgb() & 0xffffffU : info.color;
+        info.color = info.name.empty() ? freshTagColor(tags).rgb() & 0xffffffU : info.color;
         info.name = name.toStdString();
         commit({"change-tag", 1}, withTag(*m_document.current().level, tag, std::move(info)));
     }

@@ -10,7 +10,7 @@ namespace spacetow {
 
 /// Why the tag cannot have this name; empty when it can.
 QString objectionToTagName(const TagTable& table, const QString& name, int tag);
-/// For a tag that has just got its first name; those of neighbours differ in lightness as well as in hue.
-QColor freshTagColor(int tag);
+/// For a tag that has just got its first name: as far from those that have one as can be.
+QColor freshTagColor(const TagTable& table);
 
 } // namespace spacetow

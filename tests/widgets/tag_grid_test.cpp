@@ -1,6 +1,7 @@
 #include "editor/panels/tag_grid.h"
 
 #include "editor/panels/inspector.h"
+#include "editor/panels/tag_names.h"
 #include "tests/support/test_main.h"
 
 #include <QLineEdit>
@@ -190,6 +191,37 @@ class TagGridTest : public QObject {
         QCOMPARE(test.document.level().tags[wallTag].name, becomes.toStdString());
         QCOMPARE(test.grid("tags").chip(wallTag)->text(), becomes);
         QCOMPARE(test.document.canUndo(), becomes != "wall");
+    }
+
+    void aTagThatIsMadeIsThatOfTheObjectInOneStep() {
+        TagGridFixture test({body(1, TagMask{1})});
+        QList<TagChip*> chips = test.grid("tags").findChildren<TagChip*>();
+        const auto add = std::ranges::find_if(chips, [](TagChip* chip) { return chip->text() == "New tag"; });
+        QTest::mouseClick(*add, Qt::LeftButton);
+        auto* line = test.grid("tags").findChild<QLineEdit*>();
+        QTest::keyClicks(line, "ice");
+        QTest::keyClick(line, Qt::Key_Return);
+        const int ice = *test.document.level().tags.indexOf("ice");
+        QVERIFY(test.filter(0).tags.contains(ice) && test.filter(0).tags.contains(wallTag));
+        QCOMPARE(test.document.position(), 1);
+        QVERIFY(test.grid("tags").chip(ice)->state() == TagChip::State::On);
+        QCOMPARE(test.inspector.focusWidget(), test.grid("tags").chip(ice));
+    }
+
+    void theColorOfANewTagIsFarFromThoseInUse() {
+        TagTable table;
+        for (int made = 0; made < 12; ++made) {
+            const int index = debrisTag + 1 + made;
+            const QColor fresh = freshTagColor(table);
+            for (int i = 0; i < TagTable::size; ++i) {
+                const QColor other = QColor::fromRgb(table[i].color);
+                const int apart = std::abs(fresh.red() - other.red()) + std::abs(fresh.green() - other.green()) +
+                                  std::abs(fresh.blue() - other.blue());
+                QVERIFY2(table[i].name.empty() || apart >= 70,
+                         qPrintable(fresh.name() + " beside " + other.name() + " after " + QString::number(made)));
+            }
+            table.set(index, {"made " + std::to_string(made), fresh.rgb() & 0xffffffU});
+        }
     }
 
     void escapeKeepsTheName() {
