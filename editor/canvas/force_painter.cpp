@@ -1,7 +1,8 @@
 #include "editor/canvas/force_painter.h"
 
+#include "editor/canvas/figure_text.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <array>
@@ -88,8 +89,7 @@ void paintForces(const Stage& stage, const std::vector<ForceArrow>& arrows, Labe
             paintArrow(stage, stage.at(arrow.at), stage.at(tip));
         }
         if (words.size() < mostForceLabels) {
-            words.emplace_back(
-                tip, QStringLiteral("%1 %2 N").arg(forceName(arrow.source), QLocale().toString(size, 'g', 3)));
+            words.emplace_back(tip, QStringLiteral("%1 %2 N").arg(forceName(arrow.source), figureText(size)));
         }
     }
     for (const auto& [at, text] : words) {

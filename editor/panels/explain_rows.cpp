@@ -1,6 +1,7 @@
 #include "editor/panels/explain_rows.h"
 
 #include "core/physics/query/explain.h"
+#include "editor/canvas/figure_text.h"
 #include "editor/canvas/tag_text.h"
 #include "editor/panels/explain_codes.h"
 #include "editor/panels/names.h"
@@ -20,14 +21,8 @@ QString words(const char* text) {
     return QCoreApplication::translate("Explain", text);
 }
 
-/// Three digits will do for what changes all the time; what is nothing but rounding reads 0.
-QString figure(double number) {
-    constexpr double nothing = 1e-9;
-    return QLocale().toString(std::abs(number) < nothing ? 0.0 : number, 'g', 4);
-}
-
 QString withUnit(double number, const char* unit) {
-    return figure(number) + QChar(0x00a0) + QString::fromUtf8(unit);
+    return figureText(number) + QChar(0x00a0) + QString::fromUtf8(unit);
 }
 
 QString turnText(double torque) {
@@ -232,7 +227,7 @@ std::string metersText(double meters) {
 QString vectorText(const Vec2& v, const QString& unit) {
     static const QString arrows = QStringLiteral("→↗↑↖←↙↓↘");
     const double length = v.norm();
-    const QString text = figure(length) + QChar(0x00a0) + unit;
+    const QString text = figureText(length) + QChar(0x00a0) + unit;
     if (!(length >= 1e-9) || !std::isfinite(length)) {
         return text;
     }
