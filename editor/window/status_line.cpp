@@ -27,19 +27,22 @@ QString metres(double value, int decimals = 2) {
     return locale.toString(std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0 : value, 'f', decimals);
 }
 
-/// As many of its clauses as there is room for, or of the first one as many letters.
+/// Those of its clauses that there is room for, in their order, or of the first one as many letters.
 QString fitted(const QString& hint, const QFontMetrics& metrics, int room) {
     const QString between = QStringLiteral(" · ");
     if (metrics.horizontalAdvance(hint) <= room) {
         return hint;
     }
-    for (auto end = hint.lastIndexOf(between); end > 0; end = hint.lastIndexOf(between, end - 1)) {
-        const QString part = hint.left(end) + between + QStringLiteral("…");
-        if (metrics.horizontalAdvance(part) <= room) {
-            return part;
+    const QString more = between + QStringLiteral("…");
+    QString shown;
+    for (const QString& clause : hint.split(between)) {
+        const QString longer = shown.isEmpty() ? clause : shown + between + clause;
+        shown = metrics.horizontalAdvance(longer + more) <= room ? longer : shown;
+        if (shown.isEmpty()) {
+            break; // without its beginning the rest could be misread
         }
     }
-    return metrics.elidedText(hint, Qt::ElideRight, room);
+    return shown.isEmpty() ? metrics.elidedText(hint, Qt::ElideRight, room) : shown + more;
 }
 
 } // namespace
