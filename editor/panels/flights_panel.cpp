@@ -16,7 +16,7 @@ struct FlightWords {
 
 QString placeOf(const FlightResult& result) {
     return result.place
-               ? QStringLiteral("(%1, %2)").arg(shortNumberText(result.place->x()), shortNumberText(result.place->y()))
+               ? QStringLiteral("%1; %2").arg(shortNumberText(result.place->x()), shortNumberText(result.place->y()))
                : QString();
 }
 

@@ -2,7 +2,6 @@
 
 #include "core/level/bounds.h"
 #include "core/level/object_geometry.h"
-#include "editor/panels/number_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -65,27 +64,33 @@ QString kindIcon(const Object& object) {
     return QLatin1String(group != nullptr && group->layer ? "layer" : others[object.data.index()]);
 }
 
-QString placedKind(const Object& object) {
-    const std::optional<Vec2> at = placeOf(object.data);
-    return at ? Names::tr("%1 at %2; %3").arg(kindName(object), shortNumberText(at->x()), shortNumberText(at->y()))
-              : kindName(object);
-}
+namespace {
 
-QString listedName(const Level& level, const Object& object) {
-    const QString kind = kindName(object);
-    if (!object.name.empty()) {
-        return Names::tr("%1 (%2)").arg(QString::fromStdString(object.name), kind);
-    }
-    const Aabb box = boundsOf(level, object);
+/// Where everybody sees it: ship and payload at their place, everything else in the middle of its bounds.
+QString placed(const Object& object, const Aabb& box) {
+    const bool isOne =
+        std::holds_alternative<ShipObject>(object.data) || std::holds_alternative<PayloadObject>(object.data);
     if (box.isEmpty()) {
-        return kind;
+        return kindName(object);
     }
+    const Vec2 at = isOne ? *placeOf(object.data) : box.center();
     const auto metres = [](double value) {
         QLocale locale;
         locale.setNumberOptions(QLocale::OmitGroupSeparator);
         return locale.toString(std::round(100 * value) / 100 + 0.0, 'g', 12); // no minus before zero
     };
-    return Names::tr("%1 at %2; %3").arg(kind, metres(box.center().x()), metres(box.center().y()));
+    return Names::tr("%1 at %2; %3").arg(kindName(object), metres(at.x()), metres(at.y()));
+}
+
+} // namespace
+
+QString placedKind(const Object& object) {
+    return placed(object, ownBounds(object.data));
+}
+
+QString listedName(const Level& level, const Object& object) {
+    return object.name.empty() ? placed(object, boundsOf(level, object))
+                               : Names::tr("%1 (%2)").arg(QString::fromStdString(object.name), kindName(object));
 }
 
 QString menuSafe(const QString& name) {

@@ -27,7 +27,7 @@ QString plainToolTip(const QString& text);
 /// The text of a menu as it reads elsewhere: without the mark of the letter that is pressed, and, as Chinese has it,
 /// without that letter: "&Open…" and "打开(&O)…".
 QString withoutMnemonic(QString text);
-/// Its kind and where it is, as in "Circle at (1.5, 2)".
+/// Its kind and where it is, as in "Circle at 1.5; 2", without its name; of connectors and groups only the kind.
 QString placedKind(const Object& object);
 
 } // namespace spacetow

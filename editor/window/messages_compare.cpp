@@ -179,7 +179,7 @@ class Speaker {
     }
     static QString guideText(const Guide& guide) {
         return guide.name.empty()
-                   ? Compared::tr("at (%1, %2)").arg(shortNumberText(guide.point.x()), shortNumberText(guide.point.y()))
+                   ? Compared::tr("at %1; %2").arg(shortNumberText(guide.point.x()), shortNumberText(guide.point.y()))
                    : quoted(guide.name);
     }
     static int pointsOf(const Level& level, Key key) {

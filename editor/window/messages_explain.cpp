@@ -28,10 +28,10 @@ constexpr MessageText explanations[] = {
     {"apart-walls", QT_TRANSLATE_NOOP("messages", "Both are nothing but walls, and walls pass through each other.")},
     {"apart-passing",
      QT_TRANSLATE_NOOP("messages",
-                       "“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from "
+                       "“%2” is on its way through a one-way wall of “%1”, from %3; %4 to %5; %6: it came from "
                        "behind, and touches nothing until all of it is in front.")},
     {"apart-behind",
-     QT_TRANSLATE_NOOP("messages", "“%2” is behind a one-way wall of “%1”, from (%3, %4) to (%5, %6), which is open "
+     QT_TRANSLATE_NOOP("messages", "“%2” is behind a one-way wall of “%1”, from %3; %4 to %5; %6, which is open "
                                    "from there.")},
     {"apart-distance", QT_TRANSLATE_NOOP("messages", "“%1” and “%2” may collide, but are %3 m apart.")},
     {"apart-next-update",

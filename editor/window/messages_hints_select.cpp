@@ -53,7 +53,10 @@ constexpr HintText selectHintTexts[] = {
      QT_TRANSLATE_NOOP("messages", "Drag: move the pivot, about which the selection turns · Ctrl: snap off/on")},
     {"select.small-pivot",
      QT_TRANSLATE_NOOP("messages", "Drag: move · Shift + drag: move the pivot, about which it turns")},
-    {"select.pivot", QT_TRANSLATE_NOOP("messages", "Pivot at %1, %2 m · Ctrl: snap off/on · Escape: cancel")},
+    {"select.pivot", QT_TRANSLATE_NOOP("messages", "Pivot at %1; %2 m · Ctrl: snap off/on · Escape: cancel")},
+    {"select.locked", QT_TRANSLATE_NOOP("messages", "Locked: clicks and drags go past it")},
+    {"select.all-locked",
+     QT_TRANSLATE_NOOP("messages", "%1 selected · locked, so nothing changes it · Escape: select nothing")},
     {"select.band",
      QT_TRANSLATE_NOOP("messages", "%1 selected · Alt or B: only what lies wholly inside · Escape: cancel")},
 };

@@ -108,6 +108,20 @@ class NamesTest : public QObject {
         QCOMPARE(menuSafe(listedName(level, level.objects[1])), QString("wheel && axle (Circle)"));
     }
 
+    void whateverNamesAnObjectWithoutANameSaysTheSamePlace() {
+        Level level;
+        Object corner{1, "", BodyObject{.shapes = {}, .position = {-1.5, -2.5}}, {}};
+        std::get<BodyObject>(corner.data).shapes = {Polygon{{{0, 0}, {0.254, 0}, {0.254, 0.25}, {0, 0.25}}}};
+        level.objects.append(corner);
+        level.objects.append({2, "", ShipObject{{-3.25, 1.75}, 0}, {}});
+        level.objects.append({3, "", FinishObject{{1, 2}, {3, 2}}, {}});
+        const QStringList names{"Polygon at -1.37; -2.38", "Ship at -3.25; 1.75", "Finish at 2; 2"};
+        for (int i = 0; i < names.size(); ++i) {
+            QCOMPARE(listedName(level, level.objects[i]), names[i]);
+            QCOMPARE(placedKind(level.objects[i]), names[i]);
+        }
+    }
+
     void theContextMenuListsAllThatLiesUnderThePointer() {
         TestWindow test;
         Level level;
