@@ -37,6 +37,7 @@ struct FormTarget {
     /// With an edit that goes with it in one step, as where one is made for what is selected.
     std::function<void(int, const TagInfo&, const FormEdit&)> defineTag;
     std::function<void(int)> selectTagged;
+    std::function<void(Key)> showObject;
 };
 
 /// What is shown.

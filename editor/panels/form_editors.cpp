@@ -159,6 +159,7 @@ void Form::makeObject(FormRowState& row) {
     field->enter = [this, id = std::string(row.spec.id)](Key key) {
         return change(id, key == 0 ? FieldValue(Unset{}) : FieldValue(KeyValue{key}));
     };
+    field->showObject = m_target.showObject;
     connect(field.get(), &ObjectField::faultChanged, this, &Form::showFaults);
     row.editor = std::move(field);
 }

@@ -101,6 +101,7 @@ FormTarget Inspector::target() {
         m_document.select(Selection(keysTagged(*m_document.current().level, tag)));
     };
     return target;
+    target.showObject = [this](Key key) { Q_EMIT objectWanted(key); };
 }
 
 /// Nothing stands for a body that is gone.

@@ -49,6 +49,8 @@ class Inspector : public QWidget {
 
   Q_SIGNALS:
     void sectionsFolded();
+    /// The user wants to see this one.
+    void objectWanted(Key key);
 
   protected:
     void showEvent(QShowEvent* event) override;

@@ -24,6 +24,13 @@ ObjectField::ObjectField(std::function<bool(const Object&)> suits, bool mayBeNon
     QAction* const list = addAction(livingIcon(QStringLiteral("outliner")), TrailingPosition);
     list->setToolTip(tr("Choose from a list (Down)"));
     connect(list, &QAction::triggered, this, &ObjectField::openList);
+    m_show = addAction(livingIcon(QStringLiteral("center")), TrailingPosition);
+    m_show->setToolTip(tr("Select it and bring it into the middle of the view"));
+    connect(m_show, &QAction::triggered, this, [this] {
+        if (showObject && m_key && *m_key != 0) {
+            showObject(*m_key);
+        }
+    });
 }
 
 void ObjectField::setValue(std::optional<Key> key) {
@@ -46,6 +53,7 @@ void ObjectField::revert() {
         setToolTip(plainToolTip(object == nullptr ? tr("There is no object with this key.")
                                                   : tr("%1, key %2").arg(listedName(level(), *object), key)));
     }
+    m_show->setVisible(!wanted.isEmpty());
     if (wanted != text() || isModified()) {
         setText(wanted);
         setCursorPosition(0);

@@ -4,6 +4,7 @@
 
 #include "core/level/level.h"
 
+#include <QAction>
 #include <QLineEdit>
 
 #include <functional>
@@ -28,6 +29,8 @@ class ObjectField : public QLineEdit {
     std::function<const Level&()> level;
     /// Answers with an objection, empty for none. 0 for no object.
     std::function<QString(Key)> enter;
+    /// Shows the object elsewhere; without it nothing happens.
+    std::function<void(Key)> showObject;
     const QString& fault() const { return m_fault; }
 
   Q_SIGNALS:
@@ -51,6 +54,7 @@ class ObjectField : public QLineEdit {
     std::function<bool(const Object&)> m_suits;
     bool m_mayBeNone;
     std::optional<Key> m_key;
+    QAction* m_show = nullptr; // a button in the line, which owns it
     QString m_fault;
 };
 

@@ -87,6 +87,7 @@ void MainWindow::listenToPanels() {
     connect(&m_problems, &ProblemsPanel::said, this,
             [this](const QString& text) { m_message.say(MessageBar::Tone::Info, text); });
     connect(&m_problems, &ProblemsPanel::objectWanted, this, &MainWindow::showObject);
+    connect(&m_inspector, &Inspector::objectWanted, this, &MainWindow::showObject);
     connect(&m_problems, &ProblemsPanel::cured, this, &MainWindow::showCured);
     connect(&m_problems, &ProblemsPanel::placeWanted, this,
             [this](const std::vector<Vec2>& place) { m_canvas.showPlace(place); });

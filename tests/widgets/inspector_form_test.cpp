@@ -7,12 +7,14 @@
 
 #include <QAbstractButton>
 #include <QCompleter>
+#include <QAction>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopeGuard>
 #include <QScrollArea>
 #include <QScrollBar>
 
+#include <QSignalSpy>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -294,6 +296,10 @@ class InspectorFormTest : public QObject {
         QCOMPARE(std::get<ConnectorObject>(test.document.level().objects[3].data).b, Key(0x12));
         b->selectAll();
         QTest::keyClicks(b, "nobody");
+        const QSignalSpy wanted(&test.inspector, &Inspector::objectWanted);
+        b->actions().back()->trigger();
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted.front().front().value<Key>(), Key(0x12));
         QTest::keyClick(b, Qt::Key_Return);
         QVERIFY(test.inspector.form().faultLabel("b")->isVisible());
         QCOMPARE(b->text(), QString("nobody"));
