@@ -104,7 +104,7 @@ std::optional<Aabb> differingPart(const Object& before, const Object& after) {
     const BodyObject* b = bodyOf(after);
     if (a == nullptr || b == nullptr || a->position != b->position || a->angle != b->angle || a->kind != b->kind ||
         a->tangible != b->tangible || a->filter != b->filter || before.visible != after.visible ||
-        a->shapes.size() != b->shapes.size()) {
+        before.locked != after.locked || a->shapes.size() != b->shapes.size()) {
         return {};
     }
     Aabb local;

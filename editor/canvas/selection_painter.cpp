@@ -7,6 +7,7 @@
 #include "editor/canvas/wall_painter.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace spacetow {
 
@@ -44,6 +45,32 @@ void paintDots(const Stage& stage, const Outline& outline) {
     stage.painter.setBrush(Qt::NoBrush);
 }
 
+/// A padlock on the highest point of what is locked; no further out than pens reach, see Stage::sees.
+void paintLock(const Stage& stage, const Outline& outline) {
+    std::optional<Vec2> top;
+    for (const OutlinePath& path : outline.paths) {
+        for (const Vec2& point : path.points) {
+            top = !top || point.y() > top->y() ? point : *top;
+        }
+    }
+    for (const Circle& disc : outline.discs) {
+        const Vec2 point = disc.center + Vec2(0, disc.radius);
+        top = !top || point.y() > top->y() ? point : *top;
+    }
+    if (!top) {
+        return;
+    }
+    const QPointF at = stage.at(*top) + QPointF(-4, -6);
+    QPainter& painter = stage.painter;
+    painter.setPen(stroke(stage.theme.background, 4));
+    painter.drawRect(QRectF(at.x(), at.y() + 4, 9, 7));
+    painter.setPen(stroke(stage.theme.selection, 1.6));
+    painter.drawArc(QRectF(at.x() + 1.5, at.y(), 6, 8), 0, 180 * 16);
+    painter.setBrush(stage.theme.selection);
+    painter.drawRect(QRectF(at.x(), at.y() + 4, 9, 7));
+    painter.setBrush(Qt::NoBrush);
+}
+
 } // namespace
 
 void paintSelection(const Stage& stage, const Level& level, const Selection& selection) {
@@ -59,21 +86,25 @@ void paintSelection(const Stage& stage, const Level& level, const Selection& sel
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     const LevelIndex& index = levelIndex(level);
+    const GroupTree tree(level);
     for (const int place : level.objects.indicesOf(keys)) {
         if (!stage.sees(index.boundsOf(place))) {
             continue;
         }
         const Object& object = level.objects[place];
         const Outline outline = outlines.of(object);
-        if (glows) {
+        const bool isLocked = tree.isLocked(object);
+        if (glows && !isLocked) { // it would fill the gaps of the dashes
             QColor glow = stage.theme.selection;
             glow.setAlpha(90);
             painter.setPen(stroke(glow, 7));
             strokeOutline(stage, outline);
         }
-        painter.setPen(stroke(stage.theme.selection, 2));
+        painter.setPen(stroke(stage.theme.selection, 2, isLocked ? Qt::DashLine : Qt::SolidLine));
         strokeOutline(stage, outline);
-        if (std::holds_alternative<BodyObject>(object.data)) {
+        if (isLocked) {
+            paintLock(stage, outline);
+        } else if (std::holds_alternative<BodyObject>(object.data)) {
             paintDots(stage, outline);
         }
     }

@@ -102,6 +102,17 @@ std::vector<Key> picked(const Level& level, const Vec2& point, double tolerance)
     return keys;
 }
 
+bool isLockedAt(const Level& level, const Vec2& point, double tolerance) {
+    const LevelIndex& index = levelIndex(level);
+    const GroupTree tree(level);
+    bool found = false;
+    index.visitObjects(around(point, tolerance), [&](int place) {
+        const Object& object = level.objects[place];
+        found = found || (tree.isLocked(object) && tree.isVisible(object) && isNear(index, place, point, tolerance));
+    });
+    return found;
+}
+
 std::vector<Key> pickedIn(const Level& level, const Aabb& box, bool wholly) {
     std::vector<Key> keys;
     const LevelIndex& index = levelIndex(level);

@@ -161,9 +161,16 @@ const HandleFrame& SelectTool::frameOf(const ToolContext& context) const {
     const bool known = m_framed && m_framed->edit.level == context.edit.level && m_framed->snap == context.snap &&
                        m_framed->edit.selection == context.edit.selection;
     if (!known) {
-        m_framed = Framed{context.edit, context.snap, handleFrame(context)};
+        const std::vector<Key>& keys = context.edit.selection.keys();
+        m_framed = Framed{context.edit, context.snap, handleFrame(context),
+                          !keys.empty() && unlockedKeys(*context.edit.level, keys).empty()};
     }
     return m_framed->frame;
+}
+
+bool SelectTool::isAllLocked(const ToolContext& context) const {
+    frameOf(context);
+    return m_framed->allLocked;
 }
 
 HandleMode SelectTool::modeOf(const ToolContext& context) const {
@@ -240,6 +247,12 @@ Hint SelectTool::hint(const ToolContext& context, const Pointer& pointer) const 
     const HandleFrame& frame = frameOf(context);
     if (!pile.empty() && modeOf(context) == HandleMode::Turn && coversSelection(frame, pointer.pixel)) {
         return {"select.small-pivot", {}};
+    }
+    if (pile.empty() && isLockedAt(*context.edit.level, pointer.world, grabPixels * pointer.pixel)) {
+        return {"select.locked", {}};
+    }
+    if (isAllLocked(context)) {
+        return {"select.all-locked", {std::to_string(selection.size())}};
     }
     if (overGroup) {
         return {"select.selected-group", {std::to_string(selection.size())}};

@@ -10,9 +10,7 @@ namespace spacetow {
 class SelectTool : public Tool {
   public:
     static constexpr auto hints = std::to_array<std::string_view>({
-        "select.idle",
-        "select.object",
-        "select.group",
+        "select.idle",           "select.object",      "select.group",
         "select.selected-group", // number of objects
         "select.in-group",       // number of objects
         "select.in-named-group", // number of objects, name of the group
@@ -24,10 +22,10 @@ class SelectTool : public Tool {
         "select.scaling", // width, height in m, width, height in %
         "select.turn-handle",
         "select.turning", // degrees
-        "select.pivot-handle",
-        "select.small-pivot",
+        "select.pivot-handle",   "select.small-pivot",
         "select.pivot", // x, y in m
-        "select.node",
+        "select.node",           "select.locked",
+        "select.all-locked", // number of objects
     });
 
     std::string code() const override { return "select"; }
@@ -52,6 +50,7 @@ class SelectTool : public Tool {
   private:
     Overlay handles(const ToolContext& context, double pixel, const std::optional<Handle>& hot) const;
     const HandleFrame& frameOf(const ToolContext& context) const;
+    bool isAllLocked(const ToolContext& context) const;
     HandleMode modeOf(const ToolContext& context) const;
     std::optional<Handle> handleUnder(const ToolContext& context, const Pointer& pointer) const;
     std::optional<VelocityArrow> velocityUnder(const ToolContext& context, const Pointer& pointer) const;
@@ -63,6 +62,7 @@ class SelectTool : public Tool {
         Edit edit;
         SnapSettings snap;
         HandleFrame frame;
+        bool allLocked = false; // what is selected
     };
     mutable std::optional<Framed> m_framed;
 };

@@ -338,7 +338,7 @@ void MainWindow::updateTool() {
     const bool byRun = isGettingReady() || (isPlaying() && (m_run.behind() > 0 || !byTool));
     m_status.setHint(byRun           ? runHint()
                      : isWelcoming() ? tr("No level is open · arrows, Tab and Enter choose one")
-                                     : sentence(m_toolbox.hint()) + snapHint() + solidHint());
+                                     : sentence(m_toolbox.hint()) + lockedHint() + snapHint() + solidHint());
     if (m_toolbox.current() != m_shownTool || m_toolbox.isBusy() != m_shownBusy) {
         m_shownTool = m_toolbox.current();
         m_shownBusy = m_toolbox.isBusy();
@@ -352,6 +352,15 @@ QString MainWindow::snapHint() const {
     const bool worth = snap && snap->kind != SnapKind::Grid;
     return worth ? QStringLiteral(" · ") + tr("snaps to: %1").arg(snapName(*m_document.current().level, *snap))
                  : QString();
+}
+
+/// Which key unlocks what the hint says is locked.
+QString MainWindow::lockedHint() const {
+    const std::string code = m_toolbox.hint().code;
+    return code == "select.locked" || code == "select.all-locked"
+               ? QStringLiteral(" · ") +
+                     tr("%1: unlock all").arg(m_actions[Act::UnlockAll].shortcut().toString(QKeySequence::NativeText))
+               : QString();
 }
 
 /// Of what runs, where it is now.

@@ -290,6 +290,7 @@ class MainWindow : public QMainWindow {
     void updateOrigin();
     void updateTool();
     QString snapHint() const;
+    QString lockedHint() const;
     QString firstSteps() const;
     Aabb boundsOfSelection();
     void updateSelection();

@@ -110,6 +110,22 @@ class IdleActionsTest : public QObject {
         }
     }
 
+    void theHintSaysThatWhatIsSelectedIsLocked() {
+        IdleWindow test;
+        const auto hint = [&test] { return test.window->statusLine().hint(); };
+        QTest::mouseMove(&test.canvas(), test.at(-1, -3)); // where nothing is
+        test.select({box});
+        QVERIFY(!hint().contains("locked"));
+        test.select({locked});
+        QVERIFY2(hint().contains("1 selected · locked") && hint().contains("Ctrl+Shift+L: unlock all"),
+                 qPrintable(hint()));
+        test.select({});
+        QTest::mouseMove(&test.canvas(), test.at(0, 3));
+        QVERIFY2(hint().startsWith("Locked") && hint().contains("Ctrl+Shift+L: unlock all"), qPrintable(hint()));
+        test.trigger(Act::UnlockAll);
+        QVERIFY2(hint().startsWith("Click: select"), qPrintable(hint()));
+    }
+
     void whatTheLevelChangesToDecides() {
         IdleWindow test;
         test.select({locked});
