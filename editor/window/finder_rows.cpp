@@ -91,7 +91,7 @@ void FinderRows::addPanels() {
                          .run = [&dock] {
                              dock.show();
                              dock.raise();
-                             dock.widget()->setFocus(Qt::ShortcutFocusReason);
+                             Panels::enter(dock);
                          }});
     }
 }

@@ -4,9 +4,12 @@
 #include "editor/window/key_bindings.h"
 #include "editor/window/main_window.h"
 
+#include <QAbstractButton>
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QLayout>
+#include <QScrollArea>
+#include <QShortcutEvent>
 #include <QToolBar>
 
 #include <algorithm>
@@ -148,6 +151,34 @@ void giveRoom(QMainWindow& window, QDockWidget& dock, int height) {
     window.resizeDocks(docks, heights, Qt::Vertical);
 }
 
+/// Its key leads into a panel that is shown already, and closes it only from within; the menu shows and hides it.
+class KeyIntoPanel : public QObject {
+  public:
+    explicit KeyIntoPanel(QDockWidget& dock) : QObject(&dock), m_dock(dock) {
+        dock.toggleViewAction()->installEventFilter(this);
+    }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::Shortcut || static_cast<QShortcutEvent*>(event)->isAmbiguous() ||
+            !m_dock.toggleViewAction()->isEnabled()) {
+            return QObject::eventFilter(watched, event);
+        }
+        const QWidget* const typing = m_dock.window()->focusWidget();
+        const bool isInFront = m_dock.isVisible() && !m_dock.visibleRegion().isEmpty();
+        if (!isInFront || (typing != nullptr && m_dock.isAncestorOf(typing))) {
+            m_dock.toggleViewAction()->trigger();
+        }
+        if (m_dock.isVisible()) {
+            Panels::enter(m_dock);
+        }
+        return true;
+    }
+
+  private:
+    QDockWidget& m_dock;
+};
+
 /// Its action brings a panel to the front that stands as a tab behind another, before it hides it.
 void followTabs(QMainWindow& window, QDockWidget& dock, int height) {
     constexpr auto behind = "behind";
@@ -198,6 +229,7 @@ void Panels::add(const PanelRow& row) {
     action->setText(translatedTitle(row.title));
     action->setStatusTip(QCoreApplication::translate("Panels", "Show or hide this panel"));
     followTabs(m_window, *dock, row.height);
+    new KeyIntoPanel(*dock); // owned by it
     m_window.addAction(action);
     m_docks[dock->objectName()] = dock;
 }
@@ -228,6 +260,24 @@ QList<QAction*> Panels::actions() const {
         all << dock(QLatin1String(row.name)).toggleViewAction();
     }
     return all;
+}
+
+/// A field or a list goes before what only folds a section or scrolls.
+void Panels::enter(QDockWidget& dock) {
+    QWidget* const panel = dock.widget();
+    QWidget* first = nullptr;
+    for (QWidget* each = panel->nextInFocusChain(); each != panel; each = each->nextInFocusChain()) {
+        const bool takesTab = panel->isAncestorOf(each) && (each->focusPolicy() & Qt::TabFocus) != 0 &&
+                              each->isVisible() && each->isEnabled();
+        const bool isField =
+            qobject_cast<QAbstractButton*>(each) == nullptr && qobject_cast<QScrollArea*>(each) == nullptr;
+        if (takesTab && isField) {
+            first = each;
+            break;
+        }
+        first = takesTab && first == nullptr ? each : first;
+    }
+    (first != nullptr ? first : panel)->setFocus(Qt::TabFocusReason);
 }
 
 QDockWidget* Panels::holding(const QWidget* widget) const {

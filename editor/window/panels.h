@@ -44,6 +44,8 @@ class Panels {
     /// Of all panels, for the menu.
     QList<QAction*> actions() const;
     void setKeys(const KeyBindings& bindings);
+    /// The keyboard goes to the first thing in the panel that takes it.
+    static void enter(QDockWidget& dock);
     /// The panel that holds the widget; null for one outside.
     QDockWidget* holding(const QWidget* widget) const;
 

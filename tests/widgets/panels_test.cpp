@@ -217,6 +217,28 @@ class PanelsTest : public QObject {
         QVERIFY(!history.isVisible());
     }
 
+    void theKeyOfAPanelLeadsIntoItAndClosesItFromWithin() {
+        TestWindow test;
+        test.canvas().setFocus();
+        QDockWidget& inspector = dockOf(test, "inspector");
+        const auto press = [&test] { test.key(Qt::Key_1, Qt::ControlModifier | Qt::AltModifier); };
+        const auto isInside = [&inspector] {
+            const QWidget* typing = QApplication::focusWidget();
+            return inspector.isVisible() && typing != nullptr && inspector.isAncestorOf(typing) &&
+                   typing->objectName() == "name"; // its first field
+        };
+        press();
+        QVERIFY(isInside());
+        press();
+        QVERIFY(!inspector.isVisible());
+        press();
+        QVERIFY(isInside());
+        test.key(Qt::Key_Escape);
+        QVERIFY(test.canvas().hasFocus() && inspector.isVisible());
+        inspector.toggleViewAction()->trigger(); // as the menu does
+        QVERIFY(!inspector.isVisible());
+    }
+
     void aPanelThatIsCalledHasRoomForWhatItShows() {
         TestWindow test;
         test.window->resize(1280, 900);
