@@ -50,6 +50,8 @@ constexpr std::array rowsOfObjects{
     FormRow{shape, QT_TRANSLATE_NOOP("Inspector", "Center"), "center.x", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Middle of the circle in the coordinates of its body"), 0.05},
     FormRow{shape, "", "center.y", RowKind::Number, "", 0.05},
     FormRow{shape, QT_TRANSLATE_NOOP("Inspector", "Radius"), "radius", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "From the middle to the rim"), 0.05},
+    FormRow{shape, QT_TRANSLATE_NOOP("Inspector", "Width"), "width", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Of the rectangle, along its own side; the middle stays where it is"), 0.05},
+    FormRow{shape, QT_TRANSLATE_NOOP("Inspector", "Height"), "height", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "Of the rectangle, along its own side; the middle stays where it is"), 0.05},
     FormRow{shape, QT_TRANSLATE_NOOP("Inspector", "Points"), "vertices", RowKind::Points, QT_TRANSLATE_NOOP("Inspector", "How many corners the shape has; move them on the canvas")},
     FormRow{shape, QT_TRANSLATE_NOOP("Inspector", "Depth"), "depth", RowKind::Number, QT_TRANSLATE_NOOP("Inspector", "How far behind the line counts as inside the wall; nothing for a wall without a back"), 0.05, QT_TRANSLATE_NOOP("Inspector", "no back")},
     FormRow{shape, QT_TRANSLATE_NOOP("Inspector", "Closed: the last point joins the first"), "closed", RowKind::Switch},

@@ -2,6 +2,7 @@
 
 #include "core/level/edits.h"
 #include "core/level/groups.h"
+#include "core/level/rectangles.h"
 #include "editor/editing/collisions.h"
 #include "editor/panels/names.h"
 #include "editor/panels/number_text.h"
@@ -192,12 +193,14 @@ void Inspector::showObjects(const Edit& shown) {
     std::vector<int> kinds(static_cast<std::size_t>(kindCount()));
     const Object* last = nullptr;
     for (int i = 0; i < count; i += stride) {
+    SizeSurvey sizes;
         if (const Object* object = selected(shown, i)) {
             survey.add(*object, meant.empty() ? std::vector<int>() : shapesOf(meant, object->key));
             ++kinds[static_cast<std::size_t>(kindOf(*object))];
             last = object;
         }
     }
+            sizes.add(*object);
     if (last == nullptr) {
         return;
     }
@@ -205,7 +208,9 @@ void Inspector::showObjects(const Edit& shown) {
         showTitle(kinds, *last);
         showShapes(*last);
     }
-    m_objectPage.form().setContent({survey.summaries(), survey.objects(), isLive});
+    std::vector<FieldSummary> fields = survey.summaries();
+    std::ranges::move(sizes.summaries(), std::back_inserter(fields));
+    m_objectPage.form().setContent({std::move(fields), survey.objects(), isLive});
 }
 
 std::vector<ShapeRef> Inspector::shapes(const Selection& selection) const {
@@ -266,7 +271,9 @@ QString Inspector::make(const FormEdit& edit) {
             !objection.isEmpty()) {
             return objection;
         }
-        FieldEditResult result = withFieldEdited(std::move(level), {selection.keys(), meant}, field);
+        FieldEditResult result = isSizeField(field.id)
+                                     ? withSizeEdited(std::move(level), selection.keys(), field)
+                                     : withFieldEdited(std::move(level), {selection.keys(), meant}, field);
         level = std::move(result.level);
         refused += result.refused;
     }

@@ -15,6 +15,7 @@
 #include "core/level/level_delta.h"
 #include "core/level/merge.h"
 #include "core/level/node_edits.h"
+#include "core/level/rectangles.h"
 #include "core/level/tag_edits.h"
 #include "tests/support/random_level.h"
 
@@ -90,6 +91,15 @@ Level fieldsEdited(EditTask& task) {
         survey.add(*task.level.objects.find(key));
     }
     const FieldEditResult result = withFieldEdited(task.level, {task.keys, {}}, fieldReset(task, survey));
+    return result.refused == 0 ? result.level : task.level;
+}
+
+Level sizesEdited(EditTask& task) {
+    const double factor = 0.25 * (1 + task.below(8));
+    const FieldEdit edit{task.chance() ? "width" : "height", [factor](const FieldValue& value) {
+                             return std::optional(FieldValue(factor * std::get<double>(value)));
+                         }};
+    const FieldEditResult result = withSizeEdited(task.level, task.keys, edit);
     return result.refused == 0 ? result.level : task.level;
 }
 
@@ -261,6 +271,7 @@ constexpr EditRow editRows[] = {
     {"guideRemoved", [](EditTask& t) { return guideRemoved(t.level, t.guideIndex()); }},
     {"guidesCleared", [](EditTask& t) { return guidesCleared(t.level); }},
     {"withFieldEdited", fieldsEdited},
+    {"withSizeEdited", sizesEdited},
     {"withLevelFieldEdited", levelFieldsEdited},
     {"extended", chainExtended},
     {"withTagsAdopted",

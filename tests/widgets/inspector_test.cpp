@@ -28,6 +28,22 @@ class InspectorTest : public QObject {
         QVERIFY(test.number("radius").text().isEmpty());
     }
 
+    void aRectangleHasAWidthAndAHeight() {
+        BodyObject box;
+        box.shapes = {Polygon{{Vec2(-1.5, -0.5), Vec2(1.5, -0.5), Vec2(1.5, 0.5), Vec2(-1.5, 0.5)}}};
+        InspectorFixture test({{1, {}, box, {}}, circleObject(2, 3, 0.5)}, {1});
+        QCOMPARE(test.number("width").value(), std::optional(3.0));
+        QCOMPARE(test.number("height").value(), std::optional(1.0));
+        test.type("width", "6");
+        QCOMPARE(std::get<Polygon>(test.body(0).shapes[0]).vertices[2], Vec2(3, 0.5));
+        QCOMPARE(test.body(0).position, Vec2(0, 0));
+        QCOMPARE(test.document.undoLabel(), (Label{"change", 1, "width"}));
+        test.type("height", "0");
+        QCOMPARE(test.document.position(), 1);
+        test.document.select(Selection({2}));
+        QVERIFY(!test.isSeen("width") && !test.isSeen("height"));
+    }
+
     void theHistorySaysWhichFieldWasChanged() {
         InspectorFixture test({circleObject(1, 0, 0.5), circleObject(2, 3, 0.5)}, {1});
         test.type("angle", "45");
