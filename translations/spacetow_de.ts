@@ -765,7 +765,7 @@
     </message>
     <message>
         <source>Pa&amp;yload</source>
-        <translation>L&amp;ast</translation>
+        <translation>Fr&amp;acht</translation>
     </message>
     <message>
         <source>Pl&amp;ace Ship, Payload, Finish</source>
@@ -1669,10 +1669,6 @@
         <translation>Merkmal „%1“: Farbe %2 → %3</translation>
     </message>
     <message>
-        <source>at (%1, %2)</source>
-        <translation>bei (%1, %2)</translation>
-    </message>
-    <message>
         <source>added</source>
         <translation>hinzugefügt</translation>
     </message>
@@ -1743,6 +1739,10 @@
     <message>
         <source>Guides: in another order</source>
         <translation>Hilfslinien: in anderer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>at %1; %2</source>
+        <translation>bei %1; %2</translation>
     </message>
 </context>
 <context>
@@ -1920,6 +1920,21 @@
     <message>
         <source>Total energy</source>
         <translation>Gesamtenergie</translation>
+    </message>
+</context>
+<context>
+    <name>FileReader</name>
+    <message>
+        <source>There is not enough memory to open the file.</source>
+        <translation>Der Speicher reicht nicht aus, um die Datei zu öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 is being read…</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +2753,18 @@
     <message>
         <source>Of the ship alone</source>
         <translation>Nur des Schiffs, ohne Fracht</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished">Breite</translation>
+    </message>
+    <message>
+        <source>Of the rectangle, along its own side; the middle stays where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished">Höhe</translation>
     </message>
 </context>
 <context>
@@ -4043,24 +4070,12 @@
         <translation>Drehung um %1° · Strg: in 15°-Schritten · Esc: abbrechen</translation>
     </message>
     <message>
-        <source>%1 nodes selected · release: done · Escape: cancel</source>
-        <translation>%1 Knoten ausgewählt · loslassen: fertig · Esc: abbrechen</translation>
-    </message>
-    <message>
-        <source>%1 nodes selected · draw around the nodes · release: done · Escape: cancel</source>
-        <translation>%1 Knoten ausgewählt · die Knoten umfahren · loslassen: fertig · Esc: abbrechen</translation>
-    </message>
-    <message>
         <source>Knife · drag a line across walls, lines and polygons to cut them · Shift: 15° · Ctrl: snap off/on</source>
         <translation>Messer · eine Linie über Wände, Linien und Polygone ziehen, um sie zu schneiden · Umschalt: 15° · Strg: Einrasten aus/an</translation>
     </message>
     <message>
         <source>Knife · drag a line across to cut what is selected (%1) · Escape: select nothing, so as to cut everything</source>
         <translation>Messer · eine Linie ziehen, um das Ausgewählte (%1) zu schneiden · Esc: nichts auswählen und damit alles schneiden</translation>
-    </message>
-    <message>
-        <source>Cutting at %1 places · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Schnitt an %1 Stellen · loslassen: schneiden · Umschalt: 15° · Strg: Einrasten aus/an · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Nothing to cut here yet · chains are cut where the line meets them, polygons where it goes right through</source>
@@ -4097,10 +4112,6 @@
     <message>
         <source>Drag: move the pivot, about which the selection turns · Ctrl: snap off/on</source>
         <translation>Ziehen: den Drehpunkt verschieben, um den sich die Auswahl dreht · Strg: Einrasten aus/an</translation>
-    </message>
-    <message>
-        <source>Pivot at %1, %2 m · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Drehpunkt bei %1, %2 m · Strg: Einrasten aus/an · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Scale object</source>
@@ -5492,10 +5503,6 @@
         <translation>Beide bestehen nur aus Wänden, und Wände gehen durcheinander hindurch.</translation>
     </message>
     <message>
-        <source>“%2” is behind a one-way wall of “%1”, from (%3, %4) to (%5, %6), which is open from there.</source>
-        <translation>„%2“ ist hinter einer einseitigen Kante von „%1“, von (%3, %4) bis (%5, %6), die von dort durchlässig ist.</translation>
-    </message>
-    <message>
         <source>“%1” and “%2” may collide, but are %3 m apart.</source>
         <translation>„%1“ und „%2“ können kollidieren, sind aber %3 m voneinander entfernt.</translation>
     </message>
@@ -5581,10 +5588,6 @@
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
         <translation>Die Wand ist innen fest, wo Schiff oder Fracht starten: Sie wurde im Uhrzeigersinn gezeichnet. Kehren Sie sie um, damit aus dem Fels eine Höhle wird.</translation>
-    </message>
-    <message>
-        <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
-        <translation>„%2“ ist auf dem Weg durch eine einseitige Kante von „%1“, von (%3, %4) bis (%5, %6): Es kam von hinten und berührt nichts, bis es ganz davor ist.</translation>
     </message>
     <message>
         <source>%1 cannot be opened.</source>
@@ -5717,6 +5720,61 @@
     <message>
         <source>no place could be made there</source>
         <translation>dort ließ sich kein Platz anlegen</translation>
+    </message>
+    <message>
+        <source>Change “%1” of the level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Change “%1” of %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“%2” is on its way through a one-way wall of “%1”, from %3; %4 to %5; %6: it came from behind, and touches nothing until all of it is in front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%2” is behind a one-way wall of “%1”, from %3; %4 to %5; %6, which is open from there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 node selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Escape: select none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes selected: %1 · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes selected: %1 · draw around the nodes · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts: %1 · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pivot at %1; %2 m · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished">Drehpunkt bei %1, %2 m · Strg: Einrasten aus/an · Esc: abbrechen {1;?} {2 ?}</translation>
+    </message>
+    <message>
+        <source>Locked: clicks and drags go past it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 selected · locked, so nothing changes it · Escape: select nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A body without a name is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
+        <translation>Ein Körper ohne Namen besteht nicht nur aus Polygonen. Nur Polygone lassen sich vereinigen, abziehen und schneiden.</translation>
     </message>
 </context>
 <context>
@@ -6933,6 +6991,14 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
         <source>Edit N&amp;odes</source>
         <translation>Kn&amp;oten bearbeiten</translation>
     </message>
+    <message>
+        <source>%1: unlock all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1: %2 s so far · %3: leave it</source>
+        <translation>%1 wird gelesen: bisher %2 s · %3: abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -7132,6 +7198,10 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     <message>
         <source>%1, key %2</source>
         <translation>%1, Schlüssel %2</translation>
+    </message>
+    <message>
+        <source>Select it and bring it into the middle of the view</source>
+        <translation>Auswählen und in die Mitte der Ansicht holen</translation>
     </message>
 </context>
 <context>

@@ -255,6 +255,13 @@
             <numerusform>Keep %n changes</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Change “%1” of %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spacetow::DifferencePanel</name>

@@ -1669,10 +1669,6 @@
         <translation>Etiqueta «%1»: color %2 → %3</translation>
     </message>
     <message>
-        <source>at (%1, %2)</source>
-        <translation>en (%1, %2)</translation>
-    </message>
-    <message>
         <source>added</source>
         <translation>añadido</translation>
     </message>
@@ -1743,6 +1739,10 @@
     <message>
         <source>Guides: in another order</source>
         <translation>Guías: en otro orden</translation>
+    </message>
+    <message>
+        <source>at %1; %2</source>
+        <translation>en %1; %2</translation>
     </message>
 </context>
 <context>
@@ -1920,6 +1920,21 @@
     <message>
         <source>Total energy</source>
         <translation>Energía total</translation>
+    </message>
+</context>
+<context>
+    <name>FileReader</name>
+    <message>
+        <source>There is not enough memory to open the file.</source>
+        <translation>No hay memoria suficiente para abrir el archivo.</translation>
+    </message>
+    <message>
+        <source>%1 is being read…</source>
+        <translation>Leyendo %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +2753,18 @@
     <message>
         <source>Of the ship alone</source>
         <translation>Solo de la nave</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished">Anchura</translation>
+    </message>
+    <message>
+        <source>Of the rectangle, along its own side; the middle stays where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished">Altura</translation>
     </message>
 </context>
 <context>
@@ -4007,24 +4034,12 @@
         <translation>Girar %1° · Ctrl: en pasos de 15° · Esc: cancelar</translation>
     </message>
     <message>
-        <source>%1 nodes selected · release: done · Escape: cancel</source>
-        <translation>Nodos seleccionados: %1 · soltar: listo · Esc: cancelar</translation>
-    </message>
-    <message>
-        <source>%1 nodes selected · draw around the nodes · release: done · Escape: cancel</source>
-        <translation>Nodos seleccionados: %1 · rodee los nodos · soltar: listo · Esc: cancelar</translation>
-    </message>
-    <message>
         <source>Knife · drag a line across walls, lines and polygons to cut them · Shift: 15° · Ctrl: snap off/on</source>
         <translation>Cuchilla · arrastre una línea a través de muros, líneas y polígonos para cortarlos · Mayús: 15° · Ctrl: ajuste no/sí</translation>
     </message>
     <message>
         <source>Knife · drag a line across to cut what is selected (%1) · Escape: select nothing, so as to cut everything</source>
         <translation>Cuchilla · arrastre una línea a través para cortar lo seleccionado (%1) · Esc: no seleccionar nada, para cortarlo todo</translation>
-    </message>
-    <message>
-        <source>Cutting at %1 places · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Cortes: %1 · soltar: cortar · Mayús: 15° · Ctrl: ajuste no/sí · Esc: cancelar</translation>
     </message>
     <message>
         <source>Nothing to cut here yet · chains are cut where the line meets them, polygons where it goes right through</source>
@@ -4113,10 +4128,6 @@
     <message>
         <source>Drag: move the pivot, about which the selection turns · Ctrl: snap off/on</source>
         <translation>Arrastrar: mover el pivote, en torno al cual gira la selección · Ctrl: ajuste no/sí</translation>
-    </message>
-    <message>
-        <source>Pivot at %1, %2 m · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Pivote en %1, %2 m · Ctrl: ajuste no/sí · Esc: cancelar</translation>
     </message>
     <message>
         <source>%1 selected · Alt or B: only what lies wholly inside · Escape: cancel</source>
@@ -5492,10 +5503,6 @@
         <translation>Ambos son solo muros, y los muros se atraviesan.</translation>
     </message>
     <message>
-        <source>“%2” is behind a one-way wall of “%1”, from (%3, %4) to (%5, %6), which is open from there.</source>
-        <translation>«%2» está detrás de un muro de una cara de «%1», de (%3, %4) a (%5, %6), que desde ahí está abierto.</translation>
-    </message>
-    <message>
         <source>“%1” and “%2” may collide, but are %3 m apart.</source>
         <translation>«%1» y «%2» pueden colisionar, pero están a %3 m de distancia.</translation>
     </message>
@@ -5581,10 +5588,6 @@
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
         <translation>La pared es sólida por dentro, donde empiezan la nave o la carga: se dibujó en sentido horario. Inviértala para hacer de la roca una cueva.</translation>
-    </message>
-    <message>
-        <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
-        <translation>«%2» está atravesando un muro de una cara de «%1», de (%3, %4) a (%5, %6): vino por detrás y no toca nada hasta que esté entero delante.</translation>
     </message>
     <message>
         <source>%1 cannot be opened.</source>
@@ -5717,6 +5720,61 @@
     <message>
         <source>no place could be made there</source>
         <translation>no se pudo crear un lugar allí</translation>
+    </message>
+    <message>
+        <source>Change “%1” of the level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Change “%1” of %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“%2” is on its way through a one-way wall of “%1”, from %3; %4 to %5; %6: it came from behind, and touches nothing until all of it is in front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%2” is behind a one-way wall of “%1”, from %3; %4 to %5; %6, which is open from there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 node selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Escape: select none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes selected: %1 · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes selected: %1 · draw around the nodes · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts: %1 · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pivot at %1; %2 m · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished">Pivote en %1, %2 m · Ctrl: ajuste no/sí · Esc: cancelar {1;?} {2 ?}</translation>
+    </message>
+    <message>
+        <source>Locked: clicks and drags go past it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 selected · locked, so nothing changes it · Escape: select nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A body without a name is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
+        <translation>Un cuerpo sin nombre no consta solo de polígonos. Solo los polígonos se pueden unir, restar e intersecar.</translation>
     </message>
 </context>
 <context>
@@ -6933,6 +6991,14 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
         <source>Edit N&amp;odes</source>
         <translation>Editar n&amp;odos</translation>
     </message>
+    <message>
+        <source>%1: unlock all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1: %2 s so far · %3: leave it</source>
+        <translation>Leyendo %1: %2 s hasta ahora · %3: abandonar</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -7132,6 +7198,10 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     <message>
         <source>%1, key %2</source>
         <translation>%1, clave %2</translation>
+    </message>
+    <message>
+        <source>Select it and bring it into the middle of the view</source>
+        <translation>Seleccionarlo y llevarlo al centro de la vista</translation>
     </message>
 </context>
 <context>

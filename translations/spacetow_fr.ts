@@ -1669,10 +1669,6 @@
         <translation>Étiquette «&#xa0;%1&#xa0;»&#xa0;: couleur %2 → %3</translation>
     </message>
     <message>
-        <source>at (%1, %2)</source>
-        <translation>en (%1, %2)</translation>
-    </message>
-    <message>
         <source>added</source>
         <translation>ajouté</translation>
     </message>
@@ -1743,6 +1739,10 @@
     <message>
         <source>Guides: in another order</source>
         <translation>Guides&#xa0;: dans un autre ordre</translation>
+    </message>
+    <message>
+        <source>at %1; %2</source>
+        <translation>en %1; %2</translation>
     </message>
 </context>
 <context>
@@ -1920,6 +1920,21 @@
     <message>
         <source>Total energy</source>
         <translation>Énergie totale</translation>
+    </message>
+</context>
+<context>
+    <name>FileReader</name>
+    <message>
+        <source>There is not enough memory to open the file.</source>
+        <translation>Mémoire insuffisante pour ouvrir le fichier.</translation>
+    </message>
+    <message>
+        <source>%1 is being read…</source>
+        <translation>Lecture de %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +2753,18 @@
     <message>
         <source>Of the ship alone</source>
         <translation>Du vaisseau seul</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished">Largeur</translation>
+    </message>
+    <message>
+        <source>Of the rectangle, along its own side; the middle stays where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished">Hauteur</translation>
     </message>
 </context>
 <context>
@@ -4007,24 +4034,12 @@
         <translation>Rotation de %1° · Ctrl&#xa0;: par pas de 15° · Échap&#xa0;: annuler</translation>
     </message>
     <message>
-        <source>%1 nodes selected · release: done · Escape: cancel</source>
-        <translation>Nœuds sélectionnés&#xa0;: %1 · relâcher&#xa0;: fini · Échap&#xa0;: annuler</translation>
-    </message>
-    <message>
-        <source>%1 nodes selected · draw around the nodes · release: done · Escape: cancel</source>
-        <translation>Nœuds sélectionnés&#xa0;: %1 · entourer les nœuds · relâcher&#xa0;: fini · Échap&#xa0;: annuler</translation>
-    </message>
-    <message>
         <source>Knife · drag a line across walls, lines and polygons to cut them · Shift: 15° · Ctrl: snap off/on</source>
         <translation>Couteau · glisser une ligne à travers murs, lignes et polygones pour les couper · Maj&#xa0;: 15° · Ctrl&#xa0;: aimant non/oui</translation>
     </message>
     <message>
         <source>Knife · drag a line across to cut what is selected (%1) · Escape: select nothing, so as to cut everything</source>
         <translation>Couteau · glisser une ligne à travers la sélection (%1) pour la couper · Échap&#xa0;: ne rien sélectionner, pour tout couper</translation>
-    </message>
-    <message>
-        <source>Cutting at %1 places · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Coupe en %1 endroits · relâcher&#xa0;: couper · Maj&#xa0;: 15° · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>Nothing to cut here yet · chains are cut where the line meets them, polygons where it goes right through</source>
@@ -4113,10 +4128,6 @@
     <message>
         <source>Drag: move the pivot, about which the selection turns · Ctrl: snap off/on</source>
         <translation>Glisser&#xa0;: déplacer le pivot autour duquel la sélection tourne · Ctrl&#xa0;: aimant non/oui</translation>
-    </message>
-    <message>
-        <source>Pivot at %1, %2 m · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>Pivot à %1, %2 m · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: annuler</translation>
     </message>
     <message>
         <source>%1 selected · Alt or B: only what lies wholly inside · Escape: cancel</source>
@@ -5492,10 +5503,6 @@
         <translation>Les deux ne sont que des murs, et les murs se traversent.</translation>
     </message>
     <message>
-        <source>“%2” is behind a one-way wall of “%1”, from (%3, %4) to (%5, %6), which is open from there.</source>
-        <translation>«&#xa0;%2&#xa0;» est derrière un mur à sens unique de «&#xa0;%1&#xa0;», de (%3, %4) à (%5, %6), qui est ouvert de ce côté.</translation>
-    </message>
-    <message>
         <source>“%1” and “%2” may collide, but are %3 m apart.</source>
         <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» peuvent se heurter, mais sont à %3 m l’un de l’autre.</translation>
     </message>
@@ -5581,10 +5588,6 @@
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
         <translation>Le mur est plein à l’intérieur, là où commencent le vaisseau ou la charge : il a été dessiné dans le sens horaire. Inversez-le pour faire du rocher une grotte.</translation>
-    </message>
-    <message>
-        <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
-        <translation>« %2 » traverse un mur à sens unique de « %1 », de (%3, %4) à (%5, %6) : il est venu de derrière et ne touche rien tant qu’il n’est pas entièrement devant.</translation>
     </message>
     <message>
         <source>%1 cannot be opened.</source>
@@ -5717,6 +5720,61 @@
     <message>
         <source>no place could be made there</source>
         <translation>aucun emplacement n’a pu y être créé</translation>
+    </message>
+    <message>
+        <source>Change “%1” of the level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Change “%1” of %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“%2” is on its way through a one-way wall of “%1”, from %3; %4 to %5; %6: it came from behind, and touches nothing until all of it is in front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%2” is behind a one-way wall of “%1”, from %3; %4 to %5; %6, which is open from there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 node selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Escape: select none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes selected: %1 · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes selected: %1 · draw around the nodes · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts: %1 · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pivot at %1; %2 m · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished">Pivot à %1, %2 m · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: annuler {1;?} {2 ?}</translation>
+    </message>
+    <message>
+        <source>Locked: clicks and drags go past it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 selected · locked, so nothing changes it · Escape: select nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A body without a name is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
+        <translation>Un corps sans nom n’est pas fait que de polygones. Seuls des polygones peuvent être unis, soustraits et intersectés.</translation>
     </message>
 </context>
 <context>
@@ -6933,6 +6991,14 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
         <source>Edit N&amp;odes</source>
         <translation>Éditer les n&amp;œuds</translation>
     </message>
+    <message>
+        <source>%1: unlock all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1: %2 s so far · %3: leave it</source>
+        <translation>Lecture de %1 : %2 s jusqu’ici · %3 : abandonner</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -7132,6 +7198,10 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     <message>
         <source>%1, key %2</source>
         <translation>%1, clé %2</translation>
+    </message>
+    <message>
+        <source>Select it and bring it into the middle of the view</source>
+        <translation>Le sélectionner et l’amener au milieu de la vue</translation>
     </message>
 </context>
 <context>

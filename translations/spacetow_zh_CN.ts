@@ -1669,10 +1669,6 @@
         <translation>标签“%1”：颜色 %2 → %3</translation>
     </message>
     <message>
-        <source>at (%1, %2)</source>
-        <translation>位于 (%1, %2)</translation>
-    </message>
-    <message>
         <source>added</source>
         <translation>已添加</translation>
     </message>
@@ -1743,6 +1739,10 @@
     <message>
         <source>Guides: in another order</source>
         <translation>参考线：次序不同</translation>
+    </message>
+    <message>
+        <source>at %1; %2</source>
+        <translation>位于 %1; %2</translation>
     </message>
 </context>
 <context>
@@ -1920,6 +1920,21 @@
     <message>
         <source>Total energy</source>
         <translation>总能量</translation>
+    </message>
+</context>
+<context>
+    <name>FileReader</name>
+    <message>
+        <source>There is not enough memory to open the file.</source>
+        <translation>内存不足，无法打开文件。</translation>
+    </message>
+    <message>
+        <source>%1 is being read…</source>
+        <translation>正在读取 %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +2753,18 @@
     <message>
         <source>Of the ship alone</source>
         <translation>仅飞船自身</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished">宽度</translation>
+    </message>
+    <message>
+        <source>Of the rectangle, along its own side; the middle stays where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished">高度</translation>
     </message>
 </context>
 <context>
@@ -4007,24 +4034,12 @@
         <translation>旋转 %1° · Ctrl：按 15° 步进 · Esc：取消</translation>
     </message>
     <message>
-        <source>%1 nodes selected · release: done · Escape: cancel</source>
-        <translation>已选 %1 个节点 · 松开：完成 · Esc：取消</translation>
-    </message>
-    <message>
-        <source>%1 nodes selected · draw around the nodes · release: done · Escape: cancel</source>
-        <translation>已选 %1 个节点 · 绕节点画圈 · 松开：完成 · Esc：取消</translation>
-    </message>
-    <message>
         <source>Knife · drag a line across walls, lines and polygons to cut them · Shift: 15° · Ctrl: snap off/on</source>
         <translation>切刀 · 拖动一条线穿过墙、线和多边形以切割 · Shift：15° · Ctrl：切换吸附</translation>
     </message>
     <message>
         <source>Knife · drag a line across to cut what is selected (%1) · Escape: select nothing, so as to cut everything</source>
         <translation>切刀 · 拖动一条线以切割所选对象 (%1) · Esc：取消选择，从而切割一切</translation>
-    </message>
-    <message>
-        <source>Cutting at %1 places · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>将在 %1 处切割 · 松开：切割 · Shift：15° · Ctrl：切换吸附 · Esc：取消</translation>
     </message>
     <message>
         <source>Nothing to cut here yet · chains are cut where the line meets them, polygons where it goes right through</source>
@@ -4113,10 +4128,6 @@
     <message>
         <source>Drag: move the pivot, about which the selection turns · Ctrl: snap off/on</source>
         <translation>拖动：移动轴心，所选对象绕其旋转 · Ctrl：切换吸附</translation>
-    </message>
-    <message>
-        <source>Pivot at %1, %2 m · Ctrl: snap off/on · Escape: cancel</source>
-        <translation>轴心位于 %1, %2 m · Ctrl：切换吸附 · Esc：取消</translation>
     </message>
     <message>
         <source>%1 selected · Alt or B: only what lies wholly inside · Escape: cancel</source>
@@ -5457,10 +5468,6 @@
         <translation>两者都只是墙，而墙会互相穿过。</translation>
     </message>
     <message>
-        <source>“%2” is behind a one-way wall of “%1”, from (%3, %4) to (%5, %6), which is open from there.</source>
-        <translation>“%2”位于“%1”的单向墙之后，从 (%3, %4) 到 (%5, %6)，从那一侧可以穿过。</translation>
-    </message>
-    <message>
         <source>“%1” and “%2” may collide, but are %3 m apart.</source>
         <translation>“%1”和“%2”可以碰撞，但相距 %3 m。</translation>
     </message>
@@ -5545,10 +5552,6 @@
     <message>
         <source>The wall is solid inside, where ship or payload start: it was drawn clockwise. Reverse it to make a cave of the rock.</source>
         <translation>墙的内侧是实心的，而飞船或货物从那里出发：它是顺时针绘制的。请将其反转，使岩石变成洞穴。</translation>
-    </message>
-    <message>
-        <source>“%2” is on its way through a one-way wall of “%1”, from (%3, %4) to (%5, %6): it came from behind, and touches nothing until all of it is in front.</source>
-        <translation>“%2”正在穿过“%1”的单向墙，从 (%3, %4) 到 (%5, %6)：它来自背面，在完全到达正面之前不会接触任何东西。</translation>
     </message>
     <message>
         <source>%1 cannot be opened.</source>
@@ -5681,6 +5684,60 @@
     <message>
         <source>no place could be made there</source>
         <translation>无法在那里创建位置</translation>
+    </message>
+    <message>
+        <source>Change “%1” of the level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Change “%1” of %n objects</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“%2” is on its way through a one-way wall of “%1”, from %3; %4 to %5; %6: it came from behind, and touches nothing until all of it is in front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%2” is behind a one-way wall of “%1”, from %3; %4 to %5; %6, which is open from there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 node selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Escape: select none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes selected: %1 · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes selected: %1 · draw around the nodes · release: done · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts: %1 · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pivot at %1; %2 m · Ctrl: snap off/on · Escape: cancel</source>
+        <translation type="unfinished">轴心位于 %1, %2 m · Ctrl：切换吸附 · Esc：取消 {1;?} {2 ?}</translation>
+    </message>
+    <message>
+        <source>Locked: clicks and drags go past it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 selected · locked, so nothing changes it · Escape: select nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A body without a name is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
+        <translation>一个未命名的物体并非仅由多边形组成。只有多边形才能合并、相减和求交。</translation>
     </message>
 </context>
 <context>
@@ -6890,6 +6947,14 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
         <source>Edit N&amp;odes</source>
         <translation>编辑节点(&amp;O)</translation>
     </message>
+    <message>
+        <source>%1: unlock all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1: %2 s so far · %3: leave it</source>
+        <translation>正在读取 %1：已 %2 秒 · %3：放弃</translation>
+    </message>
 </context>
 <context>
     <name>spacetow::MessageBar</name>
@@ -7089,6 +7154,10 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     <message>
         <source>%1, key %2</source>
         <translation>%1，键 %2</translation>
+    </message>
+    <message>
+        <source>Select it and bring it into the middle of the view</source>
+        <translation>选中并移到视图中央</translation>
     </message>
 </context>
 <context>

@@ -89,8 +89,9 @@ inline constexpr std::string_view lintCodes[] = {
 
 /// What an edit refuses, or does beside what it is for.
 inline constexpr std::string_view editCodes[] = {
-    "combine-too-few",    "combine-no-polygon", "combine-too-far", "combine-empty",
-    "combine-not-simple", "tags-made",          "tag-renamed",     "tags-dropped",
+    "combine-too-few", "combine-no-polygon", "combine-unnamed-no-polygon",
+    "combine-too-far", "combine-empty",      "combine-not-simple",
+    "tags-made",       "tag-renamed",        "tags-dropped",
 };
 
 /// What kind of thing an object without a name is: arguments of other codes.

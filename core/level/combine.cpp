@@ -4,7 +4,6 @@
 #include "core/level/arrange.h"
 #include "core/level/codes.h"
 #include "core/level/edits.h"
-#include "core/level/key_text.h"
 #include "core/level/object_geometry.h"
 
 #include <algorithm>
@@ -67,7 +66,8 @@ Result<CombinedBodies> combinedBodies(Level level, std::span<const Key> keys, Po
         }
         const std::optional<PolygonSet> own = areasOf(*body);
         if (!own) {
-            return Error{LevelCode("combine-no-polygon"), {object.name.empty() ? keyText(object.key) : object.name}};
+            return object.name.empty() ? Error{LevelCode("combine-unnamed-no-polygon"), {}}
+                                       : Error{LevelCode("combine-no-polygon"), {object.name}};
         }
         if (isFar(*own)) {
             return Error{LevelCode("combine-too-far"), {}};

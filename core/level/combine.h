@@ -16,7 +16,7 @@ struct CombinedBodies {
 
 /// The body drawn first takes the shape and keeps all else; the others go, and with them the connectors that they
 /// hold. The difference is the first without the others. Groups stand for the bodies in them. What is locked is left
-/// out. Codes: "combine-too-few", "combine-no-polygon" (name or key of the body), "combine-too-far", "combine-empty",
+/// out. Codes: "combine-too-few", "combine-no-polygon" (name of the body), "combine-unnamed-no-polygon", "combine-too-far", "combine-empty",
 /// "combine-not-simple".
 Result<CombinedBodies> combinedBodies(Level level, std::span<const Key> keys, PolygonBoolean how);
 

@@ -37,7 +37,7 @@ NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
     connect(this, &QLineEdit::returnPressed, this, [this] {
         commit();
         if (m_fault.isEmpty()) {
-            selectAll();
+            setSelection(static_cast<int>(text().size()), -static_cast<int>(text().size())); // its head stays in sight
         }
     });
     connect(this, &QLineEdit::textEdited, this, [this] { setFault({}); });

@@ -373,6 +373,7 @@ class MainWindow : public QMainWindow {
     bool m_enteredAnew = false;              // from the welcome page, without a view of its own
     bool m_recorded = false;                 // what is played
     bool m_errorsUntold = false;             // of what is played
+    QString m_errorsTold;                    // in the message bar
     int m_view = 0;                          // its number among the views of the level
     bool m_mayClose = false;                 // without another question
     std::shared_ptr<const Level> m_told;     // that the run has heard of

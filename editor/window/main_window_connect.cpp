@@ -91,8 +91,12 @@ void MainWindow::listenToPanels() {
     connect(&m_problems, &ProblemsPanel::cured, this, &MainWindow::showCured);
     connect(&m_problems, &ProblemsPanel::placeWanted, this,
             [this](const std::vector<Vec2>& place) { m_canvas.showPlace(place); });
-    connect(&m_problems, &ProblemsPanel::problemsChanged, this,
-            [this] { m_status.setProblems(m_problems.errors(), m_problems.warnings()); });
+    connect(&m_problems, &ProblemsPanel::problemsChanged, this, [this] {
+        m_status.setProblems(m_problems.errors(), m_problems.warnings());
+        if (m_problems.errors() == 0 && !m_errorsTold.isEmpty() && m_message.text() == m_errorsTold) {
+            m_message.dismiss(); // what it says has been cured
+        }
+    });
     connect(&m_problems, &ProblemsPanel::marksChanged, this, &MainWindow::updateProblems);
     connect(&m_open->check, &LevelCheck::checked, this, &MainWindow::tellErrors);
     updateProblems();

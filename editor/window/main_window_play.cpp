@@ -148,11 +148,11 @@ void MainWindow::tellErrors() {
     if (!isPlaying() || !m_open->check.isUpToDate() || !std::exchange(m_errorsUntold, false)) {
         return;
     }
-    if (m_problems.errors() > 0) {
-        m_message.say(MessageBar::Tone::Warning,
-                      counted(tr("The level has %n errors and may not play as it should; see Problems.", nullptr,
-                                 m_problems.errors()),
-                              m_problems.errors()));
+    const int errors = m_problems.errors();
+    if (errors > 0) {
+        m_errorsTold = counted(
+            tr("The level has %n errors and may not play as it should; see Problems.", nullptr, errors), errors);
+        m_message.say(MessageBar::Tone::Warning, m_errorsTold);
     }
 }
 

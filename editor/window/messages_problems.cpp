@@ -51,6 +51,9 @@ constexpr MessageText problems[] = {
     {"combine-no-polygon",
      QT_TRANSLATE_NOOP("messages", "“%1” is not made of polygons alone. Only polygons can be united, subtracted and "
                                    "intersected.")},
+    {"combine-unnamed-no-polygon",
+     QT_TRANSLATE_NOOP("messages", "A body without a name is not made of polygons alone. Only polygons can be united, "
+                                   "subtracted and intersected.")},
     {"combine-too-far",
      QT_TRANSLATE_NOOP("messages", "These bodies lie too far from the origin to be combined: at most 500 km.")},
     {"combine-empty",

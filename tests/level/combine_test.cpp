@@ -98,7 +98,7 @@ class CombineTest : public QObject {
         };
         QCOMPARE(code({1}, PolygonBoolean::Union), std::string("combine-too-few"));
         QCOMPARE(code({}, PolygonBoolean::Union), std::string("combine-too-few"));
-        QCOMPARE(code({1, 3}, PolygonBoolean::Union), std::string("combine-no-polygon"));
+        QCOMPARE(code({1, 3}, PolygonBoolean::Union), std::string("combine-unnamed-no-polygon"));
         QCOMPARE(code({1, 5}, PolygonBoolean::Intersection), std::string("combine-empty"));
         QCOMPARE(code({1, 5}, PolygonBoolean::Union), std::string());
         Level far = boxes();
