@@ -195,6 +195,9 @@ Overlay SelectTool::handles(const ToolContext& context, double pixel, const std:
     Overlay overlay;
     if (!context.edit.selection.empty()) {
         overlay = handleOverlay(frameOf(context), modeOf(context), pixel, hot);
+        if (const std::optional<Vec2> origin = originBeside(context.edit, frameOf(context), pixel)) {
+            overlay.points.push_back({OverlayStyle::Origin, *origin});
+        }
     }
     if (const std::optional<VelocityArrow> arrow = velocityArrow(context.edit, pixel)) {
         add(overlay, velocityOverlay(*arrow, pixel, false));
@@ -202,9 +205,6 @@ Overlay SelectTool::handles(const ToolContext& context, double pixel, const std:
     if (const Key entered = context.edit.selection.entered(); entered != 0) {
         overlay.spotlight = placedBounds(*context.edit.level, std::array{entered}).grown(spotlightPixels * pixel);
     }
-        if (const std::optional<Vec2> origin = originBeside(context.edit, frameOf(context), pixel)) {
-            overlay.points.push_back({OverlayStyle::Origin, *origin});
-        }
     return overlay;
 }
 

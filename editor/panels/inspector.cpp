@@ -101,8 +101,8 @@ FormTarget Inspector::target() {
     target.selectTagged = [this](int tag) {
         m_document.select(Selection(keysTagged(*m_document.current().level, tag)));
     };
-    return target;
     target.showObject = [this](Key key) { Q_EMIT objectWanted(key); };
+    return target;
 }
 
 /// Nothing stands for a body that is gone.
@@ -189,18 +189,18 @@ void Inspector::showObjects(const Edit& shown) {
     const int count = shown.selection.size();
     const int stride = isLive && count > mostLive ? count / mostLive : 1;
     FieldSurvey survey;
+    SizeSurvey sizes;
     const std::vector<ShapeRef> meant = shapes(shown.selection);
     std::vector<int> kinds(static_cast<std::size_t>(kindCount()));
     const Object* last = nullptr;
     for (int i = 0; i < count; i += stride) {
-    SizeSurvey sizes;
         if (const Object* object = selected(shown, i)) {
             survey.add(*object, meant.empty() ? std::vector<int>() : shapesOf(meant, object->key));
+            sizes.add(*object);
             ++kinds[static_cast<std::size_t>(kindOf(*object))];
             last = object;
         }
     }
-            sizes.add(*object);
     if (last == nullptr) {
         return;
     }
