@@ -5,6 +5,7 @@
 #include "editor/panels/scrub_label.h"
 #include "editor/panels/text_line.h"
 
+#include <QCheckBox>
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -42,7 +43,6 @@ bool hasWideEditor(RowKind kind) {
 
 } // namespace
 
-Form::Form(std::span<const FormRow> rows, FormTarget target, QWidget* parent)
 std::string changedField(const FormEdit& edit) {
     const std::vector<FieldEdit>& fields = edit.fields;
     if (fields.size() == 1) {
@@ -53,6 +53,7 @@ std::string changedField(const FormEdit& edit) {
     return isPoint && fields[1].id.starts_with(name) ? name : std::string();
 }
 
+Form::Form(std::span<const FormRow> rows, FormTarget target, QWidget* parent)
     : QWidget(parent), m_target(std::move(target)), m_grid(this) {
     m_grid.setContentsMargins(10, 2, 6, 10);
     m_grid.setHorizontalSpacing(6);
@@ -65,6 +66,9 @@ std::string changedField(const FormEdit& edit) {
     }
     m_grid.setRowStretch(m_grid.rowCount(), 1);
     m_fullWidth = measured();
+    setNarrow(true);
+    m_narrowWidth = measured();
+    setNarrow(false);
 }
 
 Form::~Form() {
@@ -82,6 +86,33 @@ int Form::measured() {
         }
     }
     return m_grid.totalMinimumSize().width();
+}
+
+void Form::setNarrow(bool narrow) {
+    if (narrow == m_narrow) {
+        return;
+    }
+    m_narrow = narrow;
+    for (const std::unique_ptr<FormRowState>& row : m_rows) {
+        if (row->labelLine >= 0) {
+            m_grid.removeWidget(row->label.get());
+            placeLabel(*row);
+        }
+        if (auto* const box = qobject_cast<QCheckBox*>(row->editor.get())) {
+            const QString words = rowText(row->spec.label);
+            box->setText(narrow ? words.section(QLatin1Char(':'), 0, 0) : words);
+            box->setToolTip(box->text() == words ? QString() : words);
+        }
+    }
+}
+
+void Form::placeLabel(const FormRowState& row) {
+    const Qt::Alignment side = row.spec.kind == RowKind::LongText ? Qt::AlignTop : Qt::Alignment();
+    if (m_narrow) {
+        m_grid.addWidget(row.label.get(), row.labelLine, 0, 1, allColumns);
+    } else {
+        m_grid.addWidget(row.label.get(), row.labelLine + 1, 0, side);
+    }
 }
 
 void Form::addHeader(FormRowState& row, int line) {
@@ -146,8 +177,12 @@ void Form::addRow(const FormRow& spec) {
                                 : std::make_unique<QLabel>(words);
         row->label->setBuddy(editor);
         row->label->setToolTip(rowText(spec.meaning));
-        m_grid.addWidget(row->label.get(), line, 0, 1, isWide ? resetColumn : 1,
-                         spec.kind == RowKind::LongText ? Qt::AlignTop : Qt::Alignment());
+        if (isWide) {
+            m_grid.addWidget(row->label.get(), line, 0, 1, resetColumn);
+        } else {
+            row->labelLine = line++;
+            placeLabel(*row);
+        }
     }
     if (isPairStart(spec)) {
         static_cast<NumberField*>(editor)->setAxis(QStringLiteral("x"));

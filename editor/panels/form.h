@@ -60,6 +60,9 @@ class Form : public QWidget {
 
     /// The width at which no row would be cut off, be it in sight or not.
     int fullWidth() const { return m_fullWidth; }
+    /// The same with labels above their fields, and without what explains them.
+    int narrowWidth() const { return m_narrowWidth; }
+    void setNarrow(bool narrow);
 
     /// Titles of the sections that are folded up, in the language of the program's sources.
     QStringList foldedSections() const;
@@ -83,6 +86,7 @@ class Form : public QWidget {
     void addRow(const FormRow& spec);
     void addHeader(FormRowState& row, int line);
     void addReset(FormRowState& row, int line);
+    void placeLabel(const FormRowState& row);
     void makeEditor(FormRowState& row);
     void makeNumber(FormRowState& row);
     void makeSwitch(FormRowState& row);
@@ -117,6 +121,8 @@ class Form : public QWidget {
     QGridLayout m_grid;
     QIcon m_resetIcon;
     int m_fullWidth = 0;
+    int m_narrowWidth = 0;
+    bool m_narrow = false;
     std::set<std::string> m_folded;
     std::vector<std::unique_ptr<FormRowState>> m_rows; // rows stay where they are
     std::vector<Seen> m_arrangement;                   // as they are shown

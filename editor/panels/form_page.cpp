@@ -12,7 +12,7 @@ FormPage::FormPage(std::span<const FormRow> rows, FormTarget target, QWidget* pa
     setWidget(&m_form);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // it is never narrower than fullWidth
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // it is never narrower than narrowWidth
     keepScrolled();
     connect(&m_form, &Form::faultShown, this, &FormPage::reveal);
 }
@@ -23,6 +23,15 @@ FormPage::~FormPage() {
 
 int FormPage::fullWidth() const {
     return m_form.fullWidth() + style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+}
+
+int FormPage::narrowWidth() const {
+    return m_form.narrowWidth() + style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+}
+
+void FormPage::resizeEvent(QResizeEvent* event) {
+    m_form.setNarrow(width() < fullWidth());
+    QScrollArea::resizeEvent(event);
 }
 
 void FormPage::keepScrolled() {

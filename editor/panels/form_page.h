@@ -18,6 +18,11 @@ class FormPage : public QScrollArea {
     const Form& form() const { return m_form; }
     /// The width at which no field would be cut off.
     int fullWidth() const;
+    /// The same with labels above the fields, as they are where there is no room for them beside.
+    int narrowWidth() const;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void keepScrolled();

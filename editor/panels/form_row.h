@@ -19,6 +19,7 @@ struct FormRowState {
     FormRow spec;
     std::unique_ptr<SectionHeader> header; // above the first row of a section
     std::unique_ptr<QLabel> label;         // the second part of a pair has none, and none of the three that follow
+    int labelLine = -1; // of a label that a narrow form has above the editor, which is in the next line
     std::unique_ptr<QToolButton> reset;
     std::unique_ptr<FaultLabel> fault; // beneath
     std::unique_ptr<QWidget> editor;

@@ -140,7 +140,11 @@ void Inspector::foldSections(const QStringList& titles) {
 }
 
 QSize Inspector::minimumSizeHint() const {
-    return {std::max(m_level.minimumSizeHint().width(), m_objectPage.fullWidth()), 120};
+    return {std::max(m_level.minimumSizeHint().width(), m_objectPage.narrowWidth()), 120};
+}
+
+QSize Inspector::sizeHint() const {
+    return {std::max(m_level.sizeHint().width(), m_objectPage.fullWidth()), 480};
 }
 
 void Inspector::showEvent(QShowEvent* event) {

@@ -45,7 +45,7 @@ class Inspector : public QWidget {
 
     /// Never so narrow that a field would be cut off.
     QSize minimumSizeHint() const override;
-    QSize sizeHint() const override { return {310, 480}; }
+    QSize sizeHint() const override;
 
   Q_SIGNALS:
     void sectionsFolded();

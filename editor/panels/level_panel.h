@@ -26,8 +26,8 @@ class LevelPanel : public QWidget {
     QScrollArea& page() { return m_page; }
 
     /// Never so narrow that a field would be cut off.
-    QSize minimumSizeHint() const override { return {m_page.fullWidth(), 90}; }
-    QSize sizeHint() const override { return {310, 260}; }
+    QSize minimumSizeHint() const override { return {m_page.narrowWidth(), 90}; }
+    QSize sizeHint() const override { return {m_page.fullWidth(), 260}; }
 
   protected:
     void showEvent(QShowEvent* event) override;

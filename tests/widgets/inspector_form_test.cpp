@@ -4,6 +4,7 @@
 #include "tests/support/inspector_fixture.h"
 #include "tests/support/random_level.h"
 #include "tests/support/test_main.h"
+#include "tests/support/window.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -15,6 +16,7 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -305,6 +307,28 @@ class InspectorFormTest : public QObject {
         QVERIFY(test.inspector.form().faultLabel("b")->isVisible());
         QCOMPARE(b->text(), QString("nobody"));
         QCOMPARE(std::get<ConnectorObject>(test.document.level().objects[3].data).b, Key(0x12));
+    }
+
+    void inANarrowPanelLabelsStandAboveTheirFields() {
+        InspectorFixture test({circleObject(1, 0, 0.5)}, {1});
+        const int wide = test.inspector.sizeHint().width();
+        const int narrow = test.inspector.minimumSizeHint().width();
+        QVERIFY2(narrow < 0.8 * wide, qPrintable(QString("%1 of %2").arg(narrow).arg(wide)));
+        for (const int width : {narrow, wide, narrow}) {
+            test.inspector.resize(width, 900);
+            QApplication::processEvents();
+            const QWidget* field = test.inspector.form().editor("position.x");
+            const auto labels = test.inspector.form().findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly);
+            const auto label = std::ranges::find(labels, field, &QLabel::buddy);
+            QVERIFY(label != labels.end());
+            QCOMPARE((*label)->geometry().bottom() < field->geometry().top(), width == narrow);
+            for (const char* id : {"name", "kind", "position.x", "position.y", "locked", "density"}) {
+                const QWidget* editor = test.inspector.form().editor(id);
+                QVERIFY2(editor->geometry().right() < test.inspector.form().width(), id);
+                QVERIFY2(editor->width() >= editor->minimumSizeHint().width(), id);
+            }
+            QCOMPARE(cutOffTexts(test.inspector), QStringList());
+        }
     }
 
     void aHundredThousandSelectedObjectsAreShownWithoutAPause() {
