@@ -15,6 +15,17 @@ namespace {
 constexpr auto textsFolder = ":/translations";
 constexpr auto textsName = "spacetow";
 
+/// Qt looks up the names of keys in this context. Its own translations are not installed everywhere, and menus are to
+/// call a key what the hints call it.
+[[maybe_unused]] constexpr const char* namesOfKeys[] = {
+    QT_TRANSLATE_NOOP("QShortcut", "Ctrl"),      QT_TRANSLATE_NOOP("QShortcut", "Shift"),
+    QT_TRANSLATE_NOOP("QShortcut", "Alt"),       QT_TRANSLATE_NOOP("QShortcut", "Del"),
+    QT_TRANSLATE_NOOP("QShortcut", "Ins"),       QT_TRANSLATE_NOOP("QShortcut", "Home"),
+    QT_TRANSLATE_NOOP("QShortcut", "End"),       QT_TRANSLATE_NOOP("QShortcut", "PgUp"),
+    QT_TRANSLATE_NOOP("QShortcut", "PgDown"),    QT_TRANSLATE_NOOP("QShortcut", "Space"),
+    QT_TRANSLATE_NOOP("QShortcut", "Backspace"), QT_TRANSLATE_NOOP("QShortcut", "Esc"),
+};
+
 /// Qt asks the one that was installed last first. They go with the application, which comes and goes in tests.
 QTranslator* installed(const QLocale& locale, const QString& name, const QString& folder) {
     auto* const translator = new QTranslator(QCoreApplication::instance()); // owned by it
