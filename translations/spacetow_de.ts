@@ -2756,15 +2756,15 @@
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished">Breite</translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Of the rectangle, along its own side; the middle stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Rechtecks, entlang seiner eigenen Seite; die Mitte bleibt, wo sie ist</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">Höhe</translation>
+        <translation>Höhe</translation>
     </message>
 </context>
 <context>
@@ -3496,6 +3496,57 @@
     <message>
         <source>Leaves of the quadtrees</source>
         <translation>Blätter der Quadtrees</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
     </message>
 </context>
 <context>
@@ -5723,54 +5774,54 @@
     </message>
     <message>
         <source>Change “%1” of the level</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ des Levels ändern</translation>
     </message>
     <message>
         <source>Change “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ändern</translation>
     </message>
     <message numerus="yes">
         <source>Change “%1” of %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>„%1“ von %n Objekt ändern</numerusform>
+            <numerusform>„%1“ von %n Objekten ändern</numerusform>
         </translation>
     </message>
     <message>
         <source>“%2” is on its way through a one-way wall of “%1”, from %3; %4 to %5; %6: it came from behind, and touches nothing until all of it is in front.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%2“ geht gerade durch eine einseitige Kante von „%1“, von %3; %4 bis %5; %6: Es kam von hinten und berührt nichts, bis alles davor ist.</translation>
     </message>
     <message>
         <source>“%2” is behind a one-way wall of “%1”, from %3; %4 to %5; %6, which is open from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%2“ ist hinter einer einseitigen Kante von „%1“, von %3; %4 bis %5; %6, die von dort offen ist.</translation>
     </message>
     <message>
         <source>1 node selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Escape: select none</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Knoten ausgewählt · ziehen: verschieben · Pfeiltasten: rücken · Entf: entfernen · Umschalt+B: auftrennen · Esc: nichts auswählen</translation>
     </message>
     <message>
         <source>Nodes selected: %1 · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Knoten: %1 · loslassen: fertig · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Nodes selected: %1 · draw around the nodes · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Knoten: %1 · die Knoten umfahren · loslassen: fertig · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Cuts: %1 · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitte: %1 · loslassen: schneiden · Umschalt: 15° · Strg: Einrasten aus/an · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Pivot at %1; %2 m · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished">Drehpunkt bei %1, %2 m · Strg: Einrasten aus/an · Esc: abbrechen {1;?} {2 ?}</translation>
+        <translation>Drehpunkt bei %1; %2 m · Strg: Einrasten aus/an · Esc: abbrechen</translation>
     </message>
     <message>
         <source>Locked: clicks and drags go past it</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesperrt: Klicken und Ziehen gehen daran vorbei</translation>
     </message>
     <message>
         <source>%1 selected · locked, so nothing changes it · Escape: select nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ausgewählt · gesperrt, also ändert es nichts · Esc: nichts auswählen</translation>
     </message>
     <message>
         <source>A body without a name is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
@@ -6993,7 +7044,7 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
     </message>
     <message>
         <source>%1: unlock all</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: alles entsperren</translation>
     </message>
     <message>
         <source>Reading %1: %2 s so far · %3: leave it</source>

@@ -257,9 +257,9 @@
     </message>
     <message numerus="yes">
         <source>Change “%1” of %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Change “%1” of %n object</numerusform>
+            <numerusform>Change “%1” of %n objects</numerusform>
         </translation>
     </message>
 </context>

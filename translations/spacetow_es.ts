@@ -2756,15 +2756,15 @@
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished">Anchura</translation>
+        <translation>Ancho</translation>
     </message>
     <message>
         <source>Of the rectangle, along its own side; the middle stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Del rectángulo, a lo largo de su propio lado; el centro se queda donde está</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">Altura</translation>
+        <translation>Alto</translation>
     </message>
 </context>
 <context>
@@ -3496,6 +3496,57 @@
     <message>
         <source>Leaves of the quadtrees</source>
         <translation>Hojas de los quadtrees</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Mayús</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Supr</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Insert</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Re Pág</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Av Pág</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retroceso</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
     </message>
 </context>
 <context>
@@ -5723,54 +5774,54 @@
     </message>
     <message>
         <source>Change “%1” of the level</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar «%1» del nivel</translation>
     </message>
     <message>
         <source>Change “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar «%1»</translation>
     </message>
     <message numerus="yes">
         <source>Change “%1” of %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Cambiar «%1» de %n objeto</numerusform>
+            <numerusform>Cambiar «%1» de %n objetos</numerusform>
         </translation>
     </message>
     <message>
         <source>“%2” is on its way through a one-way wall of “%1”, from %3; %4 to %5; %6: it came from behind, and touches nothing until all of it is in front.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%2» está atravesando un muro de una cara de «%1», de %3; %4 a %5; %6: vino por detrás y no toca nada hasta que esté entero delante.</translation>
     </message>
     <message>
         <source>“%2” is behind a one-way wall of “%1”, from %3; %4 to %5; %6, which is open from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%2» está detrás de un muro de una cara de «%1», de %3; %4 a %5; %6, que está abierto desde allí.</translation>
     </message>
     <message>
         <source>1 node selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Escape: select none</source>
-        <translation type="unfinished"></translation>
+        <translation>1 nodo seleccionado · arrastrar: mover · flechas: empujar · Supr: eliminar · Mayús+B: cortar · Esc: no seleccionar nada</translation>
     </message>
     <message>
         <source>Nodes selected: %1 · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos seleccionados: %1 · soltar: listo · Esc: cancelar</translation>
     </message>
     <message>
         <source>Nodes selected: %1 · draw around the nodes · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos seleccionados: %1 · rodear los nodos · soltar: listo · Esc: cancelar</translation>
     </message>
     <message>
         <source>Cuts: %1 · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Cortes: %1 · soltar: cortar · Mayús: 15° · Ctrl: ajuste sí/no · Esc: cancelar</translation>
     </message>
     <message>
         <source>Pivot at %1; %2 m · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished">Pivote en %1, %2 m · Ctrl: ajuste no/sí · Esc: cancelar {1;?} {2 ?}</translation>
+        <translation>Pivote en %1; %2 m · Ctrl: ajuste sí/no · Esc: cancelar</translation>
     </message>
     <message>
         <source>Locked: clicks and drags go past it</source>
-        <translation type="unfinished"></translation>
+        <translation>Bloqueado: los clics y arrastres pasan de largo</translation>
     </message>
     <message>
         <source>%1 selected · locked, so nothing changes it · Escape: select nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 seleccionado(s) · bloqueado, nada lo cambia · Esc: no seleccionar nada</translation>
     </message>
     <message>
         <source>A body without a name is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
@@ -6993,7 +7044,7 @@ Software libre bajo la licencia MIT. Hecho con Qt %1 y Eigen.</translation>
     </message>
     <message>
         <source>%1: unlock all</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: desbloquear todo</translation>
     </message>
     <message>
         <source>Reading %1: %2 s so far · %3: leave it</source>

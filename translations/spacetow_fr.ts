@@ -2756,15 +2756,15 @@
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished">Largeur</translation>
+        <translation>Largeur</translation>
     </message>
     <message>
         <source>Of the rectangle, along its own side; the middle stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Du rectangle, le long de son propre côté ; le milieu reste où il est</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">Hauteur</translation>
+        <translation>Hauteur</translation>
     </message>
 </context>
 <context>
@@ -3496,6 +3496,57 @@
     <message>
         <source>Leaves of the quadtrees</source>
         <translation>Feuilles des quadtrees</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Inser</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page préc.</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page suiv.</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retour arrière</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
     </message>
 </context>
 <context>
@@ -5723,54 +5774,54 @@
     </message>
     <message>
         <source>Change “%1” of the level</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier « %1 » du niveau</translation>
     </message>
     <message>
         <source>Change “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier « %1 »</translation>
     </message>
     <message numerus="yes">
         <source>Change “%1” of %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Modifier « %1 » de %n objet</numerusform>
+            <numerusform>Modifier « %1 » de %n objets</numerusform>
         </translation>
     </message>
     <message>
         <source>“%2” is on its way through a one-way wall of “%1”, from %3; %4 to %5; %6: it came from behind, and touches nothing until all of it is in front.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %2 » traverse un mur à sens unique de « %1 », de %3 ; %4 à %5 ; %6 : il est venu de derrière et ne touche rien tant qu’il n’est pas tout entier devant.</translation>
     </message>
     <message>
         <source>“%2” is behind a one-way wall of “%1”, from %3; %4 to %5; %6, which is open from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %2 » est derrière un mur à sens unique de « %1 », de %3 ; %4 à %5 ; %6, qui est ouvert de ce côté.</translation>
     </message>
     <message>
         <source>1 node selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Escape: select none</source>
-        <translation type="unfinished"></translation>
+        <translation>1 nœud sélectionné · glisser : déplacer · flèches : pousser · Suppr : supprimer · Maj+B : couper · Échap : ne rien sélectionner</translation>
     </message>
     <message>
         <source>Nodes selected: %1 · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Nœuds sélectionnés : %1 · relâcher : terminé · Échap : annuler</translation>
     </message>
     <message>
         <source>Nodes selected: %1 · draw around the nodes · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Nœuds sélectionnés : %1 · entourer les nœuds · relâcher : terminé · Échap : annuler</translation>
     </message>
     <message>
         <source>Cuts: %1 · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Coupes : %1 · relâcher : couper · Maj : 15° · Ctrl : accrochage désactivé/activé · Échap : annuler</translation>
     </message>
     <message>
         <source>Pivot at %1; %2 m · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished">Pivot à %1, %2 m · Ctrl&#xa0;: aimant non/oui · Échap&#xa0;: annuler {1;?} {2 ?}</translation>
+        <translation>Pivot à %1 ; %2 m · Ctrl : accrochage désactivé/activé · Échap : annuler</translation>
     </message>
     <message>
         <source>Locked: clicks and drags go past it</source>
-        <translation type="unfinished"></translation>
+        <translation>Verrouillé : clics et glissements l’ignorent</translation>
     </message>
     <message>
         <source>%1 selected · locked, so nothing changes it · Escape: select nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sélectionné(s) · verrouillé, rien ne le modifie · Échap : ne rien sélectionner</translation>
     </message>
     <message>
         <source>A body without a name is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
@@ -6993,7 +7044,7 @@ Logiciel libre sous licence MIT. Fait avec Qt %1 et Eigen.</translation>
     </message>
     <message>
         <source>%1: unlock all</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 : tout déverrouiller</translation>
     </message>
     <message>
         <source>Reading %1: %2 s so far · %3: leave it</source>

@@ -2756,15 +2756,15 @@
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished">宽度</translation>
+        <translation>宽度</translation>
     </message>
     <message>
         <source>Of the rectangle, along its own side; the middle stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>矩形沿自身边的尺寸；中心保持不动</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">高度</translation>
+        <translation>高度</translation>
     </message>
 </context>
 <context>
@@ -3496,6 +3496,57 @@
     <message>
         <source>Leaves of the quadtrees</source>
         <translation>四叉树的叶节点</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Insert</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page Down</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>空格</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>退格</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
     </message>
 </context>
 <context>
@@ -5687,53 +5738,53 @@
     </message>
     <message>
         <source>Change “%1” of the level</source>
-        <translation type="unfinished"></translation>
+        <translation>更改关卡的“%1”</translation>
     </message>
     <message>
         <source>Change “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>更改“%1”</translation>
     </message>
     <message numerus="yes">
         <source>Change “%1” of %n objects</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>更改 %n 个对象的“%1”</numerusform>
         </translation>
     </message>
     <message>
         <source>“%2” is on its way through a one-way wall of “%1”, from %3; %4 to %5; %6: it came from behind, and touches nothing until all of it is in front.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%2”正在穿过“%1”的单向墙（从 %3; %4 到 %5; %6）：它来自背面，在完全到达正面之前不会接触任何东西。</translation>
     </message>
     <message>
         <source>“%2” is behind a one-way wall of “%1”, from %3; %4 to %5; %6, which is open from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%2”位于“%1”的单向墙（从 %3; %4 到 %5; %6）背面，从那里可以通过。</translation>
     </message>
     <message>
         <source>1 node selected · drag: move · arrow keys: nudge · Delete: remove · Shift+B: break · Escape: select none</source>
-        <translation type="unfinished"></translation>
+        <translation>已选 1 个节点 · 拖动：移动 · 方向键：微移 · Delete：删除 · Shift+B：断开 · Esc：取消选择</translation>
     </message>
     <message>
         <source>Nodes selected: %1 · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>已选节点：%1 · 松开：完成 · Esc：取消</translation>
     </message>
     <message>
         <source>Nodes selected: %1 · draw around the nodes · release: done · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>已选节点：%1 · 圈住节点 · 松开：完成 · Esc：取消</translation>
     </message>
     <message>
         <source>Cuts: %1 · release: cut · Shift: 15° · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>切口：%1 · 松开：切割 · Shift：15° · Ctrl：吸附开/关 · Esc：取消</translation>
     </message>
     <message>
         <source>Pivot at %1; %2 m · Ctrl: snap off/on · Escape: cancel</source>
-        <translation type="unfinished">轴心位于 %1, %2 m · Ctrl：切换吸附 · Esc：取消 {1;?} {2 ?}</translation>
+        <translation>枢轴位于 %1; %2 m · Ctrl：吸附开/关 · Esc：取消</translation>
     </message>
     <message>
         <source>Locked: clicks and drags go past it</source>
-        <translation type="unfinished"></translation>
+        <translation>已锁定：点击和拖动会略过它</translation>
     </message>
     <message>
         <source>%1 selected · locked, so nothing changes it · Escape: select nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>已选 %1 个 · 已锁定，不会被更改 · Esc：取消选择</translation>
     </message>
     <message>
         <source>A body without a name is not made of polygons alone. Only polygons can be united, subtracted and intersected.</source>
@@ -6949,7 +7000,7 @@ Free software under the MIT license. Made with Qt %1 and Eigen.</source>
     </message>
     <message>
         <source>%1: unlock all</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：全部解锁</translation>
     </message>
     <message>
         <source>Reading %1: %2 s so far · %3: leave it</source>
