@@ -629,7 +629,7 @@
     </message>
     <message>
         <source>Select Same Ta&amp;gs</source>
-        <translation>Gle&amp;iche Tags auswählen</translation>
+        <translation>Gle&amp;iche Merkmale auswählen</translation>
     </message>
     <message>
         <source>Select all bodies with the same tags as those selected</source>
@@ -3210,7 +3210,7 @@
     </message>
     <message>
         <source>finish</source>
-        <translation>Ziel</translation>
+        <translation>Ziellinie</translation>
     </message>
     <message>
         <source>connector</source>
@@ -6984,7 +6984,7 @@ Freie Software unter der MIT-Lizenz. Erstellt mit Qt %1 und Eigen.</translation>
 %7: find everything else</source>
         <translation>Hier beginnt ein neues Level.
 %1: die Wände einer Höhle zeichnen, gegen den Uhrzeigersinn
-%2: Schiff, Fracht und Ziel setzen
+%2: Schiff, Fracht und Ziellinie setzen
 %3: spielen
 %4, %5: Kisten und Bälle zeichnen
 %6: simulieren

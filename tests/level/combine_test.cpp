@@ -2,6 +2,7 @@
 
 #include "core/geometry/polygon.h"
 #include "core/level/arrange.h"
+#include "core/level/edits.h"
 #include "tests/support/body_with.h"
 #include "tests/support/test_main.h"
 
@@ -98,7 +99,11 @@ class CombineTest : public QObject {
         };
         QCOMPARE(code({1}, PolygonBoolean::Union), std::string("combine-too-few"));
         QCOMPARE(code({}, PolygonBoolean::Union), std::string("combine-too-few"));
-        QCOMPARE(code({1, 3}, PolygonBoolean::Union), std::string("combine-unnamed-no-polygon"));
+        QCOMPARE(code({1, 3}, PolygonBoolean::Union), std::string("combine-no-polygon"));
+        const Result<CombinedBodies> unnamed =
+            combinedBodies(renamed(boxes(), 3, ""), CombineKeys{1, 3}, PolygonBoolean::Union);
+        QCOMPARE(unnamed.error().code.text(), std::string("combine-unnamed-no-polygon")); // and tells no key
+        QVERIFY(unnamed.error().arguments.empty());
         QCOMPARE(code({1, 5}, PolygonBoolean::Intersection), std::string("combine-empty"));
         QCOMPARE(code({1, 5}, PolygonBoolean::Union), std::string());
         Level far = boxes();
