@@ -58,6 +58,7 @@ MainWindow::MainWindow(std::shared_ptr<OpenLevel> level, Application* applicatio
         layout()->invalidate(); // it holds to what the panels asked for before they were tabs
         layout()->activate();
         resize(firstSize(monitor->availableGeometry().size()));
+        m_panels->widenInspector();
     }
     m_canvas.setFocus();
 }

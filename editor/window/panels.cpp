@@ -254,6 +254,14 @@ void Panels::placeAtFirst() {
     m_window.resizeDocks(stacked, heights, Qt::Vertical);
 }
 
+void Panels::widenInspector() {
+    constexpr int roomy = 1100; // px
+    if (m_window.width() >= roomy) {
+        QDockWidget& inspector = dock(QStringLiteral("inspector"));
+        m_window.resizeDocks({&inspector}, {inspector.widget()->sizeHint().width()}, Qt::Horizontal);
+    }
+}
+
 QList<QAction*> Panels::actions() const {
     QList<QAction*> all;
     for (const PanelRow& row : allPanels) {

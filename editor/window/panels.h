@@ -44,6 +44,8 @@ class Panels {
     /// Of all panels, for the menu.
     QList<QAction*> actions() const;
     void setKeys(const KeyBindings& bindings);
+    /// In a window that has room for it the inspector has its labels beside the fields.
+    void widenInspector();
     /// The keyboard goes to the first thing in the panel that takes it.
     static void enter(QDockWidget& dock);
     /// The panel that holds the widget; null for one outside.

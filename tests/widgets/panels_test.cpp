@@ -115,6 +115,18 @@ class PanelsTest : public QObject {
         QVERIFY(test.window->focusWidget() != nullptr && test.window->focusWidget() != &test.canvas());
     }
 
+    void theInspectorIsWideWhereThereIsRoom() {
+        TestWindow test;
+        const QWidget& inspector = *dockOf(test, "inspector").widget();
+        for (const int width : {800, 1280}) {
+            test.window->resize(width, 800);
+            QApplication::processEvents();
+            test.window->panels().widenInspector();
+            QApplication::processEvents();
+            QCOMPARE(inspector.width() >= inspector.sizeHint().width(), width == 1280);
+        }
+    }
+
     void severalPanelsInOnePlaceAreNamedInFull() {
         TestWindow test;
         for (const char* name : {"outliner", "problems", "history", "nodes", "minimap"}) {
