@@ -10,8 +10,9 @@ namespace spacetow {
 
 namespace {
 
-constexpr Field widthField{.name = "width", .unit = "m", .max = limits::coordinate, .openMin = true};
-constexpr Field heightField{.name = "height", .unit = "m", .max = limits::coordinate, .openMin = true};
+constexpr double leastExtent = 1e-6; // m: rounding would put corners that are nearer onto each other
+constexpr Field widthField{.name = "width", .unit = "m", .min = leastExtent, .max = limits::coordinate};
+constexpr Field heightField{.name = "height", .unit = "m", .min = leastExtent, .max = limits::coordinate};
 constexpr std::array sizeFields{&widthField, &heightField};
 
 struct RectangleFrame {
@@ -40,22 +41,20 @@ std::optional<RectangleFrame> rectangleFrame(const Object& object) {
     if (!isRight) {
         return {};
     }
-    const std::size_t along = std::abs(sides[0].x()) >= std::abs(sides[0].y()) ? 0 : 1;
+    // At 45° rounding does not decide.
+    const std::size_t along = std::abs(sides[0].x()) >= (1 - rounding) * std::abs(sides[0].y()) ? 0 : 1;
     const std::size_t across = 1 - along;
     const Vec2 size(lengths[static_cast<int>(along)], lengths[static_cast<int>(across)]);
     return RectangleFrame{
         {sides[along] / size.x(), sides[across] / size.y()}, tidied(size), 0.5 * (corners[0] + corners[2])};
 }
 
-/// The polygon's corners so far from the middle along this axis, to the last bit.
-void setExtent(Object& object, int axis, double extent) {
-    const std::optional<RectangleFrame> frame = rectangleFrame(object);
-    if (!frame) {
-        return;
-    }
-    const Vec2 way = frame->axes[static_cast<std::size_t>(axis)];
-    for (Vec2& corner : std::get<Polygon>(std::get<BodyObject>(object.data).shapes.front()).vertices) {
-        const double from = (corner - frame->middle).dot(way);
+/// The rectangle's corners so far from the middle along this unit vector of the body, to the last bit.
+void setExtent(Object& object, const Vec2& way, double extent) {
+    std::vector<Vec2>& corners = std::get<Polygon>(std::get<BodyObject>(object.data).shapes.front()).vertices;
+    const Vec2 middle = 0.5 * (corners[0] + corners[2]);
+    for (Vec2& corner : corners) {
+        const double from = (corner - middle).dot(way);
         corner = tidied(Vec2(corner + way * (std::copysign(0.5 * extent, from) - from)));
     }
 }
@@ -70,7 +69,7 @@ Level resized(Level level, Key key, int axis, double extent) {
     const Vec2 y(more * way.x() * way.y(), 1 + more * way.y() * way.y());
     Level after = transformed(std::move(level), {&key, 1}, Affine::about(pose.toWorld(frame.middle), x, y));
     Object made = *after.objects.find(key);
-    setExtent(made, axis, extent);
+    setExtent(made, frame.axes[static_cast<std::size_t>(axis)], extent); // such a map does not turn the body
     return withObject(std::move(after), std::move(made));
 }
 
@@ -123,7 +122,7 @@ FieldEditResult withSizeEdited(Level level, std::span<const Key> keys, const Fie
         }
         const std::optional<FieldValue> next = edit.change(FieldValue((*size)[axis]));
         const double* extent = next ? std::get_if<double>(&*next) : nullptr;
-        if (extent == nullptr || !(*extent > 0) || *extent > limits::coordinate) {
+        if (extent == nullptr || !(*extent >= leastExtent) || *extent > limits::coordinate) {
             ++result.refused;
         } else if (*extent != (*size)[axis]) {
             result.level = resized(std::move(result.level), key, axis, *extent);

@@ -365,7 +365,7 @@ void Canvas::resizeEvent(QResizeEvent* event) {
     const int top = mapTo(window(), QPoint(0, 0)).y();
     const int down = top - std::exchange(m_top, top);
     const QSize& before = event->oldSize();
-    if (down != 0 && before.isValid() && event->size() == before - QSize(0, down)) {
+    if (!isLive() && down != 0 && before.isValid() && event->size() == before - QSize(0, down)) {
         // A bar has come or gone above: what is drawn stays where it is on the screen.
         Viewport view = m_view;
         view.center.y() -= 0.5 * down * view.pixel();

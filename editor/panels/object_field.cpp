@@ -27,7 +27,8 @@ ObjectField::ObjectField(std::function<bool(const Object&)> suits, bool mayBeNon
     m_show = addAction(livingIcon(QStringLiteral("center")), TrailingPosition);
     m_show->setToolTip(tr("Select it and bring it into the middle of the view"));
     connect(m_show, &QAction::triggered, this, [this] {
-        if (showObject && m_key && *m_key != 0) {
+        commit(); // a button takes no focus
+        if (m_fault.isEmpty() && showObject && m_key && level().objects.find(*m_key) != nullptr) {
             showObject(*m_key);
         }
     });

@@ -96,8 +96,9 @@ void Application::restore(const RememberedWindow& remembered) {
     m_arriving = &window;
     window.fileReader().read({remembered.path}, [this, &window, remembered](const std::vector<FileToOpen>& files) {
         m_arriving = nullptr;
-        if (!files.empty() && window.open(files.front())) { // else the window says why
-            showView(window, remembered.view);
+        // Not in place of what has been opened there meanwhile.
+        if (MainWindow* const there = files.empty() ? nullptr : open(files.front(), window)) {
+            showView(*there, remembered.view);
         }
         restoreNext();
     });
@@ -256,6 +257,7 @@ void Application::close(MainWindow& window) {
     } else if (window.mayClose()) {
         keepClosed(window);
         window.stopPlaying();
+        window.fileReader().leave();
         window.files().startOver();
         window.showWelcome();
     }
@@ -279,8 +281,12 @@ void Application::reopenClosed(MainWindow& from) {
         show(window);
         return;
     }
-    from.fileReader().read({last.path}, [this, show, &from](const std::vector<FileToOpen>& files) {
-        MainWindow* const window = files.empty() ? nullptr : open(files.front(), from);
+    from.fileReader().read({last.path}, [this, show, last, &from](const std::vector<FileToOpen>& files) {
+        if (files.empty()) {
+            m_closed.push_back(last); // its reading was left
+            return;
+        }
+        MainWindow* const window = open(files.front(), from);
         if (window != nullptr) {
             show(*window);
         }

@@ -358,9 +358,9 @@ QString MainWindow::snapHint() const {
 /// Which key unlocks what the hint says is locked.
 QString MainWindow::lockedHint() const {
     const std::string code = m_toolbox.hint().code;
-    return code == "select.locked" || code == "select.all-locked"
-               ? QStringLiteral(" · ") +
-                     tr("%1: unlock all").arg(m_actions[Act::UnlockAll].shortcut().toString(QKeySequence::NativeText))
+    const QString key = m_actions[Act::UnlockAll].shortcut().toString(QKeySequence::NativeText);
+    return (code == "select.locked" || code == "select.all-locked") && !key.isEmpty()
+               ? QStringLiteral(" · ") + tr("%1: unlock all").arg(key)
                : QString();
 }
 

@@ -5,6 +5,7 @@
 #include "editor/window/main_window.h"
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QLayout>
@@ -154,7 +155,7 @@ void giveRoom(QMainWindow& window, QDockWidget& dock, int height) {
 /// Its key leads into a panel that is shown already, and closes it only from within; the menu shows and hides it.
 class KeyIntoPanel : public QObject {
   public:
-    explicit KeyIntoPanel(QDockWidget& dock) : QObject(&dock), m_dock(dock) {
+    KeyIntoPanel(MainWindow& window, QDockWidget& dock) : QObject(&dock), m_window(window), m_dock(dock) {
         dock.toggleViewAction()->installEventFilter(this);
     }
 
@@ -164,18 +165,21 @@ class KeyIntoPanel : public QObject {
             !m_dock.toggleViewAction()->isEnabled()) {
             return QObject::eventFilter(watched, event);
         }
-        const QWidget* const typing = m_dock.window()->focusWidget();
+        const QWidget* const typing = QApplication::focusWidget();
         const bool isInFront = m_dock.isVisible() && !m_dock.visibleRegion().isEmpty();
         if (!isInFront || (typing != nullptr && m_dock.isAncestorOf(typing))) {
             m_dock.toggleViewAction()->trigger();
         }
         if (m_dock.isVisible()) {
             Panels::enter(m_dock);
+        } else { // Qt would lead into the next panel
+            m_window.canvas().setFocus(Qt::ShortcutFocusReason);
         }
         return true;
     }
 
   private:
+    MainWindow& m_window;
     QDockWidget& m_dock;
 };
 
@@ -229,7 +233,7 @@ void Panels::add(const PanelRow& row) {
     action->setText(translatedTitle(row.title));
     action->setStatusTip(QCoreApplication::translate("Panels", "Show or hide this panel"));
     followTabs(m_window, *dock, row.height);
-    new KeyIntoPanel(*dock); // owned by it
+    new KeyIntoPanel(m_window, *dock); // owned by the dock
     m_window.addAction(action);
     m_docks[dock->objectName()] = dock;
 }
@@ -273,6 +277,9 @@ QList<QAction*> Panels::actions() const {
 /// A field or a list goes before what only folds a section or scrolls.
 void Panels::enter(QDockWidget& dock) {
     QWidget* const panel = dock.widget();
+    if (dock.isFloating()) {
+        dock.activateWindow();
+    }
     QWidget* first = nullptr;
     for (QWidget* each = panel->nextInFocusChain(); each != panel; each = each->nextInFocusChain()) {
         const bool takesTab = panel->isAncestorOf(each) && (each->focusPolicy() & Qt::TabFocus) != 0 &&

@@ -5,6 +5,7 @@
 #include "tests/support/test_main.h"
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 using namespace spacetow;
@@ -74,6 +75,33 @@ class RectanglesTest : public QObject {
         QCOMPARE(rectangleSize(after), std::optional(Vec2(0.3, 2.1))); // to the last bit
         QVERIFY((middleOf(after) - middleOf(level.objects[0])).norm() < 1e-9);
         QCOMPARE(std::get<BodyObject>(after.data).angle, angle);
+    }
+
+    void oneThatStandsAtHalfARightAngleKeepsItsOtherSide() {
+        for (int i = 0; i < 200; ++i) { // rounding makes one side lean more than the other
+            Level level;
+            const Vec2 along(std::sqrt(0.5), std::sqrt(0.5)), across(-along.y(), along.x());
+            const Vec2 corner(0.01 * i, 0.37 * i);
+            Polygon polygon;
+            for (const Vec2& at : {Vec2(0, 0), Vec2(2, 0), Vec2(2, 1), Vec2(0, 1)}) {
+                polygon.vertices.push_back(tidied(Vec2(corner + at.x() * along + at.y() * across)));
+            }
+            level.objects.append(bodyWith(1, polygon));
+            const FieldEditResult result = withSizeEdited(level, std::array{Key{1}}, sizeTo("width", 3));
+            const Vec2 size = rectangleSize(*result.level.objects.find(1)).value_or(Vec2(0, 0));
+            QVERIFY2((size - Vec2(3, 1)).norm() < 1e-6, qPrintable(QString::number(i)));
+        }
+    }
+
+    void aSizeThatRoundingWouldTakeAwayIsRefused() {
+        const Level level = plankLevel({-1.5, -0.5}, 0);
+        for (const double extent : {1e-17, 1e-9, 9e-7}) {
+            const FieldEditResult result = withSizeEdited(level, std::array{Key{1}}, sizeTo("width", extent));
+            QCOMPARE(result.refused, 1);
+            QVERIFY(result.level == level);
+        }
+        const FieldEditResult least = withSizeEdited(level, std::array{Key{1}}, sizeTo("width", 1e-6));
+        QVERIFY(rectangleSize(*least.level.objects.find(1)).has_value());
     }
 
     void connectorsGoWithTheirCorners() {

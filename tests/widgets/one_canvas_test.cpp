@@ -66,6 +66,18 @@ class OneCanvasTest : public QObject {
         QVERIFY(sees());
     }
 
+    void aBarThatOpensInAGameLeavesTheViewWithTheShip() {
+        TestWindow test;
+        test.document().reset(openSpace());
+        test.trigger(Act::Play);
+        QApplication::processEvents();
+        const double height = test.canvas().height();
+        test.window->messageBar().say(MessageBar::Tone::Warning, QStringLiteral("Something is amiss."));
+        QApplication::processEvents();
+        QVERIFY(test.canvas().height() < height);
+        QVERIFY(test.window->liveView().isFollowing());
+    }
+
     void playingKeepsTheViewAndStoppingBringsItBack() {
         TestWindow test;
         test.document().reset(openSpace());

@@ -242,7 +242,7 @@ class PanelsTest : public QObject {
         press();
         QVERIFY(isInside());
         press();
-        QVERIFY(!inspector.isVisible());
+        QVERIFY(!inspector.isVisible() && test.canvas().hasFocus());
         press();
         QVERIFY(isInside());
         test.key(Qt::Key_Escape);
