@@ -161,6 +161,22 @@ class LargeFilesTest : public QObject {
         QCOMPARE(test.window(1).openLevel(), test.window(2).openLevel());
         QCOMPARE(test.window(2).files().path(), path);
     }
+
+    void aLevelOfTheLastRunDoesNotTakeThePlaceOfOneThatWasOpenedMeanwhile() {
+        TestApplication test;
+        const QString path = test.file("large.json");
+        putText(path, largeText("Large"));
+        const QString other = test.writtenLevel("b.json");
+        test.start({path});
+        test.window(0).fileReader().finish();
+        test.startAgain();
+        MainWindow& window = test.window(0);
+        QVERIFY(window.files().path().isEmpty()); // its level is being read
+        window.open(other);
+        QTRY_COMPARE(test.count(), 2u);
+        QCOMPARE(window.files().path(), other);
+        QCOMPARE(test.window(1).files().path(), path);
+    }
 };
 
 SPACETOW_TEST(LargeFilesTest)
