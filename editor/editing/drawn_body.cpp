@@ -9,12 +9,6 @@
 
 namespace spacetow {
 
-namespace {
-
-constexpr double rounding = 1e-9; // m, of corners that were drawn on the grid
-
-} // namespace
-
 Edit withDrawnBody(const ToolContext& context, LevelShape shape, const Vec2& position, BodyKind kind) {
     BodyObject body;
     body.kind = kind;
@@ -33,10 +27,8 @@ Edit withDrawnPolygon(const ToolContext& context, std::vector<Vec2> outline, Bod
     for (const Vec2& point : outline) {
         box.include(point);
     }
-    const bool onSteps = kind != BodyKind::Kinematic && context.snap.grid && context.snap.step > 0;
-    const Vec2 onStep = onSteps ? onGrid(context.snap, box.center()) : box.center();
-    // What is smaller than a step may have none in it.
-    const Vec2 position = onSteps && box.grown(rounding).contains(onStep) ? onStep : tidied(box.center());
+    const Vec2 middle = tidied(box.center());
+    const Vec2 position = kind == BodyKind::Kinematic ? middle : onGridWithin(context.snap, box, middle);
     if (signedArea(outline) < 0) {
         std::reverse(outline.begin() + 1, outline.end());
     }

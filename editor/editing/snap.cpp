@@ -71,6 +71,15 @@ Vec2 onGrid(const SnapSettings& settings, const Vec2& point) {
     return {onGrid(settings, point.x()), onGrid(settings, point.y())};
 }
 
+Vec2 onGridWithin(const SnapSettings& settings, const Aabb& box, const Vec2& point) {
+    constexpr double rounding = 1e-9; // m, of what was drawn on the grid
+    if (!settings.grid || !(settings.step > 0)) {
+        return point;
+    }
+    const Vec2 snapped = onGrid(settings, point);
+    return box.grown(rounding).contains(snapped) ? snapped : point;
+}
+
 Vec2 snapped(const SnapSettings& settings, const Pointer& pointer) {
     return snaps(settings, pointer.modifiers) ? onGrid(settings, pointer.world) : pointer.world;
 }

@@ -43,6 +43,9 @@ bool snaps(const SnapSettings& settings, const Modifiers& modifiers);
 /// The nearest multiple of the fine step, which must be positive.
 double onGrid(const SnapSettings& settings, double coordinate);
 Vec2 onGrid(const SnapSettings& settings, const Vec2& point);
+/// The same, where points snap to the grid and it has that point in the box or but for rounding; else the point itself:
+/// what is smaller than a step may have none in it.
+Vec2 onGridWithin(const SnapSettings& settings, const Aabb& box, const Vec2& point);
 /// Unit vector at the multiple of 15° nearest to the direction of `vector`.
 Vec2 snappedDirection(const Vec2& vector);
 

@@ -72,12 +72,9 @@ std::optional<Vec2> turningPoint(const ToolContext& context) {
         return own;
     }
     const std::optional<Vec2> middle = middleOf(context.edit);
-    if (!middle || !context.snap.grid || !(context.snap.step > 0)) {
-        return middle;
-    }
-    const Vec2 onStep = onGrid(context.snap, *middle);
-    const Aabb box = boundsOf(*context.edit.level, context.edit.selection.keys());
-    return box.grown(almost).contains(onStep) ? onStep : *middle; // what is smaller than a step may have none in it
+    return middle ? std::optional(onGridWithin(context.snap,
+                                               boundsOf(*context.edit.level, context.edit.selection.keys()), *middle))
+                  : std::nullopt;
 }
 
 std::optional<FinishedEdit> removeSelected(const ToolContext& context) {
